@@ -1,0 +1,40 @@
+from __future__ import annotations
+
+import pytest
+
+from zbot import errors
+
+
+def test_every_error_belongs_to_the_tree() -> None:
+    classes = [item for item in vars(errors).values() if isinstance(item, type)]
+    assert all(issubclass(item, errors.ZbotError) for item in classes)
+
+
+@pytest.mark.parametrize(
+    ("error", "builtin"),
+    [
+        (errors.ArgumentTypeError("depth", "an integer", "x"), TypeError),
+        (errors.InvalidNodeNameError("a b", "reason", 1), ValueError),
+        (errors.InvalidParameterError(""), ValueError),
+    ],
+)
+def test_a_stranger_can_catch_the_builtin(
+    error: errors.ZbotError, builtin: type[Exception]
+) -> None:
+    assert isinstance(error, builtin)
+
+
+def test_facts_are_kept_as_attributes() -> None:
+    error = errors.InvalidNameError("topic name", "a b", "a space is not allowed", 1)
+    assert (error.name_type, error.name, error.error_msg, error.invalid_index) == (
+        "topic name",
+        "a b",
+        "a space is not allowed",
+        1,
+    )
+
+
+def test_a_parameter_error_lists_the_names() -> None:
+    error = errors.ParameterError("unknown parameters", ["a", "b"])
+    assert error.parameters == ["a", "b"]
+    assert str(error) == "unknown parameters: 'a', 'b'"

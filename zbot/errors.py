@@ -1,0 +1,87 @@
+"""What can go wrong, as one tree of exceptions.
+
+Each class also inherits the builtin that a stranger would catch. The constructor takes facts and
+keeps them as attributes; the class writes the sentence: what is wrong, the offending value, and
+what to do.
+"""
+
+from __future__ import annotations
+
+
+class ZbotError(Exception):
+    """Root of everything that zbot raises on purpose."""
+
+
+class ArgumentTypeError(ZbotError, TypeError):
+    """A function was given a value of the wrong Python type, e.g. a number as a node's name."""
+
+    def __init__(self, argument: str, expected: str, value: object) -> None:
+        self.argument, self.expected, self.value = argument, expected, value
+        super().__init__(f"{argument} must be {expected}, not {type(value).__name__}: {value!r}")
+
+
+class InvalidNameError(ZbotError, ValueError):
+    """A node, namespace, topic or service name breaks the ROS 2 grammar.
+
+    Attributes:
+        name_type: What the name names, e.g. `topic name`.
+        name: The name as it was given.
+        error_msg: The rule that it breaks.
+        invalid_index: Index in `name` of the first character that breaks it.
+    """
+
+    def __init__(self, name_type: str, name: str, error_msg: str, invalid_index: int) -> None:
+        self.name_type, self.name = name_type, name
+        self.error_msg, self.invalid_index = error_msg, invalid_index
+        # repr may escape characters: count what it prints before the invalid one.
+        column = len(repr(name[:invalid_index])) - 1
+        super().__init__(f"Invalid {name_type}: {error_msg}:\n  {name!r}\n  {' ' * column}^")
+
+
+class InvalidNodeNameError(InvalidNameError):
+    """A node's name is empty, too long or has a character that names may not have."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("node name", name, error_msg, invalid_index)
+
+
+class InvalidNamespaceError(InvalidNameError):
+    """A namespace is not absolute or breaks the grammar."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("namespace", name, error_msg, invalid_index)
+
+
+class InvalidTopicNameError(InvalidNameError):
+    """A topic's name breaks the grammar, before or after it was expanded."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("topic name", name, error_msg, invalid_index)
+
+
+class InvalidServiceNameError(InvalidNameError):
+    """A service's name breaks the grammar, before or after it was expanded."""
+
+    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
+        super().__init__("service name", name, error_msg, invalid_index)
+
+
+class ParameterError(ZbotError):
+    """Root of what can go wrong with a node's parameters.
+
+    Attributes:
+        error_msg: What is wrong.
+        parameters: The names concerned.
+    """
+
+    def __init__(self, error_msg: str, parameters: str | list[str]) -> None:
+        self.error_msg = error_msg
+        self.parameters = [parameters] if isinstance(parameters, str) else list(parameters)
+        super().__init__(f"{error_msg}: {', '.join(map(repr, self.parameters))}")
+
+
+class InvalidParameterError(ParameterError, ValueError):
+    """A parameter's name is not acceptable, e.g. empty."""
+
+    def __init__(self, parameter_name: str) -> None:
+        super().__init__("Invalid parameter name", parameter_name)
