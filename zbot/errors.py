@@ -85,3 +85,31 @@ class InvalidParameterError(ParameterError, ValueError):
 
     def __init__(self, parameter_name: str) -> None:
         super().__init__("Invalid parameter name", parameter_name)
+
+
+class ClockMismatchError(ZbotError, TypeError):
+    """Times of two kinds of clock were compared or subtracted."""
+
+    def __init__(self, first: str, second: str) -> None:
+        self.first, self.second = first, second
+        super().__init__(
+            f"cannot compare or subtract times of different clock types ({first} and {second}): "
+            "take both from the same clock"
+        )
+
+
+class NegativeTimeError(ZbotError, ValueError):
+    """A point in time would lie before its clock's zero."""
+
+    def __init__(self, value: float) -> None:
+        self.value = value
+        super().__init__(f"a time must not be negative: {value!r}")
+
+
+class TimeOverflowError(ZbotError, OverflowError):
+    """A time or duration is not finite or does not fit in 64 bits of nanoseconds."""
+
+    def __init__(self, what: str, seconds: float, nanoseconds: float) -> None:
+        self.what, self.seconds, self.nanoseconds = what, seconds, nanoseconds
+        value = f"{seconds!r} s" if seconds else f"{nanoseconds!r} ns"
+        super().__init__(f"{what} out of range: {value} (the limit is 292 years)")

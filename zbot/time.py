@@ -1,0 +1,266 @@
+"""Points in time and spans between them, in whole nanoseconds, as ROS 2 counts them."""
+
+from __future__ import annotations
+
+import importlib
+import numbers
+from enum import Enum
+from typing import Any, overload
+
+from zbot.errors import (
+    ArgumentTypeError,
+    ClockMismatchError,
+    NegativeTimeError,
+    TimeOverflowError,
+)
+
+__all__ = ["S_TO_NS", "ClockType", "Duration", "Infinite", "Time"]
+
+S_TO_NS = 1_000_000_000
+_LIMIT = 2**63  # ROS 2 keeps nanoseconds in a signed 64 bit number
+
+
+class ClockType(Enum):
+    """What a time counts from: only times of the same clock type can be compared."""
+
+    UNINITIALIZED = 0
+    ROS_TIME = 1  #: the node's own time: the system's, or simulated from `/clock`
+    SYSTEM_TIME = 2  #: since the Unix epoch; jumps when somebody sets the clock
+    STEADY_TIME = 3  #: since some moment before the program; never jumps
+
+
+class Duration:
+    """A span of time, possibly negative."""
+
+    __slots__ = ("_nanoseconds",)
+
+    def __init__(self, *, seconds: float = 0, nanoseconds: float = 0) -> None:
+        """Add up seconds and nanoseconds; fractions of a nanosecond are cut off.
+
+        Raises:
+            ArgumentTypeError: An argument is no number.
+            TimeOverflowError: The sum does not fit in 64 bits (292 years), or is not finite.
+        """
+        self._nanoseconds = _total("duration", seconds, nanoseconds)
+
+    @classmethod
+    def from_msg(cls, msg: Any) -> Duration:
+        """Return the value of a `builtin_interfaces/msg/Duration`.
+
+        Raises:
+            ArgumentTypeError: The message has no `sec` and `nanosec`.
+        """
+        return cls(nanoseconds=_from_message("builtin_interfaces/msg/Duration", msg))
+
+    def to_msg(self) -> Any:
+        """Return a `builtin_interfaces/msg/Duration`; its range is about 68 years either way."""
+        return _to_message("Duration", self._nanoseconds)
+
+    @property
+    def nanoseconds(self) -> int:
+        """The whole span, in nanoseconds."""
+        return self._nanoseconds
+
+    def __repr__(self) -> str:
+        return f"Duration(nanoseconds={self._nanoseconds})"
+
+    def __str__(self) -> str:
+        return f"{self._nanoseconds} nanoseconds"
+
+    def __hash__(self) -> int:
+        return hash((Duration, self._nanoseconds))
+
+    def __add__(self, other: Duration) -> Duration:
+        if isinstance(other, Duration):
+            return Duration(nanoseconds=self._nanoseconds + other._nanoseconds)
+        return NotImplemented
+
+    def __sub__(self, other: Duration) -> Duration:
+        if isinstance(other, Duration):
+            return Duration(nanoseconds=self._nanoseconds - other._nanoseconds)
+        return NotImplemented
+
+    def __mul__(self, factor: float) -> Duration:
+        if isinstance(factor, (int, float)):
+            return Duration(nanoseconds=self._nanoseconds * factor)
+        return NotImplemented
+
+    __rmul__ = __mul__
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, Duration):
+            return self._nanoseconds == other._nanoseconds
+        return NotImplemented
+
+    def __lt__(self, other: Duration) -> bool:
+        if isinstance(other, Duration):
+            return self._nanoseconds < other._nanoseconds
+        return NotImplemented
+
+    def __le__(self, other: Duration) -> bool:
+        if isinstance(other, Duration):
+            return self._nanoseconds <= other._nanoseconds
+        return NotImplemented
+
+    def __gt__(self, other: Duration) -> bool:
+        if isinstance(other, Duration):
+            return self._nanoseconds > other._nanoseconds
+        return NotImplemented
+
+    def __ge__(self, other: Duration) -> bool:
+        if isinstance(other, Duration):
+            return self._nanoseconds >= other._nanoseconds
+        return NotImplemented
+
+
+class Time:
+    """A point in time of one kind of clock, never before that clock's zero."""
+
+    __slots__ = ("_clock_type", "_nanoseconds")
+
+    def __init__(
+        self,
+        *,
+        seconds: float = 0,
+        nanoseconds: float = 0,
+        clock_type: ClockType = ClockType.SYSTEM_TIME,
+    ) -> None:
+        """Add up seconds and nanoseconds; fractions of a nanosecond are cut off.
+
+        Raises:
+            ArgumentTypeError: An argument is no number, or `clock_type` no `ClockType`.
+            NegativeTimeError: An argument is below zero.
+            TimeOverflowError: The sum does not fit in 64 bits (292 years), or is not finite.
+        """
+        if not isinstance(clock_type, ClockType):
+            raise ArgumentTypeError("clock_type", "a ClockType", clock_type)
+        self._nanoseconds = _total("time", seconds, nanoseconds)
+        if seconds < 0 or nanoseconds < 0:
+            raise NegativeTimeError(seconds if seconds < 0 else nanoseconds)
+        self._clock_type = clock_type
+
+    @classmethod
+    def from_msg(cls, msg: Any, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
+        """Return the value of a `builtin_interfaces/msg/Time`, which does not tell its clock.
+
+        Raises:
+            ArgumentTypeError: The message has no `sec` and `nanosec`.
+            NegativeTimeError: The message is of a moment before the clock's zero.
+        """
+        nanoseconds = _from_message("builtin_interfaces/msg/Time", msg)
+        return cls(nanoseconds=nanoseconds, clock_type=clock_type)
+
+    def to_msg(self) -> Any:
+        """Return a `builtin_interfaces/msg/Time`; its range ends in 2038."""
+        return _to_message("Time", self._nanoseconds)
+
+    @property
+    def nanoseconds(self) -> int:
+        """Nanoseconds since the clock's zero."""
+        return self._nanoseconds
+
+    @property
+    def clock_type(self) -> ClockType:
+        """The kind of clock that the time was read from."""
+        return self._clock_type
+
+    def seconds_nanoseconds(self) -> tuple[int, int]:
+        """Return whole seconds and the nanoseconds that remain."""
+        return divmod(self._nanoseconds, S_TO_NS)
+
+    def __repr__(self) -> str:
+        return f"Time(nanoseconds={self._nanoseconds}, clock_type={self._clock_type.name})"
+
+    def __hash__(self) -> int:
+        return hash((self._clock_type, self._nanoseconds))
+
+    def __add__(self, other: Duration) -> Time:
+        if isinstance(other, Duration):
+            return self._moved(other.nanoseconds)
+        return NotImplemented
+
+    __radd__ = __add__
+
+    @overload
+    def __sub__(self, other: Time) -> Duration: ...
+    @overload
+    def __sub__(self, other: Duration) -> Time: ...
+    def __sub__(self, other: Time | Duration) -> Time | Duration:
+        if isinstance(other, Time):
+            return Duration(nanoseconds=self._nanoseconds - self._same_clock(other))
+        if isinstance(other, Duration):
+            return self._moved(-other.nanoseconds)
+        return NotImplemented
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, Time):
+            return self._nanoseconds == self._same_clock(other)
+        return NotImplemented
+
+    def __lt__(self, other: Time) -> bool:
+        if isinstance(other, Time):
+            return self._nanoseconds < self._same_clock(other)
+        return NotImplemented
+
+    def __le__(self, other: Time) -> bool:
+        if isinstance(other, Time):
+            return self._nanoseconds <= self._same_clock(other)
+        return NotImplemented
+
+    def __gt__(self, other: Time) -> bool:
+        if isinstance(other, Time):
+            return self._nanoseconds > self._same_clock(other)
+        return NotImplemented
+
+    def __ge__(self, other: Time) -> bool:
+        if isinstance(other, Time):
+            return self._nanoseconds >= self._same_clock(other)
+        return NotImplemented
+
+    def _moved(self, nanoseconds: int) -> Time:
+        return Time(nanoseconds=self._nanoseconds + nanoseconds, clock_type=self._clock_type)
+
+    def _same_clock(self, other: Time) -> int:
+        if self._clock_type is not other._clock_type:
+            raise ClockMismatchError(self._clock_type.name, other._clock_type.name)
+        return other._nanoseconds
+
+
+def _total(what: str, seconds: float, nanoseconds: float) -> int:
+    try:
+        total = int(_plain("seconds", seconds) * S_TO_NS) + int(_plain("nanoseconds", nanoseconds))
+    except (ValueError, OverflowError):  # not a number, infinite
+        raise TimeOverflowError(what, seconds, nanoseconds) from None
+    if not -_LIMIT <= total < _LIMIT:
+        raise TimeOverflowError(what, seconds, nanoseconds)
+    return total
+
+
+def _plain(argument: str, value: float) -> float:
+    """Return Python's own number: a numpy int32 would overflow when it is multiplied."""
+    if isinstance(value, (int, float)):
+        return value
+    if isinstance(value, numbers.Integral):
+        return int(value)
+    if isinstance(value, numbers.Real):
+        return float(value)
+    raise ArgumentTypeError(argument, "a number", value)
+
+
+def _from_message(type_name: str, msg: Any) -> int:
+    try:
+        seconds, nanoseconds = msg.sec, msg.nanosec
+    except AttributeError:
+        raise ArgumentTypeError("msg", f"a {type_name}", msg) from None
+    return int(seconds) * S_TO_NS + int(nanoseconds)
+
+
+def _to_message(name: str, nanoseconds: int) -> Any:
+    # Not at the top: message classes are made from definitions, a layer above this one.
+    message = getattr(importlib.import_module("builtin_interfaces.msg"), name)
+    seconds, rest = divmod(nanoseconds, S_TO_NS)
+    return message(sec=seconds, nanosec=rest)
+
+
+#: Longer than anything: what a deadline or lifespan that never passes is set to.
+Infinite = Duration(nanoseconds=_LIMIT - 1)
