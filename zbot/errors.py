@@ -7,6 +7,8 @@ what to do.
 
 from __future__ import annotations
 
+import difflib
+
 
 class ZbotError(Exception):
     """Root of everything that zbot raises on purpose."""
@@ -113,3 +115,221 @@ class TimeOverflowError(ZbotError, OverflowError):
         self.what, self.seconds, self.nanoseconds = what, seconds, nanoseconds
         value = f"{seconds!r} s" if seconds else f"{nanoseconds!r} ns"
         super().__init__(f"{what} out of range: {value} (the limit is 292 years)")
+
+
+class DomainIdError(ZbotError, ValueError):
+    """A domain id is no integer in range."""
+
+    def __init__(self, source: str, value: object, maximum: int) -> None:
+        self.source, self.value, self.maximum = source, value, maximum
+        super().__init__(
+            f"{source} is {value!r}, but a domain is a whole number from 0 to {maximum}: "
+            f"set it to one, for example {source}=7"
+        )
+
+
+class DiscoveryRangeError(ZbotError, ValueError):
+    """A discovery range variable holds an unknown word."""
+
+    def __init__(self, source: str, value: str) -> None:
+        self.source, self.value = source, value
+        super().__init__(f"{source} is {value!r}: use LOCALHOST, SUBNET or OFF")
+
+
+class ConfigError(ZbotError, ValueError):
+    """A Zenoh configuration file cannot be read or understood."""
+
+    def __init__(self, source: str, reason: str) -> None:
+        self.source, self.reason = source, reason
+        # Zenoh adds the place in its own source code, which helps nobody here.
+        told = " ".join(reason.split(" at /", maxsplit=1)[0].split())
+        super().__init__(f"cannot use the Zenoh configuration {source}: {told}")
+
+
+class SessionError(ZbotError, OSError):
+    """Zenoh could not open a session."""
+
+    def __init__(self, what: str, reason: str) -> None:
+        self.what, self.reason = what, reason
+        super().__init__(
+            f"cannot open {what}: {' '.join(reason.split(' at /', maxsplit=1)[0].split())}"
+        )
+
+
+class NotInitializedError(ZbotError, RuntimeError):
+    """Something needs a context that is initialised and not yet shut down."""
+
+    def __init__(self, what: str) -> None:
+        self.what = what
+        super().__init__(f"{what} needs zbot.init() first (and no shutdown() since)")
+
+
+class InvalidHandleError(ZbotError, RuntimeError):
+    """An object is used after it, or its node, was destroyed."""
+
+    def __init__(self, what: str) -> None:
+        self.what = what
+        super().__init__(f"{what} was destroyed and cannot be used any more")
+
+
+class MessageTypeError(ZbotError, TypeError):
+    """A message of another type than the topic's was given."""
+
+    def __init__(self, topic: str, expected: str, value: object) -> None:
+        self.topic, self.expected, self.value = topic, expected, value
+        super().__init__(
+            f"{topic} carries {expected}, but publish() was given {type(value).__name__}: {value!r}"
+        )
+
+
+class FutureStateError(ZbotError, RuntimeError):
+    """A future that is already done is completed again."""
+
+    def __init__(self, state: str) -> None:
+        self.state = state
+        super().__init__(f"this future is already {state}; create a new one for a new result")
+
+
+class ShutdownError(ZbotError, RuntimeError):
+    """Something is used after its own shutdown()."""
+
+    def __init__(self, what: str) -> None:
+        self.what = what
+        super().__init__(f"{what} was shut down; create a new one")
+
+
+class ExecutorBusyError(ZbotError, RuntimeError):
+    """An executor is asked to spin while it is spinning."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "this executor is already spinning: a callback cannot spin its own executor, "
+            "use `await` in an `async def` callback instead"
+        )
+
+
+class InvalidQoSProfileError(ZbotError, ValueError):
+    """A quality of service profile lacks a policy or has one that does not exist."""
+
+    def __init__(self, reason: str) -> None:
+        self.reason = reason
+        super().__init__(f"Invalid QoSProfile: {reason}")
+
+
+class UnknownQoSKeyError(ZbotError, KeyError):
+    """A short key names no policy value or profile, e.g. `relaible`."""
+
+    def __init__(self, kind: str, key: str, known: list[str]) -> None:
+        self.kind, self.key, self.known = kind, key, known
+        super().__init__(f"{kind} has no {key!r}: use one of {', '.join(known)}")
+
+    def __str__(self) -> str:
+        # KeyError would print the sentence as a quoted key.
+        return str(self.args[0])
+
+
+class ContextInitializedError(ZbotError, RuntimeError):
+    """A context is initialised a second time."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "Context.init() must only be called once: call shutdown() before another init()"
+        )
+
+
+class InterfaceSyntaxError(ZbotError, ValueError):
+    """A .msg, .srv or .action definition breaks the ROS 2 grammar.
+
+    Attributes:
+        file: The definition's file, or its type name when it has none.
+        line: Line number from 1, or 0 when the definition as a whole is wrong.
+        reason: The rule that it breaks, and what to write instead.
+    """
+
+    def __init__(self, file: str, line: int, source: str, reason: str) -> None:
+        self.file, self.line, self.source, self.reason = file, line, source, reason
+        where = f"{file}:{line}" if line else file
+        quoted = f"\n  {source.strip()}" if source.strip() else ""
+        super().__init__(f"{where}: {reason}{quoted}")
+
+
+class UnknownPackageError(ZbotError, LookupError):
+    """No package of that name holds message, service or action definitions here."""
+
+    def __init__(self, package: str, suggestions: tuple[str, ...] = ()) -> None:
+        self.package, self.suggestions = package, suggestions
+        super().__init__(f"Unknown package {package!r}{_did_you_mean(suggestions)}")
+
+
+class UnknownInterfaceError(ZbotError, LookupError):
+    """A known package has no message, service or action of that name."""
+
+    def __init__(self, name: str, suggestions: tuple[str, ...] = ()) -> None:
+        self.name, self.suggestions = name, suggestions
+        super().__init__(f"Unknown interface {name!r}{_did_you_mean(suggestions)}")
+
+
+class FieldTypeError(ZbotError, TypeError):
+    """A message's field was given a value of the wrong Python type.
+
+    Attributes:
+        type_name: The message, e.g. `geometry_msgs/msg/Vector3`.
+        field: The field's name, with an index where one element is wrong: `ranges[3]`.
+        expected: What belongs there.
+        value: What was given.
+    """
+
+    def __init__(self, type_name: str, field: str, expected: str, value: object) -> None:
+        self.type_name, self.field, self.expected, self.value = type_name, field, expected, value
+        given = f"{type(value).__name__}: {_shortened(value)}"
+        super().__init__(f"field {field!r} of {type_name} must be {expected}, not {given}")
+
+
+class FieldValueError(ZbotError, ValueError):
+    """A message's field was given a value of the right type that it cannot hold.
+
+    The attributes are those of `FieldTypeError`.
+    """
+
+    def __init__(self, type_name: str, field: str, expected: str, value: object) -> None:
+        self.type_name, self.field, self.expected, self.value = type_name, field, expected, value
+        given = _shortened(value)
+        super().__init__(f"field {field!r} of {type_name} must be {expected}, not {given}")
+
+
+class UnknownFieldError(ZbotError, TypeError):
+    """A message was constructed with a field that its type does not have."""
+
+    def __init__(self, type_name: str, field: str, fields: tuple[str, ...]) -> None:
+        self.type_name, self.field, self.fields = type_name, field, fields
+        near = difflib.get_close_matches(field, fields, 1)
+        hint = f"; did you mean {near[0]!r}?" if near else f"; it has {', '.join(fields) or 'none'}"
+        super().__init__(f"{type_name} has no field {field!r}{hint}")
+
+
+class PositionalFieldError(ZbotError, TypeError):
+    """A message was constructed with values that do not say which field they are for."""
+
+    def __init__(self, type_name: str, fields: tuple[str, ...]) -> None:
+        self.type_name, self.fields = type_name, fields
+        short = type_name.rpartition("/")[2]
+        example = f"{fields[0]}=..." if fields else ""
+        super().__init__(f"name the fields of {type_name}: {short}({example})")
+
+
+class NotAMessageTypeError(ZbotError, TypeError):
+    """A class was used as a message, service or action type that is none, or cannot be one."""
+
+    def __init__(self, given: object, reason: str) -> None:
+        self.given, self.reason = given, reason
+        name = given.__qualname__ if isinstance(given, type) else repr(given)
+        super().__init__(f"{name} cannot be used as an interface type: {reason}")
+
+
+def _did_you_mean(suggestions: tuple[str, ...]) -> str:
+    return f"; did you mean {' or '.join(map(repr, suggestions))}?" if suggestions else ""
+
+
+def _shortened(value: object, limit: int = 80) -> str:
+    text = repr(value)
+    return text if len(text) <= limit else f"{text[: limit - 3]}..."
