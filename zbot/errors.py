@@ -333,3 +333,26 @@ def _did_you_mean(suggestions: tuple[str, ...]) -> str:
 def _shortened(value: object, limit: int = 80) -> str:
     text = repr(value)
     return text if len(text) <= limit else f"{text[: limit - 3]}..."
+
+
+class TokenError(ZbotError, ValueError):
+    """A liveliness key is no token of a zbot node, e.g. because another program declared it."""
+
+    def __init__(self, key: str, reason: str) -> None:
+        self.key, self.reason = key, reason
+        super().__init__(f"not a liveliness token: {key[:200]!r}: {reason}")
+
+
+class CallbackSignatureError(ZbotError, RuntimeError):
+    """A callback cannot be called with the arguments it would get."""
+
+    def __init__(self, what: str, expected: str) -> None:
+        self.what, self.expected = what, expected
+        super().__init__(f"{what} must be callable with {expected}")
+
+
+class RateInterruptedError(ZbotError):
+    """A rate's sleep was ended by the context's shutdown (rclpy's ROSInterruptException)."""
+
+    def __init__(self) -> None:
+        super().__init__("interrupted by shutdown()")

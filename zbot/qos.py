@@ -247,14 +247,14 @@ class QoSProfile:
         "_reliability",
     )
 
-    history = _Policy(HistoryPolicy)
-    reliability = _Policy(ReliabilityPolicy)
-    durability = _Policy(DurabilityPolicy)
-    lifespan = _Value(Duration)
-    deadline = _Value(Duration)
-    liveliness = _Policy(LivelinessPolicy)
-    liveliness_lease_duration = _Value(Duration)
-    avoid_ros_namespace_conventions = _Value(bool)
+    history: _Policy[HistoryPolicy] = _Policy(HistoryPolicy)
+    reliability: _Policy[ReliabilityPolicy] = _Policy(ReliabilityPolicy)
+    durability: _Policy[DurabilityPolicy] = _Policy(DurabilityPolicy)
+    lifespan: _Value[Duration] = _Value(Duration)
+    deadline: _Value[Duration] = _Value(Duration)
+    liveliness: _Policy[LivelinessPolicy] = _Policy(LivelinessPolicy)
+    liveliness_lease_duration: _Value[Duration] = _Value(Duration)
+    avoid_ros_namespace_conventions: _Value[bool] = _Value(bool)
 
     def __init__(  # noqa: PLR0917 - rclpy's signature
         self,

@@ -1,0 +1,198 @@
+"""Liveliness tokens: how nodes and their endpoints make themselves known.
+
+A token is a Zenoh key that exists as long as its session; everything that `zbot node list` and
+`zbot topic info` tell is read from such keys. The grammar is rmw_zenoh's:
+
+    @zbot/<domain>/<zid>/<nid>/<nid>/NN/<enclave>/<namespace>/<node>
+    @zbot/<domain>/<zid>/<nid>/<eid>/<kind>/<enclave>/<namespace>/<node>/<name>/<type>/<hash>/<qos>
+"""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from enum import Enum
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from zbot.errors import TokenError
+from zbot.wire.attachment import GID_LENGTH
+from zbot.wire.keys import is_number
+from zbot.wire.qos import parse_qos, qos_text
+
+if TYPE_CHECKING:
+    from zbot.qos import QoSProfile
+
+__all__ = ["EndpointToken", "EntityKind", "NodeToken", "gid_of", "parse_token", "token_selector"]
+
+TOKEN_PREFIX = "@zbot"  # noqa: S105 - a key's first chunk, no secret
+_NODE_CHUNKS = 9
+_ENDPOINT_CHUNKS = 13
+_MAX_DIGITS = 10
+
+
+class EntityKind(str, Enum):
+    """What a token stands for."""
+
+    NODE = "NN"
+    PUBLISHER = "MP"
+    SUBSCRIPTION = "MS"
+    SERVICE = "SS"
+    CLIENT = "SC"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class NodeToken:
+    """A node that is alive."""
+
+    domain: int
+    zid: str  #: id of the Zenoh session, as Zenoh prints it
+    nid: int  #: number of the node in its session
+    namespace: str  #: absolute, `/` for the root
+    node: str  #: base name
+    enclave: str = "/"
+    key: str = ""  #: the token itself; made from the rest where it is not given
+
+    def __post_init__(self) -> None:
+        if not self.key:
+            object.__setattr__(self, "key", _mangled_key(self, self.nid, EntityKind.NODE))
+
+    @property
+    def kind(self) -> EntityKind:
+        """What the token stands for."""
+        return EntityKind.NODE
+
+    @property
+    def gid(self) -> bytes:
+        """The node's 16 bytes."""
+        return gid_of(self.key)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, NodeToken) and self.key == other.key
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class EndpointToken:
+    """A publisher, subscription, service or client of a node."""
+
+    domain: int
+    zid: str  #: id of the Zenoh session, as Zenoh prints it
+    nid: int  #: number of the node in its session
+    eid: int  #: number of the endpoint in its session
+    kind: EntityKind
+    namespace: str  #: the node's, absolute
+    node: str  #: the node's base name
+    name: str  #: topic or service, fully qualified
+    type_name: str  #: `std_msgs/msg/String`
+    type_hash: str  #: `RIHS01_...`
+    qos: QoSProfile
+    enclave: str = "/"
+    key: str = ""  #: the token itself; made from the rest where it is not given
+
+    def __post_init__(self) -> None:
+        if not self.key:
+            fields = map(_mangle, (self.name, self.type_name, self.type_hash))
+            node_key = _mangled_key(self, self.eid, self.kind)
+            object.__setattr__(self, "key", "/".join((node_key, *fields, qos_text(self.qos))))
+
+    @property
+    def gid(self) -> bytes:
+        """The endpoint's 16 bytes, which its messages carry in their attachment."""
+        return gid_of(self.key)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, EndpointToken) and self.key == other.key
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+
+def token_selector(domain: int) -> str:
+    """Return the key expression of every token of a domain."""
+    return f"{TOKEN_PREFIX}/{domain}/**"
+
+
+# A graph asks for the same few gids again and again: with every message's info.
+@lru_cache(maxsize=4096)
+def gid_of(key: str) -> bytes:
+    """Return the 16 bytes that identify a token's owner: BLAKE2b of the token's text."""
+    return hashlib.blake2b(key.encode(), digest_size=GID_LENGTH).digest()
+
+
+def parse_token(key: str) -> NodeToken | EndpointToken:
+    """Return what a liveliness key says; chunks that a later version adds are ignored.
+
+    Raises:
+        TokenError: The key is no token of ours.
+    """
+    chunks = key.split("/")
+    if chunks[0] != TOKEN_PREFIX:
+        raise TokenError(key, f"it does not begin with {TOKEN_PREFIX}")
+    if len(chunks) < _NODE_CHUNKS:
+        raise TokenError(key, f"it has {len(chunks)} chunks, at least {_NODE_CHUNKS} are needed")
+    if "" in chunks or not key.isprintable():
+        raise TokenError(key, "it has an empty chunk or a control character")
+    if chunks[5] == EntityKind.NODE.value:
+        return _node_token(key, chunks)
+    return _endpoint_token(key, chunks)
+
+
+def _node_token(key: str, chunks: list[str]) -> NodeToken:
+    return NodeToken(
+        domain=_number(key, chunks[1]),
+        zid=chunks[2],
+        nid=_number(key, chunks[3]),
+        enclave=_demangle(chunks[6]),
+        namespace=_demangle(chunks[7]),
+        node=_demangle(chunks[8]),
+        key=key,
+    )
+
+
+def _endpoint_token(key: str, chunks: list[str]) -> EndpointToken:
+    if len(chunks) < _ENDPOINT_CHUNKS:
+        reason = f"it has {len(chunks)} chunks, an endpoint needs {_ENDPOINT_CHUNKS}"
+        raise TokenError(key, reason)
+    try:
+        kind, qos = EntityKind(chunks[5]), parse_qos(chunks[12])
+    except ValueError as error:
+        raise TokenError(key, str(error)) from error
+    return EndpointToken(
+        domain=_number(key, chunks[1]),
+        zid=chunks[2],
+        nid=_number(key, chunks[3]),
+        eid=_number(key, chunks[4]),
+        kind=kind,
+        enclave=_demangle(chunks[6]),
+        namespace=_demangle(chunks[7]),
+        node=_demangle(chunks[8]),
+        name=_demangle(chunks[9]),
+        type_name=_demangle(chunks[10]),
+        type_hash=_demangle(chunks[11]),
+        qos=qos,
+        key=key,
+    )
+
+
+def _mangled_key(token: NodeToken | EndpointToken, eid: int, kind: EntityKind) -> str:
+    ids = f"{token.domain}/{token.zid}/{token.nid}/{eid}/{kind.value}"
+    names = "/".join(map(_mangle, (token.enclave, token.namespace, token.node)))
+    return f"{TOKEN_PREFIX}/{ids}/{names}"
+
+
+# "%" cannot occur in a ROS name, so "/" can hide behind it.
+def _mangle(field: str) -> str:
+    return field.replace("/", "%")
+
+
+def _demangle(chunk: str) -> str:
+    return chunk.replace("%", "/")
+
+
+def _number(key: str, chunk: str) -> int:
+    if not is_number(chunk) or len(chunk) > _MAX_DIGITS:
+        raise TokenError(key, f"{chunk!r} is no number")
+    return int(chunk)
