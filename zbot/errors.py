@@ -7,11 +7,22 @@ what to do.
 
 from __future__ import annotations
 
-import difflib
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 
 class ZbotError(Exception):
     """Root of everything that zbot raises on purpose."""
+
+
+def nearest(name: str, known: Iterable[str], count: int = 3) -> tuple[str, ...]:
+    """Up to `count` of the `known` names that `name` may be a misspelling of, best first."""
+    from difflib import get_close_matches  # noqa: PLC0415 - 3 ms that only a mistake needs
+
+    by_lower = {candidate.lower(): candidate for candidate in known}
+    return tuple(by_lower[near] for near in get_close_matches(name.lower(), by_lower, count))
 
 
 class ArgumentTypeError(ZbotError, TypeError):
@@ -302,7 +313,7 @@ class UnknownFieldError(ZbotError, TypeError):
 
     def __init__(self, type_name: str, field: str, fields: tuple[str, ...]) -> None:
         self.type_name, self.field, self.fields = type_name, field, fields
-        near = difflib.get_close_matches(field, fields, 1)
+        near = nearest(field, fields, 1)
         hint = f"; did you mean {near[0]!r}?" if near else f"; it has {', '.join(fields) or 'none'}"
         super().__init__(f"{type_name} has no field {field!r}{hint}")
 
@@ -356,3 +367,27 @@ class RateInterruptedError(ZbotError):
 
     def __init__(self) -> None:
         super().__init__("interrupted by shutdown()")
+
+
+class NodeNameError(ZbotError, ValueError):
+    """A node is created without a name."""
+
+    def __init__(self, value: object) -> None:
+        self.value = value
+        super().__init__(f"a node needs a name: super().__init__('my_node'), not {value!r}")
+
+
+class UnknownNodeError(ZbotError, LookupError):
+    """A node is asked for that is not there (rclpy's NodeNameNonExistentError)."""
+
+    def __init__(self, name: str, known: list[str]) -> None:
+        self.name, self.known = name, known
+        super().__init__(f"there is no node {name}; the nodes are: {', '.join(known) or 'none'}")
+
+
+class InvalidPeriodError(ZbotError, ValueError):
+    """A period or frequency is no positive number."""
+
+    def __init__(self, what: str, value: object) -> None:
+        self.what, self.value = what, value
+        super().__init__(f"{what} must be a positive number of seconds or hertz, not {value!r}")

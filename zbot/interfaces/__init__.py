@@ -1,0 +1,1 @@
+"""ROS 2 interface definitions, and the Python classes made from them."""

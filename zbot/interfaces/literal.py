@@ -1,0 +1,122 @@
+"""The values that a definition writes: constants and defaults."""
+
+from __future__ import annotations
+
+import re
+
+from zbot.interfaces.grammar import GrammarError
+from zbot.interfaces.spec import FLOAT32_MAX, INTEGER_RANGES, FieldType, Scalar
+
+_QUOTES = "\"'"
+_QUOTED_ELEMENT = re.compile(r"""\s*("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|[^,"'\s][^,]*)\s*(,|$)""")
+_PREFIXED = re.compile(r"[+-]?0[xob]", re.IGNORECASE)
+_TRUE, _FALSE = ("true", "1"), ("false", "0")
+# Every number that fits any type is shorter; Python's int() would be slow on megabytes of digits.
+_LONGEST_NUMBER = 400
+
+
+def parse_value(field_type: FieldType, text: str) -> Scalar | tuple[Scalar, ...]:
+    """The value that a text means for a type.
+
+    Arrays are tuples, `byte` is `bytes` of length 1; everything else is what the message's field
+    holds in Python.
+
+    Raises:
+        GrammarError: The text is no value of that type; says what is.
+    """
+    if field_type.is_message:
+        raise GrammarError("a field that is a message cannot have a default")
+    if field_type.kind == "scalar":
+        return _scalar(field_type, text)
+    if not (text.startswith("[") and text.endswith("]") and len(text) > 1):
+        raise GrammarError(f"the default of an array is a list such as [1, 2], not {text!r}")
+    values = tuple(_scalar(field_type, part) for part in _elements(field_type, text[1:-1]))
+    if field_type.kind == "array" and len(values) != field_type.size:
+        raise GrammarError(f"{field_type.size} values are needed, but here are {len(values)}")
+    if field_type.size and len(values) > field_type.size:
+        raise GrammarError(f"at most {field_type.size} values fit, but here are {len(values)}")
+    return values
+
+
+def _elements(field_type: FieldType, text: str) -> list[str]:
+    if not text.strip():
+        return []
+    if not field_type.is_string:
+        return [part.strip() for part in text.split(",")]
+    parts: list[str] = []
+    position, separator = 0, ","
+    while separator:
+        match = _QUOTED_ELEMENT.match(text, position)
+        if match is None:
+            raise GrammarError(f"cannot read the list at {text[position:].strip()!r}: quote texts")
+        parts.append(match[1].strip())
+        position, separator = match.end(), match[2]
+    return parts
+
+
+def _scalar(field_type: FieldType, text: str) -> Scalar:
+    if field_type.is_string:
+        return _string(field_type, text)
+    base = field_type.base
+    if base == "bool":
+        return _bool(text)
+    if base == "byte":
+        return bytes([_integer("uint8", text)])
+    if base in INTEGER_RANGES:
+        return _integer(base, text)
+    return _float(base, text)
+
+
+def _bool(text: str) -> bool:
+    if text.lower() not in _TRUE + _FALSE:
+        raise GrammarError(f"a bool is true or false (or 1 or 0), not {text!r}")
+    return text.lower() in _TRUE
+
+
+def _integer(base: str, text: str) -> int:
+    low, high = INTEGER_RANGES[base]
+    value = _as_int(text)
+    if value is None or not low <= value <= high:
+        raise GrammarError(f"a whole number from {low} to {high} belongs here, not {text!r}")
+    return value
+
+
+def _as_int(text: str) -> int | None:
+    """Decimal, also with leading zeros, else `0x`, `0o` or `0b`; None if it is neither."""
+    if len(text) > _LONGEST_NUMBER:
+        return None
+    try:
+        return int(text, 0 if _PREFIXED.match(text) else 10)
+    except ValueError:
+        return None
+
+
+def _float(base: str, text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        reason = f"a number with '.' as its decimal point belongs here, not {text!r}"
+        raise GrammarError(reason) from None
+    if base == "float32" and FLOAT32_MAX < abs(value) < float("inf"):
+        raise GrammarError(f"{text} is too large for a float32: write float64")
+    return value
+
+
+def _string(field_type: FieldType, text: str) -> str:
+    value = _unquoted(text)
+    bound = field_type.string_bound
+    if bound and len(value) > bound:
+        raise GrammarError(f"at most {bound} characters fit, but {value!r} has {len(value)}")
+    return value
+
+
+def _unquoted(text: str) -> str:
+    quote = text[:1]
+    if not quote or quote not in _QUOTES:
+        return text
+    inner = text[1:-1]
+    if len(text) < 2 or text[-1] != quote or inner.endswith("\\"):
+        raise GrammarError(f"the quote {quote} that opens the text is not closed at its end")
+    if re.search(rf"(?<!\\){quote}", inner):
+        raise GrammarError(f"a quote inside the text is written \\{quote}")
+    return inner.replace(f"\\{quote}", quote)

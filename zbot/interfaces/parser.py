@@ -1,0 +1,192 @@
+"""The text of .msg, .srv and .action files, read into specs."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from zbot.errors import InterfaceSyntaxError
+from zbot.interfaces import derived, grammar
+from zbot.interfaces.grammar import GrammarError
+from zbot.interfaces.literal import parse_value
+from zbot.interfaces.spec import (
+    ActionSpec,
+    Constant,
+    Field,
+    FieldType,
+    InterfaceSpec,
+    MessageSpec,
+    ServiceSpec,
+)
+
+_SEPARATOR = "---"
+# Everything up to the first `#` that is not inside a quoted value. A quote opens a value only after
+# a space, `=`, `,` or `[`, so an apostrophe inside a word does not.
+_CODE = re.compile(r"""(?:(?<=[\s=,\[])(?:"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')|[^#])*""")
+_DECLARATION = re.compile(r"(?P<type>\S+)\s+(?P<name>[^\s=]+)\s*(?P<equals>=?)\s*(?P<value>.*)")
+
+
+@dataclass(frozen=True, slots=True)
+class _Source:
+    """One part of a file: its lines with their numbers, and where to say they come from."""
+
+    package: str
+    file: str
+    lines: list[tuple[int, str]]
+
+
+def split_comment(line: str) -> tuple[str, str]:
+    """One line as its code and its comment, which starts with `#` or is empty."""
+    match = _CODE.match(line)
+    end = match.end() if match else 0
+    return line[:end].rstrip(), line[end:]
+
+
+def parse(name: str, text: str, file: str = "") -> InterfaceSpec:
+    """Read a definition; the middle of its name says which kind: `std_srvs/srv/SetBool`.
+
+    Args:
+        name: The full name of the interface.
+        text: The definition.
+        file: Where the text is from, for error messages; the name if it is not a file.
+
+    Raises:
+        InterfaceSyntaxError: The definition breaks the grammar; says where and what to write.
+    """
+    source = _source(name, text, file)
+    kind = name.split("/")[1]
+    if kind == "srv":
+        return _service(name, source, text)
+    if kind == "action":
+        return _action(name, source, text)
+    return _message(name, source, text)
+
+
+def parse_message(name: str, text: str, file: str = "") -> MessageSpec:
+    """Read the text of a .msg file; see `parse`."""
+    return _message(name, _source(name, text, file), text)
+
+
+def parse_service(name: str, text: str, file: str = "") -> ServiceSpec:
+    """Read the text of a .srv file; see `parse`."""
+    return _service(name, _source(name, text, file), text)
+
+
+def parse_action(name: str, text: str, file: str = "") -> ActionSpec:
+    """Read the text of a .action file; see `parse`."""
+    return _action(name, _source(name, text, file), text)
+
+
+def _source(name: str, text: str, file: str) -> _Source:
+    file = file or name
+    try:
+        package = grammar.check_interface_name(name)
+        text.encode()
+    except GrammarError as error:
+        raise InterfaceSyntaxError(file, 0, "", str(error)) from None
+    except UnicodeEncodeError as error:
+        reason = "the text has characters that UTF-8 cannot hold"
+        raise InterfaceSyntaxError(file, 0, "", reason) from error
+    lines = text.removeprefix("\ufeff").splitlines()
+    return _Source(package, file, list(enumerate(lines, start=1)))
+
+
+def _service(name: str, source: _Source, text: str) -> ServiceSpec:
+    request, response = _parts(source, "service", ("request", "response"))
+    return derived.service(
+        name,
+        _message(f"{name}_Request", request),
+        _message(f"{name}_Response", response),
+        text,
+    )
+
+
+def _action(name: str, source: _Source, text: str) -> ActionSpec:
+    goal, result, feedback = _parts(source, "action", ("goal", "result", "feedback"))
+    return derived.action(
+        name,
+        _message(f"{name}_Goal", goal),
+        _message(f"{name}_Result", result),
+        _message(f"{name}_Feedback", feedback),
+        text,
+    )
+
+
+def _parts(source: _Source, kind: str, names: tuple[str, ...]) -> list[_Source]:
+    """The source cut at its `---` lines, into one part for each name."""
+    parts: list[list[tuple[int, str]]] = [[]]
+    for number, line in source.lines:
+        if line.rstrip() == _SEPARATOR:
+            parts.append([])
+        else:
+            parts[-1].append((number, line))
+    if len(parts) != len(names):
+        reason = (
+            f"{_counted(len(names) - 1)} needed between {', '.join(names[:-1])} and {names[-1]} "
+            f"of a{'n' if kind == 'action' else ''} {kind}, but there {_are(len(parts) - 1)}"
+        )
+        raise InterfaceSyntaxError(source.file, 0, "", reason)
+    return [_Source(source.package, source.file, lines) for lines in parts]
+
+
+def _counted(count: int) -> str:
+    return f"one line {_SEPARATOR!r} is" if count == 1 else f"{count} lines {_SEPARATOR!r} are"
+
+
+def _are(count: int) -> str:
+    return "is one" if count == 1 else f"are {count or 'none'}"
+
+
+def _message(name: str, source: _Source, text: str | None = None) -> MessageSpec:
+    fields: dict[str, Field] = {}
+    constants: dict[str, Constant] = {}
+    for number, line in source.lines:
+        code = split_comment(line)[0].strip()
+        if not code:
+            continue
+        try:
+            declared = _declaration(code, source.package, number)
+            _add(declared, fields if isinstance(declared, Field) else constants)
+        except GrammarError as error:
+            raise InterfaceSyntaxError(source.file, number, line, str(error)) from None
+    if text is None:
+        text = "\n".join(line for _, line in source.lines)
+    return MessageSpec(name, tuple(fields.values()), tuple(constants.values()), text)
+
+
+def _declaration(code: str, package: str, number: int) -> Field | Constant:
+    match = _DECLARATION.fullmatch(code)
+    if match is None:
+        raise GrammarError(_why_no_declaration(code))
+    type_text, name, equals, value = match.groups()
+    field_type = grammar.parse_type(type_text, package)
+    if equals:
+        return _constant(field_type, name, value, number)
+    grammar.check_field_name(name)
+    default = parse_value(field_type, value) if value else None
+    return Field(name, field_type, default, number)
+
+
+def _constant(field_type: FieldType, name: str, value: str, number: int) -> Constant:
+    if field_type.kind != "scalar" or field_type.is_message:
+        raise GrammarError("a constant is a number, a bool or a string, not an array or a message")
+    grammar.check_constant_name(name, value)
+    parsed = parse_value(field_type, value)
+    if isinstance(parsed, tuple):  # only arrays parse to tuples
+        raise GrammarError("a constant holds one value")
+    return Constant(name, field_type, parsed, number)
+
+
+def _add(declared: Field | Constant, known: dict[str, Field] | dict[str, Constant]) -> None:
+    first = known.get(declared.name)
+    if first is not None:
+        raise GrammarError(f"{declared.name!r} is already declared in line {first.line}")
+    known[declared.name] = declared  # type: ignore[assignment] # the caller picked the dict by type
+
+
+def _why_no_declaration(code: str) -> str:
+    if code.startswith(_SEPARATOR):
+        return f"only .srv and .action files have {_SEPARATOR!r} lines, of exactly three dashes"
+    if code.endswith((";", ":")):
+        return "a line is '<type> <name>', with no punctuation after it"
+    return "a line is '<type> <name>', e.g. 'float64 speed', but here is only one word"

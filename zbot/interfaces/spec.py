@@ -1,0 +1,177 @@
+"""What a definition says: fields, constants and parts, as plain values."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Literal, Union
+
+Scalar = Union[bool, int, float, str, bytes]  # noqa: UP007 - evaluated at run time on Python 3.10
+Kind = Literal["scalar", "array", "sequence"]
+
+#: Integer types and the values they hold; `byte` and `char` are 0..255 in a definition's text.
+INTEGER_RANGES: dict[str, tuple[int, int]] = {
+    "int8": (-(2**7), 2**7 - 1),
+    "uint8": (0, 2**8 - 1),
+    "char": (0, 2**8 - 1),
+    "int16": (-(2**15), 2**15 - 1),
+    "uint16": (0, 2**16 - 1),
+    "int32": (-(2**31), 2**31 - 1),
+    "uint32": (0, 2**32 - 1),
+    "int64": (-(2**63), 2**63 - 1),
+    "uint64": (0, 2**64 - 1),
+}
+#: Typecode of Python's `array` for each numeric type (standard sizes: every one of them is exact).
+TYPECODES: dict[str, str] = {
+    "int8": "b",
+    "uint8": "B",
+    "char": "B",
+    "int16": "h",
+    "uint16": "H",
+    "int32": "i",
+    "uint32": "I",
+    "int64": "q",
+    "uint64": "Q",
+    "float32": "f",
+    "float64": "d",
+}
+FLOAT32_MAX = 3.4028234663852886e38
+STRING_TYPES = ("string", "wstring")
+PRIMITIVES = ("bool", "byte", *TYPECODES, *STRING_TYPES)
+
+# IDL's words, which get_fields_and_field_types() shows in place of those of a .msg file.
+_IDL_NAMES = {
+    "bool": "boolean",
+    "byte": "octet",
+    "char": "uint8",
+    "float32": "float",
+    "float64": "double",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class FieldType:
+    """The type of one field.
+
+    Its `str()` is what ROS 2 shows in `get_fields_and_field_types()`: `sequence<double, 3>`.
+    """
+
+    base: str  #: `float64`, `string` ... or the full name of a message, `geometry_msgs/msg/Point`
+    kind: Kind = "scalar"
+    size: int = 0  #: N of `T[N]`, or the bound of `T[<=N]`; 0 is unbounded
+    string_bound: int = 0  #: N of `string<=N`, in characters; 0 is unbounded
+
+    @property
+    def is_message(self) -> bool:
+        """Whether the base is another message."""
+        return "/" in self.base
+
+    @property
+    def is_string(self) -> bool:
+        """Whether the base is `string` or `wstring`."""
+        return self.base in STRING_TYPES
+
+    @property
+    def typecode(self) -> str:
+        """The `array.array` typecode of a numeric base, `""` for any other."""
+        return TYPECODES.get(self.base, "")
+
+    @property
+    def text(self) -> str:
+        """The type as a definition writes it: `float64[<=3]`, `string<=10`."""
+        text = _without_kind(self.base)
+        if self.string_bound:
+            text += f"<={self.string_bound}"
+        if self.kind == "array":
+            return f"{text}[{self.size}]"
+        if self.kind == "sequence":
+            return f"{text}[<={self.size}]" if self.size else f"{text}[]"
+        return text
+
+    def __str__(self) -> str:
+        text = _IDL_NAMES.get(self.base) or _without_kind(self.base)
+        if self.string_bound:
+            text += f"<{self.string_bound}>"
+        if self.kind == "array":
+            return f"{text}[{self.size}]"
+        if self.kind == "sequence":
+            return f"sequence<{text}, {self.size}>" if self.size else f"sequence<{text}>"
+        return text
+
+
+@dataclass(frozen=True, slots=True)
+class Field:
+    """One field of a message."""
+
+    name: str
+    type: FieldType
+    default: Scalar | tuple[Scalar, ...] | None = None  #: None: the type's own zero value
+    line: int = field(default=0, compare=False)  #: where in the file, from 1; 0 if derived
+
+
+@dataclass(frozen=True, slots=True)
+class Constant:
+    """One constant of a message; `byte` constants are `bytes` of length 1."""
+
+    name: str
+    type: FieldType
+    value: Scalar
+    line: int = field(default=0, compare=False)  #: where in the file, from 1
+
+
+@dataclass(frozen=True, slots=True)
+class MessageSpec:
+    """A message, also one that is a part of a service or an action."""
+
+    name: str  #: `std_msgs/msg/String`, `std_srvs/srv/SetBool_Request`
+    fields: tuple[Field, ...]
+    constants: tuple[Constant, ...] = ()
+    text: str = field(default="", compare=False)  #: the definition with its comments
+
+    @property
+    def package(self) -> str:
+        """The first part of the name."""
+        return self.name.split("/", 1)[0]
+
+
+@dataclass(frozen=True, slots=True)
+class ServiceSpec:
+    """A service and the messages made from it."""
+
+    name: str  #: `std_srvs/srv/SetBool`
+    request: MessageSpec
+    response: MessageSpec
+    event: MessageSpec
+    text: str = field(default="", compare=False)  #: the definition with its comments
+
+    @property
+    def package(self) -> str:
+        """The first part of the name."""
+        return self.name.split("/", 1)[0]
+
+
+@dataclass(frozen=True, slots=True)
+class ActionSpec:
+    """An action, with the messages and services made from it."""
+
+    name: str  #: `example_interfaces/action/Fibonacci`
+    goal: MessageSpec
+    result: MessageSpec
+    feedback: MessageSpec
+    send_goal: ServiceSpec
+    get_result: ServiceSpec
+    feedback_message: MessageSpec
+    text: str = field(default="", compare=False)  #: the definition with its comments
+
+    @property
+    def package(self) -> str:
+        """The first part of the name."""
+        return self.name.split("/", 1)[0]
+
+
+InterfaceSpec = Union[MessageSpec, ServiceSpec, ActionSpec]  # noqa: UP007 - as Scalar
+
+
+def _without_kind(base: str) -> str:
+    """`geometry_msgs/msg/Point` as `geometry_msgs/Point`; a primitive as it is."""
+    first, slash, rest = base.partition("/")
+    return f"{first}/{rest.rpartition('/')[2]}" if slash else base
