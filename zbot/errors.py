@@ -128,7 +128,11 @@ class TimeOverflowError(ZbotError, OverflowError):
         super().__init__(f"{what} out of range: {value} (the limit is 292 years)")
 
 
-class DomainIdError(ZbotError, ValueError):
+class SetupError(ZbotError):
+    """The surroundings of a program are wrong, not its code: no line of it is worth showing."""
+
+
+class DomainIdError(SetupError, ValueError):
     """A domain id is no integer in range."""
 
     def __init__(self, source: str, value: object, maximum: int) -> None:
@@ -139,7 +143,7 @@ class DomainIdError(ZbotError, ValueError):
         )
 
 
-class DiscoveryRangeError(ZbotError, ValueError):
+class DiscoveryRangeError(SetupError, ValueError):
     """A discovery range variable holds an unknown word."""
 
     def __init__(self, source: str, value: str) -> None:
@@ -147,7 +151,7 @@ class DiscoveryRangeError(ZbotError, ValueError):
         super().__init__(f"{source} is {value!r}: use LOCALHOST, SUBNET or OFF")
 
 
-class ConfigError(ZbotError, ValueError):
+class ConfigError(SetupError, ValueError):
     """A Zenoh configuration file cannot be read or understood."""
 
     def __init__(self, source: str, reason: str) -> None:
@@ -157,7 +161,7 @@ class ConfigError(ZbotError, ValueError):
         super().__init__(f"cannot use the Zenoh configuration {source}: {told}")
 
 
-class SessionError(ZbotError, OSError):
+class SessionError(SetupError, OSError):
     """Zenoh could not open a session."""
 
     def __init__(self, what: str, reason: str) -> None:
@@ -337,15 +341,6 @@ class NotAMessageTypeError(ZbotError, TypeError):
         super().__init__(f"{name} cannot be used as an interface type: {reason}")
 
 
-def _did_you_mean(suggestions: tuple[str, ...]) -> str:
-    return f"; did you mean {' or '.join(map(repr, suggestions))}?" if suggestions else ""
-
-
-def _shortened(value: object, limit: int = 80) -> str:
-    text = repr(value)
-    return text if len(text) <= limit else f"{text[: limit - 3]}..."
-
-
 class TokenError(ZbotError, ValueError):
     """A liveliness key is no token of a zbot node, e.g. because another program declared it."""
 
@@ -391,3 +386,38 @@ class InvalidPeriodError(ZbotError, ValueError):
     def __init__(self, what: str, value: object) -> None:
         self.what, self.value = what, value
         super().__init__(f"{what} must be a positive number of seconds or hertz, not {value!r}")
+
+
+class CodecError(ZbotError, ValueError):
+    """A message cannot become bytes, or bytes cannot become a message of the type expected.
+
+    Attributes:
+        action: `encode` or `decode`.
+        type_name: The type, e.g. `sensor_msgs/msg/Image`.
+        field: Path of the field concerned, e.g. `header.stamp.sec`; empty if it is no single one.
+        reason: What is wrong.
+    """
+
+    def __init__(self, action: str, type_name: str, field: str, reason: str) -> None:
+        self.action, self.type_name, self.field, self.reason = action, type_name, field, reason
+        where = f"field {field!r}: " if field else ""
+        super().__init__(f"cannot {action} {type_name}: {where}{reason}")
+
+
+class InterfaceConflictError(ZbotError, ValueError):
+    """A definition came from elsewhere under a name that has another definition here."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        super().__init__(
+            f"{name} is defined differently here: bring both machines to the same definition"
+        )
+
+
+def _did_you_mean(suggestions: tuple[str, ...]) -> str:
+    return f"; did you mean {' or '.join(map(repr, suggestions))}?" if suggestions else ""
+
+
+def _shortened(value: object, limit: int = 80) -> str:
+    text = repr(value)
+    return text if len(text) <= limit else f"{text[: limit - 3]}..."

@@ -1,1 +1,21 @@
 """ROS 2 interface definitions, and the Python classes made from them."""
+
+from zbot.interfaces.message import Action as Action
+from zbot.interfaces.message import Message as Message
+from zbot.interfaces.message import Service as Service
+from zbot.interfaces.registry import definition_text as definition_text
+from zbot.interfaces.registry import get_action as get_action
+from zbot.interfaces.registry import get_interface as get_interface
+from zbot.interfaces.registry import get_message as get_message
+from zbot.interfaces.registry import get_service as get_service
+from zbot.interfaces.registry import get_spec as get_spec
+from zbot.interfaces.registry import interface_names as interface_names
+from zbot.interfaces.registry import packages as packages
+from zbot.interfaces.registry import register_spec as register_spec
+from zbot.interfaces.spec import ActionSpec as ActionSpec
+from zbot.interfaces.spec import Constant as Constant
+from zbot.interfaces.spec import Field as Field
+from zbot.interfaces.spec import FieldType as FieldType
+from zbot.interfaces.spec import InterfaceSpec as InterfaceSpec
+from zbot.interfaces.spec import MessageSpec as MessageSpec
+from zbot.interfaces.spec import ServiceSpec as ServiceSpec

@@ -1,0 +1,79 @@
+"""Values of numeric arrays: `array.array` for sequences, ndarrays for fixed sizes if possible."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import sys
+from array import array
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+#: numpy's dtype for each typecode of `array`.
+DTYPES = {
+    "b": "int8",
+    "B": "uint8",
+    "h": "int16",
+    "H": "uint16",
+    "i": "int32",
+    "I": "uint32",
+    "q": "int64",
+    "Q": "uint64",
+    "f": "float32",
+    "d": "float64",
+}
+
+
+@functools.cache
+def numpy() -> Any | None:
+    """The numpy module, or None where it is not installed; imported at the first call."""
+    try:
+        return importlib.import_module("numpy")
+    except ImportError:
+        return None
+
+
+def is_ndarray(value: object) -> bool:
+    """Whether a value is an ndarray, without importing numpy to find out."""
+    module = sys.modules.get("numpy")
+    return module is not None and isinstance(value, module.ndarray)
+
+
+def fixed_array(typecode: str, values: Iterable[Any]) -> Any:
+    """A fixed-size numeric field's value: an ndarray of the exact dtype, else an `array.array`.
+
+    Args:
+        typecode: The field's `array` typecode.
+        values: Its elements, already checked; an `array.array` of that typecode is not copied.
+    """
+    elements = values if isinstance(values, array) else array(typecode, values)
+    module = numpy()
+    return module.frombuffer(elements, DTYPES[typecode]) if module else elements
+
+
+def fixed_default(
+    typecode: str, size: int, default: tuple[Any, ...] | None = None
+) -> Callable[[], Any]:
+    """A function that makes the default value of a fixed-size numeric field, new each time."""
+    if default is not None:
+        return functools.partial(fixed_array, typecode, default)
+
+    def zeros() -> Any:
+        module = numpy()
+        return module.zeros(size, DTYPES[typecode]) if module else array(typecode, [0]) * size
+
+    return zeros
+
+
+def same_elements(left: Any, right: Any) -> bool:
+    """Whether two fixed-size numeric values are equal, each an ndarray or an `array.array`."""
+    if is_ndarray(left) or is_ndarray(right):
+        return len(left) == len(right) and bool((left == right).all())
+    return bool(left == right)
+
+
+def elements_text(value: Any) -> str:
+    """A numeric sequence as ROS 2 prints it: only its elements."""
+    return repr(value.tolist() if hasattr(value, "tolist") else value)

@@ -1,0 +1,191 @@
+"""Python classes made from specs."""
+
+from __future__ import annotations
+
+import functools
+import linecache
+import math
+import re
+from array import array
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import PositionalFieldError, UnknownFieldError
+from zbot.interfaces.array_value import elements_text, fixed_default, same_elements
+from zbot.interfaces.message import Action, Message, Service
+from zbot.interfaces.scalar_check import scalar_check
+from zbot.interfaces.sequence_check import sequence_check
+from zbot.interfaces.source import class_source
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.interfaces.spec import ActionSpec, Field, MessageSpec, ServiceSpec
+
+    Find = Callable[[str], type[Any]]  #: the class of a type name
+
+
+class _Default:
+    """Stands in a signature for a default that has to be made new for each message."""
+
+    def __repr__(self) -> str:
+        return "<default>"
+
+
+class _Late:
+    """A class attribute that is made when it is first looked at, then kept."""
+
+    def __init__(self, make: Callable[[], type[Any]]) -> None:
+        self._make = make
+
+    def __set_name__(self, owner: type[Any], name: str) -> None:
+        self._name = name
+
+    def __get__(self, instance: object, owner: type[Any]) -> type[Any]:
+        made = self._make()
+        setattr(owner, self._name, made)
+        return made
+
+
+_COMMON: dict[str, Any] = {
+    "DEFAULT": _Default(),
+    "INF": math.inf,
+    "NAN": math.nan,
+    "_Message": Message,
+    "_array": array,
+    "_bool": bool,
+    "_bytes": bytes,
+    "_elements_text": elements_text,
+    "_float": float,
+    "_int": int,
+    "_len": len,
+    "_property": property,
+    "_range": range,
+    "_same_elements": same_elements,
+    "_str": str,
+}
+
+
+def make_message(spec: MessageSpec, find: Find) -> type[Message]:
+    """A class for a message; `find` gives those of the messages inside it."""
+    names = _namespace(spec, find)
+    source = class_source(spec)
+    filename = f"<zbot {spec.name}>"
+    # So that a traceback through the class shows its lines.
+    linecache.cache[filename] = (len(source), None, source.splitlines(keepends=True), filename)
+    exec(compile(source, filename, "exec", dont_inherit=True), names)  # noqa: S102 - our own source
+    cls: type[Message] = names[spec.name.rpartition("/")[2]]
+    return cls
+
+
+def make_service(spec: ServiceSpec, find: Find) -> type[Service]:
+    """A class for a service; its Event is made when first used."""
+    attributes = {
+        "Request": find(spec.request.name),
+        "Response": find(spec.response.name),
+        "Event": _Late(functools.partial(find, spec.event.name)),
+    }
+    cls: type[Service] = _make_holder(Service, spec, attributes)
+    return cls
+
+
+def make_action(spec: ActionSpec, find: Find) -> type[Action]:
+    """A class for an action; `Impl` and what is in it are made when first used."""
+    attributes = {
+        "Goal": find(spec.goal.name),
+        "Result": find(spec.result.name),
+        "Feedback": find(spec.feedback.name),
+        "Impl": _impl(spec, find),
+    }
+    cls: type[Action] = _make_holder(Action, spec, attributes)
+    return cls
+
+
+def module_name(type_name: str) -> str:
+    """The module where ROS 2 has a class: `std_srvs.srv._set_bool` for SetBool and its parts."""
+    package, kind, short = type_name.split("/")
+    stem = short.partition("_")[0]
+    stem = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", stem)
+    stem = re.sub(r"([a-z0-9])([A-Z])", r"\1_\2", stem)
+    return f"{package}.{kind}._{stem.lower()}"
+
+
+def _impl(spec: ActionSpec, find: Find) -> type[Any]:
+    parts = {
+        "SendGoalService": spec.send_goal.name,
+        "GetResultService": spec.get_result.name,
+        "FeedbackMessage": spec.feedback_message.name,
+        "CancelGoalService": "action_msgs/srv/CancelGoal",
+        "GoalStatusMessage": "action_msgs/msg/GoalStatusArray",
+    }
+    attributes = {part: _Late(functools.partial(find, name)) for part, name in parts.items()}
+    return type("Impl", (), {"__module__": module_name(spec.name), **attributes})
+
+
+def _make_holder(base: type[Any], spec: ServiceSpec | ActionSpec, parts: dict[str, Any]) -> Any:
+    attributes = {
+        "__module__": module_name(spec.name),
+        "__doc__": _doc(spec.name, spec.text),
+        "SPEC": spec,
+        "TYPE_NAME": spec.name,
+        **parts,
+    }
+    return type(spec.name.rpartition("/")[2], (base,), attributes)
+
+
+def _namespace(spec: MessageSpec, find: Find) -> dict[str, Any]:
+    names = {
+        **_COMMON,
+        "__name__": module_name(spec.name),
+        "_DOC": _doc(spec.name, spec.text),
+        "_SPEC": spec,
+        "_SLOT_TYPES": tuple(field.type for field in spec.fields),
+        "_bad_call": functools.partial(_bad_call, spec),
+    }
+    for field in spec.fields:
+        names.update(_field_names(spec.name, field, find))
+    return names
+
+
+def _field_names(type_name: str, field: Field, find: Find) -> dict[str, Any]:
+    names: dict[str, Any] = {}
+    kind = field.type
+    if kind.is_message:
+        names[f"_class_{field.name}"] = find(kind.base)
+    if kind.kind == "array" and kind.typecode:
+        default = field.default if isinstance(field.default, tuple) else None
+        names[f"_new_{field.name}"] = fixed_default(kind.typecode, kind.size, default)
+    check = _Check(type_name, field, names.get(f"_class_{field.name}"))
+    names[f"_check_{field.name}"] = check
+    return names
+
+
+class _Check:
+    """The slow path of one field, made when a value first needs it."""
+
+    __slots__ = ("_check", "_cls", "_field", "_type_name")
+
+    def __init__(self, type_name: str, field: Field, cls: type[Any] | None) -> None:
+        self._type_name, self._field, self._cls = type_name, field, cls
+        self._check: Callable[[str, Any], Any] | None = None
+
+    def __call__(self, value: Any) -> Any:
+        check = self._check
+        if check is None:
+            kind = self._field.type
+            element = scalar_check(self._type_name, kind, self._cls)
+            check = element if kind.kind == "scalar" else sequence_check(kind, element)
+            self._check = check
+        return check(self._field.name, value)
+
+
+def _bad_call(
+    spec: MessageSpec, _message: Message, args: tuple[Any, ...], unknown: dict[str, Any]
+) -> PositionalFieldError | UnknownFieldError:
+    fields = tuple(field.name for field in spec.fields)
+    if args:
+        return PositionalFieldError(spec.name, fields)
+    return UnknownFieldError(spec.name, next(iter(unknown)), fields)
+
+
+def _doc(name: str, text: str) -> str:
+    return f"{name}\n\n{text}" if text else name

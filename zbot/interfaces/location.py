@@ -1,0 +1,94 @@
+"""Where definitions are: shipped, in the workspace, in a ROS 2 installation, in Python packages."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import os
+from importlib.machinery import PathFinder
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from zbot.interfaces.workspace import KINDS, has_definitions, packages_around, search_roots
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from importlib.metadata import EntryPoint
+
+_SHIPPED = Path(__file__).parent / "defs"
+# The package has two names in ROS 2: its interfaces moved to turtlesim_msgs in 2025.
+_ALIASES = {"turtlesim_msgs": "turtlesim"}
+_ENTRY_POINTS = "zbot.interfaces"
+
+
+def definition_file(package: str, kind: str, short: str) -> Path | None:
+    """The file that defines an interface, in the first place that has it."""
+    for folder in package_folders(package):
+        file = folder / kind / f"{short}.{kind}"
+        if file.is_file():
+            return file
+    return None
+
+
+def interface_files(package: str) -> Iterator[Path]:
+    """Every definition file of a package."""
+    for folder in package_folders(package):
+        for kind in KINDS:
+            yield from folder.glob(f"{kind}/*.{kind}")
+
+
+def package_folders(package: str) -> Iterator[Path]:
+    """The folders with definitions of a package, cheapest place to look at first."""
+    if not package.isidentifier():  # also keeps `..` and the like out of the paths below
+        return
+    yield from filter(Path.is_dir, (_SHIPPED / package,))
+    if package in _ALIASES:
+        yield _SHIPPED / _ALIASES[package]
+    yield from _workspace().get(package, ())
+    for share in _ament_shares():
+        yield from filter(has_definitions, (share / package,))
+    yield from _python_package_folders(package)
+
+
+def known_packages() -> set[str]:
+    """The packages that can be listed: all but those of plain Python packages."""
+    names = {folder.name for folder in _SHIPPED.iterdir() if folder.is_dir()}
+    names |= {alias for alias, package in _ALIASES.items() if package in names}
+    names |= set(_workspace())
+    for share in _ament_shares():
+        index = share / "ament_index" / "resource_index" / "rosidl_interfaces"
+        names |= {entry.name for entry in index.glob("*") if has_definitions(share / entry.name)}
+    return names | set(_entry_points())
+
+
+def _workspace() -> dict[str, list[Path]]:
+    return _scanned(search_roots())
+
+
+@functools.lru_cache(maxsize=4)
+def _scanned(roots: tuple[Path, ...]) -> dict[str, list[Path]]:
+    return packages_around(roots)
+
+
+def _ament_shares() -> list[Path]:
+    prefixes = os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
+    return [Path(prefix) / "share" for prefix in prefixes if prefix]
+
+
+def _python_package_folders(package: str) -> Iterator[Path]:
+    """An installed Python package's own folder, and that of the module it names for zbot."""
+    entry = _entry_points().get(package)
+    for module in dict.fromkeys((entry.module, package) if entry else (package,)):
+        # Only the path is looked at: nothing is imported, and zbot's own importer is not asked.
+        spec = PathFinder.find_spec(module.partition(".")[0])
+        for location in (spec and spec.submodule_search_locations) or ():
+            folder = Path(location, *module.split(".")[1:])
+            if has_definitions(folder):
+                yield folder
+
+
+@functools.cache
+def _entry_points() -> dict[str, EntryPoint]:
+    """The entry points `package = module` of installed distributions."""
+    metadata = importlib.import_module("importlib.metadata")  # 20 ms, and rarely needed
+    return {entry.name: entry for entry in metadata.entry_points(group=_ENTRY_POINTS)}

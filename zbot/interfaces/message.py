@@ -1,0 +1,74 @@
+"""What every generated message class has in common."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.interfaces.spec import ActionSpec, FieldType, MessageSpec, ServiceSpec
+
+
+class Message:
+    """Base of the generated message classes: one slot `_name` behind each property `name`."""
+
+    __slots__ = ()
+
+    SPEC: ClassVar[MessageSpec]
+    TYPE_NAME: ClassVar[str]
+    SLOT_TYPES: ClassVar[tuple[FieldType, ...]]
+    _fields_and_field_types: ClassVar[dict[str, str]]
+
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]:
+        """Return the type of each field, as ROS 2 writes it, in order; the dict is the caller's."""
+        return dict(cls._fields_and_field_types)
+
+    def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...], Any]:
+        # By name, not by class: a process that unpickles has only to be able to import zbot.
+        cls = type(self)
+        key = cls.TYPE_NAME if "TYPE_NAME" in cls.__dict__ else cls
+        values = tuple([getattr(self, f"_{field.name}") for field in cls.SPEC.fields])
+        return rebuild, (key, values), getattr(self, "__dict__", None)
+
+
+class Service:
+    """Base of the generated service classes: a namespace of three messages."""
+
+    SPEC: ClassVar[ServiceSpec]
+    TYPE_NAME: ClassVar[str]
+    Request: ClassVar[type[Any]]
+    Response: ClassVar[type[Any]]
+    Event: ClassVar[type[Any]]
+
+    def __init__(self) -> None:
+        raise NotImplementedError("Service classes can not be instantiated")
+
+
+class Action:
+    """Base of the generated action classes: a namespace of messages and services."""
+
+    SPEC: ClassVar[ActionSpec]
+    TYPE_NAME: ClassVar[str]
+    Goal: ClassVar[type[Any]]
+    Result: ClassVar[type[Any]]
+    Feedback: ClassVar[type[Any]]
+    Impl: ClassVar[type[Any]]
+
+    def __init__(self) -> None:
+        raise NotImplementedError("Action classes can not be instantiated")
+
+
+def rebuild(key: str | type[Message], values: tuple[Any, ...]) -> Message:
+    """Undo `Message.__reduce__` for copy and pickle."""
+    if isinstance(key, str):
+        from zbot.interfaces.registry import get_message  # noqa: PLC0415 - the registry makes us
+
+        cls = get_message(key)
+    else:
+        cls = key
+    message = cls.__new__(cls)
+    for field, value in zip(cls.SPEC.fields, values, strict=True):
+        setattr(message, f"_{field.name}", value)
+    return message

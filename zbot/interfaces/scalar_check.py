@@ -1,0 +1,176 @@
+"""Single values: what a field takes, converted where nothing is lost, refused otherwise.
+
+This is the slow path: generated classes test the exact types inline and come here with the rest.
+"""
+
+from __future__ import annotations
+
+import math
+import numbers
+import operator
+from typing import Any
+
+from zbot.errors import FieldTypeError, FieldValueError
+from zbot.interfaces.spec import FLOAT32_MAX, INTEGER_RANGES, FieldType
+
+
+class ScalarCheck:
+    """What one value of a type may be; called with the field's label and the value."""
+
+    expected: str  #: completes "must be ..."
+
+    def __init__(self, type_name: str, expected: str) -> None:
+        self.type_name, self.expected = type_name, expected
+
+    def __call__(self, label: str, value: Any) -> Any:
+        """Return what to store, or raise `FieldTypeError` or `FieldValueError`."""
+        raise NotImplementedError
+
+    def fits(self, values: list[Any]) -> bool:
+        """Whether all of many values can be stored as they are; False only means: look at each."""
+        return not values
+
+    def wrong_type(self, label: str, value: object) -> FieldTypeError:
+        """The error for a value of another type."""
+        return FieldTypeError(self.type_name, label, self.expected, value)
+
+    def wrong_value(self, label: str, value: object) -> FieldValueError:
+        """The error for a value that is too large or too long."""
+        return FieldValueError(self.type_name, label, self.expected, value)
+
+
+class _BoolCheck(ScalarCheck):
+    """True or False, also numpy's; numbers are refused."""
+
+    def __init__(self, type_name: str) -> None:
+        super().__init__(type_name, "a bool")
+
+    def __call__(self, label: str, value: Any) -> bool:
+        if isinstance(value, bool) or _is_numpy_bool(value):
+            return bool(value)
+        raise self.wrong_type(label, value)
+
+    def fits(self, values: list[Any]) -> bool:
+        return set(map(type, values)) <= {bool}
+
+
+class _IntegerCheck(ScalarCheck):
+    """Whole numbers in range, also enum members and numpy's; a bool is refused."""
+
+    def __init__(self, type_name: str, base: str) -> None:
+        self.low, self.high = INTEGER_RANGES[base]
+        super().__init__(type_name, f"an int from {self.low} to {self.high}")
+
+    def __call__(self, label: str, value: Any) -> int:
+        if isinstance(value, bool) or not isinstance(value, numbers.Integral):
+            raise self.wrong_type(label, value)
+        number = int(operator.index(value))
+        if not self.low <= number <= self.high:
+            raise self.wrong_value(label, value)
+        return number
+
+
+class _FloatCheck(ScalarCheck):
+    """Real numbers; an int is widened, `inf` and `nan` are numbers too, a bool is refused."""
+
+    def __init__(self, type_name: str, base: str) -> None:
+        self.is_single = base == "float32"
+        super().__init__(
+            type_name, "a float within float32's range" if self.is_single else "a float"
+        )
+
+    def __call__(self, label: str, value: Any) -> float:
+        # The first test is only for speed: a whole number is what people write most often here.
+        if value.__class__ is not int and not _is_real(value):
+            raise self.wrong_type(label, value)
+        try:
+            number = float(value)
+        except OverflowError as error:
+            raise self.wrong_value(label, value) from error
+        if self.is_single and abs(number) > FLOAT32_MAX and math.isfinite(number):
+            raise self.wrong_value(label, value)
+        return number
+
+
+class _StringCheck(ScalarCheck):
+    """Text that UTF-8 can carry, of at most `bound` characters if there is a bound."""
+
+    def __init__(self, type_name: str, bound: int) -> None:
+        self.bound = bound
+        super().__init__(type_name, f"a str of at most {bound} characters" if bound else "a str")
+
+    def __call__(self, label: str, value: Any) -> str:
+        if not isinstance(value, str):
+            raise self.wrong_type(label, value)
+        if self.bound and len(value) > self.bound:
+            raise self.wrong_value(label, value)
+        try:
+            value.encode()
+        except UnicodeEncodeError as error:
+            expected = "text that UTF-8 can hold (it has a lone surrogate)"
+            raise FieldValueError(self.type_name, label, expected, value) from error
+        return str.__str__(value)
+
+    def fits(self, values: list[Any]) -> bool:
+        return not self.bound and set(map(type, values)) <= {str} and all(map(str.isascii, values))
+
+
+class _ByteCheck(ScalarCheck):
+    """One byte, as ROS 2's Python has it: `bytes` of length 1."""
+
+    def __init__(self, type_name: str) -> None:
+        super().__init__(type_name, "bytes of length 1 such as b'\\x00'")
+
+    def __call__(self, label: str, value: Any) -> bytes:
+        if not isinstance(value, (bytes, bytearray)):
+            raise self.wrong_type(label, value)
+        if len(value) != 1:
+            raise self.wrong_value(label, value)
+        return bytes(value)
+
+
+class _MessageCheck(ScalarCheck):
+    """A message of one class, or of a class derived from it."""
+
+    def __init__(self, type_name: str, cls: type[Any], cls_name: str) -> None:
+        self.cls = cls
+        super().__init__(type_name, f"a {cls_name}")
+
+    def __call__(self, label: str, value: Any) -> Any:
+        if not isinstance(value, self.cls):
+            raise self.wrong_type(label, value)
+        return value
+
+    def fits(self, values: list[Any]) -> bool:
+        return set(map(type, values)) <= {self.cls}
+
+
+def scalar_check(type_name: str, field_type: FieldType, cls: type[Any] | None) -> ScalarCheck:
+    """The check for one value of a field's base type.
+
+    Args:
+        type_name: The message that has the field, for errors.
+        field_type: The field's type; whether it is an array does not matter here.
+        cls: The class of the values if they are messages.
+    """
+    if cls is not None:
+        return _MessageCheck(type_name, cls, field_type.base)
+    base = field_type.base
+    if base == "bool":
+        return _BoolCheck(type_name)
+    if base == "byte":
+        return _ByteCheck(type_name)
+    if base in INTEGER_RANGES:
+        return _IntegerCheck(type_name, base)
+    if field_type.is_string:
+        return _StringCheck(type_name, field_type.string_bound)
+    return _FloatCheck(type_name, base)
+
+
+def _is_real(value: object) -> bool:
+    return isinstance(value, numbers.Real) and not isinstance(value, bool)
+
+
+def _is_numpy_bool(value: object) -> bool:
+    cls = type(value)
+    return cls.__module__ == "numpy" and cls.__name__ in {"bool", "bool_"}

@@ -1,0 +1,193 @@
+"""Python source of a message class.
+
+Names of fields are parameters of the constructor, where they would hide a builtin or a global of
+the same name (`float`, `range`, `args`). So the generated code uses none but names that no field
+can have: with an underscore in front, or in capitals.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from zbot.interfaces.spec import FLOAT32_MAX, INTEGER_RANGES, Field, FieldType, MessageSpec
+
+if TYPE_CHECKING:
+    from zbot.interfaces.spec import Scalar
+
+_ZEROS: dict[str, Scalar] = {"bool": False, "byte": b"\x00", "string": "", "wstring": ""}
+
+
+def class_source(spec: MessageSpec) -> str:
+    """The class statement for a message; `classes.namespace` has the names that it uses."""
+    package, kind, short = spec.name.split("/")
+    lines = [
+        f"class {short}(_Message):",
+        "    __doc__ = _DOC",
+        f"    __slots__ = {tuple(f'_{field.name}' for field in spec.fields)!r}",
+        *(f"    {constant.name} = {constant.value!r}" for constant in spec.constants),
+        *_default_constants(spec),
+        "    SPEC = _SPEC",
+        f"    TYPE_NAME = {spec.name!r}",
+        "    SLOT_TYPES = _SLOT_TYPES",
+        f"    _fields_and_field_types = { ({f.name: str(f.type) for f in spec.fields})!r}",
+        "",
+        *_init(spec),
+        "",
+        "    def __repr__(self):",
+        f'        return f"{package}.{kind}.{short}({_repr_fields(spec)})"',
+        "",
+        *_eq(spec),
+    ]
+    for field in spec.fields:
+        lines += ["", *_property(field)]
+    return "\n".join(lines) + "\n"
+
+
+def _default_constants(spec: MessageSpec) -> list[str]:
+    return [
+        f"    {field.name.upper()}__DEFAULT = {_literal(field.default)}"
+        for field in spec.fields
+        if field.default is not None
+    ]
+
+
+def _init(spec: MessageSpec) -> list[str]:
+    parameters = [f"{field.name}={_parameter_default(field)}" for field in spec.fields]
+    signature = ", ".join(["self", "*_args", *parameters, "**_unknown"])
+    return [
+        f"    def __init__({signature}):",
+        "        if _args or _unknown:",
+        "            raise _bad_call(self, _args, _unknown)",
+        *(f"        self._{field.name} = {_initial(field)}" for field in spec.fields),
+    ]
+
+
+def _eq(spec: MessageSpec) -> list[str]:
+    same = [
+        f"_same_elements(self._{field.name}, other._{field.name})"
+        if _is_fixed_numeric(field.type)
+        else f"self._{field.name} == other._{field.name}"
+        for field in spec.fields
+    ]
+    return [
+        "    def __eq__(self, other):",
+        "        if not isinstance(other, self.__class__):",
+        "            return False",
+        f"        return {' and '.join(same) or 'True'}",
+    ]
+
+
+def _property(field: Field) -> list[str]:
+    name = field.name
+    return [
+        "    @_property",
+        f"    def {name}(self):",
+        f'        """Message field {name!r}."""',
+        f"        return self._{name}",
+        "",
+        f"    @{name}.setter",
+        f"    def {name}(self, value):",
+        f"        self._{name} = {_checked(field, 'value')}",
+    ]
+
+
+def _repr_fields(spec: MessageSpec) -> str:
+    # ROS 2 prints a sequence of numbers without the array('d', ...) around it.
+    return ", ".join(
+        f"{field.name}={{_elements_text(self._{field.name})}}"
+        if field.type.kind == "sequence" and field.type.typecode
+        else f"{field.name}={{self._{field.name}!r}}"
+        for field in spec.fields
+    )
+
+
+def _parameter_default(field: Field) -> str:
+    """A scalar's own default; else a marker, so that no two messages share one value."""
+    if field.type.kind != "scalar" or field.type.is_message:
+        return "DEFAULT"
+    return _literal(_scalar_default(field))
+
+
+def _scalar_default(field: Field) -> Scalar:
+    if field.default is not None and not isinstance(field.default, tuple):
+        return field.default
+    return _zero(field.type.base)
+
+
+def _zero(base: str) -> Scalar:
+    return _ZEROS.get(base, 0.0 if base.startswith("float") else 0)
+
+
+def _initial(field: Field) -> str:
+    checked = _checked(field, field.name)
+    if field.type.kind == "scalar" and not field.type.is_message:
+        return checked
+    return f"{_new(field)} if {field.name} is DEFAULT else {checked}"
+
+
+def _new(field: Field) -> str:
+    """An expression for a new default value of a field that is an array or a message."""
+    kind = field.type
+    name, default = field.name, field.default
+    if kind.is_message:
+        if kind.kind == "scalar":
+            return f"_class_{name}()"
+        return f"[_class_{name}() for _ in _range({kind.size})]" if kind.kind == "array" else "[]"
+    if _is_fixed_numeric(kind):
+        return f"_new_{name}()"
+    elements = ", ".join(_literal(each) for each in default) if isinstance(default, tuple) else ""
+    if kind.typecode:
+        return (
+            f"_array({kind.typecode!r}, [{elements}])" if elements else f"_array({kind.typecode!r})"
+        )
+    if kind.kind == "array" and default is None:
+        return f"[{_literal(_zero(kind.base))}] * {kind.size}"
+    return f"[{elements}]"
+
+
+def _checked(field: Field, variable: str) -> str:
+    """An expression for what to store: the value itself if it is plainly right."""
+    test = _exact(field, variable)
+    slow = f"_check_{field.name}({variable})"
+    return f"{variable} if {test} else {slow}" if test else slow
+
+
+def _exact(field: Field, variable: str) -> str:
+    kind = field.type
+    if kind.kind != "scalar":
+        return _exact_array(kind, variable)
+    if kind.is_message:
+        return f"{variable}.__class__ is _class_{field.name}"
+    if kind.is_string:
+        # What is ASCII has no lone surrogate; CPython answers from a flag.
+        test = f"{variable}.__class__ is _str and {variable}.isascii()"
+        return f"{test} and _len({variable}) <= {kind.string_bound}" if kind.string_bound else test
+    if kind.base in INTEGER_RANGES:
+        low, high = INTEGER_RANGES[kind.base]
+        return f"{variable}.__class__ is _int and {low} <= {variable} <= {high}"
+    if kind.base == "float32":
+        limit = repr(FLOAT32_MAX)
+        return f"{variable}.__class__ is _float and -{limit} <= {variable} <= {limit}"
+    if kind.base == "byte":
+        return f"{variable}.__class__ is _bytes and _len({variable}) == 1"
+    return f"{variable}.__class__ is _{'bool' if kind.base == 'bool' else 'float'}"
+
+
+def _exact_array(kind: FieldType, variable: str) -> str:
+    if not kind.typecode or kind.kind == "array":
+        return ""
+    test = f"{variable}.__class__ is _array and {variable}.typecode == {kind.typecode!r}"
+    return f"{test} and _len({variable}) <= {kind.size}" if kind.size else test
+
+
+def _is_fixed_numeric(kind: FieldType) -> bool:
+    return kind.kind == "array" and bool(kind.typecode)
+
+
+def _literal(value: Scalar | tuple[Scalar, ...] | None) -> str:
+    if isinstance(value, tuple):
+        return f"({''.join(f'{_literal(each)}, ' for each in value)})"
+    if isinstance(value, float) and not math.isfinite(value):
+        return "NAN" if math.isnan(value) else "INF" if value > 0 else "-INF"
+    return repr(value)

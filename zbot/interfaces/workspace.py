@@ -1,0 +1,125 @@
+"""Packages with interface definitions in the workspace around the current folder.
+
+The search is bounded in depth and number of folders: it may start anywhere, and an import waits for
+it.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+KINDS = ("msg", "srv", "action")
+_MAX_PARENTS = 12
+_MAX_DEPTH = 5
+_MAX_FOLDERS = 2000
+_MAX_MANIFEST = 65536
+_SKIPPED = {"build", "install", "log", "node_modules", "site-packages", "__pycache__"}
+_STOP_FILES = {"COLCON_IGNORE", "pyvenv.cfg"}
+_NAME_TAG = re.compile(r"<name>\s*([a-z][a-z0-9_]*)\s*</name>")
+
+
+def packages_around(roots: tuple[Path, ...]) -> dict[str, list[Path]]:
+    """The folder, or folders, of every package below the roots that has definitions."""
+    found: dict[str, list[Path]] = {}
+    for root in roots:
+        for folder in _package_folders(root):
+            found.setdefault(_package_name(folder), []).append(folder)
+    return found
+
+
+def search_roots() -> tuple[Path, ...]:
+    """Where to look: the folders of ZBOT_WORKSPACE, else those around the current one."""
+    named = os.environ.get("ZBOT_WORKSPACE", "")
+    if named:
+        return tuple(Path(part).expanduser() for part in named.split(os.pathsep) if part)
+    try:
+        current = Path.cwd()
+    except FileNotFoundError:  # the current folder was removed under this process
+        return ()
+    return _roots_around(current)
+
+
+def has_definitions(folder: Path) -> bool:
+    """Whether a folder has a msg, srv or action folder with definitions in it."""
+    return any(next(folder.glob(f"{kind}/*.{kind}"), None) is not None for kind in KINDS)
+
+
+def _roots_around(current: Path) -> tuple[Path, ...]:
+    """The workspace of a folder: a `src` that it is in or has, else the package that it is in."""
+    near = [folder for folder in (current, *current.parents)[:_MAX_PARENTS] if _may_search(folder)]
+    for folder in reversed(near):
+        if folder.name == "src":
+            return (folder,)
+    for folder in near:
+        if (folder / "src").is_dir():
+            return (folder / "src", folder) if _is_package(folder) else (folder / "src",)
+    for folder in near:
+        if _is_package(folder):
+            return (folder,)
+    return (current,) if current in near else ()
+
+
+def _may_search(folder: Path) -> bool:
+    """Not the home folder, nor what is above it: those hold everything that a user has."""
+    home = Path(os.path.expanduser("~"))  # noqa: PTH111 - Path.home() raises where there is none
+    return folder != home and folder not in home.parents and folder != Path(folder.anchor)
+
+
+def _package_folders(root: Path) -> Iterator[Path]:
+    """Folders with definitions at or below a root, level by level, each level by name."""
+    level, seen = [str(root)], 0
+    for _ in range(_MAX_DEPTH + 1):
+        following: list[str] = []
+        for folder in level:
+            seen += 1
+            if seen > _MAX_FOLDERS:
+                return
+            names, folders = _entries(folder)
+            if names & _STOP_FILES:
+                continue
+            if has_definitions(Path(folder)):
+                yield Path(folder)
+            elif "package.xml" not in names or folder == str(root):
+                following += folders
+        level = following
+
+
+def _entries(folder: str) -> tuple[set[str], list[str]]:
+    """Names of everything in a folder, and paths of the folders in it worth looking into."""
+    names: set[str] = set()
+    folders: list[str] = []
+    try:
+        with os.scandir(folder) as entries:
+            for entry in entries:
+                names.add(entry.name)
+                if _is_worth_searching(entry):
+                    folders.append(entry.path)
+    except OSError:  # not there, not a folder, or not ours to read
+        return set(), []
+    return names, sorted(folders)
+
+
+def _is_worth_searching(entry: os.DirEntry[str]) -> bool:
+    if entry.name.startswith(".") or entry.name in _SKIPPED:
+        return False
+    return entry.is_dir(follow_symlinks=False)
+
+
+def _is_package(folder: Path) -> bool:
+    return (folder / "package.xml").is_file() or has_definitions(folder)
+
+
+def _package_name(folder: Path) -> str:
+    """The name in package.xml, else the folder's."""
+    try:
+        with (folder / "package.xml").open(encoding="utf-8", errors="replace") as manifest:
+            match = _NAME_TAG.search(manifest.read(_MAX_MANIFEST))
+    except OSError:
+        match = None
+    return match[1] if match else folder.resolve().name
