@@ -421,3 +421,27 @@ def _did_you_mean(suggestions: tuple[str, ...]) -> str:
 def _shortened(value: object, limit: int = 80) -> str:
     text = repr(value)
     return text if len(text) <= limit else f"{text[: limit - 3]}..."
+
+
+class ArgumentsError(ZbotError, ValueError):
+    """A word after `--ros-args` is not understood."""
+
+    def __init__(self, word: str, reason: str) -> None:
+        self.word, self.reason = word, reason
+        super().__init__(f"cannot use {word!r} after --ros-args: {reason}")
+
+
+class ParameterValueError(ZbotError, ValueError):
+    """A text is no value that a parameter can have."""
+
+    def __init__(self, text: str, reason: str) -> None:
+        self.text, self.reason = text, reason
+        super().__init__(f"not a parameter's value: {text[:100]!r}: {reason}")
+
+
+class ParametersFileError(ZbotError, ValueError):
+    """A parameter file cannot be read or has another form than ROS 2 asks for."""
+
+    def __init__(self, path: str, reason: str) -> None:
+        self.path, self.reason = path, reason
+        super().__init__(f"cannot use the parameter file {path}: {reason}")

@@ -1,0 +1,153 @@
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from zbot.errors import ParametersFileError, ParameterValueError
+from zbot.parameter_file import load, matches, parse_value
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1", 1),
+        ("-7", -7),
+        ("1_000", 1000),
+        ("0x1F", 31),
+        ("1.5", 1.5),
+        ("1e3", 1000.0),
+        (".5", 0.5),
+        ("-.inf", -math.inf),
+        ("true", True),
+        ("off", False),
+        ("hello", "hello"),
+        ("'007'", "007"),
+        ("!!str 5", "5"),
+        ("!!float 5", 5.0),
+        ("2020-01-01", "2020-01-01"),
+        ("1:30", "1:30"),
+        ("08", "08"),
+        ("[1, 2]", [1, 2]),
+        ("[a, 'b c']", ["a", "b c"]),
+        ("[]", []),
+    ],
+)
+def test_a_value_is_what_ros_reads(text: str, value: object) -> None:
+    read = parse_value(text)
+    assert read == value
+    assert type(read) is type(value)
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("{a: 1}", "a bool, a number, a text or a list"),
+        ("null", "a bool, a number, a text or a list"),
+        ("", "a bool, a number, a text or a list"),
+        ("[[1]]", "a bool, a number, a text or a list"),
+        ("[a, b", "line 1, column 6"),
+        ("a: b: c", "mapping values are not allowed here"),
+        ("!!python/object:os.system x", "could not determine a constructor"),
+        ("&a [*a]", "a bool, a number"),
+        ("9" * 20, "64 bits"),
+        ("[" * 5000, "recursion"),
+    ],
+)
+def test_what_no_parameter_can_hold_is_refused(text: str, reason: str) -> None:
+    with pytest.raises(ParameterValueError, match=reason):
+        parse_value(text)
+
+
+@pytest.mark.parametrize(
+    ("pattern", "node", "expected"),
+    [
+        ("/**", "/a", True),
+        ("/**", "/a/b", True),
+        ("lidar", "/lidar", True),
+        ("lidar", "/robot/lidar", False),
+        ("/robot/lidar", "/robot/lidar", True),
+        ("/robot/*", "/robot/lidar", True),
+        ("/robot/*", "/robot/front/lidar", False),
+        ("/**/lidar", "/lidar", True),
+        ("/**/lidar", "/a/b/lidar", True),
+        ("/*/lidar", "/lidar", False),
+        ("/a.c", "/abc", False),
+    ],
+)
+def test_wildcards_stand_for_parts_of_a_name(pattern: str, node: str, expected: bool) -> None:
+    assert matches(pattern, node) is expected
+
+
+def written(folder: Path, text: str) -> str:
+    path = folder / "params.yaml"
+    path.write_text(text, encoding="utf-8")
+    return str(path)
+
+
+def test_later_sections_win_and_nesting_becomes_dots(tmp_path: Path) -> None:
+    path = written(
+        tmp_path,
+        """
+/**:
+  ros__parameters:
+    rate: 1.0
+    filter: {size: 3, kind: median}
+robot:
+  lidar:
+    ros__parameters:
+      filter: {size: 5}
+/other:
+  ros__parameters:
+    rate: 9.0
+""",
+    )
+    assert load(path, "/robot/lidar") == {"rate": 1.0, "filter.size": 5, "filter.kind": "median"}
+    assert load(path, "/camera") == {"rate": 1.0, "filter.size": 3, "filter.kind": "median"}
+
+
+def test_an_empty_file_has_no_parameters(tmp_path: Path) -> None:
+    assert load(written(tmp_path, "# nothing yet\n"), "/a") == {}
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("a:\n  ros__parameters:\n    x:1\n", "mind the space after ':'"),
+        ("a:\n  ros__parameters: 5\n", "mind the space after ':'"),
+        ("a:\n  x: 5\n", "under '/a/x' belongs `name:`"),
+        ("just text", "at the top belongs `name:`"),
+        ("ros__parameters:\n  x: 1\n", "belongs below a node's name"),
+        ("a:\n  ros__parameters:\n    x: null\n", "not a parameter's value: 'x'"),
+        ("a:\n\tros__parameters:\n", "line 2, column 1"),
+        ("a:\n  ros__parameters: &a\n    x: *a\n", "nested too deeply"),
+    ],
+)
+def test_a_file_of_another_form_says_where(tmp_path: Path, text: str, reason: str) -> None:
+    path = written(tmp_path, text)
+    with pytest.raises(ParametersFileError, match=reason) as caught:
+        load(path, "/a")
+    assert caught.value.path == path
+
+
+@pytest.mark.parametrize("content", [b"\xff\xfe\x00", b"a: \x00"])
+def test_a_file_that_is_no_text_is_refused(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "params.yaml"
+    path.write_bytes(content)
+    with pytest.raises(ParametersFileError):
+        load(str(path), "/a")
+
+
+def test_a_missing_file_is_named() -> None:
+    with pytest.raises(ParametersFileError, match=r"no/such\.yaml: No such file"):
+        load("no/such.yaml", "/a")
+
+
+def test_values_keep_their_types(tmp_path: Path) -> None:
+    text = "/**:\n  ros__parameters: {a: 1, b: 1e3, c: on, d: '1', e: [x, y]}\n"
+    expected: dict[str, Any] = {"a": 1, "b": 1000.0, "c": True, "d": "1", "e": ["x", "y"]}
+    assert load(written(tmp_path, text), "/n") == expected

@@ -1,0 +1,262 @@
+"""The part of a command line between `--ros-args` and `--`: names, parameters and logs of nodes."""
+
+from __future__ import annotations
+
+import re
+import sys
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any
+
+from zbot import parameter_file
+from zbot.errors import ArgumentsError, InvalidNameError, ParameterValueError
+from zbot.names import (
+    expand_topic_name,
+    split_fully_qualified,
+    validate_namespace,
+    validate_node_name,
+    validate_topic_name,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+__all__ = ["Arguments", "LogLevel", "ParameterValue", "ParametersFile", "Remap", "remove_ros_args"]
+
+_BEGIN, _END = "--ros-args", "--"
+_ASSIGN = ":="
+_LEVELS = ("unset", "debug", "info", "warn", "error", "fatal")
+_NODE = re.compile(r"(?:(?P<node>[A-Za-z0-9_]+):(?!/))?(?P<rest>.*)", re.DOTALL)
+_SCHEME = re.compile(r"(?:ros(?P<kind>topic|service)://)?(?P<name>.*)", re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True)
+class Remap:
+    """One `-r [node:][scheme://]from:=to`."""
+
+    source: str  #: a topic or service name as it is written, or `__node` or `__ns`
+    target: str
+    node: str = ""  #: base name of the only node it is for; empty: every node
+    kind: str = ""  #: `topic` or `service` if it is for only one of them
+
+
+@dataclass(frozen=True, slots=True)
+class ParameterValue:
+    """One `-p [node:]name:=value`."""
+
+    name: str
+    value: Any  #: as YAML reads it
+    node: str = ""  #: base name of the only node it is for; empty: every node
+
+
+@dataclass(frozen=True, slots=True)
+class ParametersFile:
+    """One `--params-file path`, read when a node asks for its parameters."""
+
+    path: str
+
+
+@dataclass(frozen=True, slots=True)
+class LogLevel:
+    """One `--log-level [logger:=]level`."""
+
+    level: str  #: in lower case: `unset`, `debug`, `info`, `warn`, `error` or `fatal`
+    logger: str = ""  #: empty: every logger
+
+
+@dataclass(frozen=True, slots=True)
+class Arguments:
+    """What a command line says about the nodes of its process."""
+
+    remaps: tuple[Remap, ...] = ()
+    parameters: tuple[ParameterValue | ParametersFile, ...] = ()  #: in order; the last one wins
+    log_levels: tuple[LogLevel, ...] = ()  #: in order; the last one wins
+    log_config_file: str = ""
+    log_file_name: str = ""
+    rosout_logs: bool = True
+    stdout_logs: bool = True
+    external_lib_logs: bool = True
+    enclave: str = "/"
+    unparsed: tuple[str, ...] = ()  #: everything else, the program's name first
+
+    @classmethod
+    def parse(cls, args: Sequence[str]) -> Arguments:
+        """Read a command line.
+
+        Raises:
+            ArgumentsError: A word after `--ros-args` is not understood.
+        """
+        words, unparsed = _split(args)
+        found = cls(unparsed=tuple(unparsed))
+        while words:
+            found = _flag(found, words)
+        return found
+
+    def merged(self, after: Arguments) -> Arguments:
+        """Return both sets of rules as one, where these come first: a node's, then its process's.
+
+        Among remaps the first match wins and among parameters the last, so either way these do.
+        """
+        return replace(
+            self,
+            remaps=self.remaps + after.remaps,
+            parameters=after.parameters + self.parameters,
+            log_levels=after.log_levels + self.log_levels,
+            enclave=after.enclave if self.enclave == "/" else self.enclave,
+        )
+
+    def node_name_for(self, name: str) -> str:
+        """Return the base name that a node gets: `__node:=`, or the one the program gave."""
+        return self._special("__node", name) or name
+
+    def namespace_for(self, node_name: str) -> str | None:
+        """Return the namespace set with `__ns:=` for a node of that original name, if any."""
+        return self._special("__ns", node_name)
+
+    def remap_topic(self, full_name: str, node: str, namespace: str) -> str:
+        """Return the name that a topic gets; `full_name` is already expanded.
+
+        Args:
+            full_name: The topic, fully qualified.
+            node: Base name of the node that uses it.
+            namespace: That node's namespace.
+        """
+        return self._remapped("topic", full_name, node, namespace)
+
+    def remap_service(self, full_name: str, node: str, namespace: str) -> str:
+        """Return the name that a service gets; see `remap_topic`."""
+        return self._remapped("service", full_name, node, namespace)
+
+    def parameters_for(self, node: str) -> dict[str, Any]:
+        """Return the parameter overrides of a node by its fully qualified name.
+
+        Raises:
+            ParametersFileError: A file cannot be read or has another form.
+        """
+        base, values = split_fully_qualified(node)[1], dict[str, Any]()
+        for item in self.parameters:
+            if isinstance(item, ParametersFile):
+                values |= parameter_file.load(item.path, node)
+            elif item.node in {"", base}:
+                values[item.name] = item.value
+        return values
+
+    def _special(self, source: str, node: str) -> str | None:
+        for rule in self.remaps:
+            if rule.source == source and rule.node in {"", node}:
+                return rule.target
+        return None
+
+    def _remapped(self, kind: str, full_name: str, node: str, namespace: str) -> str:
+        for rule in self.remaps:
+            if rule.node in {"", node} and rule.kind in {"", kind}:
+                if rule.source in {"__node", "__ns"}:
+                    continue
+                if expand_topic_name(rule.source, node, namespace) == full_name:
+                    return expand_topic_name(rule.target, node, namespace)
+        return full_name
+
+
+def remove_ros_args(args: Sequence[str] | None = None) -> list[str]:
+    """Return a command line, `sys.argv` if left out, without its `--ros-args ... --` parts."""
+    return _split(sys.argv if args is None else args)[1]
+
+
+def _split(args: Sequence[str]) -> tuple[list[str], list[str]]:
+    """Return the words inside and outside of the `--ros-args ... --` parts."""
+    inside: list[str] = []
+    outside: list[str] = []
+    in_ros_args = False
+    for word in args:
+        if word == _BEGIN:
+            in_ros_args = True
+        elif in_ros_args and word == _END:
+            in_ros_args = False
+        else:
+            (inside if in_ros_args else outside).append(word)
+    return inside, outside
+
+
+def _flag(found: Arguments, words: list[str]) -> Arguments:
+    """Take one flag, with its value if it has one, from the front of the words."""
+    flag = words.pop(0)
+    switch = _SWITCHES.get(flag)
+    if switch is not None:
+        return replace(found, **switch)
+    if flag not in _FLAGS:
+        reason = "there is no such flag: see -r, -p, --params-file and --log-level; end with --"
+        raise ArgumentsError(flag, reason)
+    if not words:
+        raise ArgumentsError(flag, "it needs a value after it")
+    return _FLAGS[flag](found, words.pop(0))
+
+
+def _remap(found: Arguments, word: str) -> Arguments:
+    node, left, target = _assignment(word, "-r", "chatter:=/news")
+    match = _SCHEME.fullmatch(left)
+    kind, source = (match["kind"] or "", match["name"]) if match else ("", left)
+    source = "__node" if source == "__name" else source
+    try:
+        _validate_remap(source, target)
+    except InvalidNameError as error:
+        raise ArgumentsError(word, str(error)) from error
+    return replace(found, remaps=(*found.remaps, Remap(source, target, node, kind)))
+
+
+def _validate_remap(source: str, target: str) -> None:
+    if source == "__node":
+        validate_node_name(target)
+    elif source == "__ns":
+        validate_namespace(target)
+    else:
+        validate_topic_name(source)
+        validate_topic_name(target)
+
+
+def _parameter(found: Arguments, word: str) -> Arguments:
+    node, name, text = _assignment(word, "-p", "speed:=1.5")
+    try:
+        value = parameter_file.parse_value(text)
+    except ParameterValueError as error:
+        raise ArgumentsError(word, str(error)) from error
+    return replace(found, parameters=(*found.parameters, ParameterValue(name, value, node)))
+
+
+def _log_level(found: Arguments, word: str) -> Arguments:
+    logger, _, level = word.rpartition(_ASSIGN)
+    if level.lower() not in _LEVELS or (not logger and _ASSIGN in word):
+        raise ArgumentsError(word, f"a level is one of {', '.join(_LEVELS)}")
+    return replace(found, log_levels=(*found.log_levels, LogLevel(level.lower(), logger)))
+
+
+def _assignment(word: str, flag: str, example: str) -> tuple[str, str, str]:
+    """Return node, left and right side of `[node:]left:=right`."""
+    left, assign, right = word.partition(_ASSIGN)
+    if not assign:
+        raise ArgumentsError(word, f"{_ASSIGN!r} is missing: write it as in `{flag} {example}`")
+    match = _NODE.fullmatch(left)
+    node, name = (match["node"] or "", match["rest"]) if match else ("", left)
+    if not name or not right:
+        missing = "name before" if not name else "value after"
+        raise ArgumentsError(word, f"there is no {missing} {_ASSIGN!r}, as in `{flag} {example}`")
+    return node, name, right
+
+
+_FLAGS: dict[str, Callable[[Arguments, str], Arguments]] = {
+    "-r": _remap,
+    "--remap": _remap,
+    "-p": _parameter,
+    "--param": _parameter,
+    "--params-file": lambda found, path: replace(
+        found, parameters=(*found.parameters, ParametersFile(path))
+    ),
+    "--log-level": _log_level,
+    "--log-config-file": lambda found, path: replace(found, log_config_file=path),
+    "--log-file-name": lambda found, prefix: replace(found, log_file_name=prefix),
+    "-e": lambda found, path: replace(found, enclave=path),
+    "--enclave": lambda found, path: replace(found, enclave=path),
+}
+_SWITCHES: dict[str, dict[str, Any]] = {
+    f"--{verb}-{name.replace('_', '-')}": {name: verb == "enable"}
+    for verb in ("enable", "disable")
+    for name in ("rosout_logs", "stdout_logs", "external_lib_logs")
+}

@@ -1,0 +1,158 @@
+"""Parameter files: YAML that says which node gets which parameter values.
+
+/robot_1/lidar:          # a node; `*` is any one part of a name, `**` any number of parts
+  ros__parameters:
+    rate_hz: 10.0
+    filter:
+      size: 3            # the parameter `filter.size`
+"""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ParametersFileError, ParameterValueError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+__all__ = ["load", "matches", "parse_value"]
+
+_KEY = "ros__parameters"
+# YAML tries a pattern at the start of a scalar, so each must reach its end.
+_FLOAT = re.compile(
+    r"[-+]?(?:[0-9][0-9_]*\.[0-9_]*|\.[0-9]+|[0-9]+(?=[eE]))(?:[eE][-+]?[0-9]+)?\Z"
+    r"|[-+]?\.(?:inf|Inf|INF)\Z|\.(?:nan|NaN|NAN)\Z"
+)
+_INTEGER = re.compile(r"[-+]?(?:0x[0-9a-fA-F]+|0b[01]+|0o?[0-7]*|[1-9][0-9_]*)\Z")
+
+
+def parse_value(text: str) -> Any:
+    """Return the value of a parameter written as YAML: `1.5`, `true`, `[1, 2]`, `hello`.
+
+    Raises:
+        ParameterValueError: The text is no YAML, or a value that no parameter can have.
+    """
+    yaml = _yaml()
+    try:
+        value = yaml.load(text, Loader=_loader())
+    except (yaml.YAMLError, ValueError, RecursionError) as error:
+        raise ParameterValueError(text, _problem(error)) from error
+    _check(text, value)
+    return value
+
+
+def load(path: str, node: str) -> dict[str, Any]:
+    """Return the parameters that a file has for a node, nested names joined by dots.
+
+    Args:
+        path: The YAML file.
+        node: Fully qualified name of the node.
+
+    Raises:
+        ParametersFileError: The file cannot be read or has another form.
+    """
+    values: dict[str, Any] = {}
+    try:
+        for pattern, parameters in _sections(path):
+            if matches(pattern, node):
+                values.update(_flat(path, "", parameters))
+    except RecursionError as error:
+        raise ParametersFileError(path, "it is nested too deeply") from error
+    return values
+
+
+def matches(pattern: str, node: str) -> bool:
+    """Tell whether a node's fully qualified name matches a file's key: `/**`, `/ns/*`, `lidar`."""
+    parts = pattern.strip("/").split("/")
+    expression = "".join(
+        {"**": "(?:/[^/]+)*", "*": "/[^/]+"}.get(p, f"/{re.escape(p)}") for p in parts
+    )
+    return re.fullmatch(expression, node) is not None
+
+
+def _sections(path: str) -> Iterator[tuple[str, dict[Any, Any]]]:
+    """Yield each node pattern of a file with its parameters; namespaces may be nested."""
+    yaml = _yaml()
+    try:
+        with Path(path).open(encoding="utf-8") as file:
+            content = yaml.load(file, Loader=_loader())
+    except (OSError, yaml.YAMLError, ValueError) as error:
+        raise ParametersFileError(path, _problem(error)) from error
+    if content is not None:
+        yield from _nested_sections(path, "", content)
+
+
+def _nested_sections(path: str, name: str, content: Any) -> Iterator[tuple[str, dict[Any, Any]]]:
+    if not isinstance(content, dict):
+        where = f"under {name!r}" if name else "at the top"
+        reason = f"{where} belongs `name:` and indented lines below it, not {content!r}"
+        raise ParametersFileError(path, reason)
+    for key, value in content.items():
+        if key == _KEY and name:
+            if not isinstance(value, dict):
+                reason = f"{_KEY} of {name!r} needs lines `name: value` (mind the space after ':')"
+                raise ParametersFileError(path, reason)
+            yield name, value
+        elif key == _KEY:
+            raise ParametersFileError(path, f"{_KEY} belongs below a node's name, e.g. `/**:`")
+        else:
+            yield from _nested_sections(path, f"{name}/{str(key).strip('/')}", value)
+
+
+def _flat(path: str, prefix: str, values: dict[Any, Any]) -> dict[str, Any]:
+    flat: dict[str, Any] = {}
+    for key, value in values.items():
+        name = f"{prefix}{key}"
+        if isinstance(value, dict):
+            flat.update(_flat(path, f"{name}.", value))
+            continue
+        try:
+            _check(name, value)
+        except ParameterValueError as error:
+            raise ParametersFileError(path, str(error)) from error
+        flat[name] = value
+    return flat
+
+
+def _check(text: str, value: Any) -> None:
+    items = value if isinstance(value, list) else [value]
+    if any(not isinstance(item, (bool, int, float, str)) for item in items):
+        reason = "a parameter is a bool, a number, a text or a list of one of these"
+        raise ParameterValueError(text, reason)
+    if any(isinstance(item, int) and not -(2**63) <= item < 2**63 for item in items):
+        raise ParameterValueError(text, "an integer parameter has 64 bits")
+
+
+def _problem(error: Exception) -> str:
+    mark, problem = getattr(error, "problem_mark", None), getattr(error, "problem", None)
+    if isinstance(error, OSError):
+        return error.strerror or str(error)
+    if mark is None or problem is None:
+        return str(error)
+    return f"line {mark.line + 1}, column {mark.column + 1}: {problem}"
+
+
+def _yaml() -> Any:
+    # Most command lines have no parameters: PyYAML takes 15 ms to import.
+    import yaml  # noqa: PLC0415
+
+    return yaml
+
+
+@lru_cache(maxsize=1)
+def _loader() -> Any:
+    """Return YAML's safe loader with ROS 2's idea of scalars: no dates, `1e3` is a number."""
+    base = _yaml().SafeLoader
+    loader: Any = type("_Loader", (base,), {"yaml_implicit_resolvers": {}})
+    for first, resolvers in base.yaml_implicit_resolvers.items():
+        kept = {"bool", "null", "merge"}
+        loader.yaml_implicit_resolvers[first] = [
+            r for r in resolvers if r[0].split(":")[-1] in kept
+        ]
+    loader.add_implicit_resolver("tag:yaml.org,2002:float", _FLOAT, list("-+.0123456789"))
+    loader.add_implicit_resolver("tag:yaml.org,2002:int", _INTEGER, list("-+0123456789"))
+    return loader
