@@ -1,8 +1,13 @@
 """ROS 2 interface definitions, and the Python classes made from them."""
 
+from zbot.interfaces.importer import install_importer as install_importer
 from zbot.interfaces.message import Action as Action
 from zbot.interfaces.message import Message as Message
 from zbot.interfaces.message import Service as Service
+from zbot.interfaces.python_class import spec_of as spec_of
+from zbot.interfaces.python_class import type_description as type_description
+from zbot.interfaces.python_class import type_hash as type_hash
+from zbot.interfaces.python_class import type_name as type_name
 from zbot.interfaces.registry import definition_text as definition_text
 from zbot.interfaces.registry import get_action as get_action
 from zbot.interfaces.registry import get_interface as get_interface

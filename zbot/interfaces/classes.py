@@ -12,8 +12,6 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import PositionalFieldError, UnknownFieldError
 from zbot.interfaces.array_value import elements_text, fixed_default, same_elements
 from zbot.interfaces.message import Action, Message, Service
-from zbot.interfaces.scalar_check import scalar_check
-from zbot.interfaces.sequence_check import sequence_check
 from zbot.interfaces.source import class_source
 
 if TYPE_CHECKING:
@@ -65,9 +63,9 @@ _COMMON: dict[str, Any] = {
 }
 
 
-def make_message(spec: MessageSpec, find: Find) -> type[Message]:
-    """A class for a message; `find` gives those of the messages inside it."""
-    names = _namespace(spec, find)
+def make_message(spec: MessageSpec, nested: dict[str, type[Any]]) -> type[Message]:
+    """A class for a message, given those of its fields that are messages, by field name."""
+    names = _namespace(spec, nested)
     source = class_source(spec)
     filename = f"<zbot {spec.name}>"
     # So that a traceback through the class shows its lines.
@@ -132,7 +130,7 @@ def _make_holder(base: type[Any], spec: ServiceSpec | ActionSpec, parts: dict[st
     return type(spec.name.rpartition("/")[2], (base,), attributes)
 
 
-def _namespace(spec: MessageSpec, find: Find) -> dict[str, Any]:
+def _namespace(spec: MessageSpec, nested: dict[str, type[Any]]) -> dict[str, Any]:
     names = {
         **_COMMON,
         "__name__": module_name(spec.name),
@@ -142,20 +140,18 @@ def _namespace(spec: MessageSpec, find: Find) -> dict[str, Any]:
         "_bad_call": functools.partial(_bad_call, spec),
     }
     for field in spec.fields:
-        names.update(_field_names(spec.name, field, find))
+        names.update(_field_names(spec.name, field, nested.get(field.name)))
     return names
 
 
-def _field_names(type_name: str, field: Field, find: Find) -> dict[str, Any]:
-    names: dict[str, Any] = {}
+def _field_names(type_name: str, field: Field, cls: type[Any] | None) -> dict[str, Any]:
+    names: dict[str, Any] = {f"_check_{field.name}": _Check(type_name, field, cls)}
     kind = field.type
-    if kind.is_message:
-        names[f"_class_{field.name}"] = find(kind.base)
+    if cls is not None:
+        names[f"_class_{field.name}"] = cls
     if kind.kind == "array" and kind.typecode:
         default = field.default if isinstance(field.default, tuple) else None
         names[f"_new_{field.name}"] = fixed_default(kind.typecode, kind.size, default)
-    check = _Check(type_name, field, names.get(f"_class_{field.name}"))
-    names[f"_check_{field.name}"] = check
     return names
 
 
@@ -169,13 +165,12 @@ class _Check:
         self._check: Callable[[str, Any], Any] | None = None
 
     def __call__(self, value: Any) -> Any:
-        check = self._check
-        if check is None:
-            kind = self._field.type
-            element = scalar_check(self._type_name, kind, self._cls)
-            check = element if kind.kind == "scalar" else sequence_check(kind, element)
-            self._check = check
-        return check(self._field.name, value)
+        if self._check is None:
+            # Many programs never get here.
+            from zbot.interfaces.field_check import field_check  # noqa: PLC0415
+
+            self._check = field_check(self._type_name, self._field.type, self._cls)
+        return self._check(self._field.name, value)
 
 
 def _bad_call(

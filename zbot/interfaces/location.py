@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import functools
-import importlib
 import os
+import sys
 from importlib.machinery import PathFinder
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -13,12 +13,10 @@ from zbot.interfaces.workspace import KINDS, has_definitions, packages_around, s
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from importlib.metadata import EntryPoint
 
 _SHIPPED = Path(__file__).parent / "defs"
 # The package has two names in ROS 2: its interfaces moved to turtlesim_msgs in 2025.
 _ALIASES = {"turtlesim_msgs": "turtlesim"}
-_ENTRY_POINTS = "zbot.interfaces"
 
 
 def definition_file(package: str, kind: str, short: str) -> Path | None:
@@ -51,14 +49,14 @@ def package_folders(package: str) -> Iterator[Path]:
 
 
 def known_packages() -> set[str]:
-    """The packages that can be listed: all but those of plain Python packages."""
+    """Every package that has definitions somewhere."""
     names = {folder.name for folder in _SHIPPED.iterdir() if folder.is_dir()}
     names |= {alias for alias, package in _ALIASES.items() if package in names}
     names |= set(_workspace())
     for share in _ament_shares():
         index = share / "ament_index" / "resource_index" / "rosidl_interfaces"
         names |= {entry.name for entry in index.glob("*") if has_definitions(share / entry.name)}
-    return names | set(_entry_points())
+    return names | _installed_packages()
 
 
 def _workspace() -> dict[str, list[Path]]:
@@ -76,19 +74,18 @@ def _ament_shares() -> list[Path]:
 
 
 def _python_package_folders(package: str) -> Iterator[Path]:
-    """An installed Python package's own folder, and that of the module it names for zbot."""
-    entry = _entry_points().get(package)
-    for module in dict.fromkeys((entry.module, package) if entry else (package,)):
-        # Only the path is looked at: nothing is imported, and zbot's own importer is not asked.
-        spec = PathFinder.find_spec(module.partition(".")[0])
-        for location in (spec and spec.submodule_search_locations) or ():
-            folder = Path(location, *module.split(".")[1:])
-            if has_definitions(folder):
-                yield folder
+    """An installed Python package's own folder; nothing is imported, only paths are looked at."""
+    spec = PathFinder.find_spec(package)
+    for location in (spec and spec.submodule_search_locations) or ():
+        yield from filter(has_definitions, (Path(location),))
 
 
-@functools.cache
-def _entry_points() -> dict[str, EntryPoint]:
-    """The entry points `package = module` of installed distributions."""
-    metadata = importlib.import_module("importlib.metadata")  # 20 ms, and rarely needed
-    return {entry.name: entry for entry in metadata.entry_points(group=_ENTRY_POINTS)}
+def _installed_packages() -> set[str]:
+    """Python packages with definitions, on `sys.path`."""
+    return {
+        folder.name
+        for entry in sys.path
+        if entry and (path := Path(entry)).is_dir()
+        for folder in path.iterdir()
+        if folder.name.isidentifier() and has_definitions(folder)
+    }

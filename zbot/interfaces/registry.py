@@ -14,8 +14,12 @@ from zbot.errors import (
     nearest,
 )
 from zbot.interfaces.classes import make_action, make_message, make_service
-from zbot.interfaces.location import definition_file, interface_files, known_packages
-from zbot.interfaces.parser import parse
+from zbot.interfaces.location import (
+    definition_file,
+    interface_files,
+    known_packages,
+    package_folders,
+)
 from zbot.interfaces.spec import ActionSpec, InterfaceSpec, MessageSpec, ServiceSpec
 from zbot.interfaces.workspace import KINDS
 
@@ -31,6 +35,7 @@ _MAX_NESTING = 60
 _lock = threading.RLock()
 _specs: dict[str, InterfaceSpec] = {}
 _files: dict[str, str] = {}
+_registered: list[str] = []  # what no file defines
 _classes: dict[str, type[Any]] = {}
 _being_made: list[str] = []
 
@@ -81,9 +86,14 @@ def definition_text(name: str) -> str:
 
 def packages() -> list[str]:
     """Every package with definitions, sorted."""
-    with _lock:
-        registered = {spec.package for spec in _specs.values()}
-    return sorted(known_packages() | registered)
+    return sorted(known_packages() | {name.partition("/")[0] for name in _registered})
+
+
+def has_package(package: str) -> bool:
+    """Whether a package has definitions; without listing all of them."""
+    if any(name.startswith(f"{package}/") for name in _registered):
+        return True
+    return next(package_folders(package), None) is not None
 
 
 def interface_names(package: str) -> list[str]:
@@ -93,10 +103,7 @@ def interface_names(package: str) -> list[str]:
         UnknownPackageError: No such package here; has suggestions.
     """
     names = {f"{package}/{file.parent.name}/{file.stem}" for file in interface_files(package)}
-    with _lock:
-        names |= {
-            name for name, spec in _specs.items() if spec.package == package and _is_own(name)
-        }
+    names |= {name for name in _registered if name.startswith(f"{package}/")}
     if not names:
         raise UnknownPackageError(package, nearest(package, packages()))
     return sorted(names)
@@ -113,9 +120,18 @@ def register_spec(spec: InterfaceSpec) -> None:
             known = get_spec(spec.name)
         except (UnknownPackageError, UnknownInterfaceError):
             _add(spec, spec.name)
+            _registered.append(spec.name)
         else:
             if known != spec:
                 raise InterfaceConflictError(spec.name)
+
+
+def register_class(spec: MessageSpec, cls: type[Any]) -> None:
+    """Make a class of the user's, or of a real ROS 2, that of its name; the last one wins."""
+    with _lock:
+        _add(spec, cls.__module__)
+        _registered.append(spec.name)
+        _classes[spec.name] = cls
 
 
 def _of_kind(name: str, kind: str, spec_type: type[InterfaceSpec]) -> Any:
@@ -143,6 +159,9 @@ def _found(name: str) -> InterfaceSpec:
 def _load(package: str, kind: str, short: str) -> None:
     file = definition_file(package, kind, short) if kind in KINDS and short.isidentifier() else None
     if file is not None:
+        # Importing zbot reads no definition, so it need not load what does.
+        from zbot.interfaces.parser import parse  # noqa: PLC0415
+
         _add(parse(f"{package}/{kind}/{short}", _text(file), str(file)), str(file))
 
 
@@ -191,32 +210,39 @@ def _made(spec: InterfaceSpec) -> type[Any]:
 
 def _make(spec: InterfaceSpec) -> type[Any]:
     if isinstance(spec, MessageSpec):
-        return make_message(spec, get_interface)
+        return make_message(spec, _nested_classes(spec))
     if isinstance(spec, ServiceSpec):
         return make_service(spec, get_interface)
     return make_action(spec, get_interface)
+
+
+def _nested_classes(spec: MessageSpec) -> dict[str, type[Any]]:
+    """The class for each field that is a message; an error names the field's line."""
+    classes: dict[str, type[Any]] = {}
+    for field in spec.fields:
+        if field.type.is_message:
+            try:
+                classes[field.name] = get_interface(field.type.base)
+            except (UnknownPackageError, UnknownInterfaceError, _NestingError) as error:
+                source = f"{field.type.text} {field.name}"
+                file = _files[spec.name]
+                raise InterfaceSyntaxError(file, field.line, source, str(error)) from error
+    return classes
+
+
+class _NestingError(Exception):
+    """Messages inside messages without an end; the caller adds file and line."""
 
 
 @contextmanager
 def _nesting_guarded(spec: InterfaceSpec) -> Iterator[None]:
     if spec.name in _being_made:
         chain = " -> ".join((*_being_made[_being_made.index(spec.name) :], spec.name))
-        raise _nesting_error(f"a message cannot contain itself: {chain}")
+        raise _NestingError(f"a message cannot contain itself: {chain}")
     if len(_being_made) >= _MAX_NESTING:
-        raise _nesting_error(f"messages are nested deeper than {_MAX_NESTING} levels")
+        raise _NestingError(f"messages are nested deeper than {_MAX_NESTING} levels")
     _being_made.append(spec.name)
     try:
         yield
     finally:
         _being_made.pop()
-
-
-def _nesting_error(reason: str) -> InterfaceSyntaxError:
-    """Names the field at which the innermost of the messages being made goes one deeper."""
-    name = _being_made[-1]
-    return InterfaceSyntaxError(_files[name], 0, "", reason)
-
-
-def _is_own(name: str) -> bool:
-    """Whether a name is an interface's, not that of a service's or an action's part."""
-    return "_" not in name.rpartition("/")[2]

@@ -1,4 +1,4 @@
-"""Arrays and sequences: what a field takes, converted where nothing is lost, refused otherwise."""
+"""What a field takes, arrays and sequences included: the slow path of the generated classes."""
 
 from __future__ import annotations
 
@@ -9,13 +9,15 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import FieldTypeError, FieldValueError
 from zbot.interfaces.array_value import DTYPES, fixed_array, is_ndarray, numpy
+from zbot.interfaces.scalar_check import ScalarCheck, scalar_check
 
 if TYPE_CHECKING:
-    from zbot.interfaces.scalar_check import ScalarCheck
+    from collections.abc import Callable
+
     from zbot.interfaces.spec import FieldType
 
 
-class ListCheck:
+class _ListCheck:
     """Lists of bools, bytes, strings or messages; one that fits is stored itself, as in ROS 2."""
 
     def __init__(self, field_type: FieldType, element: ScalarCheck) -> None:
@@ -24,7 +26,6 @@ class ListCheck:
         self.expected = f"a list{_length_text(field_type)}, of which each is {element.expected}"
 
     def __call__(self, label: str, value: Any) -> list[Any]:
-        """Return what to store, or raise `FieldTypeError` or `FieldValueError`."""
         values = value if value.__class__ is list else self._as_list(label, value)
         if not _has_good_length(self.field_type, len(values)):
             raise FieldValueError(self.type_name, label, self.expected, value)
@@ -38,7 +39,7 @@ class ListCheck:
         return value.tolist() if is_ndarray(value) else list(value)
 
 
-class NumberSequenceCheck:
+class _NumberSequenceCheck:
     """Sequences of numbers, stored as `array.array`; one that fits is stored itself."""
 
     def __init__(self, field_type: FieldType, element: ScalarCheck) -> None:
@@ -49,7 +50,6 @@ class NumberSequenceCheck:
         self.expected = f"a list{_length_text(field_type)}, of which each is {element.expected}"
 
     def __call__(self, label: str, value: Any) -> Any:
-        """Return what to store, or raise `FieldTypeError` or `FieldValueError`."""
         numbers = self._as_array(label, value)
         if not _has_good_length(self.field_type, len(numbers)):
             raise FieldValueError(self.type_name, label, self.expected, value)
@@ -105,11 +105,10 @@ class NumberSequenceCheck:
         )
 
 
-class FixedNumbersCheck(NumberSequenceCheck):
+class _FixedNumbersCheck(_NumberSequenceCheck):
     """A fixed number of numbers, stored as an ndarray of the exact dtype if numpy is installed."""
 
     def __call__(self, label: str, value: Any) -> Any:
-        """Return what to store, or raise `FieldTypeError` or `FieldValueError`."""
         size = self.field_type.size
         if (
             is_ndarray(value)
@@ -121,13 +120,24 @@ class FixedNumbersCheck(NumberSequenceCheck):
         return fixed_array(self.typecode, super().__call__(label, value))
 
 
-def sequence_check(field_type: FieldType, element: ScalarCheck) -> ListCheck | NumberSequenceCheck:
-    """The check for a field that is an array or a sequence, given the one for its elements."""
+def field_check(
+    type_name: str, field_type: FieldType, cls: type[Any] | None
+) -> Callable[[str, Any], Any]:
+    """The check for a field: called with its label and a value, it returns what to store.
+
+    Args:
+        type_name: The message that has the field, for errors.
+        field_type: The field's type.
+        cls: The class of the values if they are messages.
+    """
+    element = scalar_check(type_name, field_type, cls)
+    if field_type.kind == "scalar":
+        return element
     if not field_type.typecode:
-        return ListCheck(field_type, element)
+        return _ListCheck(field_type, element)
     if field_type.kind == "array":
-        return FixedNumbersCheck(field_type, element)
-    return NumberSequenceCheck(field_type, element)
+        return _FixedNumbersCheck(field_type, element)
+    return _NumberSequenceCheck(field_type, element)
 
 
 def _from_bytes(typecode: str, data: bytes | bytearray | memoryview) -> array[Any]:
