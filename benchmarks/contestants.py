@@ -1,0 +1,197 @@
+"""The programs that are measured, each as Python source run in a process of its own.
+
+Every contestant does the same work: `zbot` with typed messages, `raw` with eclipse-zenoh alone on bytes of
+the same size, `rclpy` with the genuine ROS 2 wheels where they are installed.
+"""
+
+from __future__ import annotations
+
+ZBOT_HEAD = """
+import sys, time, json, zbot
+from std_msgs.msg import UInt8MultiArray
+from zbot import QoSProfile, HistoryPolicy
+import array
+SIZE, COUNT = int(sys.argv[1]), int(sys.argv[2])
+KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
+def message(): return UInt8MultiArray(data=array.array('B', bytes(SIZE)))
+"""
+
+ZBOT_ECHO = ZBOT_HEAD + """
+with zbot.init():
+    node = zbot.Node('echo')
+    publisher = node.create_publisher(UInt8MultiArray, 'pong', 10)
+    node.create_subscription(UInt8MultiArray, 'ping', publisher.publish, 10)
+    zbot.spin(node)
+"""
+
+ZBOT_PING = ZBOT_HEAD + """
+trips, begun = [], 0
+def go():
+    global begun
+    begun = time.perf_counter_ns(); publisher.publish(sample)
+def on_pong(msg):
+    trips.append(time.perf_counter_ns() - begun)
+    go() if len(trips) < COUNT else zbot.shutdown()
+with zbot.init():
+    node = zbot.Node('ping'); sample = message()
+    publisher = node.create_publisher(UInt8MultiArray, 'ping', 10)
+    node.create_subscription(UInt8MultiArray, 'pong', on_pong, 10)
+    while not (node.count_subscribers('ping') and node.count_publishers('pong')): time.sleep(0.01)
+    go()
+    zbot.spin(node)
+print(json.dumps(trips[COUNT // 10:]))
+"""
+
+ZBOT_SINK = ZBOT_HEAD + """
+got, begun = 0, 0.0
+def on_message(msg):
+    global got, begun
+    if got == 0: begun = time.perf_counter()
+    got += 1
+    if got == COUNT:
+        print(json.dumps({'rate': COUNT / (time.perf_counter() - begun), 'lost': subscription.lost_count}))
+        zbot.shutdown()
+with zbot.init():
+    node = zbot.Node('sink')
+    subscription = node.create_subscription(UInt8MultiArray, 'flood', on_message, KEEP_ALL)
+    zbot.spin(node)
+"""
+
+ZBOT_FLOOD = ZBOT_HEAD + """
+with zbot.init():
+    node = zbot.Node('flood'); sample = message()
+    publisher = node.create_publisher(UInt8MultiArray, 'flood', KEEP_ALL)
+    while not node.count_subscribers('flood'): time.sleep(0.01)
+    for _ in range(COUNT): publisher.publish(sample)
+    while node.count_subscribers('flood'): time.sleep(0.01)
+"""
+
+RAW_HEAD = """
+import sys, time, json, os, threading, zenoh
+SIZE, COUNT, PORT = int(sys.argv[1]), int(sys.argv[2]), os.environ['BENCH_PORT']
+def session(listens):
+    config = zenoh.Config()
+    config.insert_json5('mode', '"peer"')
+    config.insert_json5('scouting/multicast/enabled', 'false')
+    config.insert_json5('listen/endpoints' if listens else 'connect/endpoints', f'["tcp/127.0.0.1:{PORT}"]')
+    config.insert_json5('connect/endpoints' if listens else 'listen/endpoints', '[]')
+    config.insert_json5('connect/timeout_ms', '-1')
+    config.insert_json5('connect/retry', '{period_init_ms: 20, period_max_ms: 100}')
+    return zenoh.open(config)
+BLOCK = dict(congestion_control=zenoh.CongestionControl.BLOCK)
+def matched(publisher):
+    while not publisher.matching_status.matching: time.sleep(0.01)
+"""
+
+RAW_ECHO = RAW_HEAD + """
+session = session(False)
+publisher = session.declare_publisher('pong')
+subscriber = session.declare_subscriber('ping', lambda sample: publisher.put(sample.payload.to_bytes()))
+try:
+    time.sleep(600)
+finally:
+    session.close()
+"""
+
+RAW_PING = RAW_HEAD + """
+trips, begun, done = [], 0, threading.Event()
+session = session(True)
+publisher = session.declare_publisher('ping'); sample = bytes(SIZE)
+def go():
+    global begun
+    begun = time.perf_counter_ns(); publisher.put(sample)
+def on_pong(reply):
+    reply.payload.to_bytes()
+    trips.append(time.perf_counter_ns() - begun)
+    go() if len(trips) < COUNT else done.set()
+subscriber = session.declare_subscriber('pong', on_pong)
+matched(publisher)
+go(); done.wait()
+print(json.dumps(trips[COUNT // 10:])); session.close()
+"""
+
+RAW_SINK = RAW_HEAD + """
+got, begun, done = 0, 0.0, threading.Event()
+def on_message(sample):
+    global got, begun
+    sample.payload.to_bytes()
+    if got == 0: begun = time.perf_counter()
+    got += 1
+    if got == COUNT:
+        print(json.dumps({'rate': COUNT / (time.perf_counter() - begun), 'lost': 0})); done.set()
+session = session(True)
+subscriber = session.declare_subscriber('flood', on_message)
+done.wait(); session.close()
+"""
+
+RAW_FLOOD = RAW_HEAD + """
+session = session(False)
+publisher = session.declare_publisher('flood', **BLOCK); sample = bytes(SIZE)
+matched(publisher)
+for _ in range(COUNT): publisher.put(sample)
+while publisher.matching_status.matching: time.sleep(0.01)
+session.close()
+"""
+
+RCLPY_HEAD = """
+import sys, time, json, array, rclpy
+from rclpy.node import Node
+from rclpy.qos import QoSProfile, HistoryPolicy
+from std_msgs.msg import UInt8MultiArray
+SIZE, COUNT = int(sys.argv[1]), int(sys.argv[2])
+def message(): return UInt8MultiArray(data=array.array('B', bytes(SIZE)))
+rclpy.init()
+"""
+
+RCLPY_ECHO = RCLPY_HEAD + """
+node = Node('echo')
+publisher = node.create_publisher(UInt8MultiArray, 'pong', 10)
+node.create_subscription(UInt8MultiArray, 'ping', publisher.publish, 10)
+rclpy.spin(node)
+"""
+
+RCLPY_PING = RCLPY_HEAD + """
+trips, begun = [], 0
+def go():
+    global begun
+    begun = time.perf_counter_ns(); publisher.publish(sample)
+def on_pong(msg):
+    trips.append(time.perf_counter_ns() - begun)
+    if len(trips) < COUNT: go()
+node = Node('ping'); sample = message()
+publisher = node.create_publisher(UInt8MultiArray, 'ping', 10)
+node.create_subscription(UInt8MultiArray, 'pong', on_pong, 10)
+while not (node.count_subscribers('ping') and node.count_publishers('pong')): time.sleep(0.05)
+time.sleep(1); go()
+while len(trips) < COUNT: rclpy.spin_once(node)
+print(json.dumps(trips[COUNT // 10:]))
+"""
+
+# rclpy's publisher raises when its queue is full, and what a subscriber cannot take is overwritten: what
+# is counted is what its callback got in five seconds of flood.
+RCLPY_SINK = RCLPY_HEAD + """
+got, begun = 0, 0.0
+def on_message(msg):
+    global got, begun
+    if got == 0: begun = time.perf_counter()
+    got += 1
+node = Node('sink')
+node.create_subscription(UInt8MultiArray, 'flood', on_message, 10)
+while not got: rclpy.spin_once(node, timeout_sec=1)
+while time.perf_counter() - begun < 5: rclpy.spin_once(node, timeout_sec=0.1)
+print(json.dumps({'rate': got / (time.perf_counter() - begun), 'lost': None}))
+"""
+
+RCLPY_FLOOD = RCLPY_HEAD + """
+node = Node('flood'); sample = message()
+publisher = node.create_publisher(UInt8MultiArray, 'flood', 10)
+while not node.count_subscribers('flood'): time.sleep(0.05)
+end = time.perf_counter() + 7
+while time.perf_counter() < end: publisher.publish(sample)
+"""
+
+SOURCES = {
+    "zbot": (ZBOT_ECHO, ZBOT_PING, ZBOT_SINK, ZBOT_FLOOD),
+    "raw": (RAW_ECHO, RAW_PING, RAW_SINK, RAW_FLOOD),
+    "rclpy": (RCLPY_ECHO, RCLPY_PING, RCLPY_SINK, RCLPY_FLOOD),
+}

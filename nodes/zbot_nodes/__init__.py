@@ -1,0 +1,1 @@
+"""The bundled nodes: each one is a page that can be read aloud."""

@@ -1,0 +1,205 @@
+"""What every test gets: a domain of its own, a clean environment, and processes that are seen to end."""
+
+from __future__ import annotations
+
+import os
+import queue
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+import zbot
+from zbot.config import MAX_DOMAIN_ID, MEETING_PORT
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+_PREFIXES = ("ZBOT_", "ROS_", "RCUTILS_", "ZENOH_", "AMENT_", "COLCON_")
+
+
+@pytest.fixture(autouse=True)
+def clean_environment(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in list(os.environ):
+        if name.startswith(_PREFIXES) and name != "ZBOT_ROS2_PREFIX":
+            monkeypatch.delenv(name)
+
+
+@pytest.fixture
+def domain(monkeypatch: pytest.MonkeyPatch, worker_id: str) -> int:
+    """Return a domain that nobody on this machine uses, and put it into the environment."""
+    # Workers begin in different places, so that two never ask for one port at the same moment.
+    worker = int(worker_id.removeprefix("gw") or 0) if worker_id != "master" else 0
+    first = (worker * 37 + time.monotonic_ns() // 1000) % MAX_DOMAIN_ID
+    for offset in range(MAX_DOMAIN_ID):
+        candidate = 1 + (first + offset) % MAX_DOMAIN_ID
+        if _is_free(MEETING_PORT + candidate):
+            monkeypatch.setenv("ZBOT_DOMAIN_ID", str(candidate))
+            return candidate
+    pytest.fail("every meeting port of this machine is taken")
+
+
+def _is_free(port: int) -> bool:
+    with socket.socket() as probe:
+        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        try:
+            probe.bind(("127.0.0.1", port))
+        except OSError:
+            return False
+        return True
+
+
+def wait_until(condition: Callable[[], bool], timeout_s: float = 5.0) -> bool:
+    """Wait until a condition holds; return whether it did in time."""
+    deadline = time.monotonic() + timeout_s
+    pause = threading.Event()
+    while not condition():
+        if time.monotonic() > deadline:
+            return False
+        pause.wait(0.005)
+    return True
+
+
+@pytest.fixture
+def make_context(domain: int) -> Iterator[Callable[[], zbot.Context]]:
+    """Return a function that makes initialised contexts in the test's domain."""
+    made: list[zbot.Context] = []
+
+    def make() -> zbot.Context:
+        context = zbot.Context()
+        context.init([], domain_id=domain)
+        made.append(context)
+        return context
+
+    yield make
+    for context in made:
+        context.shutdown()
+
+
+class Spinner:
+    """Spins nodes of one context in a thread, until the test ends."""
+
+    def __init__(self, *nodes: zbot.Node, executor: zbot.Executor | None = None) -> None:
+        self.executor = executor or zbot.SingleThreadedExecutor(context=nodes[0].context)
+        for node in nodes:
+            self.executor.add_node(node)
+        self.error: BaseException | None = None
+        self._thread = threading.Thread(target=self._spin)
+        self._thread.start()
+
+    def _spin(self) -> None:
+        try:
+            self.executor.spin()
+        except zbot.ExternalShutdownException:
+            return
+        except BaseException as exc:  # noqa: BLE001 - the test looks at it
+            self.error = exc
+
+    def stop(self) -> None:
+        self.executor.shutdown(5)
+        self._thread.join(5)
+        assert not self._thread.is_alive()
+
+    def join(self, timeout_s: float = 5.0) -> None:
+        self._thread.join(timeout_s)
+
+
+@pytest.fixture
+def spin(make_context: object) -> Iterator[Callable[..., Spinner]]:
+    """Return a function that spins nodes in a thread."""
+    running: list[Spinner] = []
+
+    def start(*nodes: zbot.Node, executor: zbot.Executor | None = None) -> Spinner:
+        running.append(Spinner(*nodes, executor=executor))
+        return running[-1]
+
+    yield start
+    for spinner in running:
+        spinner.stop()
+
+
+class Program:
+    """A Python program in a process of its own, whose lines a test can wait for."""
+
+    def __init__(self, command: list[str], cwd: Path, env: dict[str, str]) -> None:
+        self.process = subprocess.Popen(
+            command,
+            cwd=cwd,
+            env=env,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            encoding="utf-8",
+        )
+        self.lines: list[str] = []
+        self._queue: queue.Queue[str | None] = queue.Queue()
+        threading.Thread(target=self._read, daemon=True).start()
+
+    def _read(self) -> None:
+        assert self.process.stdout is not None
+        for line in self.process.stdout:
+            self._queue.put(line.rstrip("\n"))
+        self._queue.put(None)
+
+    def wait_for(self, text: str, timeout_s: float = 10.0) -> str:
+        """Return the next line that contains `text`; fail if it does not come."""
+        deadline = time.monotonic() + timeout_s
+        while True:
+            try:
+                line = self._queue.get(timeout=max(0.0, deadline - time.monotonic()))
+            except queue.Empty:
+                line = None
+            if line is None:
+                pytest.fail(f"{text!r} never came; there was:\n" + "\n".join(self.lines))
+            self.lines.append(line)
+            if text in line:
+                return line
+
+    def stop(self, number: int = signal.SIGINT, timeout_s: float = 5.0) -> int:
+        """Send a signal, wait for the end, and return the exit code."""
+        if self.process.poll() is None:
+            self.process.send_signal(number)
+        return self.wait(timeout_s)
+
+    def wait(self, timeout_s: float = 10.0) -> int:
+        """Wait for the end, collect the remaining lines, and return the exit code."""
+        code = self.process.wait(timeout_s)
+        while (line := self._queue.get(timeout=5)) is not None:
+            self.lines.append(line)
+        self._queue.put(None)
+        return code
+
+    @property
+    def output(self) -> str:
+        return "\n".join(self.lines)
+
+
+@pytest.fixture
+def start(domain: int, tmp_path: Path) -> Iterator[Callable[..., Program]]:
+    """Return a function that starts a program: Python source, or the words of a command."""
+    running: list[Program] = []
+    counter = iter(range(1000))
+
+    def run(*words: str, source: str | None = None, env: dict[str, str] | None = None) -> Program:
+        command = list(words)
+        if source is not None:
+            path = tmp_path / f"program_{next(counter)}.py"
+            path.write_text(source, encoding="utf-8")
+            command = [sys.executable, "-u", str(path), *words]
+        elif command[0] == "zbot":
+            command = [sys.executable, "-m", "zbot_cli", *command[1:]]
+        program = Program(command, tmp_path, {**os.environ, **(env or {})})
+        running.append(program)
+        return program
+
+    yield run
+    for program in running:
+        if program.process.poll() is None:
+            program.process.kill()
+        program.process.wait(5)

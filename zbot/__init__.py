@@ -1,0 +1,60 @@
+"""ROS 2's concepts, words and commands in pure Python, over Eclipse Zenoh.
+
+    import zbot
+    from std_msgs.msg import String
+
+    with zbot.init():
+        node = zbot.Node("talker")
+        publisher = node.create_publisher(String, "chatter", 10)
+        node.create_timer(1.0, lambda: publisher.publish(String(data="hello")))
+        zbot.spin(node)
+
+The names, arguments and meanings are those of ROS 2's rclpy.
+"""
+
+from zbot.callback_group import CallbackGroup as CallbackGroup
+from zbot.callback_group import MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup
+from zbot.callback_group import ReentrantCallbackGroup as ReentrantCallbackGroup
+from zbot.clock import Clock as Clock
+from zbot.clock import ROSClock as ROSClock
+from zbot.context import Context as Context
+from zbot.context import get_default_context as get_default_context
+from zbot.errors import ZbotError as ZbotError
+from zbot.executor import Executor as Executor
+from zbot.executor import ExternalShutdownException as ExternalShutdownException
+from zbot.executor import MultiThreadedExecutor as MultiThreadedExecutor
+from zbot.executor import SingleThreadedExecutor as SingleThreadedExecutor
+from zbot.interfaces import install_importer
+from zbot.log import LoggingSeverity as LoggingSeverity
+from zbot.log import get_logger as get_logger
+from zbot.node import Node as Node
+from zbot.publisher import Publisher as Publisher
+from zbot.qos import DurabilityPolicy as DurabilityPolicy
+from zbot.qos import HistoryPolicy as HistoryPolicy
+from zbot.qos import LivelinessPolicy as LivelinessPolicy
+from zbot.qos import QoSPresetProfiles as QoSPresetProfiles
+from zbot.qos import QoSProfile as QoSProfile
+from zbot.qos import ReliabilityPolicy as ReliabilityPolicy
+from zbot.runtime import create_node as create_node
+from zbot.runtime import get_global_executor as get_global_executor
+from zbot.runtime import init as init
+from zbot.runtime import ok as ok
+from zbot.runtime import shutdown as shutdown
+from zbot.runtime import spin as spin
+from zbot.runtime import spin_once as spin_once
+from zbot.runtime import spin_until_future_complete as spin_until_future_complete
+from zbot.runtime import try_shutdown as try_shutdown
+from zbot.signals import SignalHandlerOptions as SignalHandlerOptions
+from zbot.subscription import MessageInfo as MessageInfo
+from zbot.subscription import Subscription as Subscription
+from zbot.task import Future as Future
+from zbot.task import Task as Task
+from zbot.time import ClockType as ClockType
+from zbot.time import Duration as Duration
+from zbot.time import Time as Time
+from zbot.timer import Rate as Rate
+from zbot.timer import Timer as Timer
+from zbot.version import __version__ as __version__
+
+# From here on `from std_msgs.msg import String` works, unless a real ROS 2 provides it.
+install_importer()

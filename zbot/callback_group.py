@@ -1,0 +1,81 @@
+"""Which callbacks may run at the same time."""
+
+from __future__ import annotations
+
+import threading
+import weakref
+from typing import Any
+
+
+class CallbackGroup:
+    """Decides whether a callback may begin while others of its group are running."""
+
+    def __init__(self) -> None:
+        self._entities: weakref.WeakSet[Any] = weakref.WeakSet()
+
+    def add_entity(self, entity: Any) -> None:
+        """Put a subscription, timer, service ... into the group."""
+        self._entities.add(entity)
+
+    def has_entity(self, entity: Any) -> bool:
+        """Return whether the entity belongs to the group."""
+        return entity in self._entities
+
+    def can_execute(self, entity: Any) -> bool:
+        """Return whether the entity's callback could begin now."""
+        raise NotImplementedError
+
+    def beginning_execution(self, entity: Any) -> bool:
+        """Reserve the group for the entity; `False` means that it has to wait."""
+        raise NotImplementedError
+
+    def ending_execution(self, entity: Any) -> list[Any]:
+        """Give the group back; return the entities that were made to wait meanwhile."""
+        raise NotImplementedError
+
+
+class ReentrantCallbackGroup(CallbackGroup):
+    """Every callback may run at any time, even beside itself."""
+
+    def can_execute(self, entity: Any) -> bool:  # noqa: ARG002 - rclpy's signature
+        """Return True."""
+        return True
+
+    def beginning_execution(self, entity: Any) -> bool:  # noqa: ARG002 - rclpy's signature
+        """Return True."""
+        return True
+
+    def ending_execution(self, entity: Any) -> list[Any]:  # noqa: ARG002 - rclpy's signature
+        """Return nobody: nobody ever waits."""
+        return []
+
+
+class MutuallyExclusiveCallbackGroup(CallbackGroup):
+    """One callback of the group at a time, a coroutine's `await` included."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._lock = threading.Lock()
+        self._active: Any = None
+        self._waiting: list[Any] = []
+
+    def can_execute(self, entity: Any) -> bool:  # noqa: ARG002 - rclpy's signature
+        """Return whether nothing of the group is running."""
+        return self._active is None
+
+    def beginning_execution(self, entity: Any) -> bool:
+        """Reserve the group, or note the entity as waiting and return `False`."""
+        with self._lock:
+            if self._active is None:
+                self._active = entity
+                return True
+            if entity not in self._waiting:
+                self._waiting.append(entity)
+            return False
+
+    def ending_execution(self, entity: Any) -> list[Any]:  # noqa: ARG002 - rclpy's signature
+        """Free the group and return the entities that waited for it."""
+        with self._lock:
+            self._active = None
+            waiting, self._waiting = self._waiting, []
+            return waiting

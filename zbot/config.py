@@ -1,0 +1,134 @@
+"""Where a program's settings come from: environment variables and the Zenoh configuration file."""
+
+from __future__ import annotations
+
+import enum
+import json
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import zenoh
+
+from zbot.errors import ConfigError, DiscoveryRangeError, DomainIdError
+
+MAX_DOMAIN_ID = 232  #: ROS 2's own limit, kept so that lesson sheets stay true
+MEETING_PORT = 7450  #: domain 0 meets here on 127.0.0.1, domain n on 7450 + n
+HUB_PORT = 7447  #: Zenoh's router port, where a machine's hub listens
+
+_FILE_VARIABLES = ("ZBOT_CONFIG", "ZENOH_CONFIG")
+_DOMAIN_VARIABLES = ("ZBOT_DOMAIN_ID", "ROS_DOMAIN_ID")
+_RANGE_VARIABLES = ("ZBOT_DISCOVERY_RANGE", "ROS_AUTOMATIC_DISCOVERY_RANGE")
+
+
+class DiscoveryRange(enum.Enum):
+    """How far a program looks for others."""
+
+    OFF = "OFF"  #: not at all
+    LOCALHOST = "LOCALHOST"  #: on this machine; the default
+    SUBNET = "SUBNET"  #: also by multicast on the network
+
+
+def _first_set(variables: tuple[str, ...]) -> tuple[str, str] | None:
+    return next(((name, os.environ[name]) for name in variables if os.environ.get(name)), None)
+
+
+def domain_id(given: int | None = None) -> int:
+    """Return the domain: `given`, else `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
+
+    Raises:
+        DomainIdError: It is no integer from 0 to 232.
+    """
+    if given is not None:
+        return _checked_domain("domain_id", given)
+    found = _first_set(_DOMAIN_VARIABLES)
+    return 0 if found is None else _checked_domain(*found)
+
+
+def _checked_domain(source: str, value: object) -> int:
+    try:
+        number = int(value) if isinstance(value, (int, str)) else -1
+    except ValueError:
+        number = -1
+    if not 0 <= number <= MAX_DOMAIN_ID:
+        raise DomainIdError(source, value, MAX_DOMAIN_ID)
+    return number
+
+
+def discovery_range() -> DiscoveryRange:
+    """Return the range of `$ZBOT_DISCOVERY_RANGE` or ROS 2's variable; LOCALHOST by default.
+
+    Raises:
+        DiscoveryRangeError: The variable holds another word.
+    """
+    found = _first_set(_RANGE_VARIABLES)
+    if found is None or found[1].upper() == "SYSTEM_DEFAULT":
+        return DiscoveryRange.LOCALHOST
+    try:
+        return DiscoveryRange(found[1].upper())
+    except ValueError:
+        raise DiscoveryRangeError(*found) from None
+
+
+@dataclass(frozen=True)
+class SessionConfig:
+    """The text of a Zenoh configuration file, and where it came from."""
+
+    source: str
+    text: str
+
+    def build(self, fill: dict[str, Any], force: dict[str, Any] | None = None) -> zenoh.Config:
+        """Return a configuration: the file, then `fill` where it is silent, then `force` over all.
+
+        Args:
+            fill: Zenoh's configuration paths and values for what the file leaves out.
+            force: Paths and values that this kind of session cannot do without.
+
+        Raises:
+            ConfigError: The file is no valid Zenoh configuration.
+        """
+        try:
+            built = zenoh.Config.from_json5(self.text)
+        except zenoh.ZError as exc:
+            raise ConfigError(self.source, str(exc)) from exc
+        silent = zenoh.Config()
+        for path, value in fill.items():
+            if built.get_json(path) == silent.get_json(path) and not self._mentions(path):
+                built.insert_json5(path, json.dumps(value))
+        for path, value in (force or {}).items():
+            built.insert_json5(path, json.dumps(value))
+        return built
+
+    def _mentions(self, path: str) -> bool:
+        # adminspace is off by default, so a file that switches it off says what an empty one says.
+        lines = (line.split("//")[0] for line in self.text.splitlines())
+        return path.startswith("adminspace") and any("adminspace" in line for line in lines)
+
+
+def load() -> SessionConfig:
+    """Read the first configuration found: a variable, `./zenoh.json5`, the packaged one.
+
+    Raises:
+        ConfigError: A file was named that cannot be read.
+    """
+    found = _first_set(_FILE_VARIABLES)
+    if found is not None:
+        return _read(Path(found[1]))
+    local = Path("zenoh.json5")
+    return _read(local) if local.is_file() else _packaged()
+
+
+def _read(path: Path) -> SessionConfig:
+    try:
+        return SessionConfig(str(path), path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError) as exc:
+        raise ConfigError(str(path), getattr(exc, "strerror", None) or str(exc)) from exc
+
+
+def _packaged() -> SessionConfig:
+    here = Path(__file__).parent
+    # In a checkout the file stands beside the package, not inside it.
+    candidates = (here.parent / "zenoh.json5", here / "zenoh.json5")
+    shipped = candidates[0] if (here.parent / "pyproject.toml").is_file() else candidates[1]
+    return SessionConfig("the packaged zenoh.json5", shipped.read_text(encoding="utf-8"))

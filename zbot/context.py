@@ -1,0 +1,310 @@
+"""A context: one Zenoh session, one domain, and the life from `init()` to `shutdown()`."""
+
+from __future__ import annotations
+
+import itertools
+import sys
+import threading
+import weakref
+from typing import TYPE_CHECKING, Literal
+
+from zbot import config
+from zbot.arguments import Arguments
+from zbot.errors import ContextInitializedError, NotInitializedError
+from zbot.graph import Graph
+from zbot.log import configure, get_logger, get_logging_severity_from_string
+from zbot.session import MeetingPoint, MeetingWatch, process_facts
+from zbot.version import __version__
+from zbot.wire.dialect import NATIVE
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from types import TracebackType
+
+    import zenoh
+    from typing_extensions import Self
+
+    from zbot.node import Node
+
+_LINK_TIMEOUT_S = 1.0  # a healthy meeting point answers within 10 ms
+_SETTLE_TIMEOUT_S = 0.2  # the longest that a first publish waits
+
+#: Every context that has a session: what the way out of the process has to close.
+open_contexts: weakref.WeakSet[Context] = weakref.WeakSet()
+
+
+class Context:
+    """What the nodes of a process share.
+
+    The session is opened when the first node needs it. All methods may be called from any thread.
+
+    Args:
+        mode: `peer` for a process with nodes; `client` for a tool that only looks in, through the
+            domain's router, and sees everything with its first query.
+    """
+
+    def __init__(self, *, mode: Literal["peer", "client"] = "peer") -> None:
+        self._mode = mode
+        self._lock = threading.RLock()
+        self._state: Literal["new", "valid", "shut down"] = "new"
+        self._interrupted = False
+        self._session: zenoh.Session | None = None
+        self._meeting: MeetingPoint | None = None
+        self._watch: MeetingWatch | None = None
+        self._graph: Graph | None = None
+        self._wakers: list[Callable[[], None]] = []
+        self._on_shutdown: list[Callable[[], None]] = []
+        self._entity_ids = itertools.count()
+        self._nodes: weakref.WeakSet[Node] = weakref.WeakSet()
+        self.arguments = Arguments()
+        self.dialect = NATIVE
+        self.is_settled = mode == "client"  #: whether a publish needs no `settle()` any more
+
+    # -- life ----------------------------------------------------------------------------------
+
+    def init(
+        self,
+        args: list[str] | None = None,
+        *,
+        initialize_logging: bool = True,
+        domain_id: int | None = None,
+    ) -> None:
+        """Read the arguments and the domain. Nothing is opened yet.
+
+        Args:
+            args: The command line with its `--ros-args`; `sys.argv` if left out.
+            initialize_logging: Whether log options among the arguments take effect.
+            domain_id: 0 to 232; `$ZBOT_DOMAIN_ID` or `$ROS_DOMAIN_ID`, else 0, if left out.
+
+        Raises:
+            ContextInitializedError: It was called before.
+            ArgumentsError: The `--ros-args` are malformed.
+            DomainIdError: The domain is out of range.
+        """
+        with self._lock:
+            if self._state != "new":
+                raise ContextInitializedError
+            self._domain = config.domain_id(domain_id)
+            self.arguments = Arguments.parse(sys.argv if args is None else args)
+            if initialize_logging:
+                _configure_logging(self.arguments)
+            self._state = "valid"
+
+    def ok(self) -> bool:
+        """Return whether it is initialised, not shut down and not interrupted by a signal."""
+        return self._state == "valid" and not self._interrupted
+
+    def get_domain_id(self) -> int:
+        """Return the domain, 0 to 232."""
+        self._require("get_domain_id()")
+        return self._domain
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether there is no open session (any more)."""
+        return self._session is None or self._session.is_closed()
+
+    def interrupt(self) -> None:
+        """Let everything that spins end; publishing stays possible until `shutdown()`."""
+        self._interrupted = True
+        self._wake()
+
+    def shutdown(self) -> None:
+        """Close the session and everything in it; the second call does nothing."""
+        with self._lock:
+            if self._state != "valid":
+                return
+            self._state = "shut down"
+            callbacks, self._on_shutdown = self._on_shutdown, []
+        self._wake()
+        try:
+            for callback in callbacks:
+                callback()
+        finally:
+            self._close()
+
+    def try_shutdown(self) -> None:
+        """Shut down if that has not been done yet."""
+        self.shutdown()
+
+    def destroy(self) -> None:
+        """Shut down."""
+        self.shutdown()
+
+    def on_shutdown(self, callback: Callable[[], None]) -> None:
+        """Call a function once, at the beginning of `shutdown()`."""
+        self._require("on_shutdown()")
+        self._on_shutdown.append(callback)
+
+    def add_waker(self, waker: Callable[[], None]) -> None:
+        """Call a quick function whenever somebody who waits should look at `ok()` again."""
+        with self._lock:
+            self._wakers.append(waker)
+
+    def remove_waker(self, waker: Callable[[], None]) -> None:
+        """Stop calling a function; nothing happens if it is unknown."""
+        with self._lock:
+            if waker in self._wakers:
+                self._wakers.remove(waker)
+
+    def _wake(self) -> None:
+        for waker in list(self._wakers):
+            waker()
+
+    def _require(self, what: str) -> None:
+        if self._state != "valid":
+            raise NotInitializedError(what)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.shutdown()
+
+    # -- nodes ---------------------------------------------------------------------------------
+
+    def add_node(self, node: Node) -> None:
+        """Keep track of a node, weakly."""
+        self._nodes.add(node)
+
+    def remove_node(self, node: Node) -> None:
+        """Forget a node."""
+        self._nodes.discard(node)
+
+    @property
+    def nodes(self) -> list[Node]:
+        """The nodes that were created and not yet destroyed."""
+        return list(self._nodes)
+
+    # -- session -------------------------------------------------------------------------------
+
+    @property
+    def session(self) -> zenoh.Session:
+        """The Zenoh session, opened at first use.
+
+        Raises:
+            NotInitializedError: Before `init()` or after `shutdown()`.
+            SessionError: Zenoh cannot open one.
+            ConfigError: The Zenoh configuration file is unusable.
+        """
+        if self._session is None:
+            with self._lock:
+                if self._session is None:
+                    self._require("a node")
+                    self._open()
+        session = self._session
+        if session is None or self._state != "valid":
+            raise NotInitializedError("a node")
+        return session
+
+    @property
+    def graph(self) -> Graph:
+        """Who is there in the domain, seen through this context's session."""
+        if self._graph is None:
+            with self._lock:
+                if self._graph is None:
+                    self._graph = Graph(self.session, self.dialect, self._domain)
+        return self._graph
+
+    @property
+    def zid(self) -> str:
+        """The session's Zenoh id, lower-case hex."""
+        return str(self.session.info.zid())
+
+    def next_entity_id(self) -> int:
+        """Return a number that no other node or endpoint of this session has."""
+        return next(self._entity_ids)
+
+    def connect(self, *, wait: bool = False) -> bool:
+        """Open a client's session if anybody is there.
+
+        Args:
+            wait: Keep the meeting port open oneself when nobody does, so that others can come later.
+
+        Returns:
+            Whether there is a session now.
+        """
+        with self._lock:
+            self._require("connect()")
+            if self._session is None:
+                self._open_client(self._new_meeting(), wait=wait)
+            return self._session is not None
+
+    def settle(self) -> None:
+        """Wait, once and at most 0.2 s, until every session of the domain is linked to this one."""
+        session, watch = self.session, self._watch
+        if watch is not None and self._mode == "peer" and not session.is_closed():
+            watch.wait_settled(_SETTLE_TIMEOUT_S)
+        self.is_settled = True
+
+    def _new_meeting(self) -> MeetingPoint:
+        reach = config.discovery_range()
+        return MeetingPoint(config.load(), self._domain, reach, process_facts(__version__))
+
+    def _open(self) -> None:
+        meeting = self._new_meeting()
+        if self._mode == "client":
+            self._open_client(meeting, wait=True)
+            return
+        meeting.hold()
+        self._adopt(meeting.open_peer(), meeting)
+        self._check_linked(meeting)
+
+    def _open_client(self, meeting: MeetingPoint, *, wait: bool) -> None:
+        session = meeting.open_client()
+        if session is None and wait and meeting.hold():
+            session = meeting.open_client()
+        if session is not None:
+            self._adopt(session, meeting, watch=wait)
+
+    def _adopt(self, session: zenoh.Session, meeting: MeetingPoint, *, watch: bool = True) -> None:
+        self._session, self._meeting = session, meeting
+        self._watch = MeetingWatch(session, meeting) if watch else None
+        open_contexts.add(self)
+
+    def _check_linked(self, meeting: MeetingPoint) -> None:
+        off = config.discovery_range() is config.DiscoveryRange.OFF
+        if not off and self._watch is not None and not self._watch.wait_linked(_LINK_TIMEOUT_S):
+            get_logger("zbot").warning(
+                f"nobody answers as zbot on {meeting.endpoint}: another program may use that port; "
+                "other nodes will not be found (choose another domain: ZBOT_DOMAIN_ID=7)"
+            )
+
+    def _close(self) -> None:
+        # The session first: that ends the threads which wait for its data (see docs/wire.md).
+        if self._session is not None:
+            self._session.close()
+        if self._watch is not None:
+            self._watch.join()
+        if self._meeting is not None:
+            self._meeting.close()
+        open_contexts.discard(self)
+
+
+def _configure_logging(arguments: Arguments) -> None:
+    levels = {
+        one.logger: get_logging_severity_from_string(one.level) for one in arguments.log_levels
+    }
+    configure(
+        levels=levels,
+        stdout_enabled=arguments.stdout_logs,
+        rosout_enabled=arguments.rosout_logs,
+    )
+
+
+_default: Context | None = None
+_default_lock = threading.Lock()
+
+
+def get_default_context() -> Context:
+    """Return the process's context; a new one after the last was shut down."""
+    global _default  # noqa: PLW0603 - one per process is what it is
+    with _default_lock:
+        if _default is None or _default._state == "shut down":
+            _default = Context()
+        return _default

@@ -1,0 +1,445 @@
+"""Executors: they wait for work of their nodes and run the callbacks.
+
+Nothing is polled. Entities post themselves to their node's mailbox when they may have work (from any
+thread); the executor pops them, takes one piece of work at a time in turn, and sleeps on one lock until
+the next post or the next timer.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import heapq
+import itertools
+import os
+import sys
+import threading
+import time
+from collections import deque
+from concurrent.futures import ThreadPoolExecutor
+from typing import TYPE_CHECKING, Any
+
+from zbot.callback_group import ReentrantCallbackGroup
+from zbot.errors import ExecutorBusyError, ShutdownError, ZbotError
+from zbot.task import Future, Task
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Coroutine, Iterator
+    from types import TracebackType
+
+    from typing_extensions import Self
+
+    from zbot.context import Context
+    from zbot.mailbox import Entity
+    from zbot.node import Node
+
+# A lock's acquire() is not interrupted by Ctrl-C on Windows: wait in slices there.
+_LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else threading.TIMEOUT_MAX
+
+
+class ExternalShutdownException(ZbotError):  # noqa: N818 - rclpy's name
+    """The context was shut down, by a signal or another thread, while an executor was waiting."""
+
+
+_main_spins = 0
+
+
+def spinning_in_main_thread() -> bool:
+    """Return whether the main thread is inside an executor right now."""
+    return _main_spins > 0
+
+
+class Signal:
+    """A binary semaphore: `set` any number of times, `wait` for at least one of them."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._lock.acquire()
+
+    def set(self) -> None:
+        """Let the present or next `wait` return."""
+        try:
+            self._lock.release()
+        except RuntimeError:
+            return  # set already
+
+    def wait(self, timeout_s: float) -> bool:
+        """Wait until set, at most `timeout_s` seconds; return whether it was set."""
+        return self._lock.acquire(timeout=min(timeout_s, _LONGEST_WAIT_S))
+
+
+class _Step:
+    """A task's next step, as work in the queue."""
+
+    __slots__ = ("callback_group", "task")
+    due_ns: int | None = None
+
+    def __init__(self, task: Task[Any]) -> None:
+        self.task = task
+        self.callback_group = _ALWAYS
+
+    def take(self) -> object | None:
+        return None if self.task.done() else self
+
+    def execute(self, taken: object) -> None:  # noqa: ARG002 - every entity's signature
+        self.task()
+
+
+_ALWAYS = ReentrantCallbackGroup()
+
+
+def _deadline_ns(timeout_sec: float | None) -> int | None:
+    if timeout_sec is None or timeout_sec < 0:
+        return None
+    return time.monotonic_ns() + int(timeout_sec * 1e9)
+
+
+class Executor:
+    """The base of both executors: nodes, the queue of work, and waiting.
+
+    Args:
+        context: Spinning ends when it is shut down; the default context if left out.
+    """
+
+    def __init__(self, *, context: Context | None = None) -> None:
+        if context is None:
+            from zbot.context import get_default_context  # noqa: PLC0415 - it is above us
+
+            context = get_default_context()
+        self._context = context
+        self._nodes: list[Node] = []
+        self._ready: deque[Entity] = deque()
+        self._timers: list[tuple[int, int, Entity]] = []
+        self._tie = itertools.count()  # equal deadlines are served in order, entities are not compared
+        self._signal = Signal()
+        self._is_shutdown = False
+        self._spinning = threading.Lock()
+        self._idle = threading.Condition()
+        self._running = 0
+        context.add_waker(self._signal.set)
+
+    # -- nodes ---------------------------------------------------------------------------------
+
+    @property
+    def context(self) -> Context:
+        """The context whose shutdown ends spinning."""
+        return self._context
+
+    def add_node(self, node: Node) -> bool:
+        """Take over a node's callbacks; `False` if they are this executor's already."""
+        if self._is_shutdown:
+            raise ShutdownError("this executor")
+        if node in self._nodes:
+            return False
+        if node.executor is not None:
+            node.executor.remove_node(node)
+        self._nodes.append(node)
+        node.handle.executor = self
+        node.handle.mailbox.attach(self._post)
+        return True
+
+    def remove_node(self, node: Node) -> None:
+        """Leave a node's callbacks to others; nothing happens if it is not here."""
+        if node in self._nodes:
+            self._nodes.remove(node)
+            node.handle.mailbox.detach()
+            node.handle.executor = None
+            self._forget(set(map(id, node.handle.mailbox.entities)))
+
+    def get_nodes(self) -> list[Node]:
+        """Return the nodes, in the order they were added."""
+        return list(self._nodes)
+
+    def _forget(self, entities: set[int]) -> None:
+        self._ready = deque(entity for entity in self._ready if id(entity) not in entities)
+        self._timers = [timer for timer in self._timers if id(timer[2]) not in entities]
+        heapq.heapify(self._timers)
+
+    # -- tasks ---------------------------------------------------------------------------------
+
+    def create_future(self) -> Future[Any]:
+        """Return a future whose done callbacks run here."""
+        return Future(executor=self)
+
+    def create_task(
+        self,
+        callback: Callable[..., Any] | Coroutine[Any, Any, Any],
+        *args: Any,
+        **kwargs: Any,
+    ) -> Task[Any]:
+        """Run a function or coroutine in this executor; from any thread."""
+        task: Task[Any] = Task(callback, args, kwargs, executor=self)
+        self.schedule(task)
+        return task
+
+    def schedule(self, task: Task[Any]) -> None:
+        """Queue a task's next step; from any thread."""
+        self._post(_Step(task))
+
+    def wake(self) -> None:
+        """Let a waiting `spin_once` look for work; from any thread."""
+        self._signal.set()
+
+    def _post(self, entity: Entity) -> None:
+        self._ready.append(entity)
+        self._signal.set()
+
+    # -- work ----------------------------------------------------------------------------------
+
+    def _next(
+        self, deadline_ns: int | None, stop: Callable[[], bool] | None = None
+    ) -> tuple[Entity, Any] | None:
+        """Return the next piece of work; `None` at the deadline, on `stop`, or after a shutdown.
+
+        Raises:
+            ExternalShutdownException: The context was shut down meanwhile.
+        """
+        while not (self._is_shutdown or (stop is not None and stop())):
+            if self._timers and self._timers[0][0] <= time.monotonic_ns():
+                self._ready.append(heapq.heappop(self._timers)[2])
+            if self._ready:
+                work = self._take(self._ready.popleft())
+                if work is not None:
+                    return work
+                continue
+            if not self._context.ok():
+                raise ExternalShutdownException
+            if not self._sleep(deadline_ns):
+                return None
+        return None
+
+    def _take(self, entity: Entity) -> tuple[Entity, Any] | None:
+        group = entity.callback_group
+        if not group.beginning_execution(entity):
+            return None  # the group posts it again when it is free
+        taken = entity.take()
+        if taken is not None:
+            return entity, taken
+        for waiting in group.ending_execution(entity):
+            self._ready.append(waiting)
+        due = entity.due_ns
+        if due is not None:
+            heapq.heappush(self._timers, (due, next(self._tie), entity))
+        return None
+
+    def _sleep(self, deadline_ns: int | None) -> bool:
+        wakes = [due for due in (deadline_ns, self._timers[0][0] if self._timers else None) if due]
+        if not wakes:
+            self._signal.wait(threading.TIMEOUT_MAX)
+            return True
+        left = min(wakes) - time.monotonic_ns()
+        if left > 0:
+            self._signal.wait(left / 1e9)
+        return deadline_ns is None or bool(self._ready) or time.monotonic_ns() < deadline_ns
+
+    def _execute(self, entity: Entity, taken: Any) -> None:
+        """Run a piece of work and, while nobody else has any, the entity's next ones."""
+        outcome = None
+        try:
+            while (outcome := entity.execute(taken)) is None and self._may_go_on():
+                taken = entity.take()
+                if taken is None:
+                    break
+        finally:
+            if outcome is None or not hasattr(outcome, "send"):
+                self._finish(entity)
+        if outcome is not None and hasattr(outcome, "send"):
+            self._follow(entity, outcome)
+
+    def _may_go_on(self) -> bool:
+        return False
+
+    def _follow(self, entity: Entity, coroutine: Coroutine[Any, Any, Any]) -> None:
+        """Run an `async def` callback; its group stays taken until it ends."""
+        task: Task[Any] = Task(coroutine, executor=self)
+        try:
+            task()
+        finally:
+            task.add_done_callback(lambda _: self._finish(entity))
+        if not task.done():
+            task.add_done_callback(self._raise_later)
+        else:
+            task.result()
+
+    def _raise_later(self, task: Future[Any]) -> None:
+        if task.exception() is not None:
+            self.create_task(task.result)
+
+    def _finish(self, entity: Entity) -> None:
+        waiting = entity.callback_group.ending_execution(entity)
+        if waiting:
+            self._ready.extend(waiting)
+        self._ready.append(entity)  # it may have more
+
+    # -- spinning ------------------------------------------------------------------------------
+
+    def spin(self) -> None:
+        """Run callbacks until the context or this executor is shut down.
+
+        An exception of a callback ends it and comes out here, as in rclpy.
+
+        Raises:
+            ExternalShutdownException: The context was shut down while no callback was running.
+        """
+        while self._context.ok() and not self._is_shutdown:
+            self.spin_once()
+
+    def spin_once(self, timeout_sec: float | None = None) -> None:
+        """Run one callback, waiting for it at most `timeout_sec` seconds (`None`: for ever)."""
+        self._spin_once(_deadline_ns(timeout_sec))
+
+    def spin_until_future_complete(
+        self, future: Future[Any], timeout_sec: float | None = None
+    ) -> None:
+        """Run callbacks until the future is done, at most `timeout_sec` seconds."""
+        future.add_done_callback(lambda _: self._signal.set())
+        deadline = _deadline_ns(timeout_sec)
+        while not future.done() and self._context.ok() and not self._is_shutdown:
+            if deadline is not None and time.monotonic_ns() >= deadline:
+                return
+            self._spin_once(deadline, future.done)
+
+    def spin_once_until_future_complete(
+        self, future: Future[Any], timeout_sec: float | None = None
+    ) -> None:
+        """Run one callback, or return earlier when the future is done."""
+        future.add_done_callback(lambda _: self._signal.set())
+        self._spin_once(_deadline_ns(timeout_sec), future.done)
+
+    def _spin_once(
+        self, deadline_ns: int | None, stop: Callable[[], bool] | None = None
+    ) -> None:
+        raise NotImplementedError
+
+    @contextlib.contextmanager
+    def _spins(self) -> Iterator[None]:
+        global _main_spins  # noqa: PLW0603 - signal handlers ask for it
+        if not self._spinning.acquire(blocking=False):
+            raise ExecutorBusyError
+        in_main = threading.current_thread() is threading.main_thread()
+        _main_spins += in_main
+        try:
+            yield
+        finally:
+            _main_spins -= in_main
+            self._spinning.release()
+
+    # -- end -----------------------------------------------------------------------------------
+
+    def shutdown(self, timeout_sec: float | None = None) -> bool:
+        """Stop spinning, leave all nodes, and wait for running callbacks; may be called twice.
+
+        Returns:
+            Whether the callbacks ended within `timeout_sec` seconds (`None`: waited for ever).
+        """
+        self._is_shutdown = True
+        self._signal.set()
+        with self._idle:
+            ended = self._idle.wait_for(lambda: self._running == 0, timeout_sec)
+        for node in list(self._nodes):
+            self.remove_node(node)
+        self._context.remove_waker(self._signal.set)
+        return ended
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.shutdown()
+
+
+class SingleThreadedExecutor(Executor):
+    """Runs every callback in the thread that spins."""
+
+    _is_free = False  # whether one spin may run more than one callback
+
+    def _may_go_on(self) -> bool:
+        # The common case of a busy topic: without a turn of the queue a message costs half as much.
+        if self._ready or not self._is_free or self._is_shutdown or not self._context.ok():
+            return False
+        return not self._timers or self._timers[0][0] > time.monotonic_ns()
+
+    def spin(self) -> None:
+        """Run callbacks until the context or this executor is shut down.
+
+        Raises:
+            ExternalShutdownException: The context was shut down while no callback was running.
+        """
+        with self._spins():
+            self._is_free = True
+            while self._context.ok() and not self._is_shutdown:
+                work = self._next(None)
+                if work is not None:
+                    self._execute(*work)
+
+    def _spin_once(
+        self, deadline_ns: int | None, stop: Callable[[], bool] | None = None
+    ) -> None:
+        with self._spins():
+            self._is_free = False
+            work = self._next(deadline_ns, stop)
+            if work is not None:
+                self._execute(*work)
+
+
+class MultiThreadedExecutor(Executor):
+    """Runs callbacks in a pool of threads, as far as their callback groups allow.
+
+    Args:
+        num_threads: Size of the pool; at least 2, by default one per processor core.
+        context: See `Executor`.
+    """
+
+    def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
+        super().__init__(context=context)
+        self._num_threads = max(2, num_threads or os.cpu_count() or 2)
+        self._pool = ThreadPoolExecutor(self._num_threads, thread_name_prefix="zbot executor")
+        self._failures: deque[BaseException] = deque()
+
+    def _spin_once(
+        self, deadline_ns: int | None, stop: Callable[[], bool] | None = None
+    ) -> None:
+        with self._spins():
+            self._wait_for_thread()
+            work = self._next(deadline_ns, lambda: self._may_stop(stop))
+            if work is not None:
+                self._hand_over(*work)
+        if self._failures:
+            raise self._failures.popleft()
+
+    def _may_stop(self, stop: Callable[[], bool] | None) -> bool:
+        return bool(self._failures) or (stop is not None and stop())
+
+    def _wait_for_thread(self) -> None:
+        # Work that waits in the pool would be taken out of its bounded queue: leave it there.
+        with self._idle:
+            while self._running >= self._num_threads:
+                self._idle.wait(_LONGEST_WAIT_S if sys.platform == "win32" else None)
+
+    def _hand_over(self, entity: Entity, taken: Any) -> None:
+        with self._idle:
+            self._running += 1
+        if isinstance(entity.callback_group, ReentrantCallbackGroup):
+            self._ready.append(entity)  # its next piece may run beside this one
+        self._pool.submit(self._work, entity, taken)
+
+    def _work(self, entity: Entity, taken: Any) -> None:
+        try:
+            self._execute(entity, taken)
+        except BaseException as exc:  # noqa: BLE001 - raised again by the spinning thread
+            self._failures.append(exc)
+        finally:
+            with self._idle:
+                self._running -= 1
+                self._idle.notify_all()
+            self._signal.set()
+
+    def shutdown(self, timeout_sec: float | None = None, *, wait_for_threads: bool = True) -> bool:
+        """Stop spinning, leave all nodes, wait for running callbacks, and end the threads."""
+        ended = super().shutdown(timeout_sec)
+        self._pool.shutdown(wait=wait_for_threads and ended)
+        return ended

@@ -1,0 +1,250 @@
+"""The graph of a domain: which nodes there are, and what they publish, subscribe to and serve.
+
+It is made of Zenoh liveliness tokens (docs/wire.md), so it is right at once, everywhere, and a process
+that dies takes its tokens with it.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+import weakref
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import zenoh
+
+from zbot.errors import TokenError
+from zbot.names import fully_qualified
+from zbot.wire.tokens import EntityKind, EndpointToken, NodeToken
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Iterator
+
+    from zbot.qos import QoSProfile
+    from zbot.wire.dialect import Dialect
+
+NamesAndTypes = list[tuple[str, list[str]]]
+Token = NodeToken | EndpointToken
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """The graph at one moment."""
+
+    tokens: tuple[Token, ...]
+
+    @cached_property
+    def nodes(self) -> list[NodeToken]:
+        """One token a node, sorted by full name; nodes of one name appear as often as they exist."""
+        found = (token for token in self.tokens if isinstance(token, NodeToken))
+        return sorted(found, key=lambda node: (_full(node), node.zid, node.nid))
+
+    @cached_property
+    def endpoints(self) -> list[EndpointToken]:
+        """All publishers, subscriptions, servers and clients, in a stable order."""
+        found = (token for token in self.tokens if isinstance(token, EndpointToken))
+        return sorted(found, key=lambda end: (end.name, _full(end), end.zid, end.eid))
+
+    def of_kind(self, *kinds: EntityKind) -> Iterator[EndpointToken]:
+        """Yield the endpoints of the given kinds."""
+        return (end for end in self.endpoints if end.kind in kinds)
+
+    def on(self, name: str, *kinds: EntityKind) -> list[EndpointToken]:
+        """Return the endpoints of some kinds on one topic or service."""
+        return [end for end in self.of_kind(*kinds) if end.name == name]
+
+    def publishers(self, topic: str) -> list[EndpointToken]:
+        """Return the publishers of a topic."""
+        return self.on(topic, EntityKind.PUBLISHER)
+
+    def subscriptions(self, topic: str) -> list[EndpointToken]:
+        """Return the subscriptions of a topic."""
+        return self.on(topic, EntityKind.SUBSCRIPTION)
+
+    def names_and_types(self, *kinds: EntityKind, node: str | None = None) -> NamesAndTypes:
+        """Return each name once with its types, sorted; of one node only if `node` is its full name."""
+        found: dict[str, set[str]] = {}
+        for end in self.of_kind(*kinds):
+            if node is None or _full(end) == node:
+                found.setdefault(end.name, set()).add(end.type_name)
+        return [(name, sorted(types)) for name, types in sorted(found.items())]
+
+    def topics(self) -> NamesAndTypes:
+        """Return every topic with its types."""
+        return self.names_and_types(EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION)
+
+    def services(self) -> NamesAndTypes:
+        """Return every service that has a server, with its types."""
+        return self.names_and_types(EntityKind.SERVICE)
+
+
+class Graph:
+    """The live graph of one context.
+
+    Tokens arrive on Zenoh's thread. Listeners are called there too: they must be quick and not block.
+
+    Args:
+        session: The session through which tokens are seen.
+        dialect: How tokens are written.
+        domain: 0 to 232.
+    """
+
+    def __init__(self, session: zenoh.Session, dialect: Dialect, domain: int) -> None:
+        self._session = session
+        self._dialect = dialect
+        self._key = dialect.tokens_key(domain)
+        self._tokens: dict[str, Token] = {}
+        self._by_gid: dict[bytes, EndpointToken] = {}
+        self._lock = threading.Lock()
+        self._listeners: list[weakref.ref[Any]] = []
+        self._watching = False
+        self._is_complete = False
+        self._gone: set[str] = set()
+        self._changed = threading.Condition()
+
+    def watch(self) -> None:
+        """Begin to follow changes; needed once before `add_listener` or `find` can know anything."""
+        with self._lock:
+            if self._watching:
+                return
+            self._watching = True
+        callback = zenoh.handlers.Callback(self._on_sample, indirect=False)
+        self._subscriber = self._session.liveliness().declare_subscriber(
+            self._key, callback, history=True
+        )
+
+    def snapshot(self) -> Snapshot:
+        """Return the graph as it is now, complete from the first call on (1 to 25 ms then)."""
+        if not self._watching:
+            return Snapshot(tuple(self._ask()))
+        if not self._is_complete:
+            self._complete()
+        with self._lock:
+            return Snapshot(tuple(self._tokens.values()))
+
+    def wait_for(self, condition: Callable[[Snapshot], bool], timeout_s: float) -> bool:
+        """Wait until a condition on the graph holds; `False` after `timeout_s` seconds without it."""
+        self.watch()
+        deadline = time.monotonic() + timeout_s
+        while not condition(self.snapshot()):
+            with self._changed:
+                left = deadline - time.monotonic()
+                if left <= 0 or not self._changed.wait(left):
+                    return condition(self.snapshot())
+        return True
+
+    def _complete(self) -> None:
+        tokens = list(self._ask())
+        for token in tokens:
+            self._add(token)
+        with self._lock:
+            # A token may have gone between its answer and here.
+            for key in self._gone & self._tokens.keys():
+                self._forget(key)
+            self._gone.clear()
+            self._is_complete = True
+
+    def _forget(self, key: str) -> Token | None:
+        gone = self._tokens.pop(key, None)
+        if isinstance(gone, EndpointToken):
+            self._by_gid.pop(gone.gid, None)
+        return gone
+
+    def find(self, gid: bytes) -> EndpointToken | None:
+        """Return the endpoint that a message's gid names, if it is known (by now)."""
+        return self._by_gid.get(gid)
+
+    def add_listener(self, listener: Callable[[Token, bool], None]) -> None:
+        """Call the bound method `listener(token, appeared)` on every change, as long as its object lives."""
+        self.watch()
+        with self._lock:
+            self._listeners.append(weakref.WeakMethod(listener))
+            tokens = list(self._tokens.values())
+        for token in tokens:
+            listener(token, True)
+
+    def remove_listener(self, listener: Callable[[Token, bool], None]) -> None:
+        """Stop calling a listener."""
+        with self._lock:
+            self._listeners = [ref for ref in self._listeners if ref() not in {None, listener}]
+
+    def _ask(self) -> Iterator[Token]:
+        for reply in self._session.liveliness().get(self._key, timeout=2.0):
+            if reply.ok is not None:
+                token = self._parse(str(reply.ok.key_expr))
+                if token is not None:
+                    yield token
+
+    def _parse(self, key: str) -> Token | None:
+        try:
+            return self._dialect.parse_token(key)
+        except TokenError:
+            return None  # anybody may declare tokens; what is no ROS token is not in the graph
+
+    def _on_sample(self, sample: zenoh.Sample) -> None:
+        key = str(sample.key_expr)
+        if sample.kind == zenoh.SampleKind.PUT:
+            token = self._parse(key)
+            if token is not None and self._add(token):
+                self._tell(token, True)
+            return
+        with self._lock:
+            gone = self._forget(key)
+            if not self._is_complete:
+                self._gone.add(key)
+        if gone is not None:
+            self._tell(gone, False)
+
+    def _add(self, token: Token) -> bool:
+        with self._lock:
+            if token.key in self._tokens:
+                return False
+            self._tokens[token.key] = token
+            if isinstance(token, EndpointToken):
+                self._by_gid[token.gid] = token
+            return True
+
+    def _tell(self, token: Token, appeared: bool) -> None:
+        with self._changed:
+            self._changed.notify_all()
+        for ref in list(self._listeners):
+            listener = ref()
+            if listener is not None:
+                listener(token, appeared)
+
+
+@dataclass(frozen=True)
+class TopicEndpointInfo:
+    """What is known of one publisher or subscription (rclpy's names)."""
+
+    node_name: str
+    node_namespace: str
+    topic_type: str
+    topic_type_hash: str
+    endpoint_type: EntityKind
+    endpoint_gid: list[int]
+    qos_profile: QoSProfile
+
+    @classmethod
+    def of(cls, token: EndpointToken) -> TopicEndpointInfo:
+        """Return the facts of a token."""
+        return cls(
+            token.node,
+            token.namespace,
+            token.type_name,
+            token.type_hash,
+            token.kind,
+            list(token.gid),
+            token.qos,
+        )
+
+
+def _full(token: Token) -> str:
+    return fully_qualified(token.namespace, token.node)
+
+
+def full_names(tokens: Iterable[Token]) -> list[str]:
+    """Return the full names of the nodes that tokens belong to."""
+    return [_full(token) for token in tokens]

@@ -1,0 +1,141 @@
+"""What a place in the source that logs has asked for: once, throttled, not the first time."""
+
+from __future__ import annotations
+
+import threading
+import time
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol, TypedDict
+
+from zbot.errors import ArgumentTypeError, LogCallChangedError, LogOptionError, NotAClockError
+
+if TYPE_CHECKING:
+    from types import FrameType
+
+    from zbot.log.severity import LoggingSeverity
+    from zbot.time import Time
+
+# Re-entrant, for a signal's handler may log as well.
+_lock = threading.RLock()
+
+
+class TimeProvider(Protocol):
+    """Anything with a clock's `now()`."""
+
+    def now(self) -> Time:
+        """Return the present time."""
+        ...
+
+
+class FilterOptions(TypedDict, total=False):
+    """What may keep a line from being written again and again."""
+
+    once: bool  #: only the first call writes
+    skip_first: bool  #: all but the first call write
+    throttle_duration_sec: float  #: at most one line in so many seconds
+    throttle_time_source_type: TimeProvider  #: measures them; the monotonic clock if left out
+
+
+class LogOptions(FilterOptions, total=False):
+    """What `info()` and its like take beside the message."""
+
+    name: str  #: another logger's name to write the line under
+
+
+@dataclass(frozen=True, slots=True)
+class Filters:
+    """The filters of a log call; each is off when falsy."""
+
+    once: bool = False
+    skip_first: bool = False
+    throttle_sec: float = 0
+    clock: TimeProvider | None = None
+
+
+_NO_FILTERS = Filters()
+
+
+class CallSite:
+    """One log call in the source and, for its filters, what happened to it so far.
+
+    Args:
+        severity: The call's severity.
+        name: The logger's name in the call.
+        options: The call's filters.
+
+    Raises:
+        LogOptionError: An option is unknown, or a throttle's duration is missing.
+        NotAClockError: The throttle's clock is no clock.
+        ArgumentTypeError: The throttle's duration is no number.
+    """
+
+    __slots__ = ("_admitted", "_filters", "_last_ns", "_name", "_severity")
+
+    def __init__(self, severity: LoggingSeverity, name: str, options: FilterOptions) -> None:
+        self._severity, self._name = severity, name
+        self._filters = _filters(options) if options else _NO_FILTERS
+        self._admitted = 0
+        self._last_ns: int | None = None
+
+    def check(
+        self, severity: LoggingSeverity, name: str, options: FilterOptions, frame: FrameType
+    ) -> None:
+        """Refuse a call that differs from the one this place made before.
+
+        Raises:
+            LogCallChangedError: It has another severity, name or filter.
+        """
+        if severity is not self._severity:
+            raise LogCallChangedError("severity", _place(frame))
+        if name != self._name:
+            raise LogCallChangedError("logger name", _place(frame))
+        if (_filters(options) if options else _NO_FILTERS) != self._filters:
+            raise LogCallChangedError("filters", _place(frame))
+
+    def admit(self) -> bool:
+        """Return whether the filters let the present call write."""
+        filters = self._filters
+        if filters is _NO_FILTERS:
+            return True
+        now_ns = _now_ns(filters.clock) if filters.throttle_sec else 0
+        with _lock:
+            if filters.throttle_sec and not self._is_throttle_open(now_ns):
+                return False
+            number, self._admitted = self._admitted, self._admitted + 1
+        first = 1 if filters.skip_first else 0
+        return number == first if filters.once else number >= first
+
+    def _is_throttle_open(self, now_ns: int) -> bool:
+        # Time that runs backwards is a simulation that starts again: write.
+        if self._last_ns is not None:
+            passed_sec = (now_ns - self._last_ns) / 1e9
+            if 0 <= passed_sec < self._filters.throttle_sec:
+                return False
+        self._last_ns = now_ns
+        return True
+
+
+def _filters(options: FilterOptions) -> Filters:
+    unknown = options.keys() - FilterOptions.__annotations__.keys()
+    if unknown:
+        known = ", ".join(FilterOptions.__annotations__)
+        raise LogOptionError(min(unknown), f"does not exist: use {known} or name")
+    clock, throttle_sec = options.get("throttle_time_source_type"), 0.0
+    if "throttle_duration_sec" in options:
+        throttle_sec = options["throttle_duration_sec"] or 0
+    elif clock is not None:
+        raise LogOptionError("throttle_time_source_type", "needs throttle_duration_sec as well")
+    if not isinstance(throttle_sec, (int, float)):
+        raise ArgumentTypeError("throttle_duration_sec", "a number of seconds", throttle_sec)
+    if clock is not None and not callable(getattr(clock, "now", None)):
+        raise NotAClockError("throttle_time_source_type", clock)
+    once, skip_first = bool(options.get("once")), bool(options.get("skip_first"))
+    return Filters(once, skip_first, throttle_sec, clock)
+
+
+def _now_ns(clock: TimeProvider | None) -> int:
+    return time.monotonic_ns() if clock is None else clock.now().nanoseconds
+
+
+def _place(frame: FrameType) -> str:
+    return f"{frame.f_code.co_filename}:{frame.f_lineno}"

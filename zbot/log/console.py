@@ -1,0 +1,112 @@
+"""Log lines on the console, coloured on a terminal, whatever state the stream is in."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import TYPE_CHECKING, Final, TextIO
+
+from zbot.log.record import formatter
+from zbot.log.severity import LoggingSeverity
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+_RESET: Final = "\x1b[0m"
+#: ROS 2's colours: green, none, yellow, red, red
+_COLOURS: Final[Mapping[int, str]] = {
+    LoggingSeverity.DEBUG: "\x1b[32m",
+    LoggingSeverity.INFO: _RESET,
+    LoggingSeverity.WARN: "\x1b[33m",
+    LoggingSeverity.ERROR: "\x1b[31m",
+    LoggingSeverity.FATAL: "\x1b[31m",
+}
+
+
+class Console:
+    """Writes log lines to stderr, or to stdout with `RCUTILS_LOGGING_USE_STDOUT=1`.
+
+    The environment is read once, here. Nothing that is wrong with the stream reaches the caller:
+    a program must not end because nobody reads its log.
+    """
+
+    def __init__(self) -> None:
+        self.complaints: list[str] = []  #: wrong settings, to be told once
+        self.format = formatter(
+            os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT", "")
+        )  #: record to line
+        self._uses_stdout = self._switch("RCUTILS_LOGGING_USE_STDOUT") is True
+        self._is_buffered = self._switch("RCUTILS_LOGGING_BUFFERED_STREAM") is True
+        self._colour = self._colour_wish()
+        self._stream: TextIO | None = None
+        self._is_coloured = False
+
+    def write(self, severity: LoggingSeverity, line: str) -> None:
+        """Write a line in its severity's colour."""
+        # Looked up each time: programs and tests replace sys.stderr.
+        stream = sys.stdout if self._uses_stdout else sys.stderr
+        if stream is not self._stream:
+            self._stream = stream
+            self._is_coloured = _has_colour(stream) if self._colour is None else self._colour
+        if self._is_coloured:
+            line = f"{_COLOURS[severity]}{line}{_RESET}"
+        _put(stream, f"{line}\n", flush=not self._is_buffered)
+
+    def _switch(self, variable: str) -> bool | None:
+        value = os.environ.get(variable, "")
+        if value not in {"", "0", "1"}:
+            self.complaints.append(f"{variable} is {value!r}: use 0 or 1")
+            return None
+        return value == "1" if value else None
+
+    def _colour_wish(self) -> bool | None:
+        """Return whether colour is wanted; `None` to leave it to the stream."""
+        wish = self._switch("RCUTILS_COLORIZED_OUTPUT")
+        if wish is None and os.environ.get("NO_COLOR"):
+            wish = False
+        if wish is None and os.environ.get("FORCE_COLOR"):
+            wish = True
+        return wish
+
+
+def _put(stream: TextIO | None, text: str, *, flush: bool) -> None:
+    """Write in one piece, so that the lines of threads and processes do not mix."""
+    if stream is None:  # pythonw on Windows has no console
+        return
+    try:
+        try:
+            stream.write(text)
+        except UnicodeEncodeError:
+            encoding = stream.encoding or "ascii"
+            stream.write(text.encode(encoding, "backslashreplace").decode(encoding))
+        except RuntimeError:
+            # A signal's handler logs while the line it interrupted is inside the stream's buffer.
+            os.write(stream.fileno(), text.encode(errors="backslashreplace"))
+        if flush:
+            stream.flush()
+    except (OSError, ValueError, RuntimeError):
+        # Closed, or nobody reads any more: there is no place left to say so.
+        return
+
+
+def _has_colour(stream: TextIO | None) -> bool:
+    try:
+        return stream is not None and stream.isatty() and _enable_colour(stream)
+    except ValueError:  # closed
+        return False
+
+
+def _enable_colour(stream: TextIO) -> bool:
+    """Switch a Windows console to escape sequences; elsewhere a terminal knows them."""
+    if sys.platform != "win32":
+        return True
+    import ctypes  # noqa: PLC0415 - only Windows needs it
+    import msvcrt  # noqa: PLC0415 - only Windows has it
+
+    kernel32 = ctypes.windll.kernel32
+    handle = msvcrt.get_osfhandle(stream.fileno())
+    mode = ctypes.c_ulong()
+    if not kernel32.GetConsoleMode(handle, ctypes.byref(mode)):
+        return False
+    virtual_terminal = 0x0004  # ENABLE_VIRTUAL_TERMINAL_PROCESSING
+    return bool(kernel32.SetConsoleMode(handle, mode.value | virtual_terminal))

@@ -1,0 +1,80 @@
+"""A log line as facts, and its form as text."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from datetime import datetime
+from operator import attrgetter
+from typing import TYPE_CHECKING, Final
+
+from zbot.log.severity import LoggingSeverity
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+
+    _Getter = Callable[["Record"], object]
+
+DEFAULT_FORMAT: Final = "[{severity}] [{time}] [{name}]: {message}"
+
+_NAMES: Final[Mapping[int, str]] = {severity: severity.name for severity in LoggingSeverity}
+_TOKEN = re.compile(r"\{(\w+)\}")
+_ESCAPE = re.compile(r"\\(x1b|[abnrt])")
+_ESCAPED = {"a": "\a", "b": "\b", "n": "\n", "r": "\r", "t": "\t", "x1b": "\x1b"}
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """One log line."""
+
+    stamp_ns: int  #: nanoseconds since the epoch, of the system's clock
+    level: LoggingSeverity
+    name: str  #: the logger's
+    message: str  #: may have several lines; always encodable as UTF-8
+    file: str  #: path of the source file that logged it
+    function: str
+    line: int  #: in `file`, from 1
+
+
+def formatter(template: str) -> Callable[[Record], str]:
+    """Return a function that writes records in the form of `RCUTILS_CONSOLE_OUTPUT_FORMAT`.
+
+    Unknown `{tokens}` are kept as they are; an empty template stands for the default one.
+    """
+    text = _ESCAPE.sub(lambda match: _ESCAPED[match[1]], template or DEFAULT_FORMAT)
+    pattern, end = "", 0
+    getters: list[_Getter] = []
+    for match in _TOKEN.finditer(text):
+        if match[1] in _GETTERS:
+            pattern += _literal(text[end : match.start()]) + "%s"
+            getters.append(_GETTERS[match[1]])
+            end = match.end()
+    pattern += _literal(text[end:])
+    return lambda record: pattern % tuple([getter(record) for getter in getters])
+
+
+def _literal(text: str) -> str:
+    return text.replace("%", "%%")
+
+
+def _seconds(record: Record) -> str:
+    seconds, nanoseconds = divmod(record.stamp_ns, 1_000_000_000)
+    return f"{seconds}.{nanoseconds:09}"
+
+
+def _date_time(record: Record) -> str:
+    moment = datetime.fromtimestamp(record.stamp_ns // 1_000_000_000).astimezone()
+    return f"{moment:%Y-%m-%d %H:%M:%S}.{record.stamp_ns // 1_000_000 % 1000:03}"
+
+
+_GETTERS: Final[Mapping[str, _Getter]] = {
+    "severity": lambda record: _NAMES[record.level],
+    "time": _seconds,
+    "time_as_nanoseconds": attrgetter("stamp_ns"),
+    "name": attrgetter("name"),
+    "message": attrgetter("message"),
+    "function_name": attrgetter("function"),
+    "file_name": attrgetter("file"),
+    "line_number": attrgetter("line"),
+    "date_time_with_ms": _date_time,
+}

@@ -1,0 +1,76 @@
+"""How the parts of a node tell their executor that they have work."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, Protocol
+
+if TYPE_CHECKING:
+    from zbot.callback_group import CallbackGroup
+
+
+class Entity(Protocol):
+    """What an executor can run: a subscription, timer, service, guard condition ..."""
+
+    callback_group: CallbackGroup
+
+    @property
+    def due_ns(self) -> int | None:
+        """When a timer wants to run (monotonic clock, nanoseconds); `None` for all others."""
+
+    def take(self) -> Any | None:
+        """Return one piece of work, or `None` if there is none; called by the executor's thread."""
+
+    def execute(self, taken: Any) -> Any:
+        """Run the user's callback for what was taken; may return a coroutine."""
+
+
+class Mailbox:
+    """One node's slot for an executor: what is posted while it has none is asked for later.
+
+    Entities keep their work themselves, so a post carries no data and may come too often.
+    """
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._entities: list[Entity] = []
+        self._deliver: Callable[[Entity], None] | None = None
+
+    @property
+    def entities(self) -> list[Entity]:
+        """The node's entities, in order of creation."""
+        return list(self._entities)
+
+    def add(self, entity: Entity) -> None:
+        """Make an entity known; it is asked for work at once."""
+        with self._lock:
+            self._entities.append(entity)
+        self.post(entity)
+
+    def remove(self, entity: Entity) -> None:
+        """Forget an entity; nothing happens if it is unknown."""
+        with self._lock:
+            if entity in self._entities:
+                self._entities.remove(entity)
+
+    def __contains__(self, entity: object) -> bool:
+        return entity in self._entities
+
+    def attach(self, deliver: Callable[[Entity], None]) -> None:
+        """Send posts to an executor, beginning with one for every entity."""
+        with self._lock:
+            self._deliver = deliver
+            entities = list(self._entities)
+        for entity in entities:
+            deliver(entity)
+
+    def detach(self) -> None:
+        """Keep posts from now on until the next executor comes."""
+        self._deliver = None
+
+    def post(self, entity: Entity) -> None:
+        """Say that an entity may have work; from any thread."""
+        deliver = self._deliver
+        if deliver is not None:
+            deliver(entity)

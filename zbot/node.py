@@ -1,0 +1,612 @@
+"""Nodes: named participants that own publishers, subscriptions and timers."""
+
+from __future__ import annotations
+
+import weakref
+from typing import TYPE_CHECKING, Any, TypeVar, cast
+
+from zbot.advice import adviser_of
+from zbot.arguments import Arguments
+from zbot.callback_group import CallbackGroup, MutuallyExclusiveCallbackGroup
+from zbot.clock import Clock, ROSClock
+from zbot.context import get_default_context
+from zbot.errors import InvalidPeriodError, NodeNameError
+from zbot.graph import TopicEndpointInfo, full_names
+from zbot.guard_condition import GuardCondition
+from zbot.interfaces import type_hash, type_name
+from zbot.log import Logger, get_logger
+from zbot.mailbox import Mailbox
+from zbot.names import (
+    expand_topic_name,
+    fully_qualified,
+    validate_full_topic_name,
+    validate_namespace,
+    validate_node_name,
+    validate_topic_name,
+)
+from zbot.publisher import Publisher
+from zbot.qos import (
+    QoSProfile,
+    as_profile,
+    qos_profile_parameter_events,
+    qos_profile_rosout_default,
+)
+from zbot.rosout import Rosout
+from zbot.subscription import Subscription
+from zbot.time import S_TO_NS
+from zbot.time_source import TimeSource
+from zbot.timer import Rate, Timer
+from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from types import TracebackType
+
+    from typing_extensions import Self
+
+    from zbot.context import Context
+    from zbot.executor import Executor
+    from zbot.graph import NamesAndTypes
+
+MsgT = TypeVar("MsgT")
+EntityT = TypeVar("EntityT")
+
+
+class NodeHandle:
+    """What a node keeps for itself.
+
+    It is one attribute, so that students can call theirs `timer`, `publisher`, `name`, `_state` ...
+
+    Args:
+        context: The context that the node lives in.
+        arguments: The command line that applies to it.
+        name: Its base name, remapped.
+        namespace: Its absolute namespace, remapped.
+    """
+
+    def __init__(
+        self, context: Context, arguments: Arguments, name: str, namespace: str
+    ) -> None:
+        self.context = context
+        self.arguments = arguments
+        self.mailbox = Mailbox()
+        self.executor: Executor | None = None
+        self.default_callback_group: CallbackGroup = MutuallyExclusiveCallbackGroup()
+        self.publishers: list[Publisher[Any]] = []
+        self.subscriptions: list[Subscription[Any]] = []
+        self.timers: list[Timer] = []
+        self.guards: list[GuardCondition] = []
+        self.rates: list[Rate] = []
+        self.clock = ROSClock()
+        self.is_destroyed = False
+        session = context.session
+        self.token = NodeToken(
+            domain=context.get_domain_id(),
+            zid=context.zid,
+            nid=context.next_entity_id(),
+            namespace=namespace,
+            node=name,
+            enclave=arguments.enclave,
+        )
+        self.liveliness = session.liveliness().declare_token(self.token.key)
+        self.adviser = adviser_of(context)
+        self.adviser.add(self.token, self.logger_name)
+
+    @property
+    def full_name(self) -> str:
+        """The node's fully qualified name."""
+        return fully_qualified(self.token.namespace, self.token.node)
+
+    @property
+    def logger_name(self) -> str:
+        """The full name with dots, as log lines show it."""
+        return self.full_name[1:].replace("/", ".")
+
+    def endpoint(
+        self, kind: EntityKind, name: str, msg_type: type[Any], qos: QoSProfile
+    ) -> EndpointToken:
+        """Return the token of a new endpoint of this node."""
+        return EndpointToken(
+            domain=self.token.domain,
+            zid=self.token.zid,
+            nid=self.token.nid,
+            eid=self.context.next_entity_id(),
+            kind=kind,
+            namespace=self.token.namespace,
+            node=self.token.node,
+            enclave=self.token.enclave,
+            name=name,
+            type_name=type_name(msg_type),
+            type_hash=type_hash(msg_type),
+            qos=qos,
+        )
+
+    def destroy(self) -> None:
+        """Destroy everything the node owns, in the reverse order of creation."""
+        for entity in (*self.timers, *self.rates, *self.guards):
+            entity.destroy()
+        for endpoint in (*reversed(self.subscriptions), *reversed(self.publishers)):
+            self.adviser.remove(endpoint.token)
+            endpoint.destroy()
+        self.adviser.remove(self.token)
+        if not self.context.is_closed:
+            self.liveliness.undeclare()
+
+
+class _Listing:
+    """A read-only view of a node's entities, which a subclass may replace by an attribute."""
+
+    def __init__(self, attribute: str) -> None:
+        self._attribute = attribute
+
+    def __get__(self, node: Node, owner: type[Node]) -> Iterator[Any]:
+        return iter(list(getattr(node.handle, self._attribute)))
+
+
+class Node:
+    """A participant of the graph, as in rclpy.
+
+    Args:
+        node_name: Base name: letters, digits and `_`.
+        context: The context to live in; the default one if left out.
+        cli_args: Arguments for this node alone, with their `--ros-args`.
+        namespace: Absolute, or taken as if it were.
+        use_global_arguments: Whether the process's command line applies too.
+        enable_rosout: Whether log lines are also published on `/rosout`.
+        rosout_qos_profile: Quality of service of `/rosout`.
+
+    Raises:
+        NodeNameError: The name is empty or missing.
+        InvalidNodeNameError: The name breaks ROS 2's grammar.
+        InvalidNamespaceError: So does the namespace.
+        NotInitializedError: `init()` was not called, or `shutdown()` was.
+    """
+
+    publishers = _Listing("publishers")
+    subscriptions = _Listing("subscriptions")
+    timers = _Listing("timers")
+    guards = _Listing("guards")
+
+    def __init__(
+        self,
+        node_name: str,
+        *,
+        context: Context | None = None,
+        cli_args: list[str] | None = None,
+        namespace: str | None = None,
+        use_global_arguments: bool = True,
+        enable_rosout: bool = True,
+        rosout_qos_profile: QoSProfile | int = qos_profile_rosout_default,
+    ) -> None:
+        if not isinstance(node_name, str) or not node_name:
+            raise NodeNameError(node_name)
+        context = context or get_default_context()
+        own = Arguments.parse(cli_args) if cli_args else Arguments()
+        arguments = own.merged(context.arguments) if use_global_arguments else own
+        name = arguments.node_name_for(node_name)
+        validate_node_name(name)
+        space = arguments.namespace_for(node_name) or namespace or "/"
+        space = space if space.startswith("/") else f"/{space}"
+        validate_namespace(space)
+        self._zbot_handle = handle = NodeHandle(context, arguments, name, space)
+        context.add_node(self)
+        self._zbot_logger = get_logger(handle.logger_name)
+        self._zbot_rosout = (
+            Rosout(self, as_profile(rosout_qos_profile)) if enable_rosout else None
+        )
+        self._zbot_time = TimeSource(self, handle.clock)
+        self._zbot_add_parameter_events()
+        self._zbot_time.ros_time_is_active = bool(
+            arguments.parameters_for(handle.full_name).get("use_sim_time", False)
+        )
+
+    def _zbot_add_parameter_events(self) -> None:
+        from rcl_interfaces.msg import ParameterEvent  # noqa: PLC0415 - made at first import
+
+        self._zbot_parameter_events = Node.create_publisher(
+            self, ParameterEvent, "/parameter_events", qos_profile_parameter_events
+        )
+
+    # -- who it is -----------------------------------------------------------------------------
+
+    @property
+    def handle(self) -> NodeHandle:
+        """The node's own state; not for user code."""
+        return self._zbot_handle
+
+    @property
+    def context(self) -> Context:
+        """The context that the node lives in."""
+        return self._zbot_handle.context
+
+    @property
+    def executor(self) -> Executor | None:
+        """The executor that runs its callbacks, if any; set it to move the node there."""
+        return self._zbot_handle.executor
+
+    @executor.setter
+    def executor(self, new_executor: Executor | None) -> None:
+        current = self._zbot_handle.executor
+        if current is new_executor:
+            return
+        if current is not None:
+            current.remove_node(self)
+        if new_executor is not None:
+            new_executor.add_node(self)
+
+    @property
+    def default_callback_group(self) -> CallbackGroup:
+        """Where callbacks belong that were given no group."""
+        return self._zbot_handle.default_callback_group
+
+    def get_name(self) -> str:
+        """Return the base name."""
+        return self._zbot_handle.token.node
+
+    def get_namespace(self) -> str:
+        """Return the absolute namespace."""
+        return self._zbot_handle.token.namespace
+
+    def get_fully_qualified_name(self) -> str:
+        """Return namespace and name."""
+        return self._zbot_handle.full_name
+
+    def get_logger(self) -> Logger:
+        """Return the logger that writes under the node's name."""
+        return self._zbot_logger
+
+    def get_clock(self) -> Clock:
+        """Return the node's clock: the system's time, or simulated time."""
+        return self._zbot_handle.clock
+
+    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
+        """Return the full name of a topic: expanded, and remapped unless `only_expand`.
+
+        Raises:
+            InvalidTopicNameError: The name breaks ROS 2's grammar.
+        """
+        return self._zbot_resolve(topic, only_expand=only_expand, is_service=False)
+
+    def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
+        """Return the full name of a service: expanded, and remapped unless `only_expand`.
+
+        Raises:
+            InvalidServiceNameError: The name breaks ROS 2's grammar.
+        """
+        return self._zbot_resolve(service, only_expand=only_expand, is_service=True)
+
+    def _zbot_resolve(self, name: str, *, only_expand: bool, is_service: bool) -> str:
+        handle = self._zbot_handle
+        validate_topic_name(name, is_service=is_service)
+        full = expand_topic_name(name, handle.token.node, handle.token.namespace)
+        validate_full_topic_name(full, is_service=is_service)
+        if only_expand:
+            return full
+        remap = handle.arguments.remap_service if is_service else handle.arguments.remap_topic
+        return remap(full, handle.token.node, handle.token.namespace)
+
+    # -- what it has ---------------------------------------------------------------------------
+
+    def create_publisher(
+        self,
+        msg_type: type[MsgT],
+        topic: str,
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: Any = None,
+        qos_overriding_options: Any = None,  # noqa: ARG002 - needs parameters
+        publisher_class: type[Publisher[Any]] = Publisher,
+    ) -> Publisher[MsgT]:
+        """Create a publisher.
+
+        Args:
+            msg_type: Message class.
+            topic: Relative, `~/private` or absolute name.
+            qos_profile: A profile, or the depth of the default one.
+            callback_group: Where its events' callbacks run; the node's own if left out.
+            event_callbacks: A `PublisherEventCallbacks`.
+            qos_overriding_options: Which policies parameters may override.
+            publisher_class: A subclass to make instead.
+
+        Raises:
+            InvalidTopicNameError: The name breaks ROS 2's grammar.
+            InvalidHandleError: The node was destroyed.
+        """
+        handle = self._zbot_alive()
+        name = Node.resolve_topic_name(self, topic)
+        token = handle.endpoint(EntityKind.PUBLISHER, name, msg_type, as_profile(qos_profile))
+        publisher = publisher_class(
+            handle.context,
+            msg_type,
+            token,
+            logger_name=handle.logger_name,
+            callback_group=callback_group or handle.default_callback_group,
+        )
+        handle.publishers.append(publisher)
+        handle.adviser.add(token, handle.logger_name)
+        if event_callbacks is not None:
+            event_callbacks.attach(publisher, handle.mailbox, handle.context.graph)
+        return cast("Publisher[MsgT]", publisher)
+
+    def create_subscription(
+        self,
+        msg_type: type[MsgT],
+        topic: str,
+        callback: Callable[..., Any],
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: Any = None,
+        qos_overriding_options: Any = None,  # noqa: ARG002 - needs parameters
+        raw: bool = False,
+        content_filter_options: Any = None,  # noqa: ARG002 - no middleware of Zenoh's filters content
+    ) -> Subscription[MsgT]:
+        """Create a subscription.
+
+        Args:
+            msg_type: Message class.
+            topic: Relative, `~/private` or absolute name.
+            callback: Takes the message, or the message and a dict of its times and numbers.
+            qos_profile: A profile, or the depth of the default one.
+            callback_group: Decides beside what the callback may run; the node's own if left out.
+            event_callbacks: A `SubscriptionEventCallbacks`.
+            qos_overriding_options: Which policies parameters may override.
+            raw: Give the callback the payload's bytes, undecoded.
+            content_filter_options: Accepted and ignored.
+
+        Raises:
+            InvalidTopicNameError: The name breaks ROS 2's grammar.
+            CallbackSignatureError: The callback takes neither one nor two arguments.
+            InvalidHandleError: The node was destroyed.
+        """
+        handle = self._zbot_alive()
+        name = Node.resolve_topic_name(self, topic)
+        subscription = Subscription(
+            handle.context,
+            msg_type,
+            callback,
+            handle.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, as_profile(qos_profile)),
+            mailbox=handle.mailbox,
+            callback_group=callback_group or handle.default_callback_group,
+            raw=raw,
+            logger_name=handle.logger_name,
+        )
+        handle.subscriptions.append(subscription)
+        handle.adviser.add(subscription.token, handle.logger_name)
+        self._zbot_add(subscription)
+        if event_callbacks is not None:
+            event_callbacks.attach(subscription, handle.mailbox, handle.context.graph)
+        subscription.start()
+        return subscription
+
+    def create_timer(
+        self,
+        timer_period_sec: float,
+        callback: Callable[..., Any] | None,
+        callback_group: CallbackGroup | None = None,
+        clock: Clock | None = None,
+        autostart: bool = True,  # noqa: FBT001, FBT002 - rclpy's signature
+    ) -> Timer:
+        """Create a timer.
+
+        Args:
+            timer_period_sec: Seconds, 0 or more.
+            callback: Called without arguments, or with a `TimerInfo`.
+            callback_group: Decides beside what it may run; the node's own if left out.
+            clock: The clock that it follows; the node's if left out.
+            autostart: Whether it runs before its first `reset()`.
+
+        Raises:
+            InvalidPeriodError: The period is negative or no number.
+            InvalidHandleError: The node was destroyed.
+        """
+        handle = self._zbot_alive()
+        if not isinstance(timer_period_sec, (int, float)) or not 0 <= timer_period_sec < 2**33:
+            raise InvalidPeriodError("a timer's period", timer_period_sec)
+        timer = Timer(
+            callback,
+            callback_group or handle.default_callback_group,
+            int(float(timer_period_sec) * S_TO_NS),
+            clock or handle.clock,
+            handle.mailbox,
+            autostart=autostart,
+        )
+        handle.timers.append(timer)
+        self._zbot_add(timer)
+        return timer
+
+    def create_guard_condition(
+        self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
+    ) -> GuardCondition:
+        """Create a callback that any thread can ask for with `trigger()`."""
+        handle = self._zbot_alive()
+        group = callback_group or handle.default_callback_group
+        guard = GuardCondition(callback, group, handle.mailbox)
+        handle.guards.append(guard)
+        self._zbot_add(guard)
+        return guard
+
+    def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
+        """Create a rate whose `sleep()` gives a loop `frequency` turns a second.
+
+        Raises:
+            InvalidPeriodError: The frequency is not above 0.
+        """
+        handle = self._zbot_alive()
+        if not isinstance(frequency, (int, float)) or not 0 < frequency <= S_TO_NS:
+            raise InvalidPeriodError("a rate's frequency", frequency)
+        rate = Rate(int(S_TO_NS / frequency), clock or handle.clock, handle.context)
+        handle.rates.append(rate)
+        return rate
+
+    def _zbot_alive(self) -> NodeHandle:
+        handle = self._zbot_handle
+        if handle.is_destroyed:
+            from zbot.errors import InvalidHandleError  # noqa: PLC0415 - the rare case
+
+            raise InvalidHandleError(f"the node {handle.full_name}")
+        return handle
+
+    def _zbot_add(self, entity: Any) -> None:
+        entity.callback_group.add_entity(entity)
+        self._zbot_handle.mailbox.add(entity)
+
+    # -- the end -------------------------------------------------------------------------------
+
+    def destroy_publisher(self, publisher: Publisher[Any]) -> bool:
+        """Destroy a publisher; return whether it was this node's."""
+        self._zbot_handle.adviser.remove(publisher.token)
+        return self._zbot_remove(self._zbot_handle.publishers, publisher)
+
+    def destroy_subscription(self, subscription: Subscription[Any]) -> bool:
+        """Destroy a subscription; return whether it was this node's."""
+        self._zbot_handle.adviser.remove(subscription.token)
+        return self._zbot_remove(self._zbot_handle.subscriptions, subscription)
+
+    def destroy_timer(self, timer: Timer) -> bool:
+        """Destroy a timer; return whether it was this node's."""
+        return self._zbot_remove(self._zbot_handle.timers, timer)
+
+    def destroy_guard_condition(self, guard: GuardCondition) -> bool:
+        """Destroy a guard condition; return whether it was this node's."""
+        return self._zbot_remove(self._zbot_handle.guards, guard)
+
+    def destroy_rate(self, rate: Rate) -> bool:
+        """Destroy a rate; return whether it was this node's."""
+        return self._zbot_remove(self._zbot_handle.rates, rate)
+
+    def _zbot_remove(self, owned: list[EntityT], entity: EntityT) -> bool:
+        if entity not in owned:
+            return False
+        owned.remove(entity)
+        self._zbot_handle.mailbox.remove(cast("Any", entity))
+        cast("Any", entity).destroy()
+        return True
+
+    def destroy_node(self) -> None:
+        """Leave the graph with everything the node owns; may be called twice."""
+        handle = self._zbot_handle
+        if handle.is_destroyed:
+            return
+        handle.is_destroyed = True
+        if handle.executor is not None:
+            handle.executor.remove_node(self)
+        if self._zbot_rosout is not None:
+            self._zbot_rosout.close()
+        handle.destroy()
+        handle.context.remove_node(self)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.destroy_node()
+
+    # -- the graph -----------------------------------------------------------------------------
+
+    def get_node_names(self) -> list[str]:
+        """Return the base names of all nodes."""
+        return [node.node for node in self.context.graph.snapshot().nodes]
+
+    def get_fully_qualified_node_names(self) -> list[str]:
+        """Return the full names of all nodes."""
+        return full_names(self.context.graph.snapshot().nodes)
+
+    def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
+        """Return name and namespace of all nodes."""
+        return [(node.node, node.namespace) for node in self.context.graph.snapshot().nodes]
+
+    def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
+        """Return name, namespace and enclave of all nodes."""
+        nodes = self.context.graph.snapshot().nodes
+        return [(node.node, node.namespace, node.enclave) for node in nodes]
+
+    def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:  # noqa: ARG002, FBT001, FBT002
+        """Return every topic with the types on it."""
+        return self.context.graph.snapshot().topics()
+
+    def get_service_names_and_types(self) -> NamesAndTypes:
+        """Return every service with the types on it."""
+        return self.context.graph.snapshot().services()
+
+    def get_publisher_names_and_types_by_node(
+        self, node_name: str, node_namespace: str, no_demangle: bool = False  # noqa: ARG002, FBT001, FBT002
+    ) -> NamesAndTypes:
+        """Return the topics that a node publishes."""
+        return self._zbot_of_node(EntityKind.PUBLISHER, node_name, node_namespace)
+
+    def get_subscriber_names_and_types_by_node(
+        self, node_name: str, node_namespace: str, no_demangle: bool = False  # noqa: ARG002, FBT001, FBT002
+    ) -> NamesAndTypes:
+        """Return the topics that a node subscribes to."""
+        return self._zbot_of_node(EntityKind.SUBSCRIPTION, node_name, node_namespace)
+
+    def get_service_names_and_types_by_node(
+        self, node_name: str, node_namespace: str
+    ) -> NamesAndTypes:
+        """Return the services that a node serves."""
+        return self._zbot_of_node(EntityKind.SERVICE, node_name, node_namespace)
+
+    def get_client_names_and_types_by_node(
+        self, node_name: str, node_namespace: str
+    ) -> NamesAndTypes:
+        """Return the services that a node is a client of."""
+        return self._zbot_of_node(EntityKind.CLIENT, node_name, node_namespace)
+
+    def _zbot_of_node(self, kind: EntityKind, name: str, namespace: str) -> NamesAndTypes:
+        snapshot = self.context.graph.snapshot()
+        full = fully_qualified(namespace, name)
+        if full not in full_names(snapshot.nodes):
+            from zbot.errors import UnknownNodeError  # noqa: PLC0415 - the rare case
+
+            raise UnknownNodeError(full, full_names(snapshot.nodes))
+        return snapshot.names_and_types(kind, node=full)
+
+    def get_publishers_info_by_topic(
+        self, topic_name: str, no_mangle: bool = False  # noqa: ARG002, FBT001, FBT002
+    ) -> list[TopicEndpointInfo]:
+        """Return node, type and quality of service of a topic's publishers."""
+        return self._zbot_infos(EntityKind.PUBLISHER, topic_name)
+
+    def get_subscriptions_info_by_topic(
+        self, topic_name: str, no_mangle: bool = False  # noqa: ARG002, FBT001, FBT002
+    ) -> list[TopicEndpointInfo]:
+        """Return node, type and quality of service of a topic's subscriptions."""
+        return self._zbot_infos(EntityKind.SUBSCRIPTION, topic_name)
+
+    def _zbot_on(self, kind: EntityKind, name: str) -> list[EndpointToken]:
+        is_service = kind in {EntityKind.SERVICE, EntityKind.CLIENT}
+        full = self._zbot_resolve(name, only_expand=False, is_service=is_service)
+        return self.context.graph.snapshot().on(full, kind)
+
+    def _zbot_infos(self, kind: EntityKind, topic: str) -> list[TopicEndpointInfo]:
+        return [TopicEndpointInfo.of(token) for token in self._zbot_on(kind, topic)]
+
+    def count_publishers(self, topic_name: str) -> int:
+        """Return how many publishers a topic has."""
+        return len(self._zbot_on(EntityKind.PUBLISHER, topic_name))
+
+    def count_subscribers(self, topic_name: str) -> int:
+        """Return how many subscriptions a topic has."""
+        return len(self._zbot_on(EntityKind.SUBSCRIPTION, topic_name))
+
+    def count_services(self, service_name: str) -> int:
+        """Return how many servers a service has."""
+        return len(self._zbot_on(EntityKind.SERVICE, service_name))
+
+    def count_clients(self, service_name: str) -> int:
+        """Return how many clients a service has."""
+        return len(self._zbot_on(EntityKind.CLIENT, service_name))
+
+    def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
+        """Wait until a node is there; return `False` after `timeout` seconds without it."""
+        wanted = "/" + fully_qualified_node_name.lstrip("/")
+        return self.context.graph.wait_for(
+            lambda snapshot: wanted in full_names(snapshot.nodes), timeout
+        )

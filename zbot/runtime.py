@@ -1,0 +1,154 @@
+"""The functions of a first program: `init`, `spin`, `ok`, `shutdown`."""
+
+from __future__ import annotations
+
+import contextlib
+from typing import TYPE_CHECKING, Any
+
+from zbot import signals
+from zbot.context import get_default_context
+from zbot.executor import SingleThreadedExecutor
+from zbot.node import Node
+from zbot.signals import SignalHandlerOptions
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from types import TracebackType
+
+    from zbot.context import Context
+    from zbot.executor import Executor
+    from zbot.task import Future
+
+_executors: dict[int, Executor] = {}
+
+
+class InitContextManager:
+    """What `init()` returns: leave the `with` block, and the context is shut down.
+
+    Args:
+        context: The context that was initialised.
+    """
+
+    def __init__(self, context: Context) -> None:
+        self.context = context
+
+    def __enter__(self) -> InitContextManager:  # noqa: PYI034 - rclpy's type
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        shutdown(context=self.context)
+
+
+def init(
+    *,
+    args: list[str] | None = None,
+    context: Context | None = None,
+    domain_id: int | None = None,
+    signal_handler_options: SignalHandlerOptions | None = None,
+) -> InitContextManager:
+    """Begin: read the command line, choose the domain, and see to it that Ctrl-C ends cleanly.
+
+    Args:
+        args: The command line with its `--ros-args`; `sys.argv` if left out.
+        context: The context to initialise; the default one if left out.
+        domain_id: 0 to 232; from the environment if left out.
+        signal_handler_options: Which signals to handle; all for the default context, else none.
+
+    Raises:
+        ContextInitializedError: It was called before, without a `shutdown()` since.
+        ArgumentsError: The `--ros-args` are malformed.
+        DomainIdError: The domain is out of range.
+    """
+    default = context is None
+    context = get_default_context() if context is None else context
+    if signal_handler_options is None:
+        signal_handler_options = SignalHandlerOptions.ALL if default else SignalHandlerOptions.NO
+    signals.install(signal_handler_options)
+    context.init(args, domain_id=domain_id)
+    return InitContextManager(context)
+
+
+def ok(*, context: Context | None = None) -> bool:
+    """Return whether to go on: initialised, not shut down, no Ctrl-C yet."""
+    return (get_default_context() if context is None else context).ok()
+
+
+def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
+    """End: close the context's session and everything in it; the second call does nothing.
+
+    Args:
+        context: The context to shut down; the default one if left out.
+        uninstall_handlers: Whether to give the signals back; done for the default context.
+    """
+    chosen = get_default_context() if context is None else context
+    executor = _executors.pop(id(chosen), None)
+    chosen.shutdown()
+    if executor is not None:
+        executor.shutdown(0)
+    if uninstall_handlers or (uninstall_handlers is None and context is None):
+        signals.uninstall()
+
+
+def try_shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
+    """Shut down if that has not been done yet."""
+    shutdown(context=context, uninstall_handlers=uninstall_handlers)
+
+
+def create_node(node_name: str, **options: Any) -> Node:
+    """Create a node; the options are those of `Node`."""
+    return Node(node_name, **options)
+
+
+def get_global_executor(context: Context | None = None) -> Executor:
+    """Return the executor that the module's `spin` functions use."""
+    context = get_default_context() if context is None else context
+    executor = _executors.get(id(context))
+    if executor is None or executor.context is not context:
+        executor = _executors[id(context)] = SingleThreadedExecutor(context=context)
+    return executor
+
+
+@contextlib.contextmanager
+def _holding(node: Node, executor: Executor | None) -> Iterator[Executor]:
+    executor = get_global_executor(node.context) if executor is None else executor
+    added = executor.add_node(node)
+    try:
+        yield executor
+    finally:
+        if added:
+            executor.remove_node(node)
+
+
+def spin(node: Node, executor: Executor | None = None) -> None:
+    """Run a node's callbacks until its context is shut down.
+
+    Raises:
+        KeyboardInterrupt: Ctrl-C; nothing is printed when nobody catches it.
+        ExternalShutdownException: The context was shut down by a signal or another thread.
+    """
+    with _holding(node, executor) as chosen:
+        chosen.spin()
+
+
+def spin_once(
+    node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None
+) -> None:
+    """Run one callback of a node, waiting for it at most `timeout_sec` seconds (`None`: for ever)."""
+    with _holding(node, executor) as chosen:
+        chosen.spin_once(timeout_sec)
+
+
+def spin_until_future_complete(
+    node: Node,
+    future: Future[Any],
+    executor: Executor | None = None,
+    timeout_sec: float | None = None,
+) -> None:
+    """Run a node's callbacks until the future is done, at most `timeout_sec` seconds."""
+    with _holding(node, executor) as chosen:
+        chosen.spin_until_future_complete(future, timeout_sec)

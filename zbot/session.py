@@ -1,0 +1,268 @@
+"""Zenoh sessions, and the meeting point through which those of one domain find each other.
+
+Every node's session is a Zenoh peer on loopback. It connects to the domain's meeting port, where a
+small router lives inside whichever process got the port first; that router introduces the peers to
+each other and serves the command line's clients. When its process ends, another takes the port.
+This module is the only place that calls `zenoh.open()`.
+"""
+
+from __future__ import annotations
+
+import os
+import socket
+import sys
+import threading
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import zenoh
+
+from zbot.config import HUB_PORT, MEETING_PORT, DiscoveryRange
+from zbot.errors import SessionError
+
+if TYPE_CHECKING:
+    from zbot.config import SessionConfig
+
+LOOPBACK = "127.0.0.1"
+# Links are listed a moment after their event.
+_LINK_PAUSE_S = 0.005
+_RETRY = {"period_init_ms": 20, "period_max_ms": 500, "period_increase_factor": 2}
+
+
+def _open(what: str, config: zenoh.Config) -> zenoh.Session:
+    if "RUST_LOG" in os.environ:
+        zenoh.try_init_log_from_env()
+    try:
+        return zenoh.open(config)
+    except zenoh.ZError as exc:
+        raise SessionError(what, str(exc)) from exc
+
+
+def process_facts(version: str) -> dict[str, Any]:
+    """Return what a session tells of its process in the admin space (docs/wire.md)."""
+    command = " ".join([Path(sys.argv[0]).name, *sys.argv[1:]]) if sys.argv else ""
+    return {
+        "zbot": {
+            "version": version,
+            "host": socket.gethostname(),
+            "pid": os.getpid(),
+            "started": time.time_ns(),
+            "command": command,
+        }
+    }
+
+
+def _common(facts: dict[str, Any]) -> dict[str, Any]:
+    return {
+        "metadata": facts,
+        "adminspace/enabled": True,
+        "timestamping/enabled": True,  # advanced publishers with a cache need it
+        "scouting/delay": 1,  # ms; Zenoh waits this long in open()
+        "connect/timeout_ms": -1,
+        "connect/exit_on_failure": False,
+        "connect/retry": _RETRY,
+        # A blocked reader may stop the world for this long before its link is given up (microseconds).
+        "transport/link/tx/queue/congestion_control/block/wait_before_close": 60_000_000,
+    }
+
+
+class MeetingPoint:
+    """One domain's meeting port on this machine: the way in, and the duty to keep it open.
+
+    Args:
+        config: The configuration that every session starts from.
+        domain: 0 to 232.
+        reach: OFF opens no port and looks for nobody.
+        facts: See `process_facts`.
+    """
+
+    def __init__(
+        self, config: SessionConfig, domain: int, reach: DiscoveryRange, facts: dict[str, Any]
+    ) -> None:
+        self._config = config
+        self._reach = reach
+        self._facts = facts
+        self.port = MEETING_PORT + domain
+        self._router: zenoh.Session | None = None
+        self._lock = threading.Lock()
+        self._closed = False
+
+    @property
+    def endpoint(self) -> str:
+        """The Zenoh endpoint of the meeting port."""
+        return f"tcp/{LOOPBACK}:{self.port}"
+
+    @property
+    def is_held(self) -> bool:
+        """Whether the router behind the port lives in this process."""
+        return self._router is not None
+
+    def _multicast(self) -> dict[str, Any]:
+        found = self._reach is DiscoveryRange.SUBNET
+        return {
+            "scouting/multicast/enabled": found,
+            "scouting/multicast/autoconnect": {"router": ["router"], "peer": ["router", "peer"]},
+        }
+
+    def hold(self) -> bool:
+        """Open the router behind the port if nobody has; the bind decides who wins.
+
+        Returns:
+            Whether this process holds the port now.
+        """
+        if self._reach is DiscoveryRange.OFF:
+            return False
+        with self._lock:
+            if self._closed or self._router is not None:
+                return self._router is not None
+            listen = [self.endpoint]
+            if self._reach is DiscoveryRange.SUBNET:
+                listen.append("tcp/[::]:0")
+            force = {
+                "mode": "router",
+                "listen/endpoints": listen,
+                "listen/timeout_ms": 0,
+                "listen/exit_on_failure": True,
+                "connect/endpoints": [f"tcp/{LOOPBACK}:{HUB_PORT}"],
+                **self._multicast(),
+            }
+            try:
+                self._router = _open(
+                    "the meeting router", self._config.build(_common(self._facts), force)
+                )
+            except SessionError:
+                return False  # taken: by another process of the domain, or by a stranger
+            return True
+
+    def open_peer(self) -> zenoh.Session:
+        """Open a node process's session.
+
+        Raises:
+            SessionError: Zenoh refused, usually because of the configuration file.
+        """
+        reach_out = self._reach is DiscoveryRange.SUBNET
+        fill = {
+            "mode": "peer",
+            "listen/endpoints": ["tcp/[::]:0"] if reach_out else [f"tcp/{LOOPBACK}:0"],
+            "connect/endpoints": [self.endpoint],
+            **_common(self._facts),
+            **self._multicast(),
+        }
+        if self._reach is DiscoveryRange.OFF:
+            fill |= {"listen/endpoints": [], "connect/endpoints": []}
+        return _open("a Zenoh session", self._config.build(fill))
+
+    def open_client(self) -> zenoh.Session | None:
+        """Open a session that sees the domain through its router; `None` if nobody is there."""
+        if self._reach is DiscoveryRange.OFF:
+            return None
+        fill = {
+            "mode": "client",
+            "connect/endpoints": [self.endpoint],
+            **_common(self._facts),
+            "connect/timeout_ms": 0,
+            "connect/exit_on_failure": True,
+            "scouting/multicast/enabled": False,
+        }
+        try:
+            return _open("a Zenoh session", self._config.build(fill))
+        except SessionError:
+            return None
+
+    def close(self) -> None:
+        """Close the router, if it is ours, and never take the port again. May be called twice."""
+        with self._lock:
+            self._closed = True
+            if self._router is not None:
+                self._router.close()
+                self._router = None
+
+
+class MeetingWatch:
+    """Keeps the meeting port open for as long as a session lives.
+
+    A thread waits, without polling, for links to come and go: when the router's link goes, it tries
+    to take the port, and exactly one of the domain's processes succeeds.
+    """
+
+    def __init__(self, session: zenoh.Session, meeting: MeetingPoint) -> None:
+        self._session = session
+        self._meeting = meeting
+        self._changed = threading.Condition()
+        events = session.info.declare_transport_events_listener(
+            zenoh.handlers.FifoChannel(256), history=True
+        )
+        # The listener must stay referenced; the thread holds only its channel.
+        self._listener = events
+        self._thread = threading.Thread(
+            target=self._run, args=(events.handler,), name="zbot meeting", daemon=True
+        )
+        self._thread.start()
+
+    def _run(self, events: Any) -> None:
+        for event in events:  # ends when the session is closed
+            gone = event.kind == zenoh.SampleKind.DELETE
+            if gone and not self._session.is_closed() and not self._session.info.routers_zid():
+                self._meeting.hold()
+            with self._changed:
+                self._changed.notify_all()
+
+    def wait_linked(self, timeout_s: float) -> bool:
+        """Wait until the session has a link to a router; `False` if none came in time."""
+        return self._wait(lambda: bool(self._session.info.routers_zid()), timeout_s)
+
+    def wait_settled(self, timeout_s: float) -> bool:
+        """Wait until every peer that the meeting router knows has answered a query of ours.
+
+        A peer can only answer when it is linked to us and its declarations are here, so from then on a
+        message that is published reaches every subscriber of the domain. Takes 5 to 30 ms after a session
+        was opened.
+        """
+        deadline = time.monotonic() + timeout_s
+        if not self.wait_linked(timeout_s):
+            return False
+        expected = self._peers_at_router(timeout_s)
+        while expected:
+            left = deadline - time.monotonic()
+            if left <= 0:
+                return False
+            for reply in self._session.get("@/*/peer", timeout=left):
+                if reply.ok is not None:
+                    expected.discard(str(reply.ok.key_expr).split("/")[1])
+            if expected:
+                with self._changed:
+                    self._changed.wait(_LINK_PAUSE_S)
+        return True
+
+    def _peers_at_router(self, timeout_s: float) -> set[str]:
+        routers = {str(zid) for zid in self._session.info.routers_zid()}
+        found: set[str] = set()
+        for router in routers:
+            for reply in self._session.get(f"@/{router}/router", timeout=timeout_s):
+                if reply.ok is not None:
+                    found |= peers_in(reply.ok.payload.to_bytes())
+        return found - {str(self._session.info.zid())}
+
+    def _wait(self, done: Any, timeout_s: float) -> bool:
+        deadline = time.monotonic() + timeout_s
+        with self._changed:
+            while not done():
+                left = deadline - time.monotonic()
+                if left <= 0:
+                    return False
+                self._changed.wait(min(left, _LINK_PAUSE_S))
+        return True
+
+    def join(self) -> None:
+        """Wait for the thread to end; call it after the session was closed."""
+        if threading.current_thread() is not self._thread:
+            self._thread.join(2.0)
+
+
+def peers_in(router_facts: bytes) -> set[str]:
+    """Return the session ids of the peers in a router's admin space root (JSON)."""
+    import json  # noqa: PLC0415 - only the first publish of a process needs it
+
+    sessions = json.loads(router_facts).get("sessions", [])
+    return {entry["peer"] for entry in sessions if entry.get("whatami") == "peer"}

@@ -1,0 +1,181 @@
+"""Every way out of a process closes its Zenoh sessions: the end of main, exceptions, signals.
+
+A session left open with a subscriber keeps Python from ending at all, so this is not a nicety.
+Ctrl-C raises `KeyboardInterrupt` as always, SIGTERM raises `ExternalShutdownException` in a spinning main
+thread and `SystemExit` elsewhere; none of them prints a traceback when nobody catches it.
+"""
+
+from __future__ import annotations
+
+import atexit
+import enum
+import os
+import signal
+import sys
+import threading
+import traceback
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+from zbot.context import open_contexts
+from zbot.errors import SetupError
+from zbot.executor import ExternalShutdownException, spinning_in_main_thread
+
+if TYPE_CHECKING:
+    from types import FrameType
+
+_PACKAGE = str(Path(__file__).parent) + os.sep
+_TERMINATED = 128 + signal.SIGTERM
+
+
+class SignalHandlerOptions(enum.Enum):
+    """Which signals `init()` handles."""
+
+    NO = 0
+    SIGINT = 1
+    SIGTERM = 2
+    ALL = 3
+
+
+class _Process:
+    """What this process has installed, and how it is ending."""
+
+    previous: dict[int, Any] = {}  # noqa: RUF012 - one per process
+    hooked = False
+    ending = False
+    terminated = False
+
+
+def install(options: SignalHandlerOptions) -> None:
+    """Handle signals (main thread only: Python allows it nowhere else) and hook the ways out."""
+    _hook_ways_out()
+    if threading.current_thread() is not threading.main_thread():
+        return
+    if options in {SignalHandlerOptions.SIGINT, SignalHandlerOptions.ALL}:
+        _replace(signal.SIGINT, _on_sigint)
+    if options in {SignalHandlerOptions.SIGTERM, SignalHandlerOptions.ALL}:
+        _replace(signal.SIGTERM, _on_sigterm)
+
+
+def uninstall() -> None:
+    """Give the signals back to whoever had them before `install()`."""
+    if threading.current_thread() is threading.main_thread():
+        for number, handler in _Process.previous.items():
+            signal.signal(number, handler)
+        _Process.previous.clear()
+
+
+def installed() -> SignalHandlerOptions:
+    """Return which signals are handled now."""
+    own = (signal.SIGINT in _Process.previous) + 2 * (signal.SIGTERM in _Process.previous)
+    return SignalHandlerOptions(own)
+
+
+def _replace(number: int, handler: Any) -> None:
+    present = signal.getsignal(number)
+    if present is not handler:
+        _Process.previous[number] = present if present is not None else signal.SIG_DFL
+        signal.signal(number, handler)
+
+
+def _interrupt_contexts() -> None:
+    for context in list(open_contexts):
+        context.interrupt()
+
+
+def _on_sigint(number: int, frame: FrameType | None) -> None:
+    if _Process.ending:
+        return
+    _interrupt_contexts()
+    previous = _Process.previous.get(number)
+    if callable(previous) and previous is not signal.default_int_handler:
+        previous(number, frame)
+        return
+    raise KeyboardInterrupt
+
+
+def _on_sigterm(number: int, frame: FrameType | None) -> None:
+    if _Process.ending:
+        return
+    _interrupt_contexts()
+    previous = _Process.previous.get(number)
+    if callable(previous):
+        previous(number, frame)
+        return
+    _Process.terminated = True
+    if spinning_in_main_thread():
+        raise ExternalShutdownException
+    raise SystemExit(_TERMINATED)
+
+
+def _hook_ways_out() -> None:
+    if _Process.hooked:
+        return
+    _Process.hooked = True
+    sys.excepthook = _quiet(sys.excepthook)
+    thread_hook = threading.excepthook
+
+    def on_thread_exception(args: threading.ExceptHookArgs) -> None:
+        if not issubclass(args.exc_type, (ExternalShutdownException, KeyboardInterrupt)):
+            thread_hook(args)
+
+    threading.excepthook = on_thread_exception
+    # Python joins non-daemon threads before it runs atexit functions, and Zenoh's thread ends only with
+    # its session: concurrent.futures closes its pools through the same, private, hook.
+    threading._register_atexit(_close_contexts)  # type: ignore[attr-defined]
+    atexit.register(_die_of_sigterm)
+
+
+def _quiet(previous: Any) -> Any:
+    def excepthook(
+        kind: type[BaseException], value: BaseException, trace: TracebackType | None
+    ) -> None:
+        if issubclass(kind, SetupError):
+            print(value, file=sys.stderr)
+        elif not issubclass(kind, (KeyboardInterrupt, ExternalShutdownException)):
+            previous(kind, value, user_part(trace))
+
+    return excepthook
+
+
+def user_part(trace: TracebackType | None) -> TracebackType | None:
+    """Return a traceback without zbot's frames: a callback's begins at its own first line.
+
+    What is all zbot's is returned whole: that is a fault of zbot.
+    """
+    kept: list[TracebackType] = []
+    entry = trace
+    while entry is not None:
+        if not _is_ours(entry):
+            kept.append(entry)
+        elif entry.tb_next is not None and not _is_ours(entry.tb_next):
+            kept.clear()  # a callback begins: how it came to be called is of no use
+        entry = entry.tb_next
+    result: TracebackType | None = None
+    for entry in reversed(kept):
+        result = TracebackType(result, entry.tb_frame, entry.tb_lasti, entry.tb_lineno)
+    return result or trace
+
+
+def _is_ours(entry: TracebackType) -> bool:
+    return entry.tb_frame.f_code.co_filename.startswith(_PACKAGE)
+
+
+def _close_contexts() -> None:
+    _Process.ending = True
+    for context in list(open_contexts):
+        try:
+            context.shutdown()
+        except Exception:  # noqa: BLE001 - the others must be closed too
+            traceback.print_exc()
+
+
+def _die_of_sigterm() -> None:
+    if _Process.terminated and sys.platform != "win32":
+        # The parent shall see what ended us, as it does for a program that ignores SIGTERM's name.
+        for stream in (sys.stdout, sys.stderr):
+            if stream is not None and not stream.closed:
+                stream.flush()
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        os.kill(os.getpid(), signal.SIGTERM)

@@ -1,0 +1,357 @@
+"""Subscriptions: samples wait in Zenoh's own queue and are decoded where their callback runs.
+
+A thread of ours waits for the first sample of a burst, hands it over and posts the subscription to its
+executor; the executor then drains Zenoh's queue itself, and re-arms the thread when nothing is left. So
+a burst costs one wake-up, the two threads never compete, and an idle subscription uses no CPU. A keep-last queue
+is Zenoh's ring channel: what does not fit is dropped there and never touched by Python.
+"""
+
+from __future__ import annotations
+
+import inspect
+import threading
+import time
+from collections import deque
+from collections.abc import Callable
+from enum import Enum
+from typing import TYPE_CHECKING, Any, Generic, TypedDict, TypeVar
+
+import zenoh
+
+from zbot.errors import CallbackSignatureError
+from zbot.log import get_logger
+from zbot.qos import DurabilityPolicy, HistoryPolicy
+from zbot.wire.attachment import LAYOUT
+from zbot.wire.codec import CodecError
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+    from typing_extensions import Self
+
+    from zbot.callback_group import CallbackGroup
+    from zbot.context import Context
+    from zbot.mailbox import Mailbox
+    from zbot.qos import QoSProfile
+    from zbot.wire.tokens import EndpointToken
+
+MsgT = TypeVar("MsgT")
+
+# A keep-all queue that is full holds up its publishers (Zenoh's BLOCK), so it need not be long.
+_KEEP_ALL_QUEUE = 256
+# Publishers that restart for days leave their numbers behind: forget all after this many.
+_MOST_SOURCES = 1024
+
+
+class MessageInfo(TypedDict):
+    """What a two-argument callback learns about its message; times in nanoseconds since the epoch."""
+
+    source_timestamp: int
+    received_timestamp: int
+    publication_sequence_number: int
+    reception_sequence_number: int
+
+
+class _Source:
+    """One publisher, as this subscription sees it."""
+
+    __slots__ = ("is_accepted", "is_special", "lifespan_ns", "next_sequence")
+
+    def __init__(self, next_sequence: int, *, is_accepted: bool, lifespan_ns: int) -> None:
+        self.next_sequence = next_sequence
+        self.is_accepted = is_accepted
+        self.lifespan_ns = lifespan_ns
+        self.is_special = bool(lifespan_ns) or not is_accepted
+
+
+class Subscription(Generic[MsgT]):
+    """Calls a function for every message of a topic. Made by `Node.create_subscription`.
+
+    Args:
+        context: The session to listen through.
+        msg_type: Message class.
+        callback: Takes the message, or the message and its `MessageInfo`; may be a coroutine function.
+        token: Who and where this subscription is.
+        mailbox: The node's way to its executor.
+        callback_group: Decides beside what the callback may run.
+        raw: Hand the payload's bytes to the callback, undecoded.
+        logger_name: The node's logger.
+    """
+
+    class CallbackType(Enum):
+        """How many arguments the callback takes."""
+
+        MessageOnly = 0
+        WithMessageInfo = 1
+
+    due_ns: int | None = None
+
+    def __init__(
+        self,
+        context: Context,
+        msg_type: type[MsgT],
+        callback: Callable[..., Any],
+        token: EndpointToken,
+        *,
+        mailbox: Mailbox,
+        callback_group: CallbackGroup,
+        raw: bool,
+        logger_name: str,
+    ) -> None:
+        self.msg_type = msg_type
+        self.callback_group = callback_group
+        self.callback = callback
+        self.raw = raw
+        self.event_handlers: list[Any] = []
+        self.lost_count = 0  #: messages that were published and never came out of the queue
+        self.refused_count = 0  #: messages that could not be read, or had another type
+        self._on_lost: Callable[[int], None] | None = None
+        self._context = context
+        self._token = token
+        self._mailbox = mailbox
+        self._logger_name = logger_name
+        self._decode = bytes if raw else context.dialect.codec_for(msg_type).decode
+        self._sources: dict[bytes, _Source] = {}
+        self.received_count = 0  #: messages that the callback got
+        self._keep_all = token.qos.history is HistoryPolicy.KEEP_ALL
+        self._queue: deque[zenoh.Sample] = deque(
+            maxlen=None if self._keep_all else max(token.qos.depth, 1)
+        )
+        self._subscriber: Any = _declare(context, token)
+        self._channel = self._subscriber.handler
+        self._try_recv = self._channel.try_recv
+        self._armed = threading.Lock()
+        self._thread = threading.Thread(
+            target=self._listen, name=f"zbot {token.name}", daemon=True
+        )
+        self._is_waiting = False
+        self._is_destroyed = False
+        self._liveliness = context.session.liveliness().declare_token(token.key)
+
+    def start(self) -> None:
+        """Begin to listen; the executor learns of messages through the mailbox."""
+        self._armed.acquire()
+        self._thread.start()
+
+    @property
+    def callback(self) -> Callable[..., Any]:
+        """The function that gets the messages."""
+        return self._callback
+
+    @callback.setter
+    def callback(self, callback: Callable[..., Any]) -> None:
+        self._with_info = _wants_info(callback)
+        self._callback = callback
+
+    @property
+    def handle(self) -> Any:
+        """The Zenoh subscriber."""
+        return self._subscriber
+
+    @property
+    def topic_name(self) -> str:
+        """The topic's full name."""
+        return self._token.name
+
+    @property
+    def topic(self) -> str:
+        """The topic's full name."""
+        return self._token.name
+
+    @property
+    def qos_profile(self) -> QoSProfile:
+        """The quality of service it was made with."""
+        return self._token.qos
+
+    @property
+    def token(self) -> EndpointToken:
+        """What the graph shows of it."""
+        return self._token
+
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger."""
+        return self._logger_name
+
+    def get_publisher_count(self) -> int:
+        """Return how many publishers the topic has in the whole domain."""
+        return len(self._context.graph.snapshot().publishers(self.topic_name))
+
+    # -- receiving -----------------------------------------------------------------------------
+
+    def _listen(self) -> None:
+        receive, queue, armed = self._channel.recv, self._queue, self._armed
+        while True:
+            try:
+                sample = receive()
+            except zenoh.ZError:
+                return  # undeclared, or the session was closed
+            queue.append(sample)
+            self._is_waiting = True
+            self._mailbox.post(self)
+            armed.acquire()
+
+    def take(self) -> zenoh.Sample | None:
+        """Return the oldest sample that the profile's history still keeps, if any."""
+        queue = self._queue
+        if self._is_waiting:
+            if self._keep_all:
+                if not queue and (sample := self._try_recv()) is not None:
+                    return sample
+            else:
+                while (sample := self._try_recv()) is not None:
+                    queue.append(sample)
+            if queue:
+                return queue.popleft()
+            self._is_waiting = False
+            self._armed.release()
+        return None
+
+    def execute(self, sample: zenoh.Sample) -> Any:
+        """Decode a sample and call the callback; a sample that cannot be read is counted and reported."""
+        facts = None
+        attachment = sample.attachment
+        if attachment is not None:
+            data = attachment.to_bytes()
+            if len(data) == LAYOUT.size:
+                facts = sequence, _, _, gid = LAYOUT.unpack(data)
+                source = self._sources.get(gid) or self._greet(sample, sequence, gid)
+                if sequence != source.next_sequence:
+                    self._lose(sequence - source.next_sequence)
+                source.next_sequence = sequence + 1
+                if source.is_special and not self._accepts(source, facts):
+                    return None
+        try:
+            message = self._decode(sample.payload.to_bytes())
+        except CodecError as exc:
+            self._refuse(str(exc))
+            return None
+        if self._is_destroyed:
+            return None
+        self.received_count += 1
+        if self._with_info:
+            return self._callback(message, self._info(facts))
+        return self._callback(message)
+
+    @staticmethod
+    def _accepts(source: _Source, facts: tuple[int, int, int, bytes]) -> bool:
+        if source.lifespan_ns and time.time_ns() - facts[1] > source.lifespan_ns:
+            return False
+        return source.is_accepted
+
+    def _greet(self, sample: zenoh.Sample, sequence: int, gid: bytes) -> _Source:
+        if len(self._sources) >= _MOST_SOURCES:
+            self._sources.clear()
+        told = str(sample.encoding)
+        accepted = told == self._context.dialect.encoding(self._token.type_name) or (
+            ";" not in told
+        )
+        if not accepted and not self.raw:
+            self._refuse(f"it is {told.partition(';')[2]}, not {self._token.type_name}")
+        publisher = self._context.graph.find(gid)
+        lifespan = 0 if publisher is None else publisher.qos.lifespan.nanoseconds
+        own = self._token.qos.lifespan.nanoseconds
+        limits = [limit for limit in (lifespan, own) if 0 < limit < 2**63 - 1]
+        source = _Source(
+            sequence, is_accepted=accepted or self.raw, lifespan_ns=min(limits, default=0)
+        )
+        self._sources[gid] = source
+        return source
+
+    def _lose(self, missing: int) -> None:
+        if missing < 0:
+            return  # the publisher's threads overtook each other, or it sent a cached message again
+        first = self.lost_count == 0
+        self.lost_count += missing
+        if self._on_lost is not None:
+            self._on_lost(missing)
+        elif first:
+            get_logger(self._logger_name).warning(
+                f"{self.topic_name}: {missing} messages lost: they come faster than the callback takes them "
+                f"(queue depth {self._token.qos.depth}; further losses are only counted)"
+            )
+
+    def _refuse(self, reason: str) -> None:
+        self.refused_count += 1
+        if self.refused_count == 1:
+            get_logger(self._logger_name).error(
+                f"{self.topic_name}: cannot read a message: {reason} (further ones are only counted)"
+            )
+
+    def _info(self, facts: tuple[int, int, int, bytes] | None) -> MessageInfo:
+        sequence, stamp_ns = (0, 0) if facts is None else facts[:2]
+        return MessageInfo(
+            source_timestamp=stamp_ns,
+            received_timestamp=time.time_ns(),
+            publication_sequence_number=sequence,
+            reception_sequence_number=self.received_count,
+        )
+
+    def report_losses_to(self, listener: Callable[[int], None]) -> None:
+        """Call `listener(missing)` in the executor's thread when messages were lost."""
+        self._on_lost = listener
+
+    def destroy(self) -> None:
+        """Stop listening; may be called twice, also in the callback."""
+        if self._is_destroyed:
+            return
+        self._is_destroyed = True
+        for handler in self.event_handlers:
+            handler.destroy()
+        if not self._context.is_closed:
+            self._liveliness.undeclare()
+            self._subscriber.undeclare()
+        if self._is_waiting:
+            self._is_waiting = False
+            self._armed.release()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.destroy()
+
+
+def _wants_info(callback: Callable[..., Any]) -> bool:
+    """Return whether a callback takes the message's info too.
+
+    Raises:
+        CallbackSignatureError: It takes neither one nor two arguments.
+    """
+    try:
+        signature = inspect.signature(callback)
+    except (TypeError, ValueError):
+        return False  # some builtins have no signature; list.append is a popular callback
+    for arguments in ((None,), (None, None)):
+        try:
+            signature.bind(*arguments)
+        except TypeError:
+            continue
+        return len(arguments) == 2
+    raise CallbackSignatureError("a subscription's callback", "(message) or (message, info)")
+
+
+def _declare(context: Context, token: EndpointToken) -> Any:
+    qos = token.qos
+    depth = max(qos.depth, 1)
+    channel: Any = zenoh.handlers.RingChannel(depth)
+    if qos.history is HistoryPolicy.KEEP_ALL:
+        channel, depth = zenoh.handlers.FifoChannel(_KEEP_ALL_QUEUE), _KEEP_ALL_QUEUE
+    key = context.dialect.topic_key(context.get_domain_id(), token.name)
+    if qos.durability is not DurabilityPolicy.TRANSIENT_LOCAL:
+        return context.session.declare_subscriber(key, channel)
+    import zenoh.ext as advanced  # noqa: PLC0415 - only latched topics need it
+
+    return advanced.declare_advanced_subscriber(
+        context.session,
+        key,
+        channel,
+        history=advanced.HistoryConfig(detect_late_publishers=True, max_samples=depth),
+        recovery=advanced.RecoveryConfig(heartbeat=True),
+        subscriber_detection=True,
+    )

@@ -1,0 +1,189 @@
+"""Futures, and the coroutines of callbacks as tasks that an executor runs."""
+
+from __future__ import annotations
+
+import inspect
+import threading
+from collections.abc import Callable, Coroutine, Generator
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
+
+from zbot.errors import FutureStateError
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
+
+T = TypeVar("T")
+
+
+class Future(Generic[T]):
+    """A result that comes later; `await` it in a callback, or give it to `spin_until_future_complete`.
+
+    Done callbacks run on the executor if the future has one, else on the thread that completes it.
+
+    Args:
+        executor: Runs the done callbacks; may be left out.
+    """
+
+    def __init__(self, *, executor: Any = None) -> None:
+        self._executor = executor
+        self._lock = threading.Lock()
+        self._state = "pending"
+        self._result: T | None = None
+        self._exception: BaseException | None = None
+        self._exception_fetched = False
+        self._callbacks: list[Callable[[Self], Any]] = []
+
+    def __await__(self) -> Generator[Future[T], None, T | None]:
+        while not self.done():
+            yield self
+        return self.result()
+
+    def cancel(self) -> None:
+        """Mark as cancelled and run the done callbacks; nothing happens when already done."""
+        self._complete("cancelled")
+
+    def cancelled(self) -> bool:
+        """Return whether it was cancelled."""
+        return self._state == "cancelled"
+
+    def done(self) -> bool:
+        """Return whether a result or exception is set, or it was cancelled."""
+        return self._state != "pending"
+
+    def result(self) -> T | None:
+        """Return the result, `None` while there is none; raise the exception if that was set."""
+        if self._exception is not None:
+            self._exception_fetched = True
+            raise self._exception
+        return self._result
+
+    def exception(self) -> BaseException | None:
+        """Return the exception that was set, if any."""
+        self._exception_fetched = True
+        return self._exception
+
+    def set_result(self, result: T) -> None:
+        """Complete with a result.
+
+        Raises:
+            FutureStateError: It is already done.
+        """
+        if not self._complete("done", result=result):
+            raise FutureStateError(self._state)
+
+    def set_exception(self, exception: BaseException) -> None:
+        """Complete with an exception, which `result()` and `await` raise.
+
+        Raises:
+            FutureStateError: It is already done.
+        """
+        if not self._complete("done", exception=exception):
+            raise FutureStateError(self._state)
+
+    def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
+        """Call `callback(self)` when done, at once if it is."""
+        with self._lock:
+            if not self.done():
+                self._callbacks.append(callback)
+                return
+        self._run(callback)
+
+    def remove_done_callback(self, callback: Callable[[Self], Any]) -> bool:
+        """Take every occurrence of a callback back; return whether there was one."""
+        with self._lock:
+            kept = [known for known in self._callbacks if known != callback]
+            removed = len(kept) < len(self._callbacks)
+            self._callbacks = kept
+        return removed
+
+    def _complete(
+        self, state: str, *, result: T | None = None, exception: BaseException | None = None
+    ) -> bool:
+        with self._lock:
+            if self.done():
+                return False
+            self._result, self._exception, self._state = result, exception, state
+            callbacks, self._callbacks = self._callbacks, []
+        for callback in callbacks:
+            self._run(callback)
+        return True
+
+    def _run(self, callback: Callable[[Self], Any]) -> None:
+        if self._executor is None:
+            callback(self)
+        else:
+            self._executor.create_task(callback, self)
+
+
+class Task(Future[T]):
+    """A function or coroutine that an executor runs, step by step, until its result is there.
+
+    Args:
+        handler: A function, a coroutine function, or a coroutine.
+        args: Positional arguments of the function.
+        kwargs: Keyword arguments of the function.
+        executor: Where the next step is scheduled when something awaited is ready.
+    """
+
+    def __init__(
+        self,
+        handler: Callable[..., Any] | Coroutine[Any, Any, T],
+        args: tuple[Any, ...] = (),
+        kwargs: dict[str, Any] | None = None,
+        *,
+        executor: Any = None,
+    ) -> None:
+        super().__init__(executor=executor)
+        if inspect.iscoroutine(handler):
+            self._coroutine: Coroutine[Any, Any, T] | None = handler
+        else:
+            function = cast("Callable[..., Any]", handler)
+            self._coroutine = None
+            self._call = lambda: function(*args, **(kwargs or {}))
+        self._stepping = threading.Lock()
+
+    def __call__(self) -> None:
+        """Run until the next `await` that is not ready, or to the end."""
+        with self._stepping:
+            if not self.done():
+                try:
+                    self._step()
+                except BaseException as exc:
+                    self._complete("done", exception=exc)
+                    if not isinstance(exc, Exception):
+                        raise
+
+    def executing(self) -> bool:
+        """Return whether a thread is running a step right now."""
+        return self._stepping.locked()
+
+    def cancel(self) -> None:
+        """Stop at the present `await`; a function that has begun runs to its end."""
+        if self._coroutine is not None and not self.executing():
+            self._coroutine.close()
+        super().cancel()
+
+    def _step(self) -> None:
+        if self._coroutine is None:
+            outcome = self._call()
+            if not inspect.iscoroutine(outcome):
+                self._complete("done", result=outcome)
+                return
+            self._coroutine = outcome
+        try:
+            awaited = self._coroutine.send(None)
+        except StopIteration as stop:
+            self._complete("done", result=stop.value)
+        else:
+            self._resume_after(awaited)
+
+    def _resume_after(self, awaited: object) -> None:
+        if isinstance(awaited, Future):
+            # Added without the future's own executor in between: the task decides where it goes on.
+            awaited.add_done_callback(lambda _: self._schedule())
+        else:
+            self._schedule()
+
+    def _schedule(self) -> None:
+        if self._executor is not None:
+            self._executor.schedule(self)

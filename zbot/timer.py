@@ -1,0 +1,228 @@
+"""Timers and rates: drift-free periods on any clock."""
+
+from __future__ import annotations
+
+import inspect
+import time
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from zbot.clock import ROSClock
+from zbot.errors import CallbackSignatureError, InvalidHandleError, RateInterruptedError
+from zbot.time import Duration, Time
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.callback_group import CallbackGroup
+    from zbot.clock import Clock
+    from zbot.context import Context
+    from zbot.mailbox import Mailbox
+
+
+@dataclass(frozen=True)
+class TimerInfo:
+    """When a timer was to run, and when it did."""
+
+    expected_call_time: Time
+    actual_call_time: Time
+
+
+class Timer:
+    """Calls a function every period. Made by `Node.create_timer`.
+
+    A timer that is late calls once and goes on in its old rhythm: missed periods are skipped, and the
+    mean rate stays exact. On a simulated clock it follows `/clock`, else the monotonic clock.
+
+    Args:
+        callback: Called without arguments, or with a `TimerInfo`; may be a coroutine function.
+        callback_group: Decides beside what it may run.
+        period_ns: Nanoseconds, 0 or more.
+        clock: The clock that it follows.
+        mailbox: The node's way to its executor.
+        autostart: Whether it runs before the first `reset()`.
+    """
+
+    def __init__(
+        self,
+        callback: Callable[..., Any] | None,
+        callback_group: CallbackGroup,
+        period_ns: int,
+        clock: Clock,
+        mailbox: Mailbox,
+        *,
+        autostart: bool = True,
+    ) -> None:
+        self.callback = callback
+        self.callback_group = callback_group
+        self._clock = clock
+        self._mailbox = mailbox
+        self._period_ns = period_ns
+        self._is_canceled = not autostart
+        self._is_destroyed = False
+        self._last_ns = self._now_ns()
+        self._next_ns = self._last_ns + period_ns
+        self._subscription = (
+            clock.on_time_change(self._on_time_change) if isinstance(clock, ROSClock) else None
+        )
+
+    @property
+    def callback(self) -> Callable[..., Any] | None:
+        """The function that is called."""
+        return self._callback
+
+    @callback.setter
+    def callback(self, callback: Callable[..., Any] | None) -> None:
+        self._with_info = callback is not None and _wants_info(callback)
+        self._callback = callback
+
+    @property
+    def clock(self) -> Clock:
+        """The clock that it follows."""
+        return self._clock
+
+    @property
+    def timer_period_ns(self) -> int:
+        """The period in nanoseconds; a new one counts from the last call."""
+        return self._period_ns
+
+    @timer_period_ns.setter
+    def timer_period_ns(self, value: int) -> None:
+        self._period_ns = int(value)
+        self._next_ns = self._last_ns + self._period_ns
+        self._mailbox.post(self)
+
+    @property
+    def due_ns(self) -> int | None:
+        """When it wants to run, on the monotonic clock; `None` if canceled or on simulated time."""
+        return None if self._is_canceled or self._is_simulated else self._next_ns
+
+    @property
+    def _is_simulated(self) -> bool:
+        return isinstance(self._clock, ROSClock) and self._clock.ros_time_is_active
+
+    def _now_ns(self) -> int:
+        return self._clock.now().nanoseconds if self._is_simulated else time.monotonic_ns()
+
+    def _on_time_change(self, *_: Any) -> None:
+        now = self._now_ns()
+        if abs(self._next_ns - now) > self._period_ns:  # the clock jumped, or is another one now
+            self._last_ns, self._next_ns = now, now + self._period_ns
+        self._mailbox.post(self)
+
+    def take(self) -> TimerInfo | None:
+        """Return the call that is due, and schedule the next one."""
+        now = self._now_ns()
+        if self._is_canceled or now < self._next_ns:
+            return None
+        clock_now = self._clock.now()
+        late = Duration(nanoseconds=now - self._next_ns)
+        self._last_ns = now
+        behind = (now - self._next_ns) // self._period_ns if self._period_ns else 0
+        self._next_ns = self._next_ns + (behind + 1) * self._period_ns if self._period_ns else now
+        return TimerInfo(clock_now - late, clock_now)
+
+    def execute(self, info: TimerInfo) -> Any:
+        """Call the callback."""
+        if self._is_canceled or self._callback is None:
+            return None
+        return self._callback(info) if self._with_info else self._callback()
+
+    def is_ready(self) -> bool:
+        """Return whether a call is due."""
+        return not self._is_canceled and self._now_ns() >= self._next_ns
+
+    def is_canceled(self) -> bool:
+        """Return whether it was canceled and not reset since."""
+        return self._is_canceled
+
+    def cancel(self) -> None:
+        """Stop calling until `reset()`; a call that is under way ends normally."""
+        self._is_canceled = True
+
+    def reset(self) -> None:
+        """Begin a new period now, also after `cancel()`.
+
+        Raises:
+            InvalidHandleError: The timer was destroyed.
+        """
+        if self._is_destroyed:
+            raise InvalidHandleError("the timer")
+        self._last_ns = self._now_ns()
+        self._next_ns = self._last_ns + self._period_ns
+        self._is_canceled = False
+        self._mailbox.post(self)
+
+    def time_since_last_call(self) -> int:
+        """Return nanoseconds since the last call, or since the start."""
+        return self._now_ns() - self._last_ns
+
+    def time_until_next_call(self) -> int | None:
+        """Return nanoseconds until the next call, negative when late; `None` if canceled."""
+        return None if self._is_canceled else self._next_ns - self._now_ns()
+
+    def destroy(self) -> None:
+        """Never call again; may be called twice."""
+        self._is_destroyed = self._is_canceled = True
+        if self._subscription is not None:
+            self._subscription.unregister()
+            self._subscription = None
+
+
+def _wants_info(callback: Callable[..., Any]) -> bool:
+    """Return whether a timer's callback takes a `TimerInfo`.
+
+    Raises:
+        CallbackSignatureError: It cannot be called with none or one argument.
+    """
+    try:
+        signature = inspect.signature(callback)
+    except (TypeError, ValueError):
+        return False
+    for arguments in ((), (None,)):
+        try:
+            signature.bind(*arguments)
+        except TypeError:
+            continue
+        return bool(arguments)
+    raise CallbackSignatureError("a timer's callback", "() or (timer_info)")
+
+
+class Rate:
+    """Sleeps so that a loop runs at a frequency. Made by `Node.create_rate`.
+
+    Unlike rclpy's it needs no executor spinning in another thread.
+
+    Args:
+        period_ns: Nanoseconds, more than 0.
+        clock: The clock that it follows.
+        context: Its shutdown ends a sleep.
+    """
+
+    def __init__(self, period_ns: int, clock: Clock, context: Context) -> None:
+        self._period = Duration(nanoseconds=period_ns)
+        self._clock = clock
+        self._context = context
+        self._next = clock.now() + self._period
+        self._is_destroyed = False
+
+    def sleep(self) -> None:
+        """Sleep until the next multiple of the period; at once if that is past.
+
+        Raises:
+            RateInterruptedError: The context was shut down.
+            InvalidHandleError: The rate was destroyed.
+        """
+        if self._is_destroyed:
+            raise InvalidHandleError("the rate")
+        now = self._clock.now()
+        if now >= self._next + self._period:  # a loop that takes too long starts a new rhythm
+            self._next = now
+        self._clock.sleep_until(self._next, self._context)
+        self._next += self._period
+        if not self._context.ok():
+            raise RateInterruptedError
+
+    def destroy(self) -> None:
+        """Refuse to sleep from now on."""
+        self._is_destroyed = True
