@@ -15,8 +15,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 _SHIPPED = Path(__file__).parent / "defs"
-# The package has two names in ROS 2: its interfaces moved to turtlesim_msgs in 2025.
-_ALIASES = {"turtlesim_msgs": "turtlesim"}
 
 
 def definition_file(package: str, kind: str, short: str) -> Path | None:
@@ -39,20 +37,21 @@ def package_folders(package: str) -> Iterator[Path]:
     """The folders with definitions of a package, cheapest place to look at first."""
     if not package.isidentifier():  # also keeps `..` and the like out of the paths below
         return
-    yield from filter(Path.is_dir, (_SHIPPED / package,))
-    if package in _ALIASES:
-        yield _SHIPPED / _ALIASES[package]
+    yield from filter(has_definitions, (_SHIPPED / package,))
     yield from _workspace().get(package, ())
     for share in _ament_shares():
         yield from filter(has_definitions, (share / package,))
     yield from _python_package_folders(package)
 
 
+def shipped_packages() -> list[str]:
+    """The packages whose definitions come with zbot, sorted."""
+    return sorted(folder.name for folder in _SHIPPED.iterdir() if has_definitions(folder))
+
+
 def known_packages() -> set[str]:
     """Every package that has definitions somewhere."""
-    names = {folder.name for folder in _SHIPPED.iterdir() if folder.is_dir()}
-    names |= {alias for alias, package in _ALIASES.items() if package in names}
-    names |= set(_workspace())
+    names = {*shipped_packages(), *_workspace()}
     for share in _ament_shares():
         index = share / "ament_index" / "resource_index" / "rosidl_interfaces"
         names |= {entry.name for entry in index.glob("*") if has_definitions(share / entry.name)}

@@ -38,9 +38,6 @@ class Service:
 
     SPEC: ClassVar[ServiceSpec]
     TYPE_NAME: ClassVar[str]
-    Request: ClassVar[type[Any]]
-    Response: ClassVar[type[Any]]
-    Event: ClassVar[type[Any]]
 
     def __init__(self) -> None:
         raise NotImplementedError("Service classes can not be instantiated")
@@ -51,10 +48,6 @@ class Action:
 
     SPEC: ClassVar[ActionSpec]
     TYPE_NAME: ClassVar[str]
-    Goal: ClassVar[type[Any]]
-    Result: ClassVar[type[Any]]
-    Feedback: ClassVar[type[Any]]
-    Impl: ClassVar[type[Any]]
 
     def __init__(self) -> None:
         raise NotImplementedError("Action classes can not be instantiated")

@@ -1,0 +1,2 @@
+# Written by python -m zbot.interfaces.stubs; do not edit.
+from action_tutorials_interfaces import action as action
