@@ -5,11 +5,11 @@ from __future__ import annotations
 from struct import Struct
 from typing import NamedTuple
 
-__all__ = ["GID_LENGTH", "Attachment", "pack", "unpack"]
+__all__ = ["GID_LENGTH", "LAYOUT", "Attachment", "pack", "unpack"]
 
 GID_LENGTH = 16
 # The lone byte is the gid's length: rmw_zenoh serialises an array of bytes with its length first.
-_LAYOUT = Struct("<qqB16s")
+LAYOUT = Struct("<qqB16s")
 
 
 class Attachment(NamedTuple):
@@ -22,7 +22,7 @@ class Attachment(NamedTuple):
 
 def pack(sequence_number: int, source_ns: int, gid: bytes) -> bytes:
     """Return the attachment's 33 bytes."""
-    return _LAYOUT.pack(sequence_number, source_ns, GID_LENGTH, gid)
+    return LAYOUT.pack(sequence_number, source_ns, GID_LENGTH, gid)
 
 
 def unpack(data: bytes | bytearray | memoryview | None) -> Attachment | None:
@@ -30,9 +30,9 @@ def unpack(data: bytes | bytearray | memoryview | None) -> Attachment | None:
 
     Any Zenoh program may publish on a topic, so a foreign attachment is no error.
     """
-    if data is None or len(data) != _LAYOUT.size:
+    if data is None or len(data) != LAYOUT.size:
         return None
-    sequence_number, source_ns, length, gid = _LAYOUT.unpack(data)
+    sequence_number, source_ns, length, gid = LAYOUT.unpack(data)
     if length != GID_LENGTH or sequence_number < 0 or source_ns < 0:
         return None
     return Attachment(sequence_number, source_ns, gid)

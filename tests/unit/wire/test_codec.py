@@ -1,0 +1,225 @@
+from __future__ import annotations
+
+import math
+import threading
+from array import array
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+import msgpack  # type: ignore[import-untyped]
+import pytest
+
+from zbot.errors import CodecError, NotAMessageTypeError
+from zbot.interfaces import get_interface, get_message
+from zbot.wire.codec import codec_for
+
+packb: Any = msgpack.packb
+
+
+def class_of(name: str) -> Any:
+    """Return a message class, of which type checkers know no fields."""
+    return get_message(name)
+
+
+String = class_of("std_msgs/msg/String")
+Twist = class_of("geometry_msgs/msg/Twist")
+Image = class_of("sensor_msgs/msg/Image")
+LaserScan = class_of("sensor_msgs/msg/LaserScan")
+Odometry = class_of("nav_msgs/msg/Odometry")
+Path = class_of("nav_msgs/msg/Path")
+Float32 = class_of("std_msgs/msg/Float32")
+Float64 = class_of("std_msgs/msg/Float64")
+ByteMultiArray = class_of("std_msgs/msg/ByteMultiArray")
+Byte = class_of("std_msgs/msg/Byte")
+
+
+def encode(value: Any) -> bytes:
+    return codec_for(type(value)).encode(value)
+
+
+def decode(message_class: Any, value: Any) -> Any:
+    data = value if isinstance(value, (bytes, bytearray, memoryview)) else packb(value)
+    return codec_for(message_class).decode(data)
+
+
+@pytest.mark.parametrize(
+    ("message", "value"),
+    [
+        (String(data="hé"), {"data": "hé"}),
+        (class_of("std_msgs/msg/Empty")(), {}),
+        (
+            Twist(linear=class_of("geometry_msgs/msg/Vector3")(x=0.5)),
+            {"linear": {"x": 0.5, "y": 0.0, "z": 0.0}, "angular": {"x": 0.0, "y": 0.0, "z": 0.0}},
+        ),
+        (class_of("std_msgs/msg/Bool")(data=True), {"data": True}),
+        (Byte(data=b"\x07"), {"data": 7}),
+        (
+            ByteMultiArray(data=[b"\x01", b"\xff"]),
+            {"layout": {"dim": [], "data_offset": 0}, "data": b"\1\xff"},
+        ),
+        (
+            class_of("std_msgs/msg/UInt8MultiArray")(data=b"\1\2"),
+            {"layout": {"dim": [], "data_offset": 0}, "data": b"\1\2"},
+        ),
+        (
+            class_of("std_msgs/msg/Int16MultiArray")(data=[1, -2]),
+            {
+                "layout": {"dim": [], "data_offset": 0},
+                "data": msgpack.ExtType(ord("h"), b"\x01\x00\xfe\xff"),
+            },
+        ),
+        (
+            class_of("unique_identifier_msgs/msg/UUID")(uuid=range(16)),
+            {"uuid": bytes(range(16))},
+        ),
+    ],
+)
+def test_bytes_are_those_of_plain_msgpack(message: Any, value: Any) -> None:
+    assert encode(message) == packb(value)
+    assert decode(type(message), value) == message
+
+
+def test_the_readme_of_the_wire_byte_by_byte() -> None:
+    assert encode(String(data="hi")) == b"\x81\xa4data\xa2hi"
+
+
+def test_extension_codes_are_array_typecodes() -> None:
+    for name, typecode in [
+        ("Int8", "b"),
+        ("Int16", "h"),
+        ("UInt16", "H"),
+        ("Int32", "i"),
+        ("UInt32", "I"),
+        ("Int64", "q"),
+        ("UInt64", "Q"),
+        ("Float32", "f"),
+        ("Float64", "d"),
+    ]:
+        message = class_of(f"std_msgs/msg/{name}MultiArray")(data=[1, 2, 3])
+        extension = msgpack.unpackb(encode(message))["data"]
+        assert (extension.code, len(extension.data)) == (
+            ord(typecode),
+            3 * array(typecode).itemsize,
+        )
+        assert decode(type(message), encode(message)).data == array(typecode, [1, 2, 3])
+
+
+def test_a_nested_numeric_array_is_an_extension_too() -> None:
+    odometry = Odometry()
+    odometry.pose.covariance[35] = 2.5
+    value = msgpack.unpackb(encode(odometry))
+    assert value["pose"]["covariance"].code == ord("d")
+    assert decode(Odometry, encode(odometry)) == odometry
+
+
+def test_a_map_with_many_fields_keeps_its_order() -> None:
+    marker = class_of("visualization_msgs/msg/Marker")(id=5, text="here")
+    value = msgpack.unpackb(encode(marker))
+    assert list(value) == list(type(marker).get_fields_and_field_types())
+    assert decode(type(marker), encode(marker)) == marker
+
+
+def test_nan_survives() -> None:
+    assert math.isnan(decode(Float32, encode(Float32(data=math.nan))).data)
+
+
+def test_a_large_image_survives_whatever_holds_its_bytes() -> None:
+    image = Image(height=1000, width=300, data=array("B", bytes(range(250)) * 1200))
+    data = encode(image)
+    for held in (data, bytearray(data), memoryview(data)):
+        received = codec_for(Image).decode(held)
+        assert received == image
+        assert type(received.data) is array
+    assert msgpack.unpackb(data)["data"] == image.data.tobytes()
+
+
+def test_large_arrays_of_numbers_survive() -> None:
+    scan = LaserScan(ranges=array("f", range(50_000)), intensities=array("f", range(40_000)))
+    scan.header.frame_id = "laser"
+    assert decode(LaserScan, encode(scan)) == scan
+
+
+def test_long_lists_survive() -> None:
+    path = Path(poses=[class_of("geometry_msgs/msg/PoseStamped")() for _ in range(1500)])
+    assert decode(Path, encode(path)) == path
+
+
+def test_received_arrays_can_be_changed() -> None:
+    odometry = decode(Odometry, encode(Odometry()))
+    odometry.pose.covariance[0] = 1.0
+    image = decode(Image, encode(Image(data=b"\1\2")))
+    image.data[0] = 9
+    assert (odometry.pose.covariance[0], list(image.data)) == (1.0, [9, 2])
+
+
+@dataclass
+class Reading:
+    name: str
+    count: int
+    ratio: float
+    blob: bytes
+    values: list[float]
+    small: Annotated[int, "uint8"] = 3
+    where: Annotated[Any, "geometry_msgs/Twist"] = None
+
+
+def test_dataclasses_are_messages() -> None:
+    reading = Reading("a", 2, 0.5, b"\1\2", [1.0, 2.0], 4, Twist())
+    received = decode(Reading, encode(reading))
+    assert received == reading
+    assert (type(received.blob), type(received.values)) == (bytes, list)
+
+
+def test_a_dataclass_with_wrong_values_is_not_sent() -> None:
+    with pytest.raises(CodecError, match="'small'"):
+        encode(Reading("a", 2, 0.5, b"", [], 256, Twist()))
+
+
+@dataclass
+class Picky:
+    value: int
+
+    def __post_init__(self) -> None:
+        if self.value == 13:
+            raise KeyError("thirteen")
+
+
+def test_a_dataclass_that_refuses_its_values_is_a_codec_error() -> None:
+    with pytest.raises(CodecError, match="KeyError: 'thirteen'"):
+        decode(Picky, {"value": 13})
+
+
+def test_the_encoding_names_the_type() -> None:
+    assert codec_for(String).encoding == "application/msgpack;std_msgs/msg/String"
+
+
+def test_a_codec_is_made_once() -> None:
+    assert codec_for(String) is codec_for(String)
+
+
+def test_the_generated_source_can_be_read() -> None:
+    assert "def to_map(message):" in codec_for(Twist).source
+    assert "FLOAT32_MAX" in codec_for(Float32).source
+
+
+@pytest.mark.parametrize("wrong", [int, 5, get_interface("std_srvs/srv/Trigger")])
+def test_only_messages_have_codecs(wrong: Any) -> None:
+    with pytest.raises(NotAMessageTypeError):
+        codec_for(wrong)
+
+
+def test_threads_share_codecs() -> None:
+    failures: list[str] = []
+
+    def work(number: int) -> None:
+        for _ in range(300):
+            message = String(data=str(number) * 50)
+            if decode(String, encode(message)) != message:
+                failures.append(message.data)
+
+    threads = [threading.Thread(target=work, args=(number,)) for number in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert not failures

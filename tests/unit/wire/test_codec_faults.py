@@ -1,0 +1,245 @@
+from __future__ import annotations
+
+import math
+from array import array
+from typing import Any
+
+import msgpack  # type: ignore[import-untyped]
+import pytest
+
+from zbot.errors import CodecError
+from zbot.interfaces import get_message, register_spec
+from zbot.interfaces.parser import parse_message
+from zbot.wire.codec import codec_for
+
+packb: Any = msgpack.packb
+
+
+def class_of(name: str) -> Any:
+    """Return a message class, of which type checkers know no fields."""
+    return get_message(name)
+
+
+String = class_of("std_msgs/msg/String")
+Twist = class_of("geometry_msgs/msg/Twist")
+Image = class_of("sensor_msgs/msg/Image")
+LaserScan = class_of("sensor_msgs/msg/LaserScan")
+Odometry = class_of("nav_msgs/msg/Odometry")
+Path = class_of("nav_msgs/msg/Path")
+Float32 = class_of("std_msgs/msg/Float32")
+Float64 = class_of("std_msgs/msg/Float64")
+UInt8 = class_of("std_msgs/msg/UInt8")
+ByteMultiArray = class_of("std_msgs/msg/ByteMultiArray")
+JointState = class_of("sensor_msgs/msg/JointState")
+Byte = class_of("std_msgs/msg/Byte")
+
+
+def encode(value: Any) -> bytes:
+    return codec_for(type(value)).encode(value)
+
+
+def decode(message_class: Any, value: Any) -> Any:
+    data = value if isinstance(value, (bytes, bytearray, memoryview)) else packb(value)
+    return codec_for(message_class).decode(data)
+
+
+def made(name: str, text: str) -> Any:
+    """Return the class of a definition that exists only in these tests."""
+    register_spec(parse_message(f"codec_tests/msg/{name}", text))
+    return get_message(f"codec_tests/msg/{name}")
+
+
+def test_absent_fields_get_their_defaults() -> None:
+    message_class = made("Defaults", 'float64 speed 1.5\nint32[] ids [1, 2]\nstring name "n"\n')
+    assert decode(message_class, {}) == message_class()
+    assert decode(message_class, {"speed": 2.0}).ids == array("i", [1, 2])
+
+
+def test_unknown_fields_are_ignored() -> None:
+    value = {"data": "x", "new": {"deep": [1, {"er": msgpack.ExtType(99, b"?")}]}}
+    assert decode(String, value) == String(data="x")
+
+
+def test_plain_lists_of_numbers_are_accepted() -> None:
+    scan = decode(LaserScan, {"ranges": [1, 2.5, math.inf], "intensities": []})
+    assert scan.ranges == array("f", [1.0, 2.5, math.inf])
+    assert decode(Image, {"data": [1, 255]}).data == array("B", [1, 255])
+    assert list(decode(Odometry, {"pose": {"covariance": [1] * 36}}).pose.covariance) == [1.0] * 36
+    assert len(decode(LaserScan, {"ranges": [0.5] * 5000}).ranges) == 5000
+
+
+def test_an_integer_is_welcome_where_a_float_belongs() -> None:
+    assert decode(Float32, {"data": 3}).data == 3.0
+    assert type(decode(Float32, {"data": 3}).data) is float
+
+
+def test_bytes_may_come_as_numbers_or_binaries() -> None:
+    byte = Byte
+    assert decode(byte, {"data": 7}) == decode(byte, {"data": b"\x07"}) == byte(data=b"\x07")
+    assert decode(ByteMultiArray, {"data": [1, b"\2"]}).data == [b"\1", b"\2"]
+
+
+@pytest.mark.parametrize(
+    ("message_class", "value", "field", "reason"),
+    [
+        (String, {"data": 5}, "data", "expected a string, not int 5"),
+        (String, {"data": None}, "data", "expected a string, not NoneType None"),
+        (String, {"data": b"x"}, "data", "expected a string, not bytes b'x'"),
+        (String, {"data": "x" * 100, "a": 1}["data"] and [], "", "expected a map, not list"),
+        (String, 5, "", "expected a map, not int 5"),
+        (Float32, {"data": "1"}, "data", "expected a number, not str '1'"),
+        (Float32, {"data": True}, "data", "expected a number, not bool True"),
+        (Float32, {"data": 1e300}, "data", "out of range for a float32"),
+        (UInt8, {"data": 256}, "data", "int 256 is not in the range 0 to 255"),
+        (UInt8, {"data": -1}, "data", "int -1 is not in the range 0 to 255"),
+        (UInt8, {"data": 1.0}, "data", "expected an integer, not float 1.0"),
+        (UInt8, {"data": True}, "data", "expected an integer, not bool True"),
+        (class_of("std_msgs/msg/Bool"), {"data": 1}, "data", "expected a bool, not int 1"),
+        (Byte, {"data": b"xy"}, "data", "expected one byte"),
+        (Byte, {"data": 256}, "data", "not in the range 0 to 255"),
+        (Twist, {"linear": 5}, "linear", "expected a map, not int 5"),
+        (Twist, {"linear": {"x": "a"}}, "linear.x", "expected a number"),
+        (Path, {"poses": 5}, "poses", "expected a list, not int 5"),
+        (Path, {"poses": [{}, 5]}, "poses[1]", "expected a map"),
+        (
+            Path,
+            {"poses": [{}, {"header": {"stamp": {"sec": 2**31}}}]},
+            "poses[1].header.stamp.sec",
+            "is not in the range",
+        ),
+        (JointState, {"name": ["a", 5]}, "name[1]", "expected a string, not int 5"),
+        (JointState, {"position": [1.0, "b"]}, "position[1]", "expected a number"),
+        (JointState, {"position": b"\0"}, "position", "expected a list, not bytes"),
+        (Image, {"data": msgpack.ExtType(ord("f"), b"\0\0\0\0")}, "data", "not one of 'f'"),
+        (Image, {"data": [1, 256]}, "data[1]", "not in the range 0 to 255"),
+        (LaserScan, {"ranges": [1e300]}, "ranges[0]", "out of range for a float32"),
+        (LaserScan, {"ranges": [True]}, "ranges[0]", "expected a number, not bool"),
+        (
+            LaserScan,
+            {"ranges": msgpack.ExtType(ord("f"), b"\0\0\0")},
+            "ranges",
+            "an extension with code 102",
+        ),
+        (Odometry, {"pose": {"covariance": [1.0]}}, "pose.covariance", "exactly 36 are needed"),
+        (ByteMultiArray, {"data": 5}, "data", "expected a list"),
+    ],
+)
+def test_a_wrong_value_is_named_with_its_field(
+    message_class: Any, value: Any, field: str, reason: str
+) -> None:
+    with pytest.raises(CodecError) as caught:
+        decode(message_class, value)
+    assert caught.value.field == field
+    assert caught.value.action == "decode"
+    assert reason in caught.value.reason
+
+
+def test_bounds_are_checked_on_arrival() -> None:
+    bounded = made("Bounded", "string<=3 name\nint32[<=2] ids\nbool[2] flags\nstring<=3[] names\n")
+    assert decode(bounded, {"name": "abc", "ids": [1, 2]}) == bounded(name="abc", ids=[1, 2])
+    for value, field in [
+        ({"name": "abcd"}, "name"),
+        ({"ids": [1, 2, 3]}, "ids"),
+        ({"ids": msgpack.ExtType(ord("i"), bytes(12))}, "ids"),
+        ({"flags": [True]}, "flags"),
+        ({"flags": [True, 1]}, "flags[1]"),
+        ({"names": ["abcd"]}, "names[0]"),
+    ]:
+        with pytest.raises(CodecError) as caught:
+            decode(bounded, value)
+        assert caught.value.field == field
+
+
+@pytest.mark.parametrize(
+    ("data", "reason"),
+    [
+        (b"", "no MessagePack"),
+        (b"\xc1", "no meaning"),
+        (b"\x81\xa4data", "no MessagePack"),
+        (b"\x80\x80", "more bytes follow"),
+        (b"\x81\xa4data\xa3\xed\xa0\x80", "not valid UTF-8"),
+        (b"\x81\xa1\xff\x01", "not valid UTF-8"),
+        (b"\x81\x01\x01", "no MessagePack"),
+        (b"\x81\x90\x01", "no MessagePack"),
+        (b"\x91" * 10_000_000, "nested too deeply"),
+        (b"\x81\xa1a" * 1_000_000, "nested too deeply"),
+        (b"\xdd\x00\x10\x00\x00" * 900 + bytes(2_000_000), "end before"),
+        (b"\xdd\xff\xff\xff\xff", "end before"),
+        (b"\xdf\xff\xff\xff\xff", "no MessagePack"),
+        (b"\xc6\xff\xff\xff\xff", "no MessagePack"),
+        (b"\x81\xa4data\xdb\xff\xff\xff\xff", "no MessagePack"),
+        (b"\xd7\xff" + b"\xff" * 8, "no MessagePack"),
+    ],
+)
+def test_bytes_that_are_no_message_are_one_error(data: bytes, reason: str) -> None:
+    for message_class in (String, Image):
+        with pytest.raises(CodecError, match=reason):
+            codec_for(message_class).decode(data)
+
+
+def test_something_that_is_no_bytes_at_all_is_the_same_error() -> None:
+    with pytest.raises(CodecError):
+        codec_for(String).decode("text")  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
+
+
+@pytest.mark.parametrize(
+    ("message_class", "path", "value", "field"),
+    [
+        (String, "_data", 5, "data"),
+        (String, "_data", "\ud800", "data"),
+        (UInt8, "_data", 300, "data"),
+        (Float32, "_data", "x", "data"),
+        (Float32, "_data", 1e300, "data"),
+        (Twist, "_linear", None, "linear"),
+        (Twist, "_linear._x", "a", "linear.x"),
+        (Twist, "_linear", 10**400, "linear"),
+        (Float64, "_data", 10**400, "data"),
+        (Image, "_data", "pixels", "data"),
+        (Image, "_data", array("f", [1.0]), "data"),
+        (Image, "_header._frame_id", "a\udfffb", "header.frame_id"),
+        (Path, "_poses", [None], "poses[0]"),
+        (JointState, "_name", ["a", None], "name[1]"),
+        (JointState, "_name", ["a", "\ud800"], "name[1]"),
+        (JointState, "_position", [1.0, None], "position[1]"),
+        (ByteMultiArray, "_data", [b"ab"], "data[0]"),
+        (Odometry, "_pose._covariance", array("d", [1.0]), "pose.covariance"),
+    ],
+)
+def test_an_invalid_message_is_not_sent(
+    message_class: Any, path: str, value: Any, field: str
+) -> None:
+    message = message_class()
+    *parents, name = path.split(".")
+    owner = message
+    for parent in parents:
+        owner = getattr(owner, parent)
+    setattr(owner, name, value)
+    with pytest.raises(CodecError) as caught:
+        encode(message)
+    assert (caught.value.action, caught.value.field) == ("encode", field)
+
+
+def test_something_else_than_the_message_is_not_sent() -> None:
+    with pytest.raises(CodecError, match="expected a std_msgs/msg/String, not int 5"):
+        codec_for(String).encode(5)
+
+
+def test_a_half_made_message_is_not_sent() -> None:
+    with pytest.raises(CodecError, match="_data"):
+        encode(String.__new__(String))
+
+
+def test_lists_in_place_of_arrays_are_sent_as_arrays() -> None:
+    image = Image()
+    image._data = [1, 2]
+    assert decode(Image, encode(image)).data == array("B", [1, 2])
+
+
+def test_numpy_arrays_are_sent_whatever_their_layout() -> None:
+    numpy = pytest.importorskip("numpy")
+    state = JointState()
+    state._position = numpy.arange(6, dtype="float64")[::2]
+    assert decode(JointState, encode(state)).position == array("d", [0.0, 2.0, 4.0])
+    state._position = numpy.arange(3, dtype=">f8")
+    with pytest.raises(CodecError, match="position"):
+        encode(state)
