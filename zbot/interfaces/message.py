@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import copy
 from typing import TYPE_CHECKING, Any, ClassVar
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from typing_extensions import Self
+
     from zbot.interfaces.spec import ActionSpec, FieldType, MessageSpec, ServiceSpec
+
+_IMMUTABLE = {bool, int, float, str, bytes}
 
 
 class Message:
@@ -25,12 +30,30 @@ class Message:
         """Return the type of each field, as ROS 2 writes it, in order; the dict is the caller's."""
         return dict(cls._fields_and_field_types)
 
+    def __copy__(self) -> Self:
+        return self._duplicate(lambda value: value)
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Self:
+        return self._duplicate(
+            lambda value: value if type(value) in _IMMUTABLE else copy.deepcopy(value, memo)
+        )
+
     def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...], Any]:
         # By name, not by class: a process that unpickles has only to be able to import zbot.
         cls = type(self)
         key = cls.TYPE_NAME if "TYPE_NAME" in cls.__dict__ else cls
         values = tuple([getattr(self, f"_{field.name}") for field in cls.SPEC.fields])
         return rebuild, (key, values), getattr(self, "__dict__", None)
+
+    def _duplicate(self, duplicated: Callable[[Any], Any]) -> Self:
+        # What is in the slots is valid already, so the properties are not asked again.
+        twin = type(self).__new__(type(self))
+        for field in self.SPEC.fields:
+            slot = f"_{field.name}"
+            setattr(twin, slot, duplicated(getattr(self, slot)))
+        for name, value in getattr(self, "__dict__", {}).items():  # of a derived class
+            setattr(twin, name, duplicated(value))
+        return twin
 
 
 class Service:
@@ -54,7 +77,7 @@ class Action:
 
 
 def rebuild(key: str | type[Message], values: tuple[Any, ...]) -> Message:
-    """Undo `Message.__reduce__` for copy and pickle."""
+    """Undo `Message.__reduce__`, for pickle."""
     if isinstance(key, str):
         from zbot.interfaces.registry import get_message  # noqa: PLC0415 - the registry makes us
 
