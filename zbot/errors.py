@@ -144,7 +144,8 @@ class LogCallChangedError(ZbotError, ValueError):
     def __init__(self, what: str, place: str) -> None:
         self.what, self.place = what, place
         super().__init__(
-            f"a log call's {what} cannot be changed between calls ({place}): write one call for each"
+            f"a log call's {what} cannot be changed between calls: "
+            f"write one call for each ({place})"
         )
 
 
@@ -511,27 +512,3 @@ class ParametersFileError(ZbotError, ValueError):
     def __init__(self, path: str, reason: str) -> None:
         self.path, self.reason = path, reason
         super().__init__(f"cannot use the parameter file {path}: {reason}")
-
-
-class ClockTypeError(ZbotError, ValueError):
-    """A clock or time of the wrong type is used."""
-
-    def __init__(self, given: object, expected: object = None) -> None:
-        self.given, self.expected = given, expected
-        wanted = "SYSTEM_TIME, STEADY_TIME or ROS_TIME" if expected is None else f"{expected}"
-        super().__init__(f"the clock type must be {wanted}, not {given}")
-
-
-class LogFilterError(ZbotError, TypeError):
-    """A log call has an option that loggers do not know."""
-
-    def __init__(self, option: str, known: list[str]) -> None:
-        self.option, self.known = option, known
-        super().__init__(f"a log call has no option {option!r}; there are {', '.join(known)}")
-
-
-class LogSeverityError(ZbotError, ValueError):
-    """One log call in a program, with a filter, is used with two severities."""
-
-    def __init__(self) -> None:
-        super().__init__("Logger severity cannot be changed between calls.")

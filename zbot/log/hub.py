@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import threading
 import time
 import weakref
@@ -43,6 +42,14 @@ class Channel:
     taps: tuple[Tap, ...]  #: of the name and its parents
 
 
+@dataclass(eq=False)
+class _Outputs:
+    """Made for the first line, from the environment of that moment."""
+
+    console: Console
+    file: LogFile
+
+
 class _Thread(threading.local):
     is_feeding = False  #: whether a sink is at work in this thread
 
@@ -57,7 +64,9 @@ class Hub:
         self._taps: list[Tap] = []
         self._channels: weakref.WeakValueDictionary[str, Channel] = weakref.WeakValueDictionary()
         self._thread = _Thread()
-        self._reset_outputs()
+        self._is_console_on = self._is_sinking = self._is_file_on = True
+        self._file_prefix = ""
+        self._outputs: _Outputs | None = None
 
     # -- settings ------------------------------------------------------------------------------
 
@@ -89,23 +98,24 @@ class Hub:
             self._levels.update(checked)
             self._is_console_on, self._is_sinking = stdout_enabled, rosout_enabled
             self._is_file_on = file_enabled
-            if file_prefix != self._file.prefix:
-                self._file.close()
-                self._file = LogFile(file_prefix)
+            if file_prefix != self._file_prefix:
+                self._file_prefix = file_prefix
+                self._close_outputs()
             self._refresh()
 
     def clear_config(self) -> None:
         """Forget all levels and settings, and read the environment anew. Sinks stay."""
         with self._lock:
             self._levels.clear()
-            self._file.close()
-            self._reset_outputs()
+            self._is_console_on = self._is_sinking = self._is_file_on = True
+            self._file_prefix = ""
+            self._close_outputs()
             self._refresh()
 
-    def _reset_outputs(self) -> None:
-        self._is_console_on = self._is_sinking = self._is_file_on = True
-        self._console: Console | None = None
-        self._file = LogFile()
+    def _close_outputs(self) -> None:
+        outputs, self._outputs = self._outputs, None
+        if outputs is not None:
+            outputs.file.close()
 
     # -- levels --------------------------------------------------------------------------------
 
@@ -188,24 +198,26 @@ class Hub:
             code.co_name,
             frame.f_lineno,
         )
-        console = self._console or self._open_console()
-        line = console.format(record)
+        outputs = self._outputs or self._open_outputs()
+        line = outputs.console.format(record)
         if self._is_console_on:
-            console.write(severity, line)
-        if self._is_file_on and self._file.is_open:
-            self._write_file(line)
+            outputs.console.write(severity, line)
+        if self._is_file_on and outputs.file.is_open:
+            self._write_file(outputs.file, line)
         if channel.taps and self._is_sinking and not self._thread.is_feeding:
             self._feed(channel.taps, record)
 
-    def _open_console(self) -> Console:
-        console = self._console = Console()
-        for complaint in console.complaints:
-            self._complain(complaint)
-        return console
+    def _open_outputs(self) -> _Outputs:
+        with self._lock:
+            if self._outputs is None:
+                self._outputs = _Outputs(Console(), LogFile(self._file_prefix))
+                for complaint in self._outputs.console.complaints:
+                    self._complain(complaint)
+            return self._outputs
 
-    def _write_file(self, line: str) -> None:
+    def _write_file(self, file: LogFile, line: str) -> None:
         try:
-            self._file.write(line)
+            file.write(line)
         except OSError as error:
             self._complain(f"cannot write the log file, which ends here: {error}")
 
@@ -213,31 +225,22 @@ class Hub:
         self._thread.is_feeding = True
         try:
             for tap in taps:
-                try:
-                    tap.sink(record)
-                except Exception as error:  # noqa: BLE001 - a sink may be anybody's function
-                    self._report_failure(tap, error)
+                self._feed_one(tap, record)
         finally:
             self._thread.is_feeding = False
 
-    def _report_failure(self, tap: Tap, error: Exception) -> None:
-        if not tap.has_failed:
-            tap.has_failed = True
-            self._complain(f"a sink of logger {tap.name!r} failed, told once: {error!r}")
+    def _feed_one(self, tap: Tap, record: Record) -> None:
+        try:
+            tap.sink(record)
+        except Exception as error:  # noqa: BLE001 - a sink may be anybody's function
+            if not tap.has_failed:
+                tap.has_failed = True
+                self._complain(f"a sink of logger {tap.name!r} failed, told once: {error!r}")
 
     def _complain(self, text: str) -> None:
         """Write a line about the log itself; to the console only, for that is the last resort."""
-        console, level = self._console or self._open_console(), LoggingSeverity.WARN
-        place = sys._getframe()  # noqa: SLF001 - inspect.currentframe() is the same behind a None
-        record = Record(
-            time.time_ns(),
-            level,
-            _OWN_NAME,
-            _text(text),
-            __file__,
-            place.f_code.co_name,
-            place.f_lineno,
-        )
+        console, level = (self._outputs or self._open_outputs()).console, LoggingSeverity.WARN
+        record = Record(time.time_ns(), level, _OWN_NAME, _text(text), __file__, "_complain", 0)
         console.write(level, console.format(record))
 
     def _refresh(self) -> None:

@@ -33,7 +33,7 @@ class LogFile:
     """
 
     def __init__(self, prefix: str = "") -> None:
-        self.prefix = prefix
+        self._prefix = prefix
         self._directory = _wanted_directory()
         self._file: FileIO | None = None
         self._lock = threading.RLock()  # re-entrant, for a signal's handler may log
@@ -65,7 +65,7 @@ class LogFile:
 
     def _open_in(self, directory: Path) -> FileIO:
         directory.mkdir(parents=True, exist_ok=True)
-        program = self.prefix or Path(sys.argv[0]).stem or "python"
+        program = self._prefix or Path(sys.argv[0]).stem or "python"
         name = f"{program}_{os.getpid()}_{time.time_ns() // 1_000_000}.log"
         return (directory / name).open("ab", buffering=0)
 

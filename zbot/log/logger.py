@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 from zbot.errors import ArgumentTypeError, InvalidNameError
 from zbot.log.call_site import CallSite
@@ -126,7 +126,9 @@ class Logger:
         level = to_severity(severity)
         if self._channel.threshold > level:
             return False
-        named: LogOptions = {**options} if name is None else {**options, "name": name}
+        named = cast("LogOptions", options)
+        if name is not None:
+            named["name"] = name
         return self._log(level, message, named, _caller(1))
 
     def _log(

@@ -18,7 +18,7 @@ class LoggingSeverity(IntEnum):
     FATAL = 50
 
 
-def to_severity(value: object) -> LoggingSeverity:
+def to_severity(value: int) -> LoggingSeverity:
     """Return the severity that a number stands for.
 
     Raises:
