@@ -1,0 +1,145 @@
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from zbot.errors import (
+    ArgumentTypeError,
+    LogCallChangedError,
+    LogOptionError,
+    NotAClockError,
+    ZbotError,
+)
+from zbot.log import LoggingSeverity, get_logger
+from zbot.time import Time
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    Told = Callable[[], list[str]]
+
+INFO, WARN, ERROR = LoggingSeverity.INFO, LoggingSeverity.WARN, LoggingSeverity.ERROR
+
+
+class FakeClock:
+    def __init__(self) -> None:
+        self.sec = 0.0
+
+    def now(self) -> Time:
+        return Time(seconds=self.sec)
+
+
+def test_once_writes_the_first_call_at_a_place(told: Told) -> None:
+    logger = get_logger("sensor")
+    written = [logger.info(number, once=True) for number in range(3)]
+    written += [logger.info("elsewhere", once=True), logger.info("same line", once=True)]
+    assert written == [True, False, False, True, True]
+    assert told() == ["0", "elsewhere", "same line"]
+
+
+def test_once_is_remembered_for_each_logger(told: Told) -> None:
+    for name in ("a", "b", "a"):
+        get_logger(name).info(name, once=True)
+    assert told() == ["a", "b", "a"]
+
+
+def test_once_waits_until_the_level_lets_it_through() -> None:
+    logger = get_logger("sensor")
+    told = []
+    for level in (ERROR, INFO, INFO):
+        logger.set_level(level)
+        told.append(logger.info("text", once=True))
+    assert told == [False, True, False]
+
+
+def test_skip_first_writes_all_but_the_first() -> None:
+    logger = get_logger("sensor")
+    assert [logger.info("text", skip_first=True) for _ in range(3)] == [False, True, True]
+
+
+def test_skip_first_and_once_write_the_second() -> None:
+    logger = get_logger("sensor")
+    told = [logger.info("text", skip_first=True, once=True) for _ in range(4)]
+    assert told == [False, True, False, False]
+
+
+def test_throttle_writes_one_line_in_its_duration() -> None:
+    logger, clock, told = get_logger("sensor"), FakeClock(), []
+    for clock.sec in (0.0, 0.5, 0.99, 1.0, 1.5, 7.0, 7.1):
+        told.append(logger.info("text", throttle_duration_sec=1.0, throttle_time_source_type=clock))
+    assert told == [True, False, False, True, False, True, False]
+
+
+def test_throttle_writes_when_simulated_time_begins_again() -> None:
+    logger, clock, told = get_logger("sensor"), FakeClock(), []
+    for clock.sec in (100.0, 100.5, 0.0, 0.5):
+        told.append(logger.info("text", throttle_duration_sec=1.0, throttle_time_source_type=clock))
+    assert told == [True, False, True, False]
+
+
+def test_throttle_measures_monotonic_time_by_default() -> None:
+    logger = get_logger("sensor")
+    assert [logger.info("text", throttle_duration_sec=3600) for _ in range(3)] == [
+        True,
+        False,
+        False,
+    ]
+
+
+@pytest.mark.parametrize("options", [{"once": False}, {"throttle_duration_sec": 0}])
+def test_filter_that_is_off_does_nothing(options: dict[str, Any]) -> None:
+    logger = get_logger("sensor")
+    assert [logger.info("text", **options) for _ in range(3)] == [True] * 3
+
+
+def test_other_name_is_used_for_the_line(capsys: pytest.CaptureFixture[str]) -> None:
+    get_logger("sensor").info("text", name="driver")
+    assert "[driver]: text" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("options", "error", "text"),
+    [
+        ({"onse": True}, LogOptionError, "'onse' does not exist"),
+        ({"throttle_time_source_type": FakeClock()}, LogOptionError, "throttle_duration_sec"),
+        ({"throttle_duration_sec": "1"}, ArgumentTypeError, "number of seconds"),
+        (
+            {"throttle_duration_sec": 1, "throttle_time_source_type": "STEADY"},
+            NotAClockError,
+            "'STEADY'",
+        ),
+    ],
+)
+def test_wrong_option_is_refused(
+    options: dict[str, Any], error: type[ZbotError], text: str
+) -> None:
+    with pytest.raises(error, match=text):
+        get_logger("sensor").info("text", **options)
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "what"),
+    [
+        ({"severity": INFO}, {"severity": WARN}, "severity"),
+        ({"severity": INFO, "name": "a"}, {"severity": INFO, "name": "b"}, "logger name"),
+        ({"severity": INFO}, {"severity": INFO, "once": True}, "filters"),
+        (
+            {"severity": INFO, "throttle_duration_sec": 1.0},
+            {"severity": INFO, "throttle_duration_sec": 2.0},
+            "filters",
+        ),
+    ],
+)
+def test_place_cannot_change_what_it_asks_for(
+    first: dict[str, Any], second: dict[str, Any], what: str
+) -> None:
+    logger = get_logger("sensor")
+
+    def place(options: dict[str, Any]) -> bool:
+        return logger.log("text", **options)
+
+    assert place(first)
+    assert place(first) or "throttle_duration_sec" in first
+    with pytest.raises(LogCallChangedError, match=rf"{what} .*test_filters\.py:\d+"):
+        place(second)
