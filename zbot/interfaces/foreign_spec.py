@@ -83,7 +83,8 @@ def _field_type(slot: Any) -> FieldType:
         case "UnboundedWString":
             return FieldType("wstring")
         case _:
-            return FieldType(_BASES.get(slot.typename, slot.typename))
+            name: str = slot.typename
+            return FieldType(_BASES.get(name, name))
 
 
 def _many(element: Any, kind: Kind, size: int) -> FieldType:

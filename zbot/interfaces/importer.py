@@ -108,6 +108,8 @@ class _KindModule(ModuleType):
         self.__all__ = sorted(names)  # what `import *` takes
 
     def __getattr__(self, attribute: str) -> Any:
+        if attribute.startswith("_"):  # Python's own questions, e.g. for __file__
+            raise AttributeError(f"module {self.__name__!r} has no attribute {attribute!r}")
         # SetBool_Request is a part of SetBool.
         owner = self._names.get(attribute.partition("_")[0])
         if owner is None:

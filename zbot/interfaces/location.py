@@ -9,7 +9,7 @@ from importlib.machinery import PathFinder
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.interfaces.workspace import KINDS, has_definitions, packages_around, search_roots
+from zbot.interfaces.workspace import KINDS, Roots, has_definitions, packages_around, search_roots
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -17,31 +17,27 @@ if TYPE_CHECKING:
 _SHIPPED = Path(__file__).parent / "defs"
 
 
+def package_folder(package: str) -> Path | None:
+    """The folder with a package's definitions, in the first place that has it.
+
+    What zbot ships comes first: then the types that every program uses are found at once.
+    """
+    if not package.isidentifier():  # also keeps `..` and the like out of paths
+        return None
+    return next(_folders(package), None)
+
+
 def definition_file(package: str, kind: str, short: str) -> Path | None:
-    """The file that defines an interface, in the first place that has it."""
-    for folder in package_folders(package):
-        file = folder / kind / f"{short}.{kind}"
-        if file.is_file():
-            return file
-    return None
+    """The file that defines an interface; None if there is none."""
+    folder = package_folder(package)
+    file = folder / kind / f"{short}.{kind}" if folder else None
+    return file if file is not None and file.is_file() else None
 
 
-def interface_files(package: str) -> Iterator[Path]:
+def interface_files(package: str) -> list[Path]:
     """Every definition file of a package."""
-    for folder in package_folders(package):
-        for kind in KINDS:
-            yield from folder.glob(f"{kind}/*.{kind}")
-
-
-def package_folders(package: str) -> Iterator[Path]:
-    """The folders with definitions of a package, cheapest place to look at first."""
-    if not package.isidentifier():  # also keeps `..` and the like out of the paths below
-        return
-    yield from filter(has_definitions, (_SHIPPED / package,))
-    yield from _workspace().get(package, ())
-    for share in _ament_shares():
-        yield from filter(has_definitions, (share / package,))
-    yield from _python_package_folders(package)
+    folder = package_folder(package)
+    return [file for kind in KINDS for file in folder.glob(f"{kind}/*.{kind}")] if folder else []
 
 
 def shipped_packages() -> list[str]:
@@ -58,12 +54,19 @@ def known_packages() -> set[str]:
     return names | _installed_packages()
 
 
+def _folders(package: str) -> Iterator[Path]:
+    yield from filter(has_definitions, (_SHIPPED / package,))
+    yield from _workspace().get(package, ())
+    yield from filter(has_definitions, (share / package for share in _ament_shares()))
+    yield from _python_package_folders(package)
+
+
 def _workspace() -> dict[str, list[Path]]:
     return _scanned(search_roots())
 
 
 @functools.lru_cache(maxsize=4)
-def _scanned(roots: tuple[Path, ...]) -> dict[str, list[Path]]:
+def _scanned(roots: Roots) -> dict[str, list[Path]]:
     return packages_around(roots)
 
 
@@ -75,8 +78,8 @@ def _ament_shares() -> list[Path]:
 def _python_package_folders(package: str) -> Iterator[Path]:
     """An installed Python package's own folder; nothing is imported, only paths are looked at."""
     spec = PathFinder.find_spec(package)
-    for location in (spec and spec.submodule_search_locations) or ():
-        yield from filter(has_definitions, (Path(location),))
+    locations = (spec and spec.submodule_search_locations) or ()
+    yield from filter(has_definitions, map(Path, locations))
 
 
 def _installed_packages() -> set[str]:

@@ -25,6 +25,10 @@ class Message:
     SLOT_TYPES: ClassVar[tuple[FieldType, ...]]
     _fields_and_field_types: ClassVar[dict[str, str]]
 
+    if TYPE_CHECKING:  # every class has its own, with its fields as keywords
+
+        def __init__(self, **fields: Any) -> None: ...
+
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:
         """Return the type of each field, as ROS 2 writes it, in order; the dict is the caller's."""

@@ -18,7 +18,7 @@ from zbot.interfaces.location import (
     definition_file,
     interface_files,
     known_packages,
-    package_folders,
+    package_folder,
 )
 from zbot.interfaces.spec import ActionSpec, InterfaceSpec, MessageSpec, ServiceSpec
 from zbot.interfaces.workspace import KINDS
@@ -93,7 +93,7 @@ def has_package(package: str) -> bool:
     """Whether a package has definitions; without listing all of them."""
     if any(name.startswith(f"{package}/") for name in _registered):
         return True
-    return next(package_folders(package), None) is not None
+    return package_folder(package) is not None
 
 
 def interface_names(package: str) -> list[str]:

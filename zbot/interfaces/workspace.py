@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import re
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeAlias
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 KINDS = ("msg", "srv", "action")
 _MAX_PARENTS = 12
 _MAX_DEPTH = 5
+_DEPTH_ELSEWHERE = 1  # in a current folder that belongs to no workspace
 _MAX_FOLDERS = 2000
 _MAX_MANIFEST = 65536
 _SKIPPED = {"build", "install", "log", "node_modules", "site-packages", "__pycache__"}
@@ -24,20 +25,25 @@ _STOP_FILES = {"COLCON_IGNORE", "pyvenv.cfg"}
 _NAME_TAG = re.compile(r"<name>\s*([a-z][a-z0-9_]*)\s*</name>")
 
 
-def packages_around(roots: tuple[Path, ...]) -> dict[str, list[Path]]:
+#: Folders to search, each with the number of levels below it.
+Roots: TypeAlias = "tuple[tuple[Path, int], ...]"
+
+
+def packages_around(roots: Roots) -> dict[str, list[Path]]:
     """The folder, or folders, of every package below the roots that has definitions."""
     found: dict[str, list[Path]] = {}
-    for root in roots:
-        for folder in _package_folders(root):
+    for root, depth in roots:
+        for folder in _package_folders(root, depth):
             found.setdefault(_package_name(folder), []).append(folder)
     return found
 
 
-def search_roots() -> tuple[Path, ...]:
+def search_roots() -> Roots:
     """Where to look: the folders of ZBOT_WORKSPACE, else those around the current one."""
     named = os.environ.get("ZBOT_WORKSPACE", "")
     if named:
-        return tuple(Path(part).expanduser() for part in named.split(os.pathsep) if part)
+        parts = [part for part in named.split(os.pathsep) if part]
+        return tuple((Path(part).expanduser(), _MAX_DEPTH) for part in parts)
     try:
         current = Path.cwd()
     except FileNotFoundError:  # the current folder was removed under this process
@@ -50,19 +56,19 @@ def has_definitions(folder: Path) -> bool:
     return any(next(folder.glob(f"{kind}/*.{kind}"), None) is not None for kind in KINDS)
 
 
-def _roots_around(current: Path) -> tuple[Path, ...]:
+def _roots_around(current: Path) -> Roots:
     """The workspace of a folder: a `src` that it is in or has, else the package that it is in."""
     near = [folder for folder in (current, *current.parents)[:_MAX_PARENTS] if _may_search(folder)]
     for folder in reversed(near):
         if folder.name == "src":
-            return (folder,)
+            return ((folder, _MAX_DEPTH),)
     for folder in near:
         if (folder / "src").is_dir():
-            return (folder / "src", folder) if _is_package(folder) else (folder / "src",)
+            return ((folder / "src", _MAX_DEPTH), (folder, 0))
     for folder in near:
-        if _is_package(folder):
-            return (folder,)
-    return (current,) if current in near else ()
+        if (folder / "package.xml").is_file():
+            return ((folder, _MAX_DEPTH),)
+    return ((current, _DEPTH_ELSEWHERE),) if current in near else ()
 
 
 def _may_search(folder: Path) -> bool:
@@ -71,10 +77,10 @@ def _may_search(folder: Path) -> bool:
     return folder != home and folder not in home.parents and folder != Path(folder.anchor)
 
 
-def _package_folders(root: Path) -> Iterator[Path]:
+def _package_folders(root: Path, depth: int) -> Iterator[Path]:
     """Folders with definitions at or below a root, level by level, each level by name."""
     level, seen = [str(root)], 0
-    for _ in range(_MAX_DEPTH + 1):
+    for _ in range(depth + 1):
         following: list[str] = []
         for folder in level:
             seen += 1
@@ -109,10 +115,6 @@ def _is_worth_searching(entry: os.DirEntry[str]) -> bool:
     if entry.name.startswith(".") or entry.name in _SKIPPED:
         return False
     return entry.is_dir(follow_symlinks=False)
-
-
-def _is_package(folder: Path) -> bool:
-    return (folder / "package.xml").is_file() or has_definitions(folder)
 
 
 def _package_name(folder: Path) -> str:

@@ -138,8 +138,9 @@ def test_an_unknown_field_is_refused_with_the_near_one() -> None:
 
 
 def test_values_without_names_are_refused() -> None:
+    cls: Any = get_message("std_msgs/msg/String")
     with pytest.raises(PositionalFieldError, match=r"name the fields .*: String\(data=\.\.\.\)"):
-        get_message("std_msgs/msg/String")("hi")
+        cls("hi")
 
 
 def test_a_field_that_does_not_exist_cannot_be_assigned() -> None:
@@ -215,7 +216,8 @@ def test_field_types_are_those_that_ros_shows() -> None:
     types.clear()
     assert cls.get_fields_and_field_types()
     assert [str(kind) for kind in cls.SLOT_TYPES] == list(cls.get_fields_and_field_types().values())
-    assert cls.__slots__ == ("_header", "_name", "_position", "_velocity", "_effort")
+    slots: Any = cls.__slots__
+    assert slots == ("_header", "_name", "_position", "_velocity", "_effort")
 
 
 def test_constants_are_attributes_of_class_and_message() -> None:

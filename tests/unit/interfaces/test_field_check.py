@@ -248,7 +248,7 @@ def test_fixed_arrays_take_lists_and_other_dtypes() -> None:
         (1.0, 2.0),
         np.array([1, 2]),
         array("d", [1, 2]),
-        np.ones((2, 2))[0] * [1, 2],
+        np.arange(4)[1:3],
     ):
         message = cls(x=value)
         assert message.x.dtype == np.float32
@@ -268,9 +268,10 @@ def test_integers_are_stored_or_refused_exactly_at_the_limits(base: str, value: 
         assert cls(x=value).x == value
         assert sequence(x=[value]).x.tolist() == [value]
     else:
-        for make in (lambda: cls(x=value), lambda: sequence(x=[value])):
-            with pytest.raises(FieldValueError):
-                make()
+        with pytest.raises(FieldValueError):
+            cls(x=value)
+        with pytest.raises(FieldValueError):
+            sequence(x=[value])
 
 
 _CLASSES = {base: (define(f"{base} x"), define(f"{base}[] x")) for base in _RANGES}

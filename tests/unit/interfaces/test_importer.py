@@ -1,0 +1,161 @@
+from __future__ import annotations
+
+import importlib
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from zbot.interfaces import get_interface, install_importer
+
+
+@pytest.fixture(autouse=True)
+def importer(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "meta_path", list(sys.meta_path))
+    monkeypatch.setattr(sys, "modules", dict(sys.modules))
+    install_importer()
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """An empty folder that is the current one and on `sys.path`."""
+    source = tmp_path / "src"
+    source.mkdir()
+    monkeypatch.chdir(source)
+    monkeypatch.syspath_prepend(str(source))
+    return source
+
+
+@pytest.mark.parametrize(
+    ("statement", "name"),
+    [
+        ("from std_msgs.msg import String as Found", "std_msgs/msg/String"),
+        ("import geometry_msgs.msg as m; Found = m.Twist", "geometry_msgs/msg/Twist"),
+        ("import std_msgs.msg; Found = std_msgs.msg.String", "std_msgs/msg/String"),
+        ("from std_msgs import msg; Found = msg.String", "std_msgs/msg/String"),
+        ("from std_msgs.msg._string import String as Found", "std_msgs/msg/String"),
+        ("from std_msgs.msg import *; Found = String", "std_msgs/msg/String"),
+        ("from std_srvs.srv import SetBool as Found", "std_srvs/srv/SetBool"),
+        ("from std_srvs.srv import SetBool_Request as Found", "std_srvs/srv/SetBool_Request"),
+        (
+            "from std_srvs.srv._trigger import Trigger_Request as Found",
+            "std_srvs/srv/Trigger_Request",
+        ),
+        (
+            "from example_interfaces.action import Fibonacci as Found",
+            "example_interfaces/action/Fibonacci",
+        ),
+        (
+            "from example_interfaces.action._fibonacci import Fibonacci_SendGoal as Found",
+            "example_interfaces/action/Fibonacci_SendGoal",
+        ),
+        ("from turtlesim.msg import Pose as Found", "turtlesim/msg/Pose"),
+        ("from turtlesim_msgs.msg import Pose as Found", "turtlesim_msgs/msg/Pose"),
+    ],
+)
+def test_imports_as_in_ros(statement: str, name: str) -> None:
+    names: dict[str, Any] = {}
+    exec(statement, names)
+    assert names["Found"] is get_interface(name)
+
+
+def test_star_imports_and_dir_show_the_interfaces() -> None:
+    module = importlib.import_module("std_msgs.msg")
+    assert {"String", "Float32", "Header"} <= set(dir(module))
+    assert "String" in module.__all__
+    assert not [name for name in module.__all__ if name.startswith("_")]
+
+
+@pytest.mark.parametrize(
+    ("statement", "message"),
+    [
+        ("from std_msgs.msg import Strng", "cannot import name 'Strng'.*did you mean 'String'"),
+        ("from std_srvs.srv import SetBool_Nothing", "cannot import name 'SetBool_Nothing'"),
+        ("import std_msgs.mgs", "std_msgs.mgs"),
+        ("import std_msgs.srv", "std_msgs.srv"),
+        ("import std_msgs.msg._nothing", "_nothing"),
+        ("import no_such_package_msgs", "no_such_package_msgs"),
+    ],
+)
+def test_what_is_missing_is_an_import_error(statement: str, message: str) -> None:
+    with pytest.raises(ImportError, match=message):
+        exec(statement, {})
+
+
+def test_a_missing_attribute_is_an_attribute_error() -> None:
+    module = importlib.import_module("std_msgs.msg")
+    assert not hasattr(module, "Strng")
+    with pytest.raises(AttributeError, match="did you mean 'String'"):
+        _ = module.Strng
+
+
+def test_installing_twice_changes_nothing() -> None:
+    before = list(sys.meta_path)
+    install_importer()
+    assert sys.meta_path == before
+
+
+def test_a_real_package_wins(folder: Path) -> None:
+    package = folder / "std_msgs" / "msg"
+    package.mkdir(parents=True)
+    (folder / "std_msgs" / "__init__.py").touch()
+    (package / "__init__.py").write_text("String = 'real'", encoding="utf-8")
+    for name in [name for name in sys.modules if name.partition(".")[0] == "std_msgs"]:
+        del sys.modules[name]
+    assert importlib.import_module("std_msgs.msg").String == "real"
+
+
+def test_a_package_of_definitions_only(folder: Path) -> None:
+    write_definition(folder / "import_one" / "msg" / "Foo.msg")
+    assert importlib.import_module("import_one.msg").Foo(x=1).x == 1
+
+
+def test_a_python_package_that_also_has_definitions(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_definition(folder / "import_two" / "msg" / "Foo.msg")
+    code = folder / "import_two" / "import_two"
+    code.mkdir()
+    (code / "__init__.py").write_text("answer = 42", encoding="utf-8")
+    monkeypatch.syspath_prepend(str(folder / "import_two"))
+    assert importlib.import_module("import_two").answer == 42
+    assert importlib.import_module("import_two.msg").Foo(x=1).x == 1
+
+
+def test_a_module_named_msg_is_left_alone(folder: Path) -> None:
+    write_definition(folder / "import_three" / "msg" / "Foo.msg")
+    (folder / "import_three" / "__init__.py").touch()
+    (folder / "import_three" / "msg" / "__init__.py").write_text("Foo = 1", encoding="utf-8")
+    assert importlib.import_module("import_three.msg").Foo == 1
+
+
+def test_a_broken_definition_is_no_missing_name(folder: Path) -> None:
+    write_definition(folder / "import_four" / "msg" / "Foo.msg", "float x")
+    with pytest.raises(ValueError, match=r"Foo\.msg:1: there is no type 'float'"):
+        exec("from import_four.msg import Foo", {})
+
+
+def test_importing_reads_no_definition() -> None:
+    # The interfaces alone, as if `zbot/__init__.py` imported nothing else.
+    program = (
+        "import sys, types; sys.path.insert(0, sys.argv[1]); z = types.ModuleType('zbot');"
+        "z.__path__ = [sys.argv[1] + '/zbot']; sys.modules['zbot'] = z;"
+        "import zbot.interfaces as i; i.install_importer(); import std_msgs.msg;"
+        "print(*[m for m in ('numpy', 'zbot.interfaces.parser', 'difflib') if m in sys.modules])"
+    )
+    root = Path(__file__).parents[3]
+    result = subprocess.run(
+        [sys.executable, "-c", program, str(root)],
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=30,
+    )
+    assert result.stdout.strip() == ""
+
+
+def write_definition(file: Path, text: str = "int32 x") -> None:
+    file.parent.mkdir(parents=True)
+    file.write_text(text, encoding="utf-8")
