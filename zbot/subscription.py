@@ -8,6 +8,7 @@ is Zenoh's ring channel: what does not fit is dropped there and never touched by
 
 from __future__ import annotations
 
+import contextlib
 import inspect
 import threading
 import time
@@ -55,13 +56,13 @@ class MessageInfo(TypedDict):
 class _Source:
     """One publisher, as this subscription sees it."""
 
-    __slots__ = ("is_accepted", "is_special", "lifespan_ns", "next_sequence")
+    __slots__ = ("is_special", "lifespan_ns", "next_sequence", "refusal")
 
-    def __init__(self, next_sequence: int, *, is_accepted: bool, lifespan_ns: int) -> None:
+    def __init__(self, next_sequence: int, *, refusal: str, lifespan_ns: int) -> None:
         self.next_sequence = next_sequence
-        self.is_accepted = is_accepted
+        self.refusal = refusal  #: why its messages cannot be read; empty if they can
         self.lifespan_ns = lifespan_ns
-        self.is_special = bool(lifespan_ns) or not is_accepted
+        self.is_special = bool(lifespan_ns or refusal)
 
 
 class Subscription(Generic[MsgT]):
@@ -195,17 +196,24 @@ class Subscription(Generic[MsgT]):
         """Return the oldest sample that the profile's history still keeps, if any."""
         queue = self._queue
         if self._is_waiting:
-            if self._keep_all:
-                if not queue and (sample := self._try_recv()) is not None:
-                    return sample
-            else:
-                while (sample := self._try_recv()) is not None:
-                    queue.append(sample)
+            try:
+                if self._keep_all:
+                    if not queue and (sample := self._try_recv()) is not None:
+                        return sample
+                else:
+                    while (sample := self._try_recv()) is not None:
+                        queue.append(sample)
+            except zenoh.ZError:
+                return None  # another thread undeclared it or closed the session just now
             if queue:
                 return queue.popleft()
-            self._is_waiting = False
-            self._armed.release()
+            self._rearm()
         return None
+
+    def _rearm(self) -> None:
+        self._is_waiting = False
+        with contextlib.suppress(RuntimeError):  # `take` and `destroy` met in two threads
+            self._armed.release()
 
     def execute(self, sample: zenoh.Sample) -> Any:
         """Decode a sample and call the callback; a sample that cannot be read is counted and reported."""
@@ -221,6 +229,9 @@ class Subscription(Generic[MsgT]):
                 source.next_sequence = sequence + 1
                 if source.is_special and not self._accepts(source, facts):
                     return None
+        if facts is None and (refusal := self._refusal(sample)):
+            self._refuse(refusal)
+            return None
         try:
             message = self._decode(sample.payload.to_bytes())
         except CodecError as exc:
@@ -233,28 +244,29 @@ class Subscription(Generic[MsgT]):
             return self._callback(message, self._info(facts))
         return self._callback(message)
 
-    @staticmethod
-    def _accepts(source: _Source, facts: tuple[int, int, int, bytes]) -> bool:
-        if source.lifespan_ns and time.time_ns() - facts[1] > source.lifespan_ns:
+    def _accepts(self, source: _Source, facts: tuple[int, int, int, bytes]) -> bool:
+        if source.refusal:
+            self._refuse(source.refusal)
             return False
-        return source.is_accepted
+        return not source.lifespan_ns or time.time_ns() - facts[1] <= source.lifespan_ns
+
+    def _refusal(self, sample: zenoh.Sample) -> str:
+        """Return why a sample's encoding rules it out; one that names no type does not."""
+        told, prefix = str(sample.encoding), self._context.dialect.encoding("")
+        if self.raw or not told.startswith(prefix):
+            return ""
+        given, expected = told.removeprefix(prefix), self._token.type_name
+        return "" if given in {"", expected} else f"it is {given}, not {expected}"
 
     def _greet(self, sample: zenoh.Sample, sequence: int, gid: bytes) -> _Source:
         if len(self._sources) >= _MOST_SOURCES:
             self._sources.clear()
-        told = str(sample.encoding)
-        accepted = told == self._context.dialect.encoding(self._token.type_name) or (
-            ";" not in told
-        )
-        if not accepted and not self.raw:
-            self._refuse(f"it is {told.partition(';')[2]}, not {self._token.type_name}")
         publisher = self._context.graph.find(gid)
         lifespan = 0 if publisher is None else publisher.qos.lifespan.nanoseconds
         own = self._token.qos.lifespan.nanoseconds
         limits = [limit for limit in (lifespan, own) if 0 < limit < 2**63 - 1]
-        source = _Source(
-            sequence, is_accepted=accepted or self.raw, lifespan_ns=min(limits, default=0)
-        )
+        refusal = self._refusal(sample)
+        source = _Source(sequence, refusal=refusal, lifespan_ns=min(limits, default=0))
         self._sources[gid] = source
         return source
 
@@ -302,8 +314,7 @@ class Subscription(Generic[MsgT]):
             self._liveliness.undeclare()
             self._subscriber.undeclare()
         if self._is_waiting:
-            self._is_waiting = False
-            self._armed.release()
+            self._rearm()
 
     def __enter__(self) -> Self:
         return self
