@@ -1,4 +1,4 @@
-"""What every test gets: a domain of its own, a clean environment, and processes that are seen to end."""
+"""What every test gets: a domain of its own, a clean environment, processes seen to end."""
 
 from __future__ import annotations
 
@@ -10,16 +10,19 @@ import subprocess
 import sys
 import threading
 import time
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
 
 import zbot
 from zbot.config import MAX_DOMAIN_ID, MEETING_PORT
+from zbot.log.hub import HUB
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
+    from pathlib import Path
+
+    from zbot.log.record import Record
 
 _PREFIXES = ("ZBOT_", "ROS_", "RCUTILS_", "ZENOH_", "AMENT_", "COLCON_")
 
@@ -111,7 +114,16 @@ class Spinner:
 
 
 @pytest.fixture
-def spin(make_context: object) -> Iterator[Callable[..., Spinner]]:
+def logged() -> Iterator[list[Record]]:
+    """Return a list that fills with every log line of this process."""
+    records: list[Record] = []
+    HUB.add_sink("", records.append)
+    yield records
+    HUB.remove_sink("", records.append)
+
+
+@pytest.fixture
+def spin(make_context: object) -> Iterator[Callable[..., Spinner]]:  # noqa: ARG001 - ends before it
     """Return a function that spins nodes in a thread."""
     running: list[Spinner] = []
 
@@ -182,7 +194,7 @@ class Program:
 
 
 @pytest.fixture
-def start(domain: int, tmp_path: Path) -> Iterator[Callable[..., Program]]:
+def start(domain: int, tmp_path: Path) -> Iterator[Callable[..., Program]]:  # noqa: ARG001 - by $
     """Return a function that starts a program: Python source, or the words of a command."""
     running: list[Program] = []
     counter = iter(range(1000))

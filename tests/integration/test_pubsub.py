@@ -1,0 +1,592 @@
+"""Messages between two contexts of one process, over the real wire."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any
+
+import msgpack  # type: ignore[import-untyped]
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+from zbot.errors import InvalidHandleError, MessageTypeError
+from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+
+from std_msgs.msg import Float32, Int64, String
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import Spinner
+    from zbot.log.record import Record
+
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., Spinner]
+
+LATCHED = QoSProfile(depth=3, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
+
+
+@pytest.fixture
+def talker(make_context: MakeContext) -> zbot.Node:
+    return zbot.Node("talker", context=make_context())
+
+
+@pytest.fixture
+def listener(make_context: MakeContext) -> zbot.Node:
+    return zbot.Node("listener", context=make_context())
+
+
+def await_match(publisher: zbot.Publisher[Any], count: int = 1) -> None:
+    assert wait_until(lambda: publisher.get_subscription_count() == count)
+
+
+def lines_about(logged: list[Record], text: str) -> list[str]:
+    return [record.message for record in logged if text in record.message]
+
+
+def put(node: zbot.Node, key: str, payload: Any, encoding: str | None = None) -> None:
+    """Publish as any Zenoh program may, without an attachment."""
+    zenoh_key = f"{node.context.get_domain_id()}{key}"
+    node.context.session.put(zenoh_key, payload, encoding=encoding)
+
+
+# -- delivery --------------------------------------------------------------------------------------
+
+
+def test_a_message_arrives_whole(talker: zbot.Node, listener: zbot.Node, spin: Spin) -> None:
+    inbox: list[String] = []
+    listener.create_subscription(String, "chatter", inbox.append, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    spin(listener)
+    publisher.publish(String(data="grüße"))
+    assert wait_until(lambda: bool(inbox))
+    assert inbox == [String(data="grüße")]
+
+
+def test_the_first_message_reaches_a_subscription_that_is_already_there(
+    listener: zbot.Node, make_context: MakeContext, spin: Spin
+) -> None:
+    inbox: list[Int64] = []
+    listener.create_subscription(Int64, "count", inbox.append, 10)
+    spin(listener)
+    for number in range(5):
+        node = zbot.Node("newcomer", context=make_context())
+        node.create_publisher(Int64, "count", 10).publish(Int64(data=number))
+        node.context.shutdown()
+    assert wait_until(lambda: len(inbox) == 5)
+    assert [message.data for message in inbox] == [0, 1, 2, 3, 4]
+
+
+def test_messages_reach_a_subscription_of_the_same_node(talker: zbot.Node, spin: Spin) -> None:
+    inbox: list[String] = []
+    talker.create_subscription(String, "chatter", inbox.append, 10)
+    talker.create_publisher(String, "chatter", 10).publish(String(data="self"))
+    spin(talker)
+    assert wait_until(lambda: bool(inbox))
+
+
+def test_every_subscription_of_a_topic_gets_every_message(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    inboxes: list[list[String]] = [[], [], []]
+    for inbox in inboxes:
+        listener.create_subscription(String, "chatter", inbox.append, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    spin(listener)
+    publisher.publish(String(data="all"))
+    assert wait_until(lambda: all(len(inbox) == 1 for inbox in inboxes))
+
+
+def test_messages_wait_for_an_executor(talker: zbot.Node, listener: zbot.Node) -> None:
+    inbox: list[Int64] = []
+    listener.create_subscription(Int64, "count", inbox.append, 10)
+    publisher = talker.create_publisher(Int64, "count", 10)
+    for number in range(3):
+        publisher.publish(Int64(data=number))
+    executor = zbot.SingleThreadedExecutor(context=listener.context)
+    executor.add_node(listener)
+    while len(inbox) < 3:
+        executor.spin_once(timeout_sec=2)
+    assert [message.data for message in inbox] == [0, 1, 2]
+
+
+def test_topics_of_other_domains_are_not_heard(talker: zbot.Node, domain: int, spin: Spin) -> None:
+    other = zbot.Context()
+    other.init([], domain_id=domain % 232 + 1 if domain < 231 else 1)
+    with other:
+        stranger = zbot.Node("stranger", context=other)
+        inbox: list[String] = []
+        talker.create_subscription(String, "chatter", inbox.append, 10)
+        spin(talker)
+        stranger.create_publisher(String, "chatter", 10).publish(String(data="other"))
+        talker.create_publisher(String, "chatter", 10).publish(String(data="own"))
+        assert wait_until(lambda: bool(inbox))
+        assert [message.data for message in inbox] == ["own"]
+
+
+# -- history ---------------------------------------------------------------------------------------
+
+
+def test_keep_last_drops_the_oldest_and_says_so_once(
+    talker: zbot.Node, listener: zbot.Node, logged: list[Record]
+) -> None:
+    inbox: list[Int64] = []
+    subscription = listener.create_subscription(Int64, "count", inbox.append, 5)
+    publisher = talker.create_publisher(Int64, "count", 5)
+    executor = zbot.SingleThreadedExecutor(context=listener.context)
+    executor.add_node(listener)
+    publisher.publish(Int64(data=-1))
+    while not inbox:
+        executor.spin_once(timeout_sec=2)
+    for burst in range(2):
+        for number in range(100):
+            publisher.publish(Int64(data=100 * burst + number))
+        # Zenoh hands samples over in order: when a marker came, the burst is there.
+        marks: list[String] = []
+        markers = listener.create_subscription(String, f"mark{burst}", marks.append, 1)
+        marker = talker.create_publisher(String, f"mark{burst}", 1)
+        await_match(marker)
+        marker.publish(String())
+        inbox.clear()
+        while not marks or len(inbox) < 5:
+            executor.spin_once(timeout_sec=2)
+        assert [message.data for message in inbox] == [
+            100 * burst + last for last in range(95, 100)
+        ]
+        listener.destroy_subscription(markers)
+    assert subscription.lost_count == 190
+    assert len(lines_about(logged, "messages lost")) == 1
+    assert "/count: 95 messages lost" in lines_about(logged, "messages lost")[0]
+
+
+def test_keep_all_loses_nothing_in_a_flood(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    count = 20_000
+    numbers: list[int] = []
+    subscription = listener.create_subscription(
+        Int64, "count", lambda message: numbers.append(message.data), KEEP_ALL
+    )
+    publisher = talker.create_publisher(Int64, "count", KEEP_ALL)
+    await_match(publisher)
+    spin(listener)
+    for number in range(count):
+        publisher.publish(Int64(data=number))
+    assert wait_until(lambda: len(numbers) >= count)
+    assert numbers == list(range(count))
+    assert subscription.lost_count == 0
+
+
+def test_a_latched_topic_gives_late_subscriptions_its_last_messages(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    publisher = talker.create_publisher(Int64, "map", LATCHED)
+    for number in range(5):
+        publisher.publish(Int64(data=number))
+    spin(listener)
+    inbox: list[Int64] = []
+    listener.create_subscription(Int64, "map", inbox.append, LATCHED)
+    assert wait_until(lambda: len(inbox) == 3)
+    publisher.publish(Int64(data=5))
+    assert wait_until(lambda: len(inbox) == 4)
+    assert [message.data for message in inbox] == [2, 3, 4, 5]
+
+
+def test_a_volatile_subscription_of_a_latched_topic_gets_only_what_is_new(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    publisher = talker.create_publisher(Int64, "map", LATCHED)
+    publisher.publish(Int64(data=0))
+    spin(listener)
+    inbox: list[Int64] = []
+    listener.create_subscription(Int64, "map", inbox.append, 10)
+    await_match(publisher)
+    publisher.publish(Int64(data=1))
+    assert wait_until(lambda: bool(inbox))
+    assert [message.data for message in inbox] == [1]
+
+
+def test_an_expired_message_is_not_delivered(
+    talker: zbot.Node, listener: zbot.Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    inbox: list[Int64] = []
+    short = QoSProfile(depth=10, lifespan=zbot.Duration(seconds=1))
+    listener.create_subscription(Int64, "count", inbox.append, short)
+    publisher = talker.create_publisher(Int64, "count", 10)
+    executor = zbot.SingleThreadedExecutor(context=listener.context)
+    executor.add_node(listener)
+    with monkeypatch.context() as patch:
+        patch.setattr("zbot.publisher.time.time_ns", lambda: 10**9)
+        publisher.publish(Int64(data=0))
+    publisher.publish(Int64(data=1))
+    while not inbox:
+        executor.spin_once(timeout_sec=2)
+    assert [message.data for message in inbox] == [1]
+
+
+# -- forms of subscriptions ------------------------------------------------------------------------
+
+
+def test_a_raw_subscription_gets_the_bytes_as_they_were_sent(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    inbox: list[bytes] = []
+    listener.create_subscription(String, "chatter", inbox.append, 10, raw=True)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    spin(listener)
+    publisher.publish(String(data="raw"))
+    publisher.publish(b"\xc1 not MessagePack")
+    assert wait_until(lambda: len(inbox) == 2)
+    assert msgpack.unpackb(inbox[0]) == {"data": "raw"}
+    assert inbox[1] == b"\xc1 not MessagePack"
+
+
+def test_a_callback_with_two_arguments_gets_times_and_numbers(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    infos: list[dict[str, int]] = []
+    listener.create_subscription(String, "chatter", lambda _, info: infos.append(info), 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    before = talker.get_clock().now().nanoseconds
+    spin(listener)
+    publisher.publish(String())
+    publisher.publish(String())
+    assert wait_until(lambda: len(infos) == 2)
+    assert [info["publication_sequence_number"] for info in infos] == [1, 2]
+    assert [info["reception_sequence_number"] for info in infos] == [1, 2]
+    for info in infos:
+        assert before <= info["source_timestamp"] <= info["received_timestamp"]
+
+
+@pytest.mark.parametrize("callback", [lambda: None, lambda a, b, c: None])  # noqa: ARG005
+def test_a_callback_that_nobody_can_call_is_refused(
+    talker: zbot.Node, callback: Callable[..., None]
+) -> None:
+    with pytest.raises(RuntimeError, match=r"\(message\) or \(message, info\)"):
+        talker.create_subscription(String, "chatter", callback, 10)
+
+
+def test_a_refused_subscription_leaves_nothing_behind(talker: zbot.Node) -> None:
+    with pytest.raises(RuntimeError):
+        talker.create_subscription(String, "chatter", lambda: None, 10)
+    assert talker.count_subscribers("chatter") == 0
+
+
+# -- what publish() takes --------------------------------------------------------------------------
+
+
+def test_bytes_are_published_as_they_are(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    inbox: list[String] = []
+    listener.create_subscription(String, "chatter", inbox.append, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    spin(listener)
+    publisher.publish(msgpack.packb({"data": "packed"}))
+    assert wait_until(lambda: inbox == [String(data="packed")])
+
+
+@pytest.mark.parametrize("wrong", [Float32(data=1.0), "text", None, String, 1, {"data": "x"}])
+def test_publishing_another_type_names_both(talker: zbot.Node, wrong: Any) -> None:
+    publisher = talker.create_publisher(String, "chatter", 10)
+    with pytest.raises(MessageTypeError) as raised:
+        publisher.publish(wrong)
+    assert "/chatter carries std_msgs/msg/String" in str(raised.value)
+    assert isinstance(raised.value, TypeError)
+    assert publisher.sent_count == 0
+
+
+def test_a_subclass_of_the_type_is_published(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    class Loud(String):
+        pass
+
+    inbox: list[String] = []
+    listener.create_subscription(String, "chatter", inbox.append, 10)
+    spin(listener)
+    talker.create_publisher(String, "chatter", 10).publish(Loud(data="LOUD"))
+    assert wait_until(lambda: bool(inbox))
+    assert inbox[0].data == "LOUD"
+
+
+def test_many_threads_may_publish_at_once(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    numbers: list[int] = []
+    infos: list[int] = []
+
+    def on_message(message: Int64, info: dict[str, int]) -> None:
+        numbers.append(message.data)
+        infos.append(info["publication_sequence_number"])
+
+    listener.create_subscription(Int64, "count", on_message, KEEP_ALL)
+    publisher = talker.create_publisher(Int64, "count", KEEP_ALL)
+    await_match(publisher)
+    spin(listener)
+
+    def publish(first: int) -> None:
+        for number in range(first, first + 250):
+            publisher.publish(Int64(data=number))
+
+    threads = [threading.Thread(target=publish, args=(1000 * k,)) for k in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert wait_until(lambda: len(numbers) == 2000)
+    assert infos == list(range(1, 2001))
+    assert len(set(numbers)) == 2000
+
+
+# -- what others send ------------------------------------------------------------------------------
+
+
+def nested(depth: int) -> bytes:
+    return b"\x81\xa4data" * depth + b"\xc0"
+
+
+@pytest.mark.parametrize(
+    ("payload", "encoding"),
+    [
+        (b"\xc1\xc1\xc1", None),
+        (b"", None),
+        (b"plain text", "text/plain"),
+        (msgpack.packb([1, 2, 3]), None),
+        (msgpack.packb({"data": 5}), None),
+        (msgpack.packb({"data": b"\xff"}), None),
+        (nested(100_000), None),
+        (b"\xdd\xff\xff\xff\xff", None),
+        (msgpack.packb({"data": "x"})[:-1], "application/msgpack;std_msgs/msg/String"),
+    ],
+    ids=["no msgpack", "empty", "text", "array", "int", "bin", "deep", "4 billion", "cut"],
+)
+def test_garbage_is_one_line_and_the_next_message_arrives(
+    talker: zbot.Node,
+    listener: zbot.Node,
+    spin: Spin,
+    logged: list[Record],
+    payload: bytes,
+    encoding: str | None,
+) -> None:
+    inbox: list[String] = []
+    subscription = listener.create_subscription(String, "chatter", inbox.append, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    await_match(publisher)
+    spinner = spin(listener)
+    put(talker, "/chatter", payload, encoding)
+    put(talker, "/chatter", payload, encoding)
+    publisher.publish(String(data="good"))
+    assert wait_until(lambda: bool(inbox))
+    assert inbox == [String(data="good")]
+    assert subscription.refused_count == 2
+    assert len(lines_about(logged, "/chatter: cannot read a message")) == 1
+    assert spinner.error is None
+
+
+def test_a_plain_put_without_attachment_is_accepted(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    inbox: list[tuple[String, dict[str, int]]] = []
+    listener.create_subscription(
+        String, "chatter", lambda message, info: inbox.append((message, info)), 10
+    )
+    publisher = talker.create_publisher(String, "chatter", 10)
+    await_match(publisher)
+    spin(listener)
+    put(talker, "/chatter", msgpack.packb({"data": "plain"}))
+    assert wait_until(lambda: bool(inbox))
+    message, info = inbox[0]
+    assert message.data == "plain"
+    assert (info["source_timestamp"], info["publication_sequence_number"]) == (0, 0)
+
+
+def test_a_plain_put_that_names_another_type_is_refused(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin, logged: list[Record]
+) -> None:
+    inbox: list[String] = []
+    subscription = listener.create_subscription(String, "chatter", inbox.append, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    await_match(publisher)
+    spin(listener)
+    put(talker, "/chatter", msgpack.packb({}), "application/msgpack;std_msgs/msg/Float32")
+    publisher.publish(String(data="good"))
+    assert wait_until(lambda: bool(inbox))
+    assert [message.data for message in inbox] == ["good"]
+    assert subscription.refused_count == 1
+    assert len(lines_about(logged, "it is std_msgs/msg/Float32")) == 1
+
+
+@pytest.mark.parametrize("attachment", [b"", b"short", b"x" * 33, b"x" * 1000])
+def test_a_foreign_attachment_is_no_error(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin, attachment: bytes
+) -> None:
+    inbox: list[String] = []
+    listener.create_subscription(String, "chatter", inbox.append, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    await_match(publisher)
+    spin(listener)
+    key = f"{talker.context.get_domain_id()}/chatter"
+    talker.context.session.put(key, msgpack.packb({"data": "x"}), attachment=attachment)
+    assert wait_until(lambda: bool(inbox))
+
+
+def test_a_delete_is_no_message(talker: zbot.Node, listener: zbot.Node, spin: Spin) -> None:
+    inbox: list[String] = []
+    listener.create_subscription(String, "chatter", inbox.append, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    await_match(publisher)
+    spinner = spin(listener)
+    talker.context.session.delete(f"{talker.context.get_domain_id()}/chatter")
+    publisher.publish(String(data="after"))
+    assert wait_until(lambda: bool(inbox))
+    assert [message.data for message in inbox] == ["after"]
+    assert spinner.error is None
+
+
+def test_two_types_on_one_topic_do_not_mix_and_are_said_once(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin, logged: list[Record]
+) -> None:
+    inbox: list[String] = []
+    subscription = listener.create_subscription(String, "chatter", inbox.append, 10)
+    wrong = talker.create_publisher(Float32, "chatter", 10)
+    right = talker.create_publisher(String, "chatter", 10)
+    spin(listener)
+    for _ in range(3):
+        wrong.publish(Float32(data=1.0))
+    right.publish(String(data="good"))
+    assert wait_until(lambda: bool(inbox))
+    assert inbox == [String(data="good")]
+    assert subscription.received_count == 1
+    assert subscription.refused_count == 3
+    assert len(lines_about(logged, "it is std_msgs/msg/Float32, not std_msgs/msg/String")) == 1
+
+
+# -- the end ---------------------------------------------------------------------------------------
+
+
+def test_a_callback_may_destroy_its_own_subscription(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    inbox: list[Int64] = []
+
+    def on_message(message: Int64) -> None:
+        inbox.append(message)
+        listener.destroy_subscription(subscription)
+
+    subscription = listener.create_subscription(Int64, "count", on_message, 10)
+    publisher = talker.create_publisher(Int64, "count", 10)
+    done: list[String] = []
+    listener.create_subscription(String, "done", done.append, 10)
+    finish = talker.create_publisher(String, "done", 10)
+    await_match(publisher)
+    spinner = spin(listener)
+    for number in range(5):
+        publisher.publish(Int64(data=number))
+    finish.publish(String())
+    assert wait_until(lambda: bool(done))
+    assert len(inbox) == 1
+    assert spinner.error is None
+    await_match(publisher, 0)
+
+
+def test_a_callback_may_destroy_its_own_node(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    publisher = talker.create_publisher(Int64, "count", 10)
+    listener.create_subscription(Int64, "count", lambda _: listener.destroy_node(), 10)
+    await_match(publisher)
+    spinner = spin(listener)
+    publisher.publish(Int64())
+    await_match(publisher, 0)
+    assert spinner.error is None
+    assert "listener" not in talker.get_node_names()
+
+
+def test_a_destroyed_publisher_says_so(talker: zbot.Node) -> None:
+    publisher = talker.create_publisher(String, "chatter", 10)
+    assert talker.destroy_publisher(publisher)
+    assert not talker.destroy_publisher(publisher)
+    with pytest.raises(InvalidHandleError, match="/chatter was destroyed"):
+        publisher.publish(String())
+
+
+def test_publishing_after_shutdown_says_so(talker: zbot.Node) -> None:
+    publisher = talker.create_publisher(String, "chatter", 10)
+    publisher.publish(String())
+    talker.context.shutdown()
+    with pytest.raises(RuntimeError, match=r"zbot\.init\(\)"):
+        publisher.publish(String())
+
+
+def test_publishing_first_after_shutdown_says_so(talker: zbot.Node) -> None:
+    publisher = talker.create_publisher(String, "chatter", 10)
+    talker.context.shutdown()
+    with pytest.raises(RuntimeError, match=r"zbot\.init\(\)"):
+        publisher.publish(String())
+
+
+def test_destroying_twice_is_harmless(talker: zbot.Node) -> None:
+    publisher = talker.create_publisher(String, "chatter", 10)
+    subscription = talker.create_subscription(String, "chatter", print, 10)
+    for _ in range(2):
+        publisher.destroy()
+        subscription.destroy()
+        talker.destroy_node()
+        talker.context.shutdown()
+    with pytest.raises(InvalidHandleError):
+        talker.create_publisher(String, "chatter", 10)
+
+
+def test_with_blocks_destroy_what_they_made(talker: zbot.Node) -> None:
+    with talker.create_publisher(String, "chatter", 10) as publisher:
+        assert talker.count_publishers("chatter") == 1
+        assert publisher.topic_name == "/chatter"
+    assert talker.count_publishers("chatter") == 0
+    with talker.create_subscription(String, "chatter", print, 10) as subscription:
+        assert talker.count_subscribers("chatter") == 1
+        assert subscription.topic_name == "/chatter"
+    assert talker.count_subscribers("chatter") == 0
+
+
+def test_destroying_under_traffic_is_clean(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    publisher = talker.create_publisher(Int64, "count", 10)
+    spinner = spin(listener)
+    stop = threading.Event()
+
+    def publish() -> None:
+        while not stop.is_set():
+            publisher.publish(Int64())
+
+    thread = threading.Thread(target=publish)
+    thread.start()
+    try:
+        for _ in range(20):
+            got = threading.Event()
+            subscription = listener.create_subscription(Int64, "count", lambda _, g=got: g.set(), 5)
+            assert got.wait(5), spinner.error
+            listener.destroy_subscription(subscription)
+    finally:
+        stop.set()
+        thread.join()
+    assert spinner.error is None
+
+
+# -- counting --------------------------------------------------------------------------------------
+
+
+def test_counts_follow_the_other_side(talker: zbot.Node, listener: zbot.Node) -> None:
+    publisher = talker.create_publisher(String, "chatter", 10)
+    assert publisher.get_subscription_count() == 0
+    first = listener.create_subscription(String, "chatter", print, 10)
+    second = listener.create_subscription(String, "chatter", print, 10)
+    await_match(publisher, 2)
+    assert wait_until(lambda: first.get_publisher_count() == 1)
+    listener.destroy_subscription(second)
+    await_match(publisher, 1)
+    listener.context.shutdown()
+    await_match(publisher, 0)
