@@ -17,6 +17,7 @@ from zbot.interfaces.registry import get_spec as get_spec
 from zbot.interfaces.registry import interface_names as interface_names
 from zbot.interfaces.registry import packages as packages
 from zbot.interfaces.registry import register_spec as register_spec
+from zbot.interfaces.remote_definition import register_description as register_description
 from zbot.interfaces.spec import ActionSpec as ActionSpec
 from zbot.interfaces.spec import Constant as Constant
 from zbot.interfaces.spec import Field as Field

@@ -7,7 +7,6 @@ The modules of a real ROS 2 win. What is missing is filled in: whole packages, a
 from __future__ import annotations
 
 import sys
-from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
@@ -20,6 +19,9 @@ from zbot.interfaces.workspace import KINDS
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from importlib.abc import Loader
+else:
+    Loader = object  # importlib.abc would load tempfile, random and more
 
 
 def install_importer() -> None:
@@ -29,7 +31,7 @@ def install_importer() -> None:
         sys.meta_path.append(_PackageFinder())
 
 
-class _KindFinder(MetaPathFinder):
+class _KindFinder:
     """Finds `std_msgs.msg`, unless there is a real module.
 
     It stands first on `sys.meta_path`: to Python, a folder `my_package/msg` of .msg files is a
@@ -51,7 +53,7 @@ class _KindFinder(MetaPathFinder):
         return ModuleSpec(fullname, _KindLoader(names), is_package=True) if names else None
 
 
-class _PackageFinder(MetaPathFinder):
+class _PackageFinder:
     """Finds `std_msgs` and `std_msgs.msg._string`, last, when there is nothing real."""
 
     def find_spec(
@@ -69,6 +71,11 @@ class _PackageFinder(MetaPathFinder):
 
 class _PackageLoader(Loader):
     """A package that holds nothing itself, like `std_msgs`."""
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType | None:
+        """Leave it to Python."""
+        del spec
+        return None
 
     def exec_module(self, module: ModuleType) -> None:
         package = module.__name__
@@ -93,6 +100,11 @@ class _ModuleLoader(Loader):
 
     def __init__(self, name: str) -> None:
         self._name = name
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType | None:
+        """Leave it to Python."""
+        del spec
+        return None
 
     def exec_module(self, module: ModuleType) -> None:
         for name in _parts(self._name):

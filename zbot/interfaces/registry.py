@@ -122,7 +122,7 @@ def register_spec(spec: InterfaceSpec) -> None:
             _add(spec, spec.name)
             _registered.append(spec.name)
         else:
-            if known != spec:
+            if _layout(known) != _layout(spec):
                 raise InterfaceConflictError(spec.name)
 
 
@@ -170,6 +170,15 @@ def _text(file: Path) -> str:
         return file.read_text(encoding="utf-8")
     except UnicodeDecodeError as error:
         raise InterfaceSyntaxError(str(file), 0, "", "the file is not UTF-8 text") from error
+
+
+def _layout(spec: InterfaceSpec) -> tuple[Any, ...]:
+    """What two machines must agree on: names and types of the fields, not defaults or constants."""
+    if isinstance(spec, MessageSpec):
+        return tuple((field.name, str(field.type)) for field in spec.fields)
+    if isinstance(spec, ServiceSpec):
+        return _layout(spec.request), _layout(spec.response)
+    return _layout(spec.goal), _layout(spec.result), _layout(spec.feedback)
 
 
 def _add(spec: InterfaceSpec, file: str) -> None:

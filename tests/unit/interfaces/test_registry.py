@@ -269,7 +269,7 @@ def test_definitions_from_elsewhere_can_be_registered() -> None:
 
 
 def test_a_definition_that_is_known_otherwise_is_refused() -> None:
-    register_spec(parse_message("std_msgs/msg/String", "string data  # another comment"))
+    register_spec(parse_message("std_msgs/msg/String", "int32 A=1\nstring data 'default'"))
     with pytest.raises(InterfaceConflictError, match="std_msgs/msg/String is defined differently"):
         register_spec(parse_message("std_msgs/msg/String", "wstring data"))
 
