@@ -18,7 +18,7 @@ import time
 from datetime import datetime, timezone
 from pathlib import Path
 
-import zenoh
+from importlib.metadata import version
 
 import zbot
 from benchmarks.contestants import SOURCES
@@ -230,7 +230,7 @@ def main() -> None:
     report.say(
         f"{datetime.now(timezone.utc):%Y-%m-%d}, {platform.system()} {platform.machine()}, "
         f"{os.cpu_count()} cores, Python {platform.python_version()}, zbot {zbot.__version__}, "
-        f"eclipse-zenoh {zenoh.__version__}; medians of {rounds} interleaved runs."
+        f"eclipse-zenoh {version("eclipse-zenoh")}; medians of {rounds} interleaved runs."
     )
     latency_table(report, rounds)
     throughput_table(report, rounds)

@@ -294,6 +294,8 @@ def _configure_logging(arguments: Arguments) -> None:
         levels=levels,
         stdout_enabled=arguments.stdout_logs,
         rosout_enabled=arguments.rosout_logs,
+        file_enabled=arguments.external_lib_logs,
+        file_prefix=arguments.log_file_name,
     )
 
 

@@ -6,6 +6,7 @@ that dies takes its tokens with it.
 
 from __future__ import annotations
 
+import json
 import threading
 import time
 import weakref
@@ -15,8 +16,8 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from zbot.errors import TokenError
-from zbot.names import fully_qualified
+from zbot.errors import InvalidNameError, TokenError
+from zbot.names import fully_qualified, validate_full_topic_name
 from zbot.wire.tokens import EntityKind, EndpointToken, NodeToken
 
 if TYPE_CHECKING:
@@ -213,6 +214,71 @@ class Graph:
             listener = ref()
             if listener is not None:
                 listener(token, appeared)
+
+
+@dataclass(frozen=True)
+class Process:
+    """What a session tells of its process in the admin space."""
+
+    zid: str
+    host: str
+    pid: int
+    started_ns: int  #: nanoseconds since the epoch
+    version: str  #: of zbot
+    command: str
+
+
+def processes(session: zenoh.Session) -> dict[str, Process]:
+    """Return the zbot processes that can be seen, by session id (1 to 25 ms)."""
+    found = {}
+    for reply in session.get("@/*/*", timeout=2.0):
+        if reply.ok is not None:
+            zid = str(reply.ok.key_expr).split("/")[1]
+            process = _process(zid, reply.ok.payload.to_bytes())
+            if process is not None:
+                found[zid] = process
+    return found
+
+
+def _process(zid: str, payload: bytes) -> Process | None:
+    try:
+        facts = json.loads(payload)["metadata"]["zbot"]
+        return Process(
+            zid,
+            str(facts["host"]),
+            int(facts["pid"]),
+            int(facts["started"]),
+            str(facts["version"]),
+            str(facts["command"]),
+        )
+    except (ValueError, KeyError, TypeError):
+        return None  # a Zenoh program that is not zbot's
+
+
+def foreign_topics(session: zenoh.Session, snapshot: Snapshot, domain: int) -> dict[str, set[EntityKind]]:
+    """Return topics of a domain that only plain Zenoh programs use, as the meeting router sees them.
+
+    Args:
+        session: A client's session.
+        snapshot: The graph: what it knows is not foreign.
+        domain: 0 to 232.
+    """
+    known = {end.name for end in snapshot.endpoints}
+    found: dict[str, set[EntityKind]] = {}
+    for word, kind in (("publisher", EntityKind.PUBLISHER), ("subscriber", EntityKind.SUBSCRIPTION)):
+        for reply in session.get(f"@/*/router/{word}/{domain}/**", timeout=2.0):
+            if reply.ok is not None:
+                name = "/" + str(reply.ok.key_expr).split(f"/{word}/{domain}/", 1)[1]
+                if name not in known and _is_name(name):
+                    found.setdefault(name, set()).add(kind)
+    return found
+
+
+def _is_name(name: str) -> bool:
+    try:
+        return validate_full_topic_name(name)
+    except InvalidNameError:
+        return False  # a wildcard, or a key that is no ROS name
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,198 @@
+"""`zbot topic echo`: the messages of one topic or several, as text."""
+
+from __future__ import annotations
+
+import sys
+import time
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+from zbot.event import SubscriptionEventCallbacks
+from zbot.graph import Token
+from zbot.wire.tokens import EndpointToken, EntityKind
+from zbot_cli.looking import full_name, hidden_node
+from zbot_cli.topic_type import message_class, wait_for_type
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from zbot.event import QoSMessageLostInfo
+    from zbot.node import Node
+    from zbot.subscription import MessageInfo
+    from zbot_cli.qos_options import Choice
+
+_CLEAR = "\033[H\033[2J"
+
+
+class NothingReceivedError(ZbotError):
+    """No message came before the time was over."""
+
+    def __init__(self, topics: Sequence[str], timeout_s: float) -> None:
+        super().__init__(f"no message on {', '.join(topics)} within {timeout_s:g} s")
+
+
+@dataclass(frozen=True)
+class Form:
+    """How messages are shown; `length` is `None` for everything."""
+
+    csv: bool = False
+    fields: tuple[str, ...] = ()
+    length: int | None = 128
+    no_arr: bool = False
+    no_str: bool = False
+    flow_style: bool = False
+    raw: bool = False
+    filter_expression: str | None = None
+    with_info: bool = False
+    clear: bool = False
+    json: bool = False
+    losses: bool = True
+
+
+class Echo:
+    """Prints what comes until Ctrl-C, the first message, or a time limit.
+
+    Args:
+        words: Topics, possibly with wildcards, and a type behind the last one.
+        form: How to show messages.
+        choice: Quality of service options.
+        once: End after the first message that is shown.
+        timeout_s: End after so many seconds; having seen nothing is an error.
+        node_name: A visible name for the listening node.
+        use_sim_time: Whether the node follows `/clock`.
+    """
+
+    def __init__(
+        self,
+        words: Sequence[str],
+        form: Form,
+        choice: Choice,
+        *,
+        once: bool,
+        timeout_s: float | None,
+        node_name: str | None,
+        use_sim_time: bool,
+    ) -> None:
+        self._names, self._type = _split(list(words))
+        self._choice = choice
+        self._once = once
+        self._timeout_s = timeout_s
+        self._node_name = node_name
+        self._use_sim_time = use_sim_time
+        self._form = form
+        self._subscribed: set[str] = set()
+        self._shown = 0
+        self._done = False
+
+    @property
+    def _several(self) -> bool:
+        return len(self._names) > 1 or any(map(_is_pattern, self._names))
+
+    def run(self) -> None:
+        """Listen and print.
+
+        Raises:
+            NothingReceivedError: The time limit passed without a message.
+        """
+        from zbot_cli.message_text import formatter  # noqa: PLC0415 - only echo formats messages
+
+        self._format = formatter(self._form)
+        self._accepts = self._filter()
+        with hidden_node("echo", self._node_name, use_sim_time=self._use_sim_time) as node:
+            self._begin(node)
+            deadline = None if self._timeout_s is None else time.monotonic() + self._timeout_s
+            self._spin(node, deadline)
+        if self._timeout_s is not None and not self._shown:
+            raise NothingReceivedError(self._names, self._timeout_s)
+
+    def _filter(self) -> Callable[[Any], bool] | None:
+        if self._form.filter_expression is None:
+            return None
+        from zbot_cli.filter import compile_filter  # noqa: PLC0415 - seldom used
+
+        return compile_filter(self._form.filter_expression)
+
+    def _begin(self, node: Node) -> None:
+        for name in self._names:
+            if _is_pattern(name):
+                continue
+            self._subscribe(node, name, self._type or wait_for_type(node, name))
+        if any(map(_is_pattern, self._names)):
+            self._node = node
+            node.context.graph.add_listener(self._on_change)
+
+    def _on_change(self, token: Token, appeared: bool) -> None:
+        # Zenoh's thread: subscribing there could wait for itself.
+        if not appeared or not isinstance(token, EndpointToken) or token.kind is not EntityKind.PUBLISHER:
+            return
+        if token.name not in self._subscribed and any(
+            fnmatchcase(token.name, name.replace("**", "*")) for name in self._names
+        ):
+            self._subscribed.add(token.name)
+            self._node.executor.create_task(  # type: ignore[union-attr]
+                self._subscribe, self._node, token.name, token.type_name
+            )
+
+    def _subscribe(self, node: Node, name: str, type_name: str) -> None:
+        if not type_name:
+            return  # interrupted while waiting
+        self._subscribed.add(name)
+        qos = self._choice.to_subscribe(node.context.graph.snapshot().publishers(name))
+        callbacks = SubscriptionEventCallbacks(message_lost=self._on_lost)
+        node.create_subscription(
+            message_class(type_name),
+            name,
+            lambda message, info: self._show(name, message, info),
+            qos,
+            raw=self._form.raw,
+            event_callbacks=callbacks,
+        )
+
+    def _spin(self, node: Node, deadline: float | None) -> None:
+        import zbot  # noqa: PLC0415 - makes the message packages importable
+
+        executor = zbot.SingleThreadedExecutor(context=node.context)
+        executor.add_node(node)
+        while node.context.ok() and not self._done:
+            left = None if deadline is None else deadline - time.monotonic()
+            if left is not None and left <= 0:
+                return
+            executor.spin_once(left)
+
+    def _show(self, name: str, message: Any, info: MessageInfo) -> None:
+        if self._done or (self._accepts is not None and not self._accepts(message)):
+            return
+        text = self._format(name, message, info)
+        if self._form.clear:
+            text = _CLEAR + text
+        if self._several and not (self._form.json or self._form.csv):
+            text = f"# {name}\n{text}"
+        sys.stdout.write(text)
+        sys.stdout.flush()
+        self._shown += 1
+        self._done = self._once
+
+    def _on_lost(self, info: QoSMessageLostInfo) -> None:
+        if self._form.losses:
+            print(
+                f"A message was lost!!!\n\ttotal count change:{info.total_count_change}\n"
+                f"\ttotal count: {info.total_count}\n---",
+                flush=True,
+                file=sys.stderr if self._form.json else sys.stdout,
+            )
+
+
+def _split(words: list[str]) -> tuple[list[str], str | None]:
+    """Tell the type from the topics: it comes last, has no leading slash, and names an interface."""
+    if len(words) > 1 and not words[-1].startswith("/") and "*" not in words[-1]:
+        from zbot_cli.types import resolve_message_type  # noqa: PLC0415 - only with a type
+
+        if "/" in words[-1] or "." in words[-1]:
+            return list(map(full_name, words[:-1])), resolve_message_type(words[-1])
+    return list(map(full_name, words)), None
+
+
+def _is_pattern(name: str) -> bool:
+    return "*" in name

@@ -1,0 +1,173 @@
+"""`zbot node`: which nodes there are, and what each has."""
+
+from __future__ import annotations
+
+import sys
+from collections import Counter
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from zbot.errors import ZbotError
+from zbot.graph import full_names
+from zbot.names import fully_qualified, is_hidden, nearest
+from zbot.wire.tokens import EntityKind
+from zbot_cli.listing import AsJson, NoDaemon, SpinTime, UseSimTime, new_app, print_json
+from zbot_cli.looking import client, full_name, snapshot, snapshot_of
+
+if TYPE_CHECKING:
+    from zbot.graph import NamesAndTypes, Process, Snapshot
+    from zbot.wire.tokens import NodeToken
+
+app = new_app("Look at nodes")
+
+_ACTION_TOPIC = "/_action/status"
+_ACTION_SERVICE = "/_action/send_goal"
+
+
+class UnknownNodeNameError(ZbotError):
+    """No node of that name is there; the hint says what may have been meant."""
+
+    def __init__(self, name: str, known: list[str]) -> None:
+        self.name = name
+        guess = nearest(name, known)
+        self.hint = f"did you mean {guess}?" if guess else None
+        super().__init__(f"Unable to find node '{name}'")
+
+
+class NodeKillError(ZbotError):
+    """A node cannot be ended from here."""
+
+
+@app.command("list")
+def list_nodes(
+    show_all: Annotated[bool, typer.Option("-a", "--all", help="Show hidden nodes too")] = False,
+    count: Annotated[bool, typer.Option("-c", "--count-nodes", "--count", help="Print the number")] = False,
+    as_json: AsJson = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """List the nodes that are running."""
+    nodes = [node for node in snapshot().nodes if show_all or not is_hidden(_name(node))]
+    names = full_names(nodes)
+    if count:
+        print(len(names))
+    elif as_json:
+        print_json([{"name": node.node, "namespace": node.namespace} for node in nodes])
+    else:
+        _warn_of_duplicates(names)
+        for name in names:
+            print(name)
+
+
+def _name(node: NodeToken) -> str:
+    return fully_qualified(node.namespace, node.node)
+
+
+def _warn_of_duplicates(names: list[str]) -> None:
+    twice = [name for name, count in Counter(names).items() if count > 1]
+    if twice:
+        print(
+            "WARNING: Be aware that there are nodes in the graph that share an exact name, "
+            f"which can have unintended side effects: {', '.join(twice)}",
+            file=sys.stderr,
+        )
+
+
+@app.command("info")
+def info(
+    node_name: Annotated[str, typer.Argument(help="Name of the node, e.g. /talker")],
+    include_hidden: Annotated[bool, typer.Option("--include-hidden", help="Show hidden topics too")] = False,
+    as_json: AsJson = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Show what a node publishes, subscribes to and serves."""
+    graph = snapshot()
+    name = full_name(node_name)
+    found = full_names(graph.nodes).count(name)
+    if not found:
+        raise UnknownNodeNameError(name, full_names(graph.nodes))
+    if found > 1:
+        print(f"There are {found} nodes in the graph with the exact name '{name}'. You are seeing "
+              "information about all of them.", file=sys.stderr)
+    groups = _groups(graph, name, include_hidden=include_hidden)
+    if as_json:
+        print_json({"node": name, **{title: dict(group) for title, group in groups.items()}})
+        return
+    print(name)
+    for title, group in groups.items():
+        print(f"  {title}:")
+        print("\n".join(f"    {entry}: {', '.join(types)}" for entry, types in group))
+
+
+def _groups(graph: Snapshot, node: str, *, include_hidden: bool) -> dict[str, NamesAndTypes]:
+    kinds = {
+        "Subscribers": EntityKind.SUBSCRIPTION,
+        "Publishers": EntityKind.PUBLISHER,
+        "Service Servers": EntityKind.SERVICE,
+        "Service Clients": EntityKind.CLIENT,
+    }
+    groups = {
+        title: [
+            entry
+            for entry in graph.names_and_types(kind, node=node)
+            if include_hidden or not is_hidden(entry[0])
+        ]
+        for title, kind in kinds.items()
+    }
+    groups["Action Servers"] = _actions(graph, node, EntityKind.SERVICE)
+    groups["Action Clients"] = _actions(graph, node, EntityKind.CLIENT)
+    return groups
+
+
+def _actions(graph: Snapshot, node: str, kind: EntityKind) -> NamesAndTypes:
+    return [
+        (name.removesuffix(_ACTION_SERVICE), [one.removesuffix("_SendGoal") for one in types])
+        for name, types in graph.names_and_types(kind, node=node)
+        if name.endswith(_ACTION_SERVICE)
+    ]
+
+
+@app.command("kill")
+def kill(
+    node_name: Annotated[str, typer.Argument(help="Name of the node, e.g. /talker")],
+    force: Annotated[bool, typer.Option("-f", "--force", help="Do not let it clean up")] = False,
+) -> None:
+    """End the process that a node runs in."""
+    name = full_name(node_name)
+    with client() as context:
+        nodes = snapshot_of(context).nodes
+        sessions = {node.zid for node in nodes if _name(node) == name}
+        if not sessions:
+            raise UnknownNodeNameError(name, full_names(nodes))
+        known = _processes(context)
+        for zid in sessions:
+            _end(name, known.get(zid), force=force)
+
+
+def _processes(context: object) -> dict[str, Process]:
+    from zbot.graph import processes  # noqa: PLC0415 - only this verb asks for it
+
+    return processes(context.session)  # type: ignore[attr-defined]
+
+
+def _end(name: str, process: Process | None, *, force: bool) -> None:
+    import os  # noqa: PLC0415 - only this verb signals
+    import signal  # noqa: PLC0415 - only this verb signals
+    import socket  # noqa: PLC0415 - only this verb signals
+
+    if process is None:
+        raise NodeKillError(f"the process of {name} does not tell who it is")
+    if process.host != socket.gethostname():
+        raise NodeKillError(f"{name} runs on {process.host} (pid {process.pid}): end it there")
+    number = signal.SIGKILL if force and hasattr(signal, "SIGKILL") else signal.SIGTERM
+    try:
+        os.kill(process.pid, number)
+    except ProcessLookupError:
+        raise NodeKillError(f"the process {process.pid} of {name} has gone already") from None
+    except PermissionError:
+        raise NodeKillError(f"the process {process.pid} of {name} belongs to another user") from None
+    print(f"{name}: ended process {process.pid} ({process.command})")

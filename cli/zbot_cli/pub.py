@@ -1,0 +1,232 @@
+"""`zbot topic pub`: messages from the command line, at the rate that was asked for."""
+
+from __future__ import annotations
+
+import sys
+import time
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+from zbot.executor import Signal
+from zbot_cli.looking import full_name, hidden_node, snapshot
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
+    from zbot.node import Node
+    from zbot.publisher import Publisher
+    from zbot_cli.qos_options import Choice
+
+
+class RateError(ZbotError):
+    """A rate is not above 0."""
+
+    def __init__(self) -> None:
+        super().__init__("argument -r/--rate: Value must be positive")
+
+
+class WaitOptionError(ZbotError):
+    """A limit for waiting is given where nothing is waited for."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "--max-wait-time-secs option is only effective with --wait-matching-subscriptions, "
+            "--once or --times"
+        )
+
+
+class NoSubscriberError(ZbotError):
+    """Not enough subscriptions came in time."""
+
+    def __init__(self, expected: int, found: int) -> None:
+        self.expected, self.found = expected, found
+        super().__init__(
+            f"Timed out waiting for subscribers: Expected {expected} subscribers but only got "
+            f"{found} subscribers"
+        )
+
+
+class UntypedTopicError(ZbotError):
+    """No type was given, and nobody uses the topic yet."""
+
+    def __init__(self, name: str) -> None:
+        self.hint = f"name the type: zbot topic pub {name} std_msgs/msg/String \"data: hello\""
+        super().__init__(f"Could not determine the type of {name}: nobody uses it yet")
+
+
+class ValuesFileError(ZbotError):
+    """A file of values cannot be read."""
+
+    def __init__(self, path: str, reason: str) -> None:
+        super().__init__(f"cannot read {path}: {reason}")
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How often, and when to begin and end."""
+
+    rate_hz: float = 1.0
+    print_every: int = 1
+    times: int = 0  #: 0: until Ctrl-C
+    wait_for: int | None = None  #: subscriptions; `None`: 1 if `times`, else 0
+    max_wait_s: float | None = None
+    keep_alive_s: float = 0.1
+
+    @property
+    def subscriptions(self) -> int:
+        """How many subscriptions to wait for."""
+        return (1 if self.times else 0) if self.wait_for is None else self.wait_for
+
+    def check(self) -> None:
+        """Refuse what makes no sense.
+
+        Raises:
+            RateError: The rate is not above 0.
+            WaitOptionError: A limit without waiting.
+        """
+        if not self.rate_hz > 0:
+            raise RateError
+        if self.max_wait_s is not None and not self.subscriptions:
+            raise WaitOptionError
+
+
+class Pub:
+    """Publishes until Ctrl-C, a number of messages, or the end of a file.
+
+    Args:
+        topic: The topic's name.
+        words: A type and values; the type may be left out if somebody uses the topic.
+        pace: How often.
+        choice: Quality of service options.
+        node_name: A visible name for the publishing node.
+        stdin: Read the values from standard input.
+        yaml_file: Publish each document of a file.
+        use_sim_time: Whether the node follows `/clock`.
+    """
+
+    def __init__(
+        self,
+        topic: str,
+        words: Sequence[str],
+        pace: Pace,
+        choice: Choice,
+        *,
+        node_name: str | None,
+        stdin: bool,
+        yaml_file: str | None,
+        use_sim_time: bool,
+    ) -> None:
+        self._topic = full_name(topic)
+        self._words = list(words)
+        self._pace = pace
+        self._choice = choice
+        self._node_name = node_name
+        self._stdin = stdin
+        self._yaml_file = yaml_file
+        self._use_sim_time = use_sim_time
+
+    def run(self) -> None:
+        """Check everything, wait for subscribers, and publish."""
+        import zbot  # noqa: F401, PLC0415 - makes the message packages importable
+        from zbot_cli.topic_type import message_class  # noqa: PLC0415 - as above
+
+        self._pace.check()
+        type_name, values = self._type_and_values()
+        message_type = message_class(type_name)
+        # Values are checked before anybody is waited for.
+        for text in self._documents(values):
+            self._message(message_type, text, time.time_ns)
+        with hidden_node("pub", self._node_name, use_sim_time=self._use_sim_time) as node:
+            publisher = node.create_publisher(message_type, self._topic, self._choice.to_publish())
+            self._wait(node, publisher)
+            self._publish(node, publisher, message_type, values)
+
+    def _type_and_values(self) -> tuple[str, list[str]]:
+        from zbot_cli.types import looks_like_type, resolve_message_type  # noqa: PLC0415 - as above
+
+        if self._words and looks_like_type(self._words[0]):
+            return resolve_message_type(self._words[0]), self._words[1:]
+        from zbot_cli.topic_type import only_type  # noqa: PLC0415 - as above
+
+        found = only_type(snapshot(), self._topic)
+        if found is None:
+            raise UntypedTopicError(self._topic)
+        return found, self._words
+
+    def _documents(self, values: list[str]) -> Iterator[str]:
+        if self._yaml_file is not None:
+            from zbot_cli.values import split_documents  # noqa: PLC0415 - as above
+
+            yield from split_documents(_read(self._yaml_file))
+        elif self._stdin:
+            if not hasattr(self, "_input"):
+                self._input = sys.stdin.read()
+            yield self._input
+        else:
+            yield " ".join(values)
+
+    @staticmethod
+    def _message(message_type: type[Any], text: str, now_ns: Callable[[], int]) -> Any:
+        from zbot_cli.values import populate  # noqa: PLC0415 - as above
+
+        return populate(message_type, text, now_ns)
+
+    def _wait(self, node: Node, publisher: Publisher[Any]) -> None:
+        wanted = self._pace.subscriptions
+        if not wanted:
+            return
+        deadline = None if self._pace.max_wait_s is None else time.monotonic() + self._pace.max_wait_s
+        while node.context.ok() and publisher.get_subscription_count() < wanted:
+            print(f"Waiting for at least {wanted} matching subscription(s)...", flush=True)
+            step = 1.0 if deadline is None else min(1.0, max(0.0, deadline - time.monotonic()))
+            node.context.graph.wait_for(
+                lambda graph: len(graph.subscriptions(publisher.topic_name)) >= wanted
+                or not node.context.ok(),
+                step,
+            )
+            found = publisher.get_subscription_count()
+            if found < wanted and deadline is not None and time.monotonic() >= deadline:
+                raise NoSubscriberError(wanted, found)
+
+    def _publish(
+        self,
+        node: Node,
+        publisher: Publisher[Any],
+        message_type: type[Any],
+        values: list[str],
+    ) -> None:
+        now_ns = lambda: node.get_clock().now().nanoseconds  # noqa: E731 - one expression, twice used
+        texts = list(self._documents(values))
+        messages = [self._message(message_type, text, now_ns) for text in texts]
+        is_stamped = [_is_stamped(text) for text in texts]
+        limit = len(texts) if self._yaml_file is not None else self._pace.times
+        print("publisher: beginning loop", flush=True)
+        begun, sent = time.monotonic(), 0
+        pause = Signal()  # a signal handler sets it: an Event could wait for itself
+        node.context.add_waker(pause.set)
+        while node.context.ok():
+            index = sent % len(texts)
+            if is_stamped[index]:
+                messages[index] = self._message(message_type, texts[index], now_ns)
+            publisher.publish(messages[index])
+            sent += 1
+            if self._pace.print_every and sent % self._pace.print_every == 0:
+                print(f"publishing #{sent}: {messages[index]!r}\n", flush=True)
+            if limit and sent >= limit:
+                pause.wait(self._pace.keep_alive_s)
+                return
+            # Reckoned from the beginning, so that the mean rate is exact.
+            pause.wait(max(0.0, begun + sent / self._pace.rate_hz - time.monotonic()))
+
+
+def _is_stamped(text: str) -> bool:
+    return "auto" in text or "now" in text
+
+
+def _read(path: str) -> str:
+    try:
+        return Path(path).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as exc:
+        raise ValuesFileError(path, getattr(exc, "strerror", None) or str(exc)) from exc

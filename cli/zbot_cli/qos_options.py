@@ -1,0 +1,133 @@
+"""Quality of service on the command line, and as text."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from zbot.qos import (
+    DurabilityPolicy,
+    HistoryPolicy,
+    LivelinessPolicy,
+    QoSPresetProfiles,
+    QoSProfile,
+    ReliabilityPolicy,
+)
+from zbot.time import Duration
+
+if TYPE_CHECKING:
+    from zbot.wire.tokens import EndpointToken
+
+_HELP_PANEL = "Quality of service"
+
+
+def _option(flag: str, text: str) -> Any:
+    return typer.Option(flag, help=text, rich_help_panel=_HELP_PANEL)
+
+
+Profile = Annotated[str | None, _option("--qos-profile", "A preset to begin with, e.g. sensor_data")]
+Depth = Annotated[int | None, _option("--qos-depth", "Messages to keep")]
+History = Annotated[str | None, _option("--qos-history", "keep_last or keep_all")]
+Reliability = Annotated[str | None, _option("--qos-reliability", "reliable or best_effort")]
+Durability = Annotated[str | None, _option("--qos-durability", "volatile or transient_local")]
+Liveliness = Annotated[str | None, _option("--qos-liveliness", "automatic or manual_by_topic")]
+LeaseDuration = Annotated[
+    float | None, _option("--qos-liveliness-lease-duration-seconds", "Lease of the liveliness")
+]
+
+_POLICIES: dict[str, Any] = {
+    "history": HistoryPolicy,
+    "reliability": ReliabilityPolicy,
+    "durability": DurabilityPolicy,
+    "liveliness": LivelinessPolicy,
+}
+
+
+@dataclass(frozen=True)
+class Choice:
+    """What the options said; `None` where they said nothing."""
+
+    profile: str | None = None
+    depth: int | None = None
+    history: str | None = None
+    reliability: str | None = None
+    durability: str | None = None
+    liveliness: str | None = None
+    lease_s: float | None = None
+
+    def to_publish(self) -> QoSProfile:
+        """Return the profile to publish with: the default one, changed by the options."""
+        return self._build(self._preset("default"))
+
+    def to_subscribe(self, publishers: list[EndpointToken]) -> QoSProfile:
+        """Return the profile to listen with.
+
+        What no option says follows the publishers: reliable if all are, and transient local if all are,
+        so that a late `echo` still shows what a latched topic holds.
+        """
+        profile = self._preset("sensor_data")
+        if publishers and self.profile is None:
+            if all(end.qos.reliability is ReliabilityPolicy.RELIABLE for end in publishers):
+                profile.reliability = ReliabilityPolicy.RELIABLE
+            if all(end.qos.durability is DurabilityPolicy.TRANSIENT_LOCAL for end in publishers):
+                profile.durability = DurabilityPolicy.TRANSIENT_LOCAL
+                profile.depth = max(profile.depth, *(end.qos.depth for end in publishers))
+        return self._build(profile)
+
+    def _preset(self, default: str) -> QoSProfile:
+        name = self.profile or default
+        keys = QoSPresetProfiles.short_keys()
+        if name not in {*keys, "best_available", "unknown"}:
+            raise typer.BadParameter(f"no profile {name!r}; there are {', '.join(sorted(keys))}")
+        found = QoSPresetProfiles.get_from_short_key(name if name in keys else default)
+        return QoSProfile(
+            history=found.history,
+            depth=found.depth,
+            reliability=found.reliability,
+            durability=found.durability,
+            lifespan=found.lifespan,
+            deadline=found.deadline,
+            liveliness=found.liveliness,
+            liveliness_lease_duration=found.liveliness_lease_duration,
+        )
+
+    def _build(self, profile: QoSProfile) -> QoSProfile:
+        for name, policy in _POLICIES.items():
+            word = getattr(self, name)
+            if word is not None:
+                setattr(profile, name, _policy(name, policy, word))
+        if self.depth is not None:
+            profile.depth = self.depth
+        if self.lease_s is not None:
+            profile.liveliness_lease_duration = Duration(seconds=self.lease_s)
+        if profile.durability is DurabilityPolicy.TRANSIENT_LOCAL and profile.depth == 0:
+            profile.depth = 1
+        return profile
+
+
+def _policy(name: str, policy: Any, word: str) -> Any:
+    if word not in policy.short_keys():
+        known = ", ".join(policy.short_keys())
+        raise typer.BadParameter(f"--qos-{name} cannot be {word!r}; choose from {known}")
+    return policy(policy.get_from_short_key(word))
+
+
+def profile_lines(qos: QoSProfile) -> list[str]:
+    """Return a profile as `zbot topic info -v` shows it, indented by two."""
+    depth = f" ({qos.depth})" if qos.history is HistoryPolicy.KEEP_LAST else ""
+    return [
+        f"  Reliability: {qos.reliability.name}",
+        f"  History (Depth): {qos.history.name}{depth}",
+        f"  Durability: {qos.durability.name}",
+        f"  Lifespan: {_duration(qos.lifespan)}",
+        f"  Deadline: {_duration(qos.deadline)}",
+        f"  Liveliness: {qos.liveliness.name}",
+        f"  Liveliness lease duration: {_duration(qos.liveliness_lease_duration)}",
+    ]
+
+
+def _duration(duration: Duration) -> str:
+    infinite = duration.nanoseconds in {0, 2**63 - 1}
+    return "Infinite" if infinite else f"{duration.nanoseconds} nanoseconds"

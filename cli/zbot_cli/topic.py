@@ -1,0 +1,376 @@
+"""`zbot topic`: which topics there are, what is on them, and saying something oneself."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from zbot.errors import ZbotError
+from zbot.names import is_hidden, nearest
+from zbot.wire.tokens import EndpointToken, EntityKind
+from zbot_cli.listing import (
+    AsJson,
+    NoDaemon,
+    ShowTypes,
+    SpinTime,
+    UseSimTime,
+    new_app,
+    print_json,
+)
+from zbot_cli.looking import client, full_name, snapshot, snapshot_of
+from zbot_cli.qos_options import (
+    Depth,
+    Durability,
+    History,
+    LeaseDuration,
+    Liveliness,
+    Profile,
+    Reliability,
+)
+
+if TYPE_CHECKING:
+    from zbot.graph import NamesAndTypes, Snapshot
+
+app = new_app("Look at topics, listen and publish")
+
+IncludeHidden = Annotated[bool, typer.Option("--include-hidden-topics", help="Consider hidden topics too")]
+TopicName = Annotated[str, typer.Argument(help="Name of the topic, e.g. /chatter")]
+UNKNOWN_TYPE = "unknown"
+
+_state = {"include_hidden": False}
+
+
+class UnknownTopicError(ZbotError):
+    """Nobody publishes or subscribes to a topic of that name."""
+
+    def __init__(self, name: str, known: list[str]) -> None:
+        self.name = name
+        guess = nearest(name, known)
+        self.hint = f"did you mean {guess}?" if guess else None
+        super().__init__(f"Unknown topic '{name}'")
+
+
+@app.callback()
+def options(include_hidden_topics: IncludeHidden = False) -> None:
+    """Look at topics, listen and publish."""
+    _state["include_hidden"] = include_hidden_topics
+
+
+def _shown(topics: NamesAndTypes, include_hidden: bool) -> NamesAndTypes:
+    everything = include_hidden or _state["include_hidden"]
+    return [entry for entry in topics if everything or not is_hidden(entry[0])]
+
+
+@app.command("list")
+def list_topics(
+    show_types: ShowTypes = False,
+    count: Annotated[bool, typer.Option("-c", "--count-topics", "--count", help="Print the number")] = False,
+    verbose: Annotated[bool, typer.Option("-v", "--verbose", help="Count publishers and subscribers")] = False,
+    include_hidden_topics: IncludeHidden = False,
+    as_json: AsJson = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """List the topics that somebody uses."""
+    with client() as context:
+        graph = snapshot_of(context)
+        foreign = _foreign(context, graph)
+    topics = _shown(sorted([*graph.topics(), *((name, [UNKNOWN_TYPE]) for name in foreign)]), include_hidden_topics)
+    if count:
+        print(len(topics))
+    elif as_json:
+        print_json([_as_dict(graph, name, types) for name, types in topics])
+    elif verbose:
+        _print_verbose(graph, include_hidden_topics)
+    else:
+        for name, types in topics:
+            print(f"{name} [{', '.join(types)}]" if show_types else name)
+
+
+def _foreign(context: object, graph: Snapshot) -> dict[str, set[EntityKind]]:
+    from zbot.graph import foreign_topics  # noqa: PLC0415 - only lists ask for it
+
+    if context.is_closed:  # type: ignore[attr-defined]
+        return {}
+    return foreign_topics(context.session, graph, context.get_domain_id())  # type: ignore[attr-defined]
+
+
+def _as_dict(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
+    return {
+        "name": name,
+        "types": types,
+        "publishers": len(graph.publishers(name)),
+        "subscriptions": len(graph.subscriptions(name)),
+    }
+
+
+def _print_verbose(graph: Snapshot, include_hidden: bool) -> None:
+    for title, noun, kind in (
+        ("Published", "publisher", EntityKind.PUBLISHER),
+        ("Subscribed", "subscriber", EntityKind.SUBSCRIPTION),
+    ):
+        print(f"{title} topics:")
+        for name, types in _shown(graph.names_and_types(kind), include_hidden):
+            count = len(graph.on(name, kind))
+            print(f" * {name} [{', '.join(types)}] {count} {noun}{'' if count == 1 else 's'}")
+        print()
+
+
+@app.command("info")
+def info(
+    topic_name: TopicName,
+    verbose: Annotated[bool, typer.Option("-v", "--verbose", help="Show every publisher and subscription")] = False,
+    as_json: AsJson = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Show a topic's type, publishers and subscriptions."""
+    graph, name = snapshot(), full_name(topic_name)
+    types = dict(graph.topics()).get(name)
+    if types is None:
+        raise UnknownTopicError(name, [known for known, _ in graph.topics()])
+    sides = (("Publisher", graph.publishers(name)), ("Subscription", graph.subscriptions(name)))
+    if as_json:
+        print_json(
+            {"name": name, "types": types}
+            | {f"{title.lower()}s": [_endpoint_dict(end) for end in ends] for title, ends in sides}
+        )
+        return
+    print(f"Type: {types[0] if len(types) == 1 else types}" + ("\n" if verbose else ""))
+    for title, ends in sides:
+        print(f"{title} count: {len(ends)}")
+        if verbose:
+            print()
+            for end in ends:
+                print(_endpoint_text(end, title) + "\n")
+
+
+def _endpoint_dict(end: EndpointToken) -> dict[str, object]:
+    return {
+        "node": end.node,
+        "namespace": end.namespace,
+        "type": end.type_name,
+        "type_hash": end.type_hash,
+        "gid": end.gid.hex(),
+    }
+
+
+def _endpoint_text(end: EndpointToken, title: str) -> str:
+    from zbot_cli.qos_options import profile_lines  # noqa: PLC0415 - only -v shows profiles
+
+    gid = ".".join(f"{byte:02x}" for byte in end.gid)
+    return "\n".join((
+        f"Node name: {end.node}",
+        f"Node namespace: {end.namespace}",
+        f"Topic type: {end.type_name}",
+        f"Topic type hash: {end.type_hash}",
+        f"Endpoint type: {title.upper()}",
+        f"GID: {gid}",
+        "QoS profile:",
+        *profile_lines(end.qos),
+    ))
+
+
+@app.command("type")
+def type_of(
+    topic_name: TopicName,
+    include_hidden_topics: IncludeHidden = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Print a topic's type."""
+    topics = dict(_shown(snapshot().topics(), True))
+    types = topics.get(full_name(topic_name))
+    if types is None:
+        raise UnknownTopicError(full_name(topic_name), list(topics))
+    print("\n".join(types))
+
+
+@app.command("find")
+def find(
+    topic_type: Annotated[str, typer.Argument(help="Type of the messages, e.g. std_msgs/msg/String")],
+    count: Annotated[bool, typer.Option("-c", "--count-topics", "--count", help="Print the number")] = False,
+    include_hidden_topics: IncludeHidden = False,
+    as_json: AsJson = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """List the topics that have a type."""
+    wanted = topic_type if topic_type.count("/") == 2 else topic_type.replace("/", "/msg/", 1)
+    found = [name for name, types in _shown(snapshot().topics(), include_hidden_topics) if wanted in types]
+    if count:
+        print(len(found))
+    elif as_json:
+        print_json(found)
+    else:
+        for name in found:
+            print(name)
+
+
+@app.command("echo")
+def echo(
+    topics: Annotated[list[str], typer.Argument(help="Topics, `*` and `**` included; a type may follow", metavar="TOPIC... [TYPE]")],
+    qos_profile: Profile = None,
+    qos_depth: Depth = None,
+    qos_history: History = None,
+    qos_reliability: Reliability = None,
+    qos_durability: Durability = None,
+    qos_liveliness: Liveliness = None,
+    qos_liveliness_lease_duration_seconds: LeaseDuration = None,
+    csv: Annotated[bool, typer.Option("--csv", help="Print fields separated by commas")] = False,
+    field: Annotated[list[str] | None, typer.Option("--field", help="Only this field, e.g. pose.position")] = None,
+    full_length: Annotated[bool, typer.Option("-f", "--full-length", help="Show everything")] = False,
+    truncate_length: Annotated[int, typer.Option("-l", "--truncate-length", help="Elements and characters to show")] = 128,
+    no_arr: Annotated[bool, typer.Option("--no-arr", help="Leave out the content of arrays")] = False,
+    no_str: Annotated[bool, typer.Option("--no-str", help="Leave out the content of strings")] = False,
+    flow_style: Annotated[bool, typer.Option("--flow-style", help="Print collections on one line")] = False,
+    no_lost_messages: Annotated[bool, typer.Option("--no-lost-messages", help="Do not report losses")] = False,
+    raw: Annotated[bool, typer.Option("--raw", help="Print the bytes as they come")] = False,
+    filter_expression: Annotated[str | None, typer.Option("--filter", metavar="EXPR", help="Only messages `m` for which this is true")] = None,
+    once: Annotated[bool, typer.Option("--once", help="End after the first message")] = False,
+    timeout: Annotated[float | None, typer.Option("--timeout", help="End after this many seconds")] = None,
+    include_message_info: Annotated[bool, typer.Option("-i", "--include-message-info", help="Show times and numbers")] = False,
+    clear: Annotated[bool, typer.Option("-c", "--clear", help="Clear the screen before each message")] = False,
+    node_name: Annotated[str | None, typer.Option("-n", "--node-name", help="Name of the listening node")] = None,
+    as_json: AsJson = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Print the messages of a topic."""
+    from zbot_cli.echo import Echo, Form  # noqa: PLC0415 - lists do without
+    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
+
+    form = Form(
+        csv=csv, fields=tuple(field or ()), length=None if full_length else truncate_length,
+        no_arr=no_arr, no_str=no_str, flow_style=flow_style, raw=raw, filter_expression=filter_expression,
+        with_info=include_message_info, clear=clear, json=as_json, losses=not no_lost_messages,
+    )  # fmt: skip
+    choice = Choice(
+        qos_profile, qos_depth, qos_history, qos_reliability, qos_durability, qos_liveliness,
+        qos_liveliness_lease_duration_seconds,
+    )  # fmt: skip
+    Echo(topics, form, choice, once=once, timeout_s=timeout, node_name=node_name, use_sim_time=use_sim_time).run()
+
+
+@app.command("pub")
+def pub(
+    topic_name: TopicName,
+    words: Annotated[list[str] | None, typer.Argument(help="Type and values; both may be left out", metavar="[TYPE] [VALUES]")] = None,
+    qos_profile: Profile = None,
+    qos_depth: Depth = None,
+    qos_history: History = None,
+    qos_reliability: Reliability = None,
+    qos_durability: Durability = None,
+    qos_liveliness: Liveliness = None,
+    qos_liveliness_lease_duration_seconds: LeaseDuration = None,
+    rate: Annotated[float, typer.Option("-r", "--rate", help="Messages a second")] = 1.0,
+    print_every: Annotated[int, typer.Option("-p", "--print", help="Print every N-th message; 0: none")] = 1,
+    once: Annotated[bool, typer.Option("-1", "--once", help="Publish one message and end")] = False,
+    times: Annotated[int, typer.Option("-t", "--times", help="Publish so many messages and end")] = 0,
+    wait_matching_subscriptions: Annotated[int | None, typer.Option("-w", "--wait-matching-subscriptions", help="Wait for so many subscriptions first; 1 with --once or --times")] = None,
+    max_wait_time_secs: Annotated[float | None, typer.Option("--max-wait-time-secs", help="Wait no longer than this")] = None,
+    keep_alive: Annotated[float, typer.Option("--keep-alive", help="Seconds to stay after the last message")] = 0.1,
+    node_name: Annotated[str | None, typer.Option("-n", "--node-name", help="Name of the publishing node")] = None,
+    stdin: Annotated[bool, typer.Option("--stdin", help="Read the values from standard input")] = False,
+    yaml_file: Annotated[str | None, typer.Option("--yaml-file", help="Publish each document of a file")] = None,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+) -> None:
+    """Publish messages on a topic."""
+    from zbot_cli.pub import Pace, Pub  # noqa: PLC0415 - lists do without
+    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
+
+    choice = Choice(
+        qos_profile, qos_depth, qos_history, qos_reliability, qos_durability, qos_liveliness,
+        qos_liveliness_lease_duration_seconds,
+    )  # fmt: skip
+    pace = Pace(
+        rate_hz=rate, print_every=print_every, times=1 if once else times,
+        wait_for=wait_matching_subscriptions, max_wait_s=max_wait_time_secs, keep_alive_s=keep_alive,
+    )  # fmt: skip
+    if once and times:
+        raise typer.BadParameter("--once and --times exclude each other")
+    Pub(topic_name, words or [], pace, choice, node_name=node_name, stdin=stdin, yaml_file=yaml_file, use_sim_time=use_sim_time).run()
+
+
+Topics = Annotated[list[str] | None, typer.Argument(help="Topics, e.g. /chatter", metavar="TOPIC...")]
+AllTopics = Annotated[bool, typer.Option("-a", "--all", help="All topics known at the start")]
+
+
+@app.command("hz")
+def hz(
+    topics: Topics = None,
+    window: Annotated[int, typer.Option("-w", "--window", help="Intervals to measure over")] = 10000,
+    filter_expression: Annotated[str | None, typer.Option("--filter", metavar="EXPR", help="Only messages `m` for which this is true")] = None,
+    wall_time: Annotated[bool, typer.Option("--wall-time", help="Use the system's clock under simulated time")] = False,
+    all_topics: AllTopics = False,
+    qos_profile: Profile = None,
+    qos_depth: Depth = None,
+    qos_history: History = None,
+    qos_reliability: Reliability = None,
+    qos_durability: Durability = None,
+    as_json: AsJson = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+) -> None:
+    """Measure how often messages come."""
+    from zbot_cli.measure import Rates, measure  # noqa: PLC0415 - lists do without
+    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
+
+    measure(
+        Rates(window, filter_expression), topics or [], Choice(qos_profile, qos_depth, qos_history, qos_reliability, qos_durability),
+        all_topics=all_topics, as_json=as_json, use_sim_time=use_sim_time and not wall_time,
+    )  # fmt: skip
+
+
+@app.command("bw")
+def bw(
+    topics: Topics = None,
+    window: Annotated[int, typer.Option("-w", "--window", help="Messages to measure over")] = 100,
+    all_topics: AllTopics = False,
+    qos_profile: Profile = None,
+    qos_depth: Depth = None,
+    qos_history: History = None,
+    qos_reliability: Reliability = None,
+    qos_durability: Durability = None,
+    as_json: AsJson = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+) -> None:
+    """Measure how many bytes come."""
+    from zbot_cli.measure import Bandwidths, measure  # noqa: PLC0415 - lists do without
+    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
+
+    measure(
+        Bandwidths(window), topics or [], Choice(qos_profile, qos_depth, qos_history, qos_reliability, qos_durability),
+        all_topics=all_topics, as_json=as_json, use_sim_time=use_sim_time,
+    )  # fmt: skip
+
+
+@app.command("delay")
+def delay(
+    topic_name: TopicName,
+    window: Annotated[int, typer.Option("-w", "--window", help="Messages to measure over")] = 10000,
+    qos_profile: Profile = None,
+    qos_depth: Depth = None,
+    qos_history: History = None,
+    qos_reliability: Reliability = None,
+    qos_durability: Durability = None,
+    as_json: AsJson = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+) -> None:
+    """Measure how old messages are when they come."""
+    from zbot_cli.measure import Delays, measure  # noqa: PLC0415 - lists do without
+    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
+
+    measure(
+        Delays(window), [topic_name], Choice(qos_profile, qos_depth, qos_history, qos_reliability, qos_durability),
+        all_topics=False, as_json=as_json, use_sim_time=use_sim_time,
+    )  # fmt: skip
