@@ -12,49 +12,115 @@
 The names, arguments and meanings are those of ROS 2's rclpy.
 """
 
-from zbot.callback_group import CallbackGroup as CallbackGroup
-from zbot.callback_group import MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup
-from zbot.callback_group import ReentrantCallbackGroup as ReentrantCallbackGroup
-from zbot.clock import Clock as Clock
-from zbot.clock import ROSClock as ROSClock
-from zbot.context import Context as Context
-from zbot.context import get_default_context as get_default_context
-from zbot.errors import ZbotError as ZbotError
-from zbot.executor import Executor as Executor
-from zbot.executor import ExternalShutdownException as ExternalShutdownException
-from zbot.executor import MultiThreadedExecutor as MultiThreadedExecutor
-from zbot.executor import SingleThreadedExecutor as SingleThreadedExecutor
-from zbot.interfaces import install_importer
-from zbot.log import LoggingSeverity as LoggingSeverity
-from zbot.log import get_logger as get_logger
-from zbot.node import Node as Node
-from zbot.publisher import Publisher as Publisher
-from zbot.qos import DurabilityPolicy as DurabilityPolicy
-from zbot.qos import HistoryPolicy as HistoryPolicy
-from zbot.qos import LivelinessPolicy as LivelinessPolicy
-from zbot.qos import QoSPresetProfiles as QoSPresetProfiles
-from zbot.qos import QoSProfile as QoSProfile
-from zbot.qos import ReliabilityPolicy as ReliabilityPolicy
-from zbot.runtime import create_node as create_node
-from zbot.runtime import get_global_executor as get_global_executor
-from zbot.runtime import init as init
-from zbot.runtime import ok as ok
-from zbot.runtime import shutdown as shutdown
-from zbot.runtime import spin as spin
-from zbot.runtime import spin_once as spin_once
-from zbot.runtime import spin_until_future_complete as spin_until_future_complete
-from zbot.runtime import try_shutdown as try_shutdown
-from zbot.signals import SignalHandlerOptions as SignalHandlerOptions
-from zbot.subscription import MessageInfo as MessageInfo
-from zbot.subscription import Subscription as Subscription
-from zbot.task import Future as Future
-from zbot.task import Task as Task
-from zbot.time import ClockType as ClockType
-from zbot.time import Duration as Duration
-from zbot.time import Time as Time
-from zbot.timer import Rate as Rate
-from zbot.timer import Timer as Timer
+import importlib
+from typing import TYPE_CHECKING, Any
+
+from zbot.interfaces.importer import install_importer
 from zbot.version import __version__ as __version__
+
+if TYPE_CHECKING:
+    from zbot.callback_group import CallbackGroup as CallbackGroup
+    from zbot.callback_group import MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup
+    from zbot.callback_group import ReentrantCallbackGroup as ReentrantCallbackGroup
+    from zbot.clock import Clock as Clock
+    from zbot.clock import ROSClock as ROSClock
+    from zbot.context import Context as Context
+    from zbot.context import get_default_context as get_default_context
+    from zbot.errors import ZbotError as ZbotError
+    from zbot.executor import Executor as Executor
+    from zbot.executor import ExternalShutdownException as ExternalShutdownException
+    from zbot.executor import MultiThreadedExecutor as MultiThreadedExecutor
+    from zbot.executor import SingleThreadedExecutor as SingleThreadedExecutor
+    from zbot.log import LoggingSeverity as LoggingSeverity
+    from zbot.log import get_logger as get_logger
+    from zbot.node import Node as Node
+    from zbot.publisher import Publisher as Publisher
+    from zbot.qos import DurabilityPolicy as DurabilityPolicy
+    from zbot.qos import HistoryPolicy as HistoryPolicy
+    from zbot.qos import LivelinessPolicy as LivelinessPolicy
+    from zbot.qos import QoSPresetProfiles as QoSPresetProfiles
+    from zbot.qos import QoSProfile as QoSProfile
+    from zbot.qos import ReliabilityPolicy as ReliabilityPolicy
+    from zbot.runtime import create_node as create_node
+    from zbot.runtime import get_global_executor as get_global_executor
+    from zbot.runtime import init as init
+    from zbot.runtime import ok as ok
+    from zbot.runtime import shutdown as shutdown
+    from zbot.runtime import spin as spin
+    from zbot.runtime import spin_once as spin_once
+    from zbot.runtime import spin_until_future_complete as spin_until_future_complete
+    from zbot.runtime import try_shutdown as try_shutdown
+    from zbot.signals import SignalHandlerOptions as SignalHandlerOptions
+    from zbot.subscription import MessageInfo as MessageInfo
+    from zbot.subscription import Subscription as Subscription
+    from zbot.task import Future as Future
+    from zbot.task import Task as Task
+    from zbot.time import ClockType as ClockType
+    from zbot.time import Duration as Duration
+    from zbot.time import Time as Time
+    from zbot.timer import Rate as Rate
+    from zbot.timer import Timer as Timer
+
+# Where each name lives: it is imported when it is first used, because a command that lists topics must
+# not wait for executors.
+_HOMES = {
+    "CallbackGroup": "zbot.callback_group",
+    "MutuallyExclusiveCallbackGroup": "zbot.callback_group",
+    "ReentrantCallbackGroup": "zbot.callback_group",
+    "Clock": "zbot.clock",
+    "ROSClock": "zbot.clock",
+    "Context": "zbot.context",
+    "get_default_context": "zbot.context",
+    "ZbotError": "zbot.errors",
+    "Executor": "zbot.executor",
+    "ExternalShutdownException": "zbot.executor",
+    "MultiThreadedExecutor": "zbot.executor",
+    "SingleThreadedExecutor": "zbot.executor",
+    "LoggingSeverity": "zbot.log",
+    "get_logger": "zbot.log",
+    "Node": "zbot.node",
+    "Publisher": "zbot.publisher",
+    "DurabilityPolicy": "zbot.qos",
+    "HistoryPolicy": "zbot.qos",
+    "LivelinessPolicy": "zbot.qos",
+    "QoSPresetProfiles": "zbot.qos",
+    "QoSProfile": "zbot.qos",
+    "ReliabilityPolicy": "zbot.qos",
+    "create_node": "zbot.runtime",
+    "get_global_executor": "zbot.runtime",
+    "init": "zbot.runtime",
+    "ok": "zbot.runtime",
+    "shutdown": "zbot.runtime",
+    "spin": "zbot.runtime",
+    "spin_once": "zbot.runtime",
+    "spin_until_future_complete": "zbot.runtime",
+    "try_shutdown": "zbot.runtime",
+    "SignalHandlerOptions": "zbot.signals",
+    "MessageInfo": "zbot.subscription",
+    "Subscription": "zbot.subscription",
+    "Future": "zbot.task",
+    "Task": "zbot.task",
+    "ClockType": "zbot.time",
+    "Duration": "zbot.time",
+    "Time": "zbot.time",
+    "Rate": "zbot.timer",
+    "Timer": "zbot.timer",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Import a public name from its module."""
+    home = _HOMES.get(name)
+    if home is None:
+        raise AttributeError(f"module 'zbot' has no attribute {name!r}")
+    value = globals()[name] = getattr(importlib.import_module(home), name)
+    return value
+
+
+def __dir__() -> list[str]:
+    """Return what can be imported from here."""
+    return sorted((*_HOMES, "__version__"))
+
 
 # From here on `from std_msgs.msg import String` works, unless a real ROS 2 provides it.
 install_importer()
