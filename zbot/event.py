@@ -102,14 +102,14 @@ class EventHandler:
     ) -> None:
         self.callback = callback
         self.callback_group = callback_group
-        self._mailbox = mailbox
+        self.mailbox = mailbox
         self._infos: deque[Any] = deque()
         mailbox.add(self)
 
     def tell(self, info: Any) -> None:
         """Queue an event; from any thread."""
         self._infos.append(info)
-        self._mailbox.post(self)
+        self.mailbox.post(self)
 
     def take(self) -> Any | None:
         """Return the oldest event, if any."""
@@ -124,7 +124,7 @@ class EventHandler:
 
     def destroy(self) -> None:
         """Call the callback no more."""
-        self._mailbox.remove(self)
+        self.mailbox.remove(self)
         self._infos.clear()
 
 
@@ -232,7 +232,7 @@ class _SilenceHandler(EventHandler):
 
     def destroy(self) -> None:
         self._timer.destroy()
-        self._mailbox.remove(self._timer)
+        self.mailbox.remove(self._timer)
         super().destroy()
 
 

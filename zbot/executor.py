@@ -23,7 +23,7 @@ from zbot.errors import ExecutorBusyError, ShutdownError, ZbotError
 from zbot.task import Future, Task
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Coroutine, Iterator
+    from collections.abc import Callable, Coroutine, Iterable, Iterator
     from types import TracebackType
 
     from typing_extensions import Self
@@ -72,16 +72,19 @@ class _Step:
 
     __slots__ = ("callback_group", "task")
     due_ns: int | None = None
+    mailbox = None
 
     def __init__(self, task: Task[Any]) -> None:
         self.task = task
         self.callback_group = _ALWAYS
 
     def take(self) -> object | None:
-        return None if self.task.done() else self
+        return None if self.task.is_over else self
 
     def execute(self, taken: object) -> None:  # noqa: ARG002 - every entity's signature
         self.task()
+        if self.task.done():
+            self.task.result()  # what it raised ends spin(), as in rclpy
 
 
 _ALWAYS = ReentrantCallbackGroup()
@@ -91,6 +94,49 @@ def _deadline_ns(timeout_sec: float | None) -> int | None:
     if timeout_sec is None or timeout_sec < 0:
         return None
     return time.monotonic_ns() + int(timeout_sec * 1e9)
+
+
+class _Agenda:
+    """Entities that want to run later, each at one time, the earliest first.
+
+    For the spinning thread alone, but for `forget`.
+    """
+
+    def __init__(self) -> None:
+        self._heap: list[tuple[int, int, Entity]] = []
+        self._due: dict[Entity, int] = {}
+        self._tie = itertools.count()  # equal times are served in order, entities not compared
+
+    def put(self, entity: Entity, due_ns: int) -> None:
+        """Note when an entity wants to run, in place of what it wanted before."""
+        if self._due.get(entity) == due_ns:
+            return
+        self._due[entity] = due_ns
+        heapq.heappush(self._heap, (due_ns, next(self._tie), entity))
+        # A timer that is reset with every message leaves an outdated entry each time.
+        if len(self._heap) > 2 * len(self._due) + 64:
+            self._heap = [(due, next(self._tie), entity) for entity, due in list(self._due.items())]
+            heapq.heapify(self._heap)
+
+    def earliest_ns(self) -> int | None:
+        """Return when the first entity wants to run."""
+        while self._heap and self._due.get(self._heap[0][2]) != self._heap[0][0]:
+            heapq.heappop(self._heap)
+        return self._heap[0][0] if self._heap else None
+
+    def pop_due(self, now_ns: int) -> Entity | None:
+        """Take out an entity whose time has come."""
+        earliest = self.earliest_ns()
+        if earliest is None or earliest > now_ns:
+            return None
+        entity = heapq.heappop(self._heap)[2]
+        self._due.pop(entity, None)
+        return entity
+
+    def forget(self, entities: Iterable[Entity]) -> None:
+        """Forget entities; from any thread."""
+        for entity in entities:
+            self._due.pop(entity, None)
 
 
 class Executor:
@@ -108,13 +154,12 @@ class Executor:
         self._context = context
         self._nodes: list[Node] = []
         self._ready: deque[Entity] = deque()
-        self._timers: list[tuple[int, int, Entity]] = []
-        self._tie = itertools.count()  # equal deadlines are served in order, entities are not compared
+        self._queued: set[Entity] = set()
+        self._agenda = _Agenda()
         self._signal = Signal()
         self._is_shutdown = False
         self._spinning = threading.Lock()
-        self._idle = threading.Condition()
-        self._running = 0
+        self._spinner: int | None = None
         context.add_waker(self._signal.set)
 
     # -- nodes ---------------------------------------------------------------------------------
@@ -134,7 +179,7 @@ class Executor:
             node.executor.remove_node(node)
         self._nodes.append(node)
         node.handle.executor = self
-        node.handle.mailbox.attach(self._post)
+        node.handle.mailbox.attach(self, self._post)
         return True
 
     def remove_node(self, node: Node) -> None:
@@ -143,16 +188,23 @@ class Executor:
             self._nodes.remove(node)
             node.handle.mailbox.detach()
             node.handle.executor = None
-            self._forget(set(map(id, node.handle.mailbox.entities)))
+            self._forget(node.handle.mailbox.entities)
 
     def get_nodes(self) -> list[Node]:
         """Return the nodes, in the order they were added."""
         return list(self._nodes)
 
-    def _forget(self, entities: set[int]) -> None:
-        self._ready = deque(entity for entity in self._ready if id(entity) not in entities)
-        self._timers = [timer for timer in self._timers if id(timer[2]) not in entities]
-        heapq.heapify(self._timers)
+    def _forget(self, entities: list[Entity]) -> None:
+        self._agenda.forget(entities)
+        # Other threads post and take meanwhile: turn the queue once, in atomic steps.
+        for _ in range(len(self._ready)):
+            entity = Executor._pop_ready(self)
+            if entity is not None and entity not in entities:
+                self._post(entity)
+
+    def _serves(self, entity: Entity) -> bool:
+        mailbox = entity.mailbox
+        return mailbox is None or mailbox.executor is self
 
     # -- tasks ---------------------------------------------------------------------------------
 
@@ -180,8 +232,22 @@ class Executor:
         self._signal.set()
 
     def _post(self, entity: Entity) -> None:
-        self._ready.append(entity)
+        self._queue(entity)
         self._signal.set()
+
+    def _queue(self, entity: Entity) -> None:
+        # Once is enough: it leaves the set before it is asked for work.
+        if entity not in self._queued:
+            self._queued.add(entity)
+            self._ready.append(entity)
+
+    def _pop_ready(self) -> Entity | None:
+        try:
+            entity = self._ready.popleft()
+        except IndexError:
+            return None
+        self._queued.discard(entity)
+        return entity
 
     # -- work ----------------------------------------------------------------------------------
 
@@ -194,10 +260,12 @@ class Executor:
             ExternalShutdownException: The context was shut down meanwhile.
         """
         while not (self._is_shutdown or (stop is not None and stop())):
-            if self._timers and self._timers[0][0] <= time.monotonic_ns():
-                self._ready.append(heapq.heappop(self._timers)[2])
-            if self._ready:
-                work = self._take(self._ready.popleft())
+            due = self._agenda.pop_due(time.monotonic_ns())
+            if due is not None:
+                self._queue(due)
+            entity = self._pop_ready()
+            if entity is not None:
+                work = self._take(entity)
                 if work is not None:
                     return work
                 continue
@@ -208,6 +276,10 @@ class Executor:
         return None
 
     def _take(self, entity: Entity) -> tuple[Entity, Any] | None:
+        mailbox = entity.mailbox
+        if mailbox is not None and mailbox.executor is not self:
+            mailbox.post(entity)  # its node went to another executor meanwhile
+            return None
         group = entity.callback_group
         if not group.beginning_execution(entity):
             return None  # the group posts it again when it is free
@@ -215,27 +287,27 @@ class Executor:
         if taken is not None:
             return entity, taken
         for waiting in group.ending_execution(entity):
-            self._ready.append(waiting)
+            self._queue(waiting)
         due = entity.due_ns
         if due is not None:
-            heapq.heappush(self._timers, (due, next(self._tie), entity))
+            self._agenda.put(entity, due)
         return None
 
     def _sleep(self, deadline_ns: int | None) -> bool:
-        wakes = [due for due in (deadline_ns, self._timers[0][0] if self._timers else None) if due]
+        wakes = [due for due in (deadline_ns, self._agenda.earliest_ns()) if due is not None]
         if not wakes:
             self._signal.wait(threading.TIMEOUT_MAX)
             return True
         left = min(wakes) - time.monotonic_ns()
         if left > 0:
             self._signal.wait(left / 1e9)
-        return deadline_ns is None or bool(self._ready) or time.monotonic_ns() < deadline_ns
+        return deadline_ns is None or time.monotonic_ns() < deadline_ns
 
     def _execute(self, entity: Entity, taken: Any) -> None:
         """Run a piece of work and, while nobody else has any, the entity's next ones."""
         outcome = None
         try:
-            while (outcome := entity.execute(taken)) is None and self._may_go_on():
+            while (outcome := entity.execute(taken)) is None and self._may_go_on(entity):
                 taken = entity.take()
                 if taken is None:
                     break
@@ -245,7 +317,7 @@ class Executor:
         if outcome is not None and hasattr(outcome, "send"):
             self._follow(entity, outcome)
 
-    def _may_go_on(self) -> bool:
+    def _may_go_on(self, entity: Entity) -> bool:  # noqa: ARG002 - for those that may
         return False
 
     def _follow(self, entity: Entity, coroutine: Coroutine[Any, Any, Any]) -> None:
@@ -254,21 +326,20 @@ class Executor:
         try:
             task()
         finally:
-            task.add_done_callback(lambda _: self._finish(entity))
-        if not task.done():
-            task.add_done_callback(self._raise_later)
-        else:
+            # What it raises at once must not leave its group taken when nobody spins again.
+            if task.is_over:
+                self._finish(entity)
+            else:
+                task.add_done_callback(lambda _: self._finish(entity))
+                if isinstance(entity.callback_group, ReentrantCallbackGroup):
+                    self._queue(entity)  # its next piece may begin while this one waits
+        if task.done():
             task.result()
 
-    def _raise_later(self, task: Future[Any]) -> None:
-        if task.exception() is not None:
-            self.create_task(task.result)
-
     def _finish(self, entity: Entity) -> None:
-        waiting = entity.callback_group.ending_execution(entity)
-        if waiting:
-            self._ready.extend(waiting)
-        self._ready.append(entity)  # it may have more
+        for waiting in entity.callback_group.ending_execution(entity):
+            self._queue(waiting)
+        self._queue(entity)  # it may have more
 
     # -- spinning ------------------------------------------------------------------------------
 
@@ -293,17 +364,17 @@ class Executor:
         """Run callbacks until the future is done, at most `timeout_sec` seconds."""
         future.add_done_callback(lambda _: self._signal.set())
         deadline = _deadline_ns(timeout_sec)
-        while not future.done() and self._context.ok() and not self._is_shutdown:
+        while not future.is_over and self._context.ok() and not self._is_shutdown:
+            self._spin_once(deadline, lambda: future.is_over)
             if deadline is not None and time.monotonic_ns() >= deadline:
                 return
-            self._spin_once(deadline, future.done)
 
     def spin_once_until_future_complete(
         self, future: Future[Any], timeout_sec: float | None = None
     ) -> None:
         """Run one callback, or return earlier when the future is done."""
         future.add_done_callback(lambda _: self._signal.set())
-        self._spin_once(_deadline_ns(timeout_sec), future.done)
+        self._spin_once(_deadline_ns(timeout_sec), lambda: future.is_over)
 
     def _spin_once(
         self, deadline_ns: int | None, stop: Callable[[], bool] | None = None
@@ -317,9 +388,11 @@ class Executor:
             raise ExecutorBusyError
         in_main = threading.current_thread() is threading.main_thread()
         _main_spins += in_main
+        self._spinner = threading.get_ident()
         try:
             yield
         finally:
+            self._spinner = None
             _main_spins -= in_main
             self._spinning.release()
 
@@ -333,11 +406,18 @@ class Executor:
         """
         self._is_shutdown = True
         self._signal.set()
-        with self._idle:
-            ended = self._idle.wait_for(lambda: self._running == 0, timeout_sec)
+        ended = self._wait_idle(-1 if timeout_sec is None or timeout_sec < 0 else timeout_sec)
         for node in list(self._nodes):
             self.remove_node(node)
         self._context.remove_waker(self._signal.set)
+        return ended
+
+    def _wait_idle(self, timeout_s: float) -> bool:
+        if self._spinner == threading.get_ident():
+            return True  # a callback shuts down its own executor
+        ended = self._spinning.acquire(timeout=timeout_s)
+        if ended:
+            self._spinning.release()
         return ended
 
     def __enter__(self) -> Self:
@@ -357,11 +437,12 @@ class SingleThreadedExecutor(Executor):
 
     _is_free = False  # whether one spin may run more than one callback
 
-    def _may_go_on(self) -> bool:
+    def _may_go_on(self, entity: Entity) -> bool:
         # The common case of a busy topic: without a turn of the queue a message costs half as much.
         if self._ready or not self._is_free or self._is_shutdown or not self._context.ok():
             return False
-        return not self._timers or self._timers[0][0] > time.monotonic_ns()
+        due = self._agenda.earliest_ns()
+        return (due is None or due > time.monotonic_ns()) and self._serves(entity)
 
     def spin(self) -> None:
         """Run callbacks until the context or this executor is shut down.
@@ -390,21 +471,24 @@ class MultiThreadedExecutor(Executor):
     """Runs callbacks in a pool of threads, as far as their callback groups allow.
 
     Args:
-        num_threads: Size of the pool; at least 2, by default one per processor core.
+        num_threads: Size of the pool; by default one per processor core, but at least 2.
         context: See `Executor`.
     """
 
     def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
         super().__init__(context=context)
-        self._num_threads = max(2, num_threads or os.cpu_count() or 2)
+        self._num_threads = max(1, num_threads or max(2, os.cpu_count() or 2))
         self._pool = ThreadPoolExecutor(self._num_threads, thread_name_prefix="zbot executor")
         self._failures: deque[BaseException] = deque()
+        self._idle = threading.Condition()
+        self._running = 0
+        self._workers: set[int] = set()  # threads that are inside a callback
 
     def _spin_once(
         self, deadline_ns: int | None, stop: Callable[[], bool] | None = None
     ) -> None:
-        with self._spins():
-            self._wait_for_thread()
+        # As in rclpy, a shutdown from outside lets this executor's spin() return.
+        with self._spins(), contextlib.suppress(ExternalShutdownException):
             work = self._next(deadline_ns, lambda: self._may_stop(stop))
             if work is not None:
                 self._hand_over(*work)
@@ -414,32 +498,50 @@ class MultiThreadedExecutor(Executor):
     def _may_stop(self, stop: Callable[[], bool] | None) -> bool:
         return bool(self._failures) or (stop is not None and stop())
 
-    def _wait_for_thread(self) -> None:
+    def _pop_ready(self) -> Entity | None:
         # Work that waits in the pool would be taken out of its bounded queue: leave it there.
-        with self._idle:
-            while self._running >= self._num_threads:
-                self._idle.wait(_LONGEST_WAIT_S if sys.platform == "win32" else None)
+        return None if self._running >= self._num_threads else super()._pop_ready()
 
     def _hand_over(self, entity: Entity, taken: Any) -> None:
         with self._idle:
             self._running += 1
         if isinstance(entity.callback_group, ReentrantCallbackGroup):
-            self._ready.append(entity)  # its next piece may run beside this one
-        self._pool.submit(self._work, entity, taken)
+            self._queue(entity)  # its next piece may run beside this one
+        try:
+            self._pool.submit(self._work, entity, taken)
+        except RuntimeError:
+            if not self._is_shutdown:
+                raise
+            self._end_work()  # shutdown() came between
+            self._finish(entity)
 
     def _work(self, entity: Entity, taken: Any) -> None:
+        me = threading.get_ident()
+        self._workers.add(me)
         try:
             self._execute(entity, taken)
         except BaseException as exc:  # noqa: BLE001 - raised again by the spinning thread
             self._failures.append(exc)
         finally:
-            with self._idle:
-                self._running -= 1
-                self._idle.notify_all()
-            self._signal.set()
+            self._workers.discard(me)
+            self._end_work()
+
+    def _end_work(self) -> None:
+        with self._idle:
+            self._running -= 1
+            self._idle.notify_all()
+        self._signal.set()
+
+    def _wait_idle(self, timeout_s: float) -> bool:
+        own = threading.get_ident() in self._workers  # a callback that shuts down its own executor
+        with self._idle:
+            return self._idle.wait_for(
+                lambda: self._running <= own, None if timeout_s < 0 else timeout_s
+            )
 
     def shutdown(self, timeout_sec: float | None = None, *, wait_for_threads: bool = True) -> bool:
         """Stop spinning, leave all nodes, wait for running callbacks, and end the threads."""
         ended = super().shutdown(timeout_sec)
-        self._pool.shutdown(wait=wait_for_threads and ended)
+        own = threading.get_ident() in self._workers
+        self._pool.shutdown(wait=wait_for_threads and ended and not own)
         return ended

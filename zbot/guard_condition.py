@@ -27,13 +27,13 @@ class GuardCondition:
     ) -> None:
         self.callback = callback
         self.callback_group = callback_group
-        self._mailbox = mailbox
+        self.mailbox = mailbox
         self._triggered = False
 
     def trigger(self) -> None:
         """Ask for the callback to be run; from any thread."""
         self._triggered = True
-        self._mailbox.post(self)
+        self.mailbox.post(self)
 
     def take(self) -> object | None:
         """Return something if it was triggered since the last time."""

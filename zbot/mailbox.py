@@ -16,6 +16,10 @@ class Entity(Protocol):
     callback_group: CallbackGroup
 
     @property
+    def mailbox(self) -> Mailbox | None:
+        """Its node's mailbox; `None` for what belongs to an executor itself."""
+
+    @property
     def due_ns(self) -> int | None:
         """When a timer wants to run (monotonic clock, nanoseconds); `None` for all others."""
 
@@ -36,6 +40,7 @@ class Mailbox:
         self._lock = threading.Lock()
         self._entities: list[Entity] = []
         self._deliver: Callable[[Entity], None] | None = None
+        self.executor: object = None  #: who gets the posts now
 
     @property
     def entities(self) -> list[Entity]:
@@ -57,17 +62,17 @@ class Mailbox:
     def __contains__(self, entity: object) -> bool:
         return entity in self._entities
 
-    def attach(self, deliver: Callable[[Entity], None]) -> None:
-        """Send posts to an executor, beginning with one for every entity."""
+    def attach(self, executor: object, deliver: Callable[[Entity], None]) -> None:
+        """Send posts to an executor's function, beginning with one for every entity."""
         with self._lock:
-            self._deliver = deliver
+            self.executor, self._deliver = executor, deliver
             entities = list(self._entities)
         for entity in entities:
             deliver(entity)
 
     def detach(self) -> None:
         """Keep posts from now on until the next executor comes."""
-        self._deliver = None
+        self.executor = self._deliver = None
 
     def post(self, entity: Entity) -> None:
         """Say that an entity may have work; from any thread."""

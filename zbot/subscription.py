@@ -109,7 +109,7 @@ class Subscription(Generic[MsgT]):
         self._on_lost: Callable[[int], None] | None = None
         self._context = context
         self._token = token
-        self._mailbox = mailbox
+        self.mailbox = mailbox
         self._logger_name = logger_name
         self._decode = bytes if raw else context.dialect.codec_for(msg_type).decode
         self._sources: dict[bytes, _Source] = {}
@@ -189,7 +189,7 @@ class Subscription(Generic[MsgT]):
                 return  # undeclared, or the session was closed
             queue.append(sample)
             self._is_waiting = True
-            self._mailbox.post(self)
+            self.mailbox.post(self)
             armed.acquire()
 
     def take(self) -> zenoh.Sample | None:

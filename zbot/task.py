@@ -34,7 +34,7 @@ class Future(Generic[T]):
         self._callbacks: list[Callable[[Self], Any]] = []
 
     def __await__(self) -> Generator[Future[T], None, T | None]:
-        while not self.done():
+        while not self.is_over:
             yield self
         return self.result()
 
@@ -47,7 +47,12 @@ class Future(Generic[T]):
         return self._state == "cancelled"
 
     def done(self) -> bool:
-        """Return whether a result or exception is set, or it was cancelled."""
+        """Return whether a result or exception is set; a cancelled future is never done."""
+        return self._state == "done"
+
+    @property
+    def is_over(self) -> bool:
+        """Whether nothing more will come: done or cancelled."""
         return self._state != "pending"
 
     def result(self) -> T | None:
@@ -83,7 +88,7 @@ class Future(Generic[T]):
     def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
         """Call `callback(self)` when done, at once if it is."""
         with self._lock:
-            if not self.done():
+            if not self.is_over:
                 self._callbacks.append(callback)
                 return
         self._run(callback)
@@ -100,7 +105,7 @@ class Future(Generic[T]):
         self, state: str, *, result: T | None = None, exception: BaseException | None = None
     ) -> bool:
         with self._lock:
-            if self.done():
+            if self.is_over:
                 return False
             self._result, self._exception, self._state = result, exception, state
             callbacks, self._callbacks = self._callbacks, []
@@ -145,7 +150,7 @@ class Task(Future[T]):
     def __call__(self) -> None:
         """Run until the next `await` that is not ready, or to the end."""
         with self._stepping:
-            if not self.done():
+            if not self.is_over:
                 try:
                     self._step()
                 except BaseException as exc:

@@ -56,7 +56,7 @@ class Timer:
         self.callback = callback
         self.callback_group = callback_group
         self._clock = clock
-        self._mailbox = mailbox
+        self.mailbox = mailbox
         self._period_ns = period_ns
         self._is_canceled = not autostart
         self._is_destroyed = False
@@ -90,7 +90,7 @@ class Timer:
     def timer_period_ns(self, value: int) -> None:
         self._period_ns = int(value)
         self._next_ns = self._last_ns + self._period_ns
-        self._mailbox.post(self)
+        self.mailbox.post(self)
 
     @property
     def due_ns(self) -> int | None:
@@ -108,7 +108,7 @@ class Timer:
         now = self._now_ns()
         if abs(self._next_ns - now) > self._period_ns:  # the clock jumped, or is another one now
             self._last_ns, self._next_ns = now, now + self._period_ns
-        self._mailbox.post(self)
+        self.mailbox.post(self)
 
     def take(self) -> TimerInfo | None:
         """Return the call that is due, and schedule the next one."""
@@ -151,7 +151,7 @@ class Timer:
         self._last_ns = self._now_ns()
         self._next_ns = self._last_ns + self._period_ns
         self._is_canceled = False
-        self._mailbox.post(self)
+        self.mailbox.post(self)
 
     def time_since_last_call(self) -> int:
         """Return nanoseconds since the last call, or since the start."""
