@@ -16,11 +16,11 @@ AsJson = Annotated[bool, typer.Option("--json", help="Print JSON instead")]
 ShowTypes = Annotated[bool, typer.Option("-t", "--show-types", help="Add the types")]
 
 
-def new_app(text: str) -> typer.Typer:
+def new_app(text: str, *, has_verbs: bool = True) -> typer.Typer:
     """Return the app of a noun: plain help (rich takes longer to import than most verbs take)."""
     return typer.Typer(
         help=text,
-        no_args_is_help=True,
+        no_args_is_help=has_verbs,
         add_completion=False,
         rich_markup_mode=None,
         pretty_exceptions_enable=False,

@@ -101,6 +101,10 @@ def _run_noun(words: list[str]) -> int:
         from zbot_cli.run import run  # noqa: PLC0415 - without typer: it must start at once
 
         return run(words[1:])
+    if noun == "complete":
+        from zbot_cli.complete import complete  # noqa: PLC0415 - only shells ask
+
+        return complete(words[1:], NOUNS)
     import typer.main  # noqa: PLC0415 - `zbot --help` and `zbot run` do without
 
     command = typer.main.get_command(importlib.import_module(f"zbot_cli.{noun}").app)

@@ -1,0 +1,146 @@
+"""`zbot complete`: what could come next on a command line; shells ask this with every Tab.
+
+Options come from the commands themselves, names from the running domain, types from this machine.
+"""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+from zbot_cli.status import Status
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+
+def complete(words: list[str], nouns: Iterable[str]) -> int:
+    """Print the candidates for the last word, one a line.
+
+    Args:
+        words: The words after `zbot`, the unfinished one last, behind an optional `--`.
+        nouns: The commands that exist.
+    """
+    words = words[1:] if words[:1] == ["--"] else words
+    unfinished = words[-1] if words else ""
+    try:
+        found = _candidates(words[:-1], unfinished, nouns)
+    except ZbotError:
+        found = []  # a shell can show no sentence in the middle of a word
+    for candidate in sorted({one for one in found if one.startswith(unfinished)}):
+        print(candidate)
+    return Status.OK
+
+
+def _candidates(done: Sequence[str], unfinished: str, nouns: Iterable[str]) -> Iterable[str]:
+    if not done:
+        return ["--help", "--version", "--config", "--debug"] if unfinished.startswith("-") else nouns
+    if done[0] == "run":
+        return _executables(done[1:])
+    import typer.main  # noqa: PLC0415 - `zbot run` does without
+
+    if done[0] not in nouns:
+        return []
+    command: Any = typer.main.get_command(importlib.import_module(f"zbot_cli.{done[0]}").app)
+    commands: dict[str, Any] = getattr(command, "commands", {})
+    if commands and len(done) == 1:
+        return _options(command) if unfinished.startswith("-") else commands
+    verb = commands.get(done[1]) if commands else command
+    if verb is None:
+        return []
+    if unfinished.startswith("-"):
+        return _options(verb)
+    positions = [word for word in done[2:] if not word.startswith("-")]
+    values = _VALUES.get((done[0], done[1] if len(done) > 1 else ""), ())
+    source = values[min(len(positions), len(values) - 1)] if values else None
+    return source(positions, unfinished) if source is not None else []
+
+
+def _options(command: Any) -> list[str]:
+    return [name for one in command.params for name in one.opts if name.startswith("--")]
+
+
+def _executables(done: Sequence[str]) -> Iterable[str]:
+    from zbot_cli.executables import all_executables  # noqa: PLC0415 - only `run` asks
+
+    known = all_executables()
+    if not done:
+        return {one.name for one in known} | {one.package for one in known}
+    return {one.name for one in known if one.package == done[0]} if len(done) == 1 else []
+
+
+def _topics(_: Sequence[str], unfinished: str) -> Iterable[str]:
+    from zbot_cli.looking import snapshot  # noqa: PLC0415 - only live names ask
+
+    names = [name for name, _ in snapshot().topics()]
+    return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
+
+
+def _nodes(_: Sequence[str], unfinished: str) -> Iterable[str]:
+    from zbot.graph import full_names  # noqa: PLC0415 - as above
+    from zbot_cli.looking import snapshot  # noqa: PLC0415 - as above
+
+    names = full_names(snapshot().nodes)
+    return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
+
+
+def _topic_type(done: Sequence[str], unfinished: str) -> Iterable[str]:
+    from zbot_cli.looking import full_name, snapshot  # noqa: PLC0415 - as above
+
+    found = dict(snapshot().topics()).get(full_name(done[0])) if done else None
+    return found or _message_types(done, unfinished)
+
+
+def _message_types(_: Sequence[str], __: str) -> Iterable[str]:
+    from zbot_cli.types import all_messages  # noqa: PLC0415 - only types ask
+
+    return all_messages()
+
+
+def _all_types(_: Sequence[str], __: str) -> Iterable[str]:
+    from zbot.interfaces import interface_names, packages  # noqa: PLC0415 - only types ask
+
+    return [name for package in packages() for name in interface_names(package)]
+
+
+def _packages(_: Sequence[str], __: str) -> Iterable[str]:
+    from zbot.interfaces import packages  # noqa: PLC0415 - only types ask
+
+    return packages()
+
+
+def _prototype(done: Sequence[str], _: str) -> Iterable[str]:
+    from zbot.interfaces import get_message  # noqa: PLC0415 - only `pub` asks
+    from zbot_cli.message_text import json_value  # noqa: PLC0415 - only `pub` asks
+
+    try:
+        message = get_message(done[1])()
+    except (ZbotError, IndexError):
+        return []
+    import json  # noqa: PLC0415 - only `pub` asks
+
+    return [f"'{json.dumps(json_value(message))}'"]
+
+
+def _shells(_: Sequence[str], __: str) -> Iterable[str]:
+    return ("bash", "zsh", "fish", "powershell")
+
+
+#: What the words of each verb can be, the last source serving all further words.
+_VALUES: dict[tuple[str, str], tuple[Any, ...]] = {
+    ("topic", "echo"): (_topics, _topic_type),
+    ("topic", "pub"): (_topics, _topic_type, _prototype),
+    ("topic", "info"): (_topics,),
+    ("topic", "type"): (_topics,),
+    ("topic", "hz"): (_topics,),
+    ("topic", "bw"): (_topics,),
+    ("topic", "delay"): (_topics,),
+    ("topic", "find"): (_message_types,),
+    ("node", "info"): (_nodes,),
+    ("node", "kill"): (_nodes,),
+    ("interface", "show"): (_all_types,),
+    ("interface", "proto"): (_all_types,),
+    ("interface", "package"): (_packages,),
+    ("completion", ""): (_shells,),
+}

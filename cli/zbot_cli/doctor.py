@@ -1,0 +1,221 @@
+"""`zbot doctor`: a line for everything that could be wrong, and what to do about it."""
+
+from __future__ import annotations
+
+import contextlib
+import platform
+import socket
+import sys
+import time
+from collections import Counter
+from dataclasses import dataclass
+from importlib.metadata import version
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from zbot import config
+from zbot.errors import ZbotError
+from zbot.graph import Snapshot, full_names, processes
+from zbot.names import fully_qualified, is_hidden, nearest
+from zbot.version import __version__
+from zbot_cli.listing import AsJson, new_app, print_json
+from zbot_cli.looking import client, snapshot_of
+from zbot_cli.status import Status
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from zbot.context import Context
+
+app = new_app("Check what could be wrong", has_verbs=False)
+
+_OLDEST_PYTHON = (3, 10)
+_CONNECT_TIMEOUT_S = 0.5
+_LARGEST_CLOCK_STEP_S = 0.1
+
+
+@dataclass(frozen=True)
+class Finding:
+    """The outcome of one check; `advice` says what to do and is empty if all is well."""
+
+    check: str
+    text: str
+    advice: str = ""
+
+    @property
+    def is_ok(self) -> bool:
+        """Whether nothing has to be done."""
+        return not self.advice
+
+
+@app.callback(invoke_without_command=True)
+def doctor(
+    report: Annotated[bool, typer.Option("-r", "--report", help="Show nodes, topics and processes too")] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Check what could be wrong on this machine and in the domain."""
+    findings = list(_local_findings())
+    with _looking() as context:
+        graph = Snapshot(()) if context is None else snapshot_of(context)
+        findings += _graph_findings(graph)
+        if report and context is not None and not context.is_closed:
+            findings += _report(context, graph)
+    bad = [finding for finding in findings if not finding.is_ok]
+    if as_json:
+        print_json([{"check": one.check, "ok": one.is_ok, "text": one.text, "advice": one.advice} for one in findings])
+    else:
+        _print(findings, len(bad))
+    if bad:
+        raise typer.Exit(Status.ERROR)
+
+
+def _print(findings: list[Finding], bad: int) -> None:
+    for finding in findings:
+        mark = "ok  " if finding.is_ok else "FAIL"
+        print(f"{mark}  {finding.check}: {finding.text}")
+        if finding.advice:
+            print(f"      -> {finding.advice}")
+    print()
+    print(f"All {len(findings)} checks passed" if not bad else f"{bad}/{len(findings)} check(s) failed")
+
+
+@contextlib.contextmanager
+def _looking() -> Iterator[Context | None]:
+    try:
+        with client() as context:
+            yield context
+    except ZbotError:
+        yield None  # a finding of its own says what is wrong
+
+
+def _local_findings() -> Iterator[Finding]:
+    checks: tuple[tuple[str, Callable[[], Finding]], ...] = (
+        ("python", _python),
+        ("zbot", _versions),
+        ("domain", _domain),
+        ("discovery range", _range),
+        ("configuration", _configuration),
+        ("loopback", _loopback),
+        ("meeting port", _meeting_port),
+        ("clock", _clock),
+    )
+    for name, check in checks:
+        try:
+            yield check()
+        except ZbotError as error:
+            yield Finding(name, "not usable", str(error))
+
+
+def _python() -> Finding:
+    text = f"{platform.python_version()} ({sys.executable})"
+    old = sys.version_info < _OLDEST_PYTHON
+    return Finding("python", text, "install Python 3.10 or newer" if old else "")
+
+
+def _versions() -> Finding:
+    text = f"{__version__}, eclipse-zenoh {version('eclipse-zenoh')}, {platform.system()} {platform.machine()}"
+    return Finding("zbot", text)
+
+
+def _domain() -> Finding:
+    return Finding("domain", str(config.domain_id()))
+
+
+def _range() -> Finding:
+    found = config.discovery_range()
+    off = found is config.DiscoveryRange.OFF
+    return Finding("discovery range", found.value, "unset ZBOT_DISCOVERY_RANGE: no node is found" if off else "")
+
+
+def _configuration() -> Finding:
+    found = config.load()
+    found.build({})
+    return Finding("configuration", found.source)
+
+
+def _loopback() -> Finding:
+    with socket.socket() as listener, socket.socket() as caller:
+        try:
+            listener.bind(("127.0.0.1", 0))
+            listener.listen()
+            caller.settimeout(_CONNECT_TIMEOUT_S)
+            caller.connect(listener.getsockname())
+        except OSError as exc:
+            advice = "allow local connections (127.0.0.1) in the firewall"
+            return Finding("loopback", f"a connection to this machine fails: {exc}", advice)
+    return Finding("loopback", "programs of this machine can connect to each other")
+
+
+def _meeting_port() -> Finding:
+    port = config.MEETING_PORT + config.domain_id()
+    name = f"127.0.0.1:{port}"
+    with socket.socket() as probe:
+        probe.settimeout(_CONNECT_TIMEOUT_S)
+        if probe.connect_ex(("127.0.0.1", port)) != 0:
+            return Finding("meeting port", f"{name} is free: no node is running in this domain")
+    with _looking() as context:
+        if context is not None and not context.is_closed:
+            return Finding("meeting port", f"{name} answers as zbot")
+    advice = "end the program that uses it, or choose another domain: ZBOT_DOMAIN_ID=7"
+    return Finding("meeting port", f"{name} is used by a program that is not zbot", advice)
+
+
+def _clock() -> Finding:
+    begun, steady = time.time(), time.monotonic()
+    with socket.socket() as probe:  # something that takes a moment
+        probe.connect_ex(("127.0.0.1", 9))
+    step = (time.time() - begun) - (time.monotonic() - steady)
+    if abs(step) > _LARGEST_CLOCK_STEP_S:
+        return Finding("clock", f"the system's clock jumps ({step:+.1f} s)", "check the machine's time synchronisation")
+    return Finding("clock", "steady")
+
+
+def _graph_findings(graph: Snapshot) -> list[Finding]:
+    visible = [node for node in graph.nodes if not is_hidden(fully_qualified(node.namespace, node.node))]
+    return [
+        Finding("nodes", f"{len(visible)} running"),
+        *_duplicate_names(graph),
+        *_type_clashes(graph),
+        *_lonely_subscriptions(graph),
+    ]
+
+
+def _duplicate_names(graph: Snapshot) -> Iterator[Finding]:
+    for name, count in Counter(full_names(graph.nodes)).items():
+        if count > 1:
+            advice = "end all but one, or rename: --ros-args -r __node:=another_name"
+            yield Finding("node names", f"{count} nodes are named {name}", advice)
+
+
+def _type_clashes(graph: Snapshot) -> Iterator[Finding]:
+    for name, types in graph.topics():
+        if len(types) > 1:
+            who = sorted(set(full_names([*graph.publishers(name), *graph.subscriptions(name)])))
+            advice = f"let all use one type, or rename the topic; its nodes are {', '.join(who)}"
+            yield Finding("topic types", f"{name} has {len(types)}: {', '.join(types)}", advice)
+
+
+def _lonely_subscriptions(graph: Snapshot) -> Iterator[Finding]:
+    published = {name for name, _ in graph.topics() if graph.publishers(name)}
+    for name, _ in graph.topics():
+        if name in published or is_hidden(name):
+            continue
+        guess = nearest(name, sorted(published))
+        if guess is not None:
+            advice = f"is {guess} meant? It has a publisher"
+            yield Finding("topic names", f"nobody publishes {name}", advice)
+
+
+def _report(context: Context, graph: Snapshot) -> Iterator[Finding]:
+    # A process has a second session while it holds the meeting port.
+    found = {(one.host, one.pid): one for one in processes(context.session).values()}
+    for process in sorted(found.values(), key=lambda one: (one.host, one.pid)):
+        yield Finding(
+            "process", f"{process.host} {process.pid} ({process.command}), zbot {process.version}"
+        )
+    for name in full_names(graph.nodes):
+        yield Finding("node", name)
+    for name, types in graph.topics():
+        counts = f"{len(graph.publishers(name))} publisher(s), {len(graph.subscriptions(name))} subscription(s)"
+        yield Finding("topic", f"{name} [{', '.join(types)}] {counts}")
