@@ -13,6 +13,9 @@ from zbot.time import Duration, Time
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from types import TracebackType
+
+    from typing_extensions import Self
 
     from zbot.callback_group import CallbackGroup
     from zbot.clock import Clock
@@ -60,8 +63,7 @@ class Timer:
         self._period_ns = period_ns
         self._is_canceled = not autostart
         self._is_destroyed = False
-        self._last_ns = self._now_ns()
-        self._next_ns = self._last_ns + period_ns
+        self._restart()
         self._subscription = (
             clock.on_time_change(self._on_time_change) if isinstance(clock, ROSClock) else None
         )
@@ -104,10 +106,15 @@ class Timer:
     def _now_ns(self) -> int:
         return self._clock.now().nanoseconds if self._is_simulated else time.monotonic_ns()
 
-    def _on_time_change(self, *_: Any) -> None:
-        now = self._now_ns()
-        if abs(self._next_ns - now) > self._period_ns:  # the clock jumped, or is another one now
-            self._last_ns, self._next_ns = now, now + self._period_ns
+    def _restart(self) -> None:
+        self._was_simulated = self._is_simulated
+        self._last_ns = self._now_ns()
+        self._next_ns = self._last_ns + self._period_ns
+
+    def _on_time_change(self) -> None:
+        # A step forward only makes it due, for `/clock` may be coarser than the period.
+        if self._is_simulated is not self._was_simulated or self._now_ns() < self._last_ns:
+            self._restart()
         self.mailbox.post(self)
 
     def take(self) -> TimerInfo | None:
@@ -148,8 +155,7 @@ class Timer:
         """
         if self._is_destroyed:
             raise InvalidHandleError("the timer")
-        self._last_ns = self._now_ns()
-        self._next_ns = self._last_ns + self._period_ns
+        self._restart()
         self._is_canceled = False
         self.mailbox.post(self)
 
@@ -167,6 +173,17 @@ class Timer:
         if self._subscription is not None:
             self._subscription.unregister()
             self._subscription = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.destroy()
 
 
 def _wants_info(callback: Callable[..., Any]) -> bool:

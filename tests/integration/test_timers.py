@@ -1,0 +1,397 @@
+"""Timers and rates, on the machine's time and on simulated time."""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import TYPE_CHECKING
+
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+from zbot.clock import Clock
+from zbot.errors import InvalidHandleError, InvalidPeriodError, RateInterruptedError
+from zbot.time import ClockType, Time
+
+from rosgraph_msgs.msg import Clock as ClockMessage
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from tests.conftest import Spinner
+    from zbot.timer import TimerInfo
+
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., Spinner]
+
+
+@pytest.fixture
+def node(make_context: MakeContext) -> zbot.Node:
+    return zbot.Node("clockwork", context=make_context())
+
+
+@pytest.fixture
+def executor(node: zbot.Node) -> Iterator[zbot.Executor]:
+    with zbot.SingleThreadedExecutor(context=node.context) as made:
+        made.add_node(node)
+        yield made
+
+
+class Simulation:
+    """A node whose time moves only when the test says so."""
+
+    def __init__(self, context: zbot.Context) -> None:
+        arguments = ["--ros-args", "-p", "use_sim_time:=true"]
+        self.node = zbot.Node("simulated", context=context, cli_args=arguments)
+        self.executor = zbot.SingleThreadedExecutor(context=context)
+        self.executor.add_node(self.node)
+        self.clock = self.node.get_clock()
+
+    def go_to(self, seconds: float) -> None:
+        """Set the time and run what is due."""
+        assert isinstance(self.clock, zbot.ROSClock)
+        self.clock.set_ros_time_override(Time(seconds=seconds, clock_type=ClockType.ROS_TIME))
+        for _ in range(5):
+            self.executor.spin_once(timeout_sec=0)
+
+
+@pytest.fixture
+def simulation(make_context: MakeContext) -> Simulation:
+    return Simulation(make_context())
+
+
+# -- the machine's time ----------------------------------------------------------------------------
+
+
+def mean_period_s(node: zbot.Node, executor: zbot.Executor, period_s: float, count: int) -> float:
+    stamps: list[int] = []
+    timer = node.create_timer(period_s, lambda: stamps.append(time.monotonic_ns()))
+    while len(stamps) < count:
+        executor.spin_once(timeout_sec=1)
+    node.destroy_timer(timer)
+    return (stamps[-1] - stamps[0]) / (count - 1) / 1e9
+
+
+def test_a_timer_keeps_1_khz_without_drift(node: zbot.Node, executor: zbot.Executor) -> None:
+    # A busy machine makes any single run skip periods; drift would show in all of them.
+    means = [mean_period_s(node, executor, 0.001, 200) for _ in range(3)]
+    assert min(means, key=lambda mean: abs(mean - 0.001)) == pytest.approx(0.001, rel=0.01)
+
+
+def test_a_late_timer_skips_what_it_missed(node: zbot.Node, executor: zbot.Executor) -> None:
+    infos: list[TimerInfo] = []
+    timer = node.create_timer(0.01, infos.append, clock=Clock(clock_type=ClockType.STEADY_TIME))
+    threading.Event().wait(0.055)
+    executor.spin_once(timeout_sec=0)
+    executor.spin_once(timeout_sec=0)
+    assert len(infos) == 1
+    left = timer.time_until_next_call()
+    assert left is not None
+    assert left <= 10_000_000
+
+
+def test_a_timer_of_period_zero_runs_whenever_there_is_time(
+    node: zbot.Node, executor: zbot.Executor
+) -> None:
+    calls: list[int] = []
+    node.create_timer(0, lambda: calls.append(1))
+    for _ in range(10):
+        executor.spin_once(timeout_sec=1)
+    assert len(calls) == 10
+
+
+def test_a_timer_tells_when_it_was_to_run_and_when_it_did(
+    node: zbot.Node, executor: zbot.Executor
+) -> None:
+    infos: list[TimerInfo] = []
+    begin = node.get_clock().now()
+    node.create_timer(0.005, infos.append)
+    executor.spin_once(timeout_sec=1)
+    end = node.get_clock().now()
+    assert begin <= infos[0].expected_call_time <= infos[0].actual_call_time <= end
+    assert (infos[0].expected_call_time - begin).nanoseconds >= 5_000_000
+
+
+@pytest.mark.parametrize("clock_type", [ClockType.SYSTEM_TIME, ClockType.STEADY_TIME])
+def test_a_timer_may_follow_a_clock_of_its_own(
+    node: zbot.Node, executor: zbot.Executor, clock_type: ClockType
+) -> None:
+    infos: list[TimerInfo] = []
+    timer = node.create_timer(0.001, infos.append, clock=Clock(clock_type=clock_type))
+    executor.spin_once(timeout_sec=1)
+    assert infos[0].actual_call_time.clock_type is clock_type
+    assert timer.clock.clock_type is clock_type
+
+
+def test_resetting_a_timer_again_and_again_costs_no_memory(
+    node: zbot.Node, executor: zbot.Executor
+) -> None:
+    timer = node.create_timer(60.0, lambda: None)
+    for _ in range(1000):
+        timer.reset()
+        executor.spin_once(timeout_sec=0)
+    assert isinstance(executor, zbot.SingleThreadedExecutor)
+    assert len(executor._agenda._heap) < 100
+
+
+def test_a_shorter_period_wakes_a_sleeping_executor(node: zbot.Node, spin: Spin) -> None:
+    called = threading.Event()
+    timer = node.create_timer(60.0, called.set)
+    spin(node)
+    timer.timer_period_ns = 1_000_000
+    assert called.wait(5)
+
+
+def test_a_timer_made_while_spinning_runs(node: zbot.Node, spin: Spin) -> None:
+    called = threading.Event()
+    spin(node)
+    node.create_timer(0.001, called.set)
+    assert called.wait(5)
+
+
+@pytest.mark.parametrize("period", [-1, -0.001, float("nan"), float("inf"), "1", None])
+def test_a_period_that_is_none_is_refused(node: zbot.Node, period: float) -> None:
+    with pytest.raises(InvalidPeriodError, match="period"):
+        node.create_timer(period, lambda: None)
+
+
+def test_a_timers_callback_takes_at_most_one_argument(node: zbot.Node) -> None:
+    with pytest.raises(RuntimeError, match="timer_info"):
+        node.create_timer(1.0, lambda a, b: None)  # noqa: ARG005
+
+
+def test_an_async_timer_does_not_overtake_itself(node: zbot.Node, executor: zbot.Executor) -> None:
+    gate: zbot.Future[None] = zbot.Future()
+    calls: list[int] = []
+
+    async def tick() -> None:
+        calls.append(1)
+        await gate
+
+    node.create_timer(0.0, tick)
+    for _ in range(5):
+        executor.spin_once(timeout_sec=0.001)
+    assert len(calls) == 1
+    gate.set_result(None)
+    executor.spin_once(timeout_sec=1)
+    executor.spin_once(timeout_sec=1)
+    executor.spin_once(timeout_sec=1)
+    assert len(calls) == 2
+
+
+# -- simulated time --------------------------------------------------------------------------------
+
+
+def test_simulated_time_comes_from_the_clock_topic(
+    simulation: Simulation, node: zbot.Node, spin: Spin
+) -> None:
+    calls: list[int] = []
+    simulation.node.create_timer(1.0, lambda: calls.append(1))
+    publisher = node.create_publisher(ClockMessage, "/clock", 10)
+    assert wait_until(lambda: publisher.get_subscription_count() == 1)
+    spin(simulation.node)
+    for second in range(100, 104):
+        publisher.publish(ClockMessage(clock=Time(seconds=second).to_msg()))
+        expected = second * 10**9
+        assert wait_until(lambda at=expected: simulation.clock.now().nanoseconds == at)  # type: ignore[misc]
+        assert wait_until(lambda count=second - 99: len(calls) == count)  # type: ignore[misc]
+
+
+def test_simulated_time_starts_at_zero(simulation: Simulation) -> None:
+    assert simulation.clock.now() == Time(clock_type=ClockType.ROS_TIME)
+
+
+def test_time_is_not_simulated_without_the_parameter(node: zbot.Node) -> None:
+    assert node.count_subscribers("/clock") == 0
+    assert abs(node.get_clock().now().nanoseconds - time.time_ns()) < 10**9
+
+
+def test_a_simulated_timer_runs_when_its_time_comes(simulation: Simulation) -> None:
+    calls: list[float] = []
+    simulation.go_to(10)
+    simulation.node.create_timer(1.0, lambda: calls.append(simulation.clock.now().nanoseconds))
+    for tenth in range(100, 131):
+        simulation.go_to(tenth / 10)
+    assert calls == [11 * 10**9, 12 * 10**9, 13 * 10**9]
+
+
+def test_a_clock_that_is_coarser_than_the_period_runs_the_timer_at_every_step(
+    simulation: Simulation,
+) -> None:
+    calls: list[int] = []
+    simulation.go_to(10)
+    simulation.node.create_timer(0.1, lambda: calls.append(1))
+    for second in range(11, 16):
+        simulation.go_to(second)
+    assert len(calls) == 5
+
+
+def test_a_jump_back_starts_a_new_period(simulation: Simulation) -> None:
+    calls: list[int] = []
+    simulation.go_to(100)
+    simulation.node.create_timer(1.0, lambda: calls.append(1))
+    simulation.go_to(50)
+    assert calls == []
+    simulation.go_to(51)
+    assert calls == [1]
+
+
+def test_a_canceled_timer_waits_for_its_reset(simulation: Simulation) -> None:
+    calls: list[int] = []
+    simulation.go_to(10)
+    timer = simulation.node.create_timer(1.0, lambda: calls.append(1))
+    timer.cancel()
+    assert timer.is_canceled()
+    assert timer.time_until_next_call() is None
+    simulation.go_to(15)
+    assert calls == []
+    timer.reset()
+    assert not timer.is_canceled()
+    simulation.go_to(15.9)
+    assert calls == []
+    simulation.go_to(16)
+    assert calls == [1]
+
+
+def test_reset_begins_a_new_period(simulation: Simulation) -> None:
+    calls: list[int] = []
+    simulation.go_to(10)
+    timer = simulation.node.create_timer(1.0, lambda: calls.append(1))
+    simulation.go_to(10.8)
+    assert timer.time_since_last_call() == 800_000_000
+    assert timer.time_until_next_call() == 200_000_000
+    timer.reset()
+    simulation.go_to(11.5)
+    assert calls == []
+    assert not timer.is_ready()
+    simulation.go_to(11.8)
+    assert calls == [1]
+
+
+def test_a_new_period_counts_from_the_last_call(simulation: Simulation) -> None:
+    calls: list[int] = []
+    simulation.go_to(10)
+    timer = simulation.node.create_timer(1.0, lambda: calls.append(1))
+    simulation.go_to(11)
+    timer.timer_period_ns = 3 * 10**9
+    assert timer.timer_period_ns == 3 * 10**9
+    simulation.go_to(13.9)
+    assert calls == [1]
+    simulation.go_to(14)
+    assert calls == [1, 1]
+
+
+def test_a_timer_without_autostart_waits_for_its_first_reset(simulation: Simulation) -> None:
+    calls: list[int] = []
+    simulation.go_to(10)
+    timer = simulation.node.create_timer(1.0, lambda: calls.append(1), autostart=False)
+    simulation.go_to(15)
+    assert calls == []
+    timer.reset()
+    simulation.go_to(16)
+    assert calls == [1]
+
+
+def test_a_timer_may_cancel_itself(simulation: Simulation) -> None:
+    calls: list[int] = []
+
+    def once() -> None:
+        calls.append(1)
+        timer.cancel()
+
+    simulation.go_to(10)
+    timer = simulation.node.create_timer(1.0, once)
+    for second in range(11, 15):
+        simulation.go_to(second)
+    assert calls == [1]
+
+
+def test_a_destroyed_timer_never_runs_again(simulation: Simulation) -> None:
+    calls: list[int] = []
+    simulation.go_to(10)
+    timer = simulation.node.create_timer(1.0, lambda: calls.append(1))
+    assert list(simulation.node.timers) == [timer]
+    assert simulation.node.destroy_timer(timer)
+    assert not simulation.node.destroy_timer(timer)
+    simulation.go_to(15)
+    assert calls == []
+    with pytest.raises(InvalidHandleError, match="timer"):
+        timer.reset()
+
+
+def test_a_timer_ends_with_its_block(simulation: Simulation) -> None:
+    calls: list[int] = []
+    simulation.go_to(10)
+    with simulation.node.create_timer(1.0, lambda: calls.append(1)):
+        simulation.go_to(11)
+    simulation.go_to(12)
+    assert calls == [1]
+
+
+def test_a_timers_callback_can_be_changed(simulation: Simulation) -> None:
+    calls: list[str] = []
+    simulation.go_to(10)
+    timer = simulation.node.create_timer(1.0, None)
+    simulation.go_to(11)
+    timer.callback = lambda info: calls.append(type(info).__name__)
+    simulation.go_to(12)
+    assert calls == ["TimerInfo"]
+
+
+# -- rates -----------------------------------------------------------------------------------------
+
+
+def test_a_rate_gives_a_loop_its_frequency(node: zbot.Node) -> None:
+    rate = node.create_rate(200.0)
+    begin = time.monotonic()
+    for _ in range(20):
+        rate.sleep()
+    assert 0.099 <= time.monotonic() - begin < 0.5
+
+
+def test_a_rate_makes_up_for_a_turn_that_took_longer(node: zbot.Node) -> None:
+    rate = node.create_rate(100.0)
+    begin = time.monotonic()
+    threading.Event().wait(0.015)
+    rate.sleep()
+    rate.sleep()
+    assert time.monotonic() - begin < 0.2
+
+
+def test_a_rate_follows_simulated_time(simulation: Simulation) -> None:
+    simulation.go_to(10)
+    rate = simulation.node.create_rate(1.0)
+    woke = threading.Event()
+
+    def loop() -> None:
+        rate.sleep()
+        woke.set()
+
+    thread = threading.Thread(target=loop)
+    thread.start()
+    simulation.go_to(10.9)
+    assert not woke.is_set()
+    simulation.go_to(11)
+    thread.join(5)
+    assert woke.is_set()
+
+
+def test_shutdown_ends_a_rates_sleep(node: zbot.Node) -> None:
+    rate = node.create_rate(0.01)
+    threading.Timer(0.02, node.context.shutdown).start()
+    with pytest.raises(RateInterruptedError):
+        rate.sleep()
+
+
+def test_a_destroyed_rate_says_so(node: zbot.Node) -> None:
+    rate = node.create_rate(1.0)
+    assert node.destroy_rate(rate)
+    with pytest.raises(InvalidHandleError, match="rate"):
+        rate.sleep()
+
+
+@pytest.mark.parametrize("frequency", [0, -1, float("nan"), float("inf"), "1"])
+def test_a_frequency_that_is_none_is_refused(node: zbot.Node, frequency: float) -> None:
+    with pytest.raises(InvalidPeriodError, match="frequency"):
+        node.create_rate(frequency)
