@@ -12,6 +12,12 @@ import weakref
 from collections import deque
 from typing import TYPE_CHECKING
 
+import zenoh
+
+from zbot.errors import NotInitializedError
+import zenoh
+
+from zbot.errors import NotInitializedError
 from zbot.log import get_logger
 from zbot.names import fully_qualified, is_hidden, nearest
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
@@ -92,9 +98,14 @@ class Adviser:
                 checks = []
                 while self._is_check_due():
                     checks.append(self._checks.popleft())
-            self._compare(news)
-            for _, token, logger_name in checks:
-                self._check_silence(token, logger_name)
+            try:
+                self._compare(news)
+                for _, token, logger_name in checks:
+                    self._check_silence(token, logger_name)
+            except (zenoh.ZError, NotInitializedError):
+                if self._context.ok():
+                    raise
+                return  # the session was closed while it was being asked
 
     def _is_check_due(self) -> bool:
         return bool(self._checks) and self._checks[0][0] <= time.monotonic()
