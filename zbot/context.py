@@ -208,7 +208,7 @@ class Context:
         if self._graph is None:
             with self._lock:
                 if self._graph is None:
-                    self._graph = Graph(self.session, self.dialect, self._domain)
+                    self._graph = Graph(self.session, self.dialect, self._domain, self.settle)
         return self._graph
 
     @property
@@ -237,8 +237,10 @@ class Context:
 
     def settle(self) -> None:
         """Wait, once and at most 0.2 s, until every session of the domain is linked to this one."""
+        if self.is_settled:
+            return
         session, watch = self.session, self._watch
-        if watch is not None and self._mode == "peer" and not session.is_closed():
+        if watch is not None and not session.is_closed():
             watch.wait_settled(_SETTLE_TIMEOUT_S)
         self.is_settled = True
 

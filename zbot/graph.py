@@ -90,10 +90,14 @@ class Graph:
         session: The session through which tokens are seen.
         dialect: How tokens are written.
         domain: 0 to 232.
+        settle: Waits until the session has met the others; called before the first look.
     """
 
-    def __init__(self, session: zenoh.Session, dialect: Dialect, domain: int) -> None:
+    def __init__(
+        self, session: zenoh.Session, dialect: Dialect, domain: int, settle: Callable[[], None]
+    ) -> None:
         self._session = session
+        self._settle = settle
         self._dialect = dialect
         self._key = dialect.tokens_key(domain)
         self._tokens: dict[str, Token] = {}
@@ -172,6 +176,7 @@ class Graph:
             self._listeners = [ref for ref in self._listeners if ref() not in {None, listener}]
 
     def _ask(self) -> Iterator[Token]:
+        self._settle()
         for reply in self._session.liveliness().get(self._key, timeout=2.0):
             if reply.ok is not None:
                 token = self._parse(str(reply.ok.key_expr))

@@ -1,0 +1,351 @@
+"""Names, and what every node can see of all others."""
+
+from __future__ import annotations
+
+import signal
+import sys
+import threading
+import time
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+from zbot.errors import (
+    InvalidHandleError,
+    InvalidNamespaceError,
+    InvalidNodeNameError,
+    InvalidTopicNameError,
+    NodeNameError,
+    UnknownNodeError,
+)
+from zbot.qos import DurabilityPolicy, QoSProfile
+from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
+
+from std_msgs.msg import Float32, String
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import Program
+
+    MakeContext = Callable[[], zbot.Context]
+    Start = Callable[..., Program]
+    MakeNode = Callable[..., zbot.Node]
+
+NODE = """
+import zbot
+from std_msgs.msg import String
+
+with zbot.init():
+    node = zbot.Node("guest")
+    node.create_publisher(String, "chatter", 10)
+    print("ready")
+    zbot.spin(node)
+"""
+
+
+@pytest.fixture
+def context(make_context: MakeContext) -> zbot.Context:
+    return make_context()
+
+
+@pytest.fixture
+def make_node(context: zbot.Context) -> MakeNode:
+    made: list[zbot.Node] = []  # what nobody holds leaves the graph
+
+    def make(name: str, *words: str, **options: Any) -> zbot.Node:
+        arguments = ["--ros-args", *words] if words else None
+        made.append(zbot.Node(name, context=context, cli_args=arguments, **options))
+        return made[-1]
+
+    return make
+
+
+@pytest.fixture
+def observer(make_context: MakeContext) -> zbot.Node:
+    return zbot.Node("observer", context=make_context(), enable_rosout=False)
+
+
+# -- a node's own names ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("namespace", "expected"),
+    [
+        (None, ("robot", "/", "/robot")),
+        ("", ("robot", "/", "/robot")),
+        ("/", ("robot", "/", "/robot")),
+        ("fleet", ("robot", "/fleet", "/fleet/robot")),
+        ("/fleet/north", ("robot", "/fleet/north", "/fleet/north/robot")),
+    ],
+)
+def test_a_node_lives_in_its_namespace(
+    make_node: MakeNode, namespace: str | None, expected: tuple[str, str, str]
+) -> None:
+    node = make_node("robot", namespace=namespace)
+    found = (node.get_name(), node.get_namespace(), node.get_fully_qualified_name())
+    assert found == expected
+    assert node.get_logger().name == expected[2][1:].replace("/", ".")
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (["-r", "__node:=other"], "/other"),
+        (["-r", "__name:=other"], "/other"),
+        (["-r", "__ns:=/fleet"], "/fleet/robot"),
+        (["-r", "__ns:=/fleet", "-r", "__node:=other"], "/fleet/other"),
+        (["-r", "robot:__node:=other"], "/other"),
+        (["-r", "somebody:__node:=other"], "/robot"),
+    ],
+)
+def test_the_command_line_renames_a_node(
+    make_node: MakeNode, words: list[str], expected: str
+) -> None:
+    assert make_node("robot", *words).get_fully_qualified_name() == expected
+
+
+@pytest.mark.parametrize(
+    ("topic", "expected"),
+    [
+        ("scan", "/fleet/scan"),
+        ("/scan", "/scan"),
+        ("~/scan", "/fleet/robot/scan"),
+        ("~", "/fleet/robot"),
+        ("front/scan", "/fleet/front/scan"),
+        ("{node}/scan", "/fleet/robot/scan"),
+        ("_hidden", "/fleet/_hidden"),
+    ],
+)
+def test_topics_resolve_against_node_and_namespace(
+    make_node: MakeNode, observer: zbot.Node, topic: str, expected: str
+) -> None:
+    node = make_node("robot", namespace="fleet")
+    assert node.resolve_topic_name(topic) == expected
+    assert node.create_publisher(String, topic, 10).topic_name == expected
+    assert wait_until(lambda: observer.count_publishers(expected) == 1)
+
+
+@pytest.mark.parametrize(
+    ("rule", "expected"),
+    [
+        ("chatter:=talk", "/talk"),
+        ("/chatter:=/talk", "/talk"),
+        ("chatter:=/fleet/talk", "/fleet/talk"),
+        ("chatter:=~/talk", "/robot/talk"),
+        ("robot:chatter:=talk", "/talk"),
+        ("other:chatter:=talk", "/chatter"),
+    ],
+)
+def test_the_command_line_renames_topics(make_node: MakeNode, rule: str, expected: str) -> None:
+    node = make_node("robot", "-r", rule)
+    assert node.create_subscription(String, "chatter", print, 10).topic_name == expected
+    assert node.resolve_topic_name("chatter", only_expand=True) == "/chatter"
+
+
+def test_the_processes_command_line_applies_to_every_node(domain: int) -> None:
+    context = zbot.Context()
+    context.init(["program", "--ros-args", "-r", "__ns:=/fleet"], domain_id=domain)
+    with context:
+        assert zbot.Node("robot", context=context).get_namespace() == "/fleet"
+        own = zbot.Node("robot", context=context, use_global_arguments=False)
+        assert own.get_namespace() == "/"
+
+
+@pytest.mark.parametrize(
+    ("name", "error"),
+    [
+        ("", NodeNameError),
+        (None, NodeNameError),
+        (5, NodeNameError),
+        ("two words", InvalidNodeNameError),
+        ("1st", InvalidNodeNameError),
+        ("a/b", InvalidNodeNameError),
+    ],
+)
+def test_a_name_that_is_none_makes_no_node(
+    make_node: MakeNode, observer: zbot.Node, name: str, error: type[Exception]
+) -> None:
+    with pytest.raises(error):
+        make_node(name)
+    assert observer.get_node_names() == ["observer"]
+
+
+def test_an_invalid_name_is_shown_with_a_caret(make_node: MakeNode) -> None:
+    with pytest.raises(InvalidNodeNameError) as raised:
+        make_node("two words")
+    assert str(raised.value).splitlines()[-2:] == ["  'two words'", "      ^"]
+    with pytest.raises(InvalidNamespaceError):
+        make_node("robot", namespace="/a b")
+    with pytest.raises(InvalidTopicNameError):
+        make_node("robot").create_publisher(String, "my topic", 10)
+
+
+# -- the whole graph -------------------------------------------------------------------------------
+
+
+def test_the_graph_lists_nodes_with_their_namespaces(
+    make_node: MakeNode, observer: zbot.Node
+) -> None:
+    make_node("robot", namespace="/fleet")
+    make_node("base")
+    wanted = [("base", "/"), ("observer", "/"), ("robot", "/fleet")]
+    assert wait_until(lambda: sorted(observer.get_node_names_and_namespaces()) == wanted)
+    assert sorted(observer.get_node_names()) == ["base", "observer", "robot"]
+    names = observer.get_fully_qualified_node_names()
+    assert sorted(names) == ["/base", "/fleet/robot", "/observer"]
+    enclaves = observer.get_node_names_and_namespaces_with_enclaves()
+    assert ("robot", "/fleet", "/") in enclaves
+
+
+def test_two_nodes_of_one_name_are_both_listed(make_node: MakeNode, observer: zbot.Node) -> None:
+    make_node("twin")
+    make_node("twin")
+    assert wait_until(lambda: observer.get_node_names().count("twin") == 2)
+
+
+def test_the_first_look_of_a_newcomer_is_complete(
+    make_node: MakeNode, make_context: MakeContext
+) -> None:
+    nodes = [make_node(f"node_{number}") for number in range(10)]
+    newcomer = zbot.Node("newcomer", context=make_context())
+    assert len(newcomer.get_node_names()) == len(nodes) + 1
+
+
+def test_the_graph_lists_topics_with_their_types(make_node: MakeNode, observer: zbot.Node) -> None:
+    node = make_node("robot")
+    node.create_publisher(Float32, "temperature", 10)
+    node.create_subscription(String, "temperature", print, 10)
+    node.create_subscription(String, "_hidden", print, 10)
+    wanted = {
+        "/temperature": ["std_msgs/msg/Float32", "std_msgs/msg/String"],
+        "/_hidden": ["std_msgs/msg/String"],
+        "/rosout": ["rcl_interfaces/msg/Log"],
+        "/parameter_events": ["rcl_interfaces/msg/ParameterEvent"],
+    }
+    assert wait_until(lambda: dict(observer.get_topic_names_and_types()) == wanted)
+
+
+def test_the_graph_knows_what_each_node_uses(make_node: MakeNode, observer: zbot.Node) -> None:
+    node = make_node("robot", namespace="/fleet", enable_rosout=False)
+    node.create_publisher(Float32, "temperature", 10)
+    node.create_subscription(String, "orders", print, 10)
+    assert wait_until(lambda: observer.count_subscribers("/fleet/orders") == 1)
+    published = observer.get_publisher_names_and_types_by_node("robot", "/fleet")
+    assert ("/fleet/temperature", ["std_msgs/msg/Float32"]) in published
+    assert observer.get_subscriber_names_and_types_by_node("robot", "/fleet") == [
+        ("/fleet/orders", ["std_msgs/msg/String"])
+    ]
+    assert observer.get_client_names_and_types_by_node("robot", "/fleet") == []
+    with pytest.raises(UnknownNodeError, match="there is no node /fleet/robo; the nodes are:"):
+        observer.get_publisher_names_and_types_by_node("robo", "/fleet")
+
+
+def test_counts_resolve_names_as_topics_do(make_node: MakeNode) -> None:
+    node = make_node("robot", "-r", "chatter:=talk", namespace="/fleet")
+    node.create_publisher(String, "chatter", 10)
+    node.create_publisher(String, "chatter", 10)
+    assert node.count_publishers("chatter") == 2
+    assert node.count_publishers("/fleet/talk") == 2
+    assert node.count_publishers("/talk") == 0
+    assert node.count_subscribers("chatter") == 0
+
+
+def test_infos_tell_node_type_and_quality(make_node: MakeNode, observer: zbot.Node) -> None:
+    node = make_node("robot", namespace="/fleet")
+    profile = QoSProfile(depth=7, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+    publisher = node.create_publisher(String, "/map", profile)
+    node.create_subscription(String, "/map", print, 3)
+    assert wait_until(lambda: observer.count_subscribers("/map") == 1)
+    (info,) = observer.get_publishers_info_by_topic("/map")
+    assert (info.node_name, info.node_namespace) == ("robot", "/fleet")
+    assert info.topic_type == "std_msgs/msg/String"
+    assert info.endpoint_type is EntityKind.PUBLISHER
+    assert info.qos_profile.depth == 7
+    assert info.qos_profile.durability is DurabilityPolicy.TRANSIENT_LOCAL
+    assert bytes(info.endpoint_gid) == publisher.token.gid
+    (info,) = observer.get_subscriptions_info_by_topic("/map")
+    assert (info.qos_profile.depth, info.endpoint_type) == (3, EntityKind.SUBSCRIPTION)
+    assert observer.get_publishers_info_by_topic("/nothing") == []
+
+
+# -- change ----------------------------------------------------------------------------------------
+
+
+def test_waiting_for_a_node_ends_when_it_comes(make_node: MakeNode, observer: zbot.Node) -> None:
+    late = threading.Timer(0.02, lambda: make_node("late", namespace="/fleet"))
+    late.start()
+    begin = time.monotonic()
+    assert observer.wait_for_node("/fleet/late", timeout=5)
+    assert time.monotonic() - begin < 2
+    late.join()
+    assert observer.wait_for_node("fleet/late", timeout=0)
+
+
+def test_waiting_for_a_node_gives_up_in_time(observer: zbot.Node) -> None:
+    begin = time.monotonic()
+    assert not observer.wait_for_node("/nobody", timeout=0.02)
+    assert time.monotonic() - begin < 1
+
+
+def test_listeners_hear_of_what_is_there_and_of_every_change(
+    make_node: MakeNode, observer: zbot.Node
+) -> None:
+    class Listener:
+        def __init__(self) -> None:
+            self.heard: list[tuple[str, bool]] = []
+
+        def on_change(self, token: NodeToken | EndpointToken, appeared: bool) -> None:
+            if isinstance(token, EndpointToken) and token.name == "/chatter":
+                self.heard.append((token.kind.value, appeared))
+
+    node = make_node("robot")
+    publisher = node.create_publisher(String, "chatter", 10)
+    assert wait_until(lambda: observer.count_publishers("/chatter") == 1)
+    listener = Listener()
+    observer.context.graph.add_listener(listener.on_change)
+    assert wait_until(lambda: listener.heard == [("MP", True)])
+    node.create_subscription(String, "chatter", print, 10)
+    publisher.destroy()
+    expected = [("MP", True), ("MS", True), ("MP", False)]
+    assert wait_until(lambda: listener.heard == expected)
+    observer.context.graph.remove_listener(listener.on_change)
+    node.destroy_node()
+    assert wait_until(lambda: observer.count_subscribers("/chatter") == 0)
+    assert listener.heard == expected
+
+
+def test_a_destroyed_node_leaves_nothing_in_the_graph(
+    make_node: MakeNode, observer: zbot.Node
+) -> None:
+    node = make_node("robot")
+    node.create_publisher(String, "chatter", 10)
+    node.create_subscription(String, "chatter", print, 10)
+    assert observer.wait_for_node("/robot", timeout=2)
+    node.destroy_node()
+    assert wait_until(lambda: observer.get_node_names() == ["observer"])
+    topics = [name for name, _ in observer.get_topic_names_and_types()]
+    assert topics == ["/parameter_events"]
+    with pytest.raises(InvalidHandleError, match="/robot was destroyed"):
+        node.create_timer(1.0, print)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGKILL")
+def test_a_killed_process_is_gone_within_a_second(start: Start, observer: zbot.Node) -> None:
+    assert observer.get_node_names() == ["observer"]
+    guest = start(source=NODE)
+    guest.wait_for("ready")
+    assert observer.wait_for_node("/guest", timeout=2)
+    guest.stop(signal.SIGKILL)
+    assert wait_until(lambda: observer.get_node_names() == ["observer"], timeout_s=1)
+    assert observer.count_publishers("/chatter") == 0
+
+
+def test_a_process_that_ends_takes_its_nodes_along(start: Start, observer: zbot.Node) -> None:
+    guest = start(source=NODE)
+    guest.wait_for("ready")
+    assert observer.wait_for_node("/guest", timeout=2)
+    guest.stop()
+    assert wait_until(lambda: observer.get_node_names() == ["observer"], timeout_s=1)
