@@ -15,9 +15,6 @@ from typing import TYPE_CHECKING
 import zenoh
 
 from zbot.errors import NotInitializedError
-import zenoh
-
-from zbot.errors import NotInitializedError
 from zbot.log import get_logger
 from zbot.names import fully_qualified, is_hidden, nearest
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
