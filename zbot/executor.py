@@ -158,9 +158,10 @@ class Executor:
         self._agenda = _Agenda()
         self._signal = Signal()
         self._is_shutdown = False
+        self._is_disturbed = True  # whether somebody wants to be looked at before the next callback
         self._spinning = threading.Lock()
         self._spinner: int | None = None
-        context.add_waker(self._signal.set)
+        context.add_waker(self.wake)
 
     # -- nodes ---------------------------------------------------------------------------------
 
@@ -195,16 +196,13 @@ class Executor:
         return list(self._nodes)
 
     def _forget(self, entities: list[Entity]) -> None:
+        self._is_disturbed = True
         self._agenda.forget(entities)
         # Other threads post and take meanwhile: turn the queue once, in atomic steps.
         for _ in range(len(self._ready)):
             entity = Executor._pop_ready(self)
             if entity is not None and entity not in entities:
                 self._post(entity)
-
-    def _serves(self, entity: Entity) -> bool:
-        mailbox = entity.mailbox
-        return mailbox is None or mailbox.executor is self
 
     # -- tasks ---------------------------------------------------------------------------------
 
@@ -229,6 +227,7 @@ class Executor:
 
     def wake(self) -> None:
         """Let a waiting `spin_once` look for work; from any thread."""
+        self._is_disturbed = True
         self._signal.set()
 
     def _post(self, entity: Entity) -> None:
@@ -240,6 +239,7 @@ class Executor:
         if entity not in self._queued:
             self._queued.add(entity)
             self._ready.append(entity)
+            self._is_disturbed = True
 
     def _pop_ready(self) -> Entity | None:
         try:
@@ -307,7 +307,7 @@ class Executor:
         """Run a piece of work and, while nobody else has any, the entity's next ones."""
         outcome = None
         try:
-            while (outcome := entity.execute(taken)) is None and self._may_go_on(entity):
+            while (outcome := entity.execute(taken)) is None and self._may_go_on():
                 taken = entity.take()
                 if taken is None:
                     break
@@ -317,7 +317,7 @@ class Executor:
         if outcome is not None and hasattr(outcome, "send"):
             self._follow(entity, outcome)
 
-    def _may_go_on(self, entity: Entity) -> bool:  # noqa: ARG002 - for those that may
+    def _may_go_on(self) -> bool:
         return False
 
     def _follow(self, entity: Entity, coroutine: Coroutine[Any, Any, Any]) -> None:
@@ -405,11 +405,11 @@ class Executor:
             Whether the callbacks ended within `timeout_sec` seconds (`None`: waited for ever).
         """
         self._is_shutdown = True
-        self._signal.set()
+        self.wake()
         ended = self._wait_idle(-1 if timeout_sec is None or timeout_sec < 0 else timeout_sec)
         for node in list(self._nodes):
             self.remove_node(node)
-        self._context.remove_waker(self._signal.set)
+        self._context.remove_waker(self.wake)
         return ended
 
     def _wait_idle(self, timeout_s: float) -> bool:
@@ -435,14 +435,12 @@ class Executor:
 class SingleThreadedExecutor(Executor):
     """Runs every callback in the thread that spins."""
 
-    _is_free = False  # whether one spin may run more than one callback
+    _due_ns: int | None = None  # when the first timer wants to run
 
-    def _may_go_on(self, entity: Entity) -> bool:
+    def _may_go_on(self) -> bool:
         # The common case of a busy topic: without a turn of the queue a message costs half as much.
-        if self._ready or not self._is_free or self._is_shutdown or not self._context.ok():
-            return False
-        due = self._agenda.earliest_ns()
-        return (due is None or due > time.monotonic_ns()) and self._serves(entity)
+        due = self._due_ns
+        return not self._is_disturbed and (due is None or due > time.monotonic_ns())
 
     def spin(self) -> None:
         """Run callbacks until the context or this executor is shut down.
@@ -451,18 +449,20 @@ class SingleThreadedExecutor(Executor):
             ExternalShutdownException: The context was shut down while no callback was running.
         """
         with self._spins():
-            self._is_free = True
             while self._context.ok() and not self._is_shutdown:
+                self._is_disturbed = False
                 work = self._next(None)
                 if work is not None:
+                    self._due_ns = self._agenda.earliest_ns()
+                    self._is_disturbed = self._is_disturbed or bool(self._ready)
                     self._execute(*work)
 
     def _spin_once(
         self, deadline_ns: int | None, stop: Callable[[], bool] | None = None
     ) -> None:
         with self._spins():
-            self._is_free = False
             work = self._next(deadline_ns, stop)
+            self._is_disturbed = True  # one callback, and no more
             if work is not None:
                 self._execute(*work)
 

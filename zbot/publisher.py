@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 MsgT = TypeVar("MsgT")
 
+_pack = LAYOUT.pack
+
 # What a late subscriber may be missing is noticed this long after a burst, as in rmw_zenoh.
 _HEARTBEAT_S = 0.5
 #: Bound of a keep-all cache for late subscribers: Zenoh wants a number, and memory an end.
@@ -65,7 +67,7 @@ class Publisher(Generic[MsgT]):
         self._gid = token.gid
         self._lock = threading.Lock()
         self._publisher: Any = _declare(context, token)
-        self._put = self._publisher.put
+        self._put = self._publisher.put if context.is_settled else self._put_first
         self._liveliness = context.session.liveliness().declare_token(token.key)
 
     @property
@@ -120,16 +122,19 @@ class Publisher(Generic[MsgT]):
             payload = self._from_other(msg)
         else:
             payload = self._encode(msg)
-        if not self._context.is_settled:
-            self._context.settle()
         try:
             with self._lock:
                 self.sent_count += 1
-                facts = LAYOUT.pack(self.sent_count, time.time_ns(), GID_LENGTH, self._gid)
+                facts = _pack(self.sent_count, time.time_ns(), GID_LENGTH, self._gid)
                 self._put(payload, attachment=facts)
         except zenoh.ZError:
             self._explain()
             raise
+
+    def _put_first(self, payload: Any, **options: Any) -> None:
+        self._context.settle()
+        self._put = self._publisher.put
+        self._put(payload, **options)
 
     def _from_other(self, msg: Any) -> Any:
         if isinstance(msg, bytes):

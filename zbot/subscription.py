@@ -39,9 +39,12 @@ if TYPE_CHECKING:
 MsgT = TypeVar("MsgT")
 
 # A keep-all queue that is full holds up its publishers (Zenoh's BLOCK), so it need not be long.
-_KEEP_ALL_QUEUE = 256
+_KEEP_ALL_QUEUE = 2048
 # Publishers that restart for days leave their numbers behind: forget all after this many.
 _MOST_SOURCES = 1024
+
+
+_unpack = LAYOUT.unpack
 
 
 class MessageInfo(TypedDict):
@@ -196,15 +199,17 @@ class Subscription(Generic[MsgT]):
         """Return the oldest sample that the profile's history still keeps, if any."""
         queue = self._queue
         if self._is_waiting:
-            try:
-                if self._keep_all:
-                    if not queue and (sample := self._try_recv()) is not None:
-                        return sample
-                else:
-                    while (sample := self._try_recv()) is not None:
+            # A keep-last queue always takes all that came, so that the oldest drop out. A keep-all queue
+            # is emptied before it takes more: refilling a channel that is full costs its writer a wake-up.
+            if not (queue and self._keep_all):
+                try_recv = self._try_recv
+                try:
+                    while (sample := try_recv()) is not None:
                         queue.append(sample)
-            except zenoh.ZError:
-                return None  # another thread undeclared it or closed the session just now
+                        if self._keep_all and len(queue) >= _KEEP_ALL_QUEUE:
+                            break
+                except zenoh.ZError:
+                    return None  # another thread undeclared it or closed the session just now
             if queue:
                 return queue.popleft()
             self._rearm()
@@ -217,21 +222,21 @@ class Subscription(Generic[MsgT]):
 
     def execute(self, sample: zenoh.Sample) -> Any:
         """Decode a sample and call the callback; a sample that cannot be read is counted and reported."""
-        facts = None
         attachment = sample.attachment
-        if attachment is not None:
-            data = attachment.to_bytes()
-            if len(data) == LAYOUT.size:
-                facts = sequence, _, _, gid = LAYOUT.unpack(data)
-                source = self._sources.get(gid) or self._greet(sample, sequence, gid)
-                if sequence != source.next_sequence:
-                    self._lose(sequence - source.next_sequence)
-                source.next_sequence = sequence + 1
-                if source.is_special and not self._accepts(source, facts):
+        facts = None if attachment is None else attachment.to_bytes()
+        if facts is not None and len(facts) == LAYOUT.size:
+            sequence, stamp_ns, _, gid = _unpack(facts)
+            source = self._sources.get(gid)
+            if source is None or source.next_sequence != sequence or source.is_special:
+                if not self._admits(sample, sequence, stamp_ns, gid):
                     return None
-        if facts is None and (refusal := self._refusal(sample)):
+            else:
+                source.next_sequence = sequence + 1
+        elif refusal := self._refusal(sample):
             self._refuse(refusal)
             return None
+        else:
+            facts = None
         try:
             message = self._decode(sample.payload.to_bytes())
         except CodecError as exc:
@@ -244,11 +249,16 @@ class Subscription(Generic[MsgT]):
             return self._callback(message, self._info(facts))
         return self._callback(message)
 
-    def _accepts(self, source: _Source, facts: tuple[int, int, int, bytes]) -> bool:
+    def _admits(self, sample: zenoh.Sample, sequence: int, stamp_ns: int, gid: bytes) -> bool:
+        """Note a message of a new publisher, behind a gap, or of a publisher that needs a look."""
+        source = self._sources.get(gid) or self._greet(sample, sequence, gid)
+        if sequence != source.next_sequence:
+            self._lose(sequence - source.next_sequence)
+        source.next_sequence = sequence + 1
         if source.refusal:
             self._refuse(source.refusal)
             return False
-        return not source.lifespan_ns or time.time_ns() - facts[1] <= source.lifespan_ns
+        return not source.lifespan_ns or time.time_ns() - stamp_ns <= source.lifespan_ns
 
     def _refusal(self, sample: zenoh.Sample) -> str:
         """Return why a sample's encoding rules it out; one that names no type does not."""
@@ -290,8 +300,8 @@ class Subscription(Generic[MsgT]):
                 f"{self.topic_name}: cannot read a message: {reason} (further ones are only counted)"
             )
 
-    def _info(self, facts: tuple[int, int, int, bytes] | None) -> MessageInfo:
-        sequence, stamp_ns = (0, 0) if facts is None else facts[:2]
+    def _info(self, facts: bytes | None) -> MessageInfo:
+        sequence, stamp_ns = (0, 0) if facts is None else _unpack(facts)[:2]
         return MessageInfo(
             source_timestamp=stamp_ns,
             received_timestamp=time.time_ns(),
