@@ -16,6 +16,7 @@ from zbot.log import configure, get_logger, get_logging_severity_from_string
 from zbot.session import MeetingPoint, MeetingWatch, process_facts
 from zbot.version import __version__
 from zbot.wire.dialect import NATIVE
+from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -58,7 +59,7 @@ class Context:
         self._nodes: weakref.WeakSet[Node] = weakref.WeakSet()
         self.arguments = Arguments()
         self.dialect = NATIVE
-        self.is_settled = mode == "client"  #: whether a publish needs no `settle()` any more
+        self._is_settled = mode == "client"
 
     # -- life ----------------------------------------------------------------------------------
 
@@ -237,12 +238,19 @@ class Context:
 
     def settle(self) -> None:
         """Wait, once and at most 0.2 s, until every session of the domain is linked to this one."""
-        if self.is_settled:
+        if self._is_settled:
             return
         session, watch = self.session, self._watch
         if watch is not None and not session.is_closed():
             watch.wait_settled(_SETTLE_TIMEOUT_S)
-        self.is_settled = True
+        self._is_settled = True
+
+    def meet_subscribers(self, topic: str) -> None:
+        """Wait, at most 0.2 s, until what is published on a topic reaches those who subscribe to it now."""
+        if self._mode == "peer" and self._watch is not None:
+            self.settle()
+            subscriptions = self.graph.ask_for(EntityKind.SUBSCRIPTION, topic)
+            self._watch.wait_met({token.zid for token in subscriptions}, _SETTLE_TIMEOUT_S)
 
     def _new_meeting(self) -> MeetingPoint:
         reach = config.discovery_range()

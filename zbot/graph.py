@@ -99,6 +99,7 @@ class Graph:
         self._session = session
         self._settle = settle
         self._dialect = dialect
+        self._domain = domain
         self._key = dialect.tokens_key(domain)
         self._tokens: dict[str, Token] = {}
         self._by_gid: dict[bytes, EndpointToken] = {}
@@ -123,7 +124,7 @@ class Graph:
     def snapshot(self) -> Snapshot:
         """Return the graph as it is now, complete from the first call on (1 to 25 ms then)."""
         if not self._watching:
-            return Snapshot(tuple(self._ask()))
+            return Snapshot(tuple(self._ask(self._key)))
         if not self._is_complete:
             self._complete()
         with self._lock:
@@ -141,7 +142,7 @@ class Graph:
         return True
 
     def _complete(self) -> None:
-        tokens = list(self._ask())
+        tokens = list(self._ask(self._key))
         for token in tokens:
             self._add(token)
         with self._lock:
@@ -161,6 +162,11 @@ class Graph:
         """Return the endpoint that a message's gid names, if it is known (by now)."""
         return self._by_gid.get(gid)
 
+    def ask_for(self, kind: EntityKind, name: str) -> list[EndpointToken]:
+        """Return the endpoints of a kind on a topic or service, asked anew rather than remembered."""
+        key = self._dialect.endpoints_key(self._domain, kind, name)
+        return [token for token in self._ask(key) if isinstance(token, EndpointToken)]
+
     def add_listener(self, listener: Callable[[Token, bool], None]) -> None:
         """Call the bound method `listener(token, appeared)` on every change, as long as its object lives."""
         self.watch()
@@ -175,9 +181,9 @@ class Graph:
         with self._lock:
             self._listeners = [ref for ref in self._listeners if ref() not in {None, listener}]
 
-    def _ask(self) -> Iterator[Token]:
+    def _ask(self, key: str) -> Iterator[Token]:
         self._settle()
-        for reply in self._session.liveliness().get(self._key, timeout=2.0):
+        for reply in self._session.liveliness().get(key, timeout=2.0):
             if reply.ok is not None:
                 token = self._parse(str(reply.ok.key_expr))
                 if token is not None:

@@ -67,7 +67,7 @@ class Publisher(Generic[MsgT]):
         self._gid = token.gid
         self._lock = threading.Lock()
         self._publisher: Any = _declare(context, token)
-        self._put = self._publisher.put if context.is_settled else self._put_first
+        self._put = self._put_first
         self._liveliness = context.session.liveliness().declare_token(token.key)
 
     @property
@@ -108,8 +108,8 @@ class Publisher(Generic[MsgT]):
     def publish(self, msg: MsgT | bytes) -> None:
         """Send a message, or the bytes of one.
 
-        The first call of a process waits, at most 0.2 s, until its session has met the others, so that
-        no subscriber that is already there misses it. With a reliable keep-all profile a full network
+        The first call waits, at most 0.2 s and usually 2 ms, until the session has met the topic's
+        subscribers, so that none that is already there misses it. With a reliable keep-all profile a full network
         queue blocks; with any other it drops.
 
         Raises:
@@ -132,7 +132,7 @@ class Publisher(Generic[MsgT]):
             raise
 
     def _put_first(self, payload: Any, **options: Any) -> None:
-        self._context.settle()
+        self._context.meet_subscribers(self.topic_name)
         self._put = self._publisher.put
         self._put(payload, **options)
 

@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 LOOPBACK = "127.0.0.1"
 # Links are listed a moment after their event.
 _LINK_PAUSE_S = 0.005
+_OPEN_TIMEOUT_MS = 500
 _RETRY = {"period_init_ms": 20, "period_max_ms": 500, "period_increase_factor": 2}
 
 
@@ -62,6 +63,8 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
         "connect/timeout_ms": -1,
         "connect/exit_on_failure": False,
         "connect/retry": _RETRY,
+        # close() waits as long for a partner that accepts and never answers; a healthy one takes 5 ms.
+        "transport/unicast/open_timeout": _OPEN_TIMEOUT_MS,
         # A blocked reader may stop the world for this long before its link is given up (microseconds).
         "transport/link/tx/queue/congestion_control/block/wait_before_close": 60_000_000,
     }
@@ -190,6 +193,7 @@ class MeetingWatch:
         self._session = session
         self._meeting = meeting
         self._changed = threading.Condition()
+        self._closing = threading.Event()
         events = session.info.declare_transport_events_listener(
             zenoh.handlers.FifoChannel(256), history=True
         )
@@ -202,35 +206,53 @@ class MeetingWatch:
 
     def _run(self, events: Any) -> None:
         for event in events:  # ends when the session is closed
-            gone = event.kind == zenoh.SampleKind.DELETE
-            if gone and not self._session.is_closed() and not self._session.info.routers_zid():
-                self._meeting.hold()
+            if event.kind == zenoh.SampleKind.DELETE:
+                self._replace_router()
             with self._changed:
                 self._changed.notify_all()
+
+    def _replace_router(self) -> None:
+        # A process that is killed loses its links a moment before its port; and whoever takes the port
+        # from us needs a moment to be linked.
+        pause_s = _LINK_PAUSE_S
+        while not self._has_router() and not self._meeting.hold():
+            if self._closing.wait(pause_s):
+                return
+            pause_s = min(2 * pause_s, 1.0)
+
+    def _has_router(self) -> bool:
+        return self._session.is_closed() or bool(self._session.info.routers_zid())
 
     def wait_linked(self, timeout_s: float) -> bool:
         """Wait until the session has a link to a router; `False` if none came in time."""
         return self._wait(lambda: bool(self._session.info.routers_zid()), timeout_s)
 
     def wait_settled(self, timeout_s: float) -> bool:
-        """Wait until every peer that the meeting router knows has answered a query of ours.
+        """Wait until the session has met every peer that the meeting router knows.
 
-        A peer can only answer when it is linked to us and its declarations are here, so from then on a
-        message that is published reaches every subscriber of the domain. Takes 5 to 30 ms after a session
-        was opened.
+        Takes 5 to 30 ms after a session was opened.
         """
         deadline = time.monotonic() + timeout_s
         if not self.wait_linked(timeout_s):
             return False
-        expected = self._peers_at_router(timeout_s)
-        while expected:
+        return self.wait_met(self._peers_at_router(timeout_s), deadline - time.monotonic())
+
+    def wait_met(self, zids: set[str], timeout_s: float) -> bool:
+        """Wait until every one of some sessions has answered a query.
+
+        The answer comes behind what its sender declared before, so from then on a message that is published
+        reaches the subscribers that it had.
+        """
+        deadline = time.monotonic() + timeout_s
+        missing = zids - {str(self._session.info.zid())}
+        while missing:
             left = deadline - time.monotonic()
             if left <= 0:
                 return False
-            for reply in self._session.get("@/*/peer", timeout=left):
+            for reply in self._session.get("@/*/*", timeout=left):
                 if reply.ok is not None:
-                    expected.discard(str(reply.ok.key_expr).split("/")[1])
-            if expected:
+                    missing.discard(str(reply.ok.key_expr).split("/")[1])
+            if missing:
                 with self._changed:
                     self._changed.wait(_LINK_PAUSE_S)
         return True
@@ -242,7 +264,7 @@ class MeetingWatch:
             for reply in self._session.get(f"@/{router}/router", timeout=timeout_s):
                 if reply.ok is not None:
                     found |= peers_in(reply.ok.payload.to_bytes())
-        return found - {str(self._session.info.zid())}
+        return found
 
     def _wait(self, done: Any, timeout_s: float) -> bool:
         deadline = time.monotonic() + timeout_s
@@ -256,6 +278,7 @@ class MeetingWatch:
 
     def join(self) -> None:
         """Wait for the thread to end; call it after the session was closed."""
+        self._closing.set()
         if threading.current_thread() is not self._thread:
             self._thread.join(2.0)
 

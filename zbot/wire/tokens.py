@@ -23,7 +23,7 @@ from zbot.wire.qos import parse_qos, qos_text
 if TYPE_CHECKING:
     from zbot.qos import QoSProfile
 
-__all__ = ["EndpointToken", "EntityKind", "NodeToken", "gid_of", "parse_token", "token_selector"]
+__all__ = ["EndpointToken", "EntityKind", "NodeToken", "endpoint_selector", "gid_of", "parse_token", "token_selector"]
 
 TOKEN_PREFIX = "@zbot"  # noqa: S105 - a key's first chunk, no secret
 _NODE_CHUNKS = 9
@@ -113,6 +113,11 @@ class EndpointToken:
 def token_selector(domain: int) -> str:
     """Return the key expression of every token of a domain."""
     return f"{TOKEN_PREFIX}/{domain}/**"
+
+
+def endpoint_selector(domain: int, kind: EntityKind, name: str) -> str:
+    """Return the key expression of every token of a kind on one topic or service."""
+    return f"{TOKEN_PREFIX}/{domain}/*/*/*/{kind.value}/*/*/*/{_mangle(name)}/**"
 
 
 # A graph asks for the same few gids again and again: with every message's info.
