@@ -25,8 +25,10 @@ if TYPE_CHECKING:
     from zbot.config import SessionConfig
 
 LOOPBACK = "127.0.0.1"
-# Links are listed a moment after their event.
+# Links are listed, and listed no more, a moment after their event.
 _LINK_PAUSE_S = 0.005
+_LISTING_TIMEOUT_S = 0.1
+_LONGEST_PAUSE_S = 1.0
 _OPEN_TIMEOUT_MS = 500
 _RETRY = {"period_init_ms": 20, "period_max_ms": 500, "period_increase_factor": 2}
 
@@ -63,9 +65,10 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
         "connect/timeout_ms": -1,
         "connect/exit_on_failure": False,
         "connect/retry": _RETRY,
-        # close() waits as long for a partner that accepts and never answers; a healthy one takes 5 ms.
+        # close() waits as long for a partner that accepts and never answers; others take 5 ms.
         "transport/unicast/open_timeout": _OPEN_TIMEOUT_MS,
-        # A blocked reader may stop the world for this long before its link is given up (microseconds).
+        # A blocked reader may stop the world for this long before its link is given up
+        # (microseconds).
         "transport/link/tx/queue/congestion_control/block/wait_before_close": 60_000_000,
     }
 
@@ -207,21 +210,22 @@ class MeetingWatch:
     def _run(self, events: Any) -> None:
         for event in events:  # ends when the session is closed
             if event.kind == zenoh.SampleKind.DELETE:
-                self._replace_router()
+                self._replace_router(str(event.transport.zid))
             with self._changed:
                 self._changed.notify_all()
 
-    def _replace_router(self) -> None:
-        # A process that is killed loses its links a moment before its port; and whoever takes the port
-        # from us needs a moment to be linked.
+    def _replace_router(self, gone: str) -> None:
+        self._wait(lambda: gone not in self._routers(), _LISTING_TIMEOUT_S)
+        # A process that is killed loses its links a moment before its port, and whoever takes the
+        # port before us needs a moment to be linked.
         pause_s = _LINK_PAUSE_S
-        while not self._has_router() and not self._meeting.hold():
+        while not (self._session.is_closed() or self._routers() or self._meeting.hold()):
             if self._closing.wait(pause_s):
                 return
-            pause_s = min(2 * pause_s, 1.0)
+            pause_s = min(2 * pause_s, _LONGEST_PAUSE_S)
 
-    def _has_router(self) -> bool:
-        return self._session.is_closed() or bool(self._session.info.routers_zid())
+    def _routers(self) -> set[str]:
+        return {str(zid) for zid in self._session.info.routers_zid()}
 
     def wait_linked(self, timeout_s: float) -> bool:
         """Wait until the session has a link to a router; `False` if none came in time."""
@@ -240,8 +244,8 @@ class MeetingWatch:
     def wait_met(self, zids: set[str], timeout_s: float) -> bool:
         """Wait until every one of some sessions has answered a query.
 
-        The answer comes behind what its sender declared before, so from then on a message that is published
-        reaches the subscribers that it had.
+        The answer comes behind what its sender declared before, so from then on a message that is
+        published reaches the subscribers that it had.
         """
         deadline = time.monotonic() + timeout_s
         missing = zids - {str(self._session.info.zid())}
