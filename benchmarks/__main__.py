@@ -16,9 +16,8 @@ import subprocess
 import sys
 import time
 from datetime import datetime, timezone
-from pathlib import Path
-
 from importlib.metadata import version
+from pathlib import Path
 
 import zbot
 from benchmarks.contestants import SOURCES
@@ -62,7 +61,11 @@ def run_pair(name: str, background: str, foreground: str, size: int, count: int)
     try:
         done = subprocess.run(
             [*words, foreground, str(size), str(count)],
-            env=env, capture_output=True, text=True, timeout=180, check=True,
+            env=env,
+            capture_output=True,
+            text=True,
+            timeout=180,
+            check=True,
         )
     finally:
         helper.terminate()
@@ -109,7 +112,9 @@ def throughput_table(report: Report, rounds: int) -> None:
         for _ in range(rounds):
             for name in runs:
                 runs[name].append(throughput(name, size, count))
-        rates = {name: statistics.median(run["rate"] for run in found) for name, found in runs.items()}
+        rates = {
+            name: statistics.median(run["rate"] for run in found) for name, found in runs.items()
+        }
         for name, rate in rates.items():
             lost = "most" if name == "rclpy" else sum(run["lost"] for run in runs[name])
             report.say(
@@ -164,7 +169,9 @@ def start_table(report: Report, rounds: int) -> None:
                 while not arrived:
                     zbot.spin_once(node, timeout_sec=5)
             took.append((arrived[0] - begun) * 1000)
-    report.say(f"| process start to first message at a subscriber | {statistics.median(took):.0f} |")
+    report.say(
+        f"| process start to first message at a subscriber | {statistics.median(took):.0f} |"
+    )
 
 
 def resident_mb(pid: int) -> float:
@@ -203,7 +210,9 @@ def crowd_row(crowd: int, nodes: list[subprocess.Popen[bytes]], env: dict[str, s
 
     def count() -> int:
         words = [*command, "node", "list", "--count-nodes"]
-        return int(subprocess.run(words, env=env, capture_output=True, text=True, check=True).stdout)
+        return int(
+            subprocess.run(words, env=env, capture_output=True, text=True, check=True).stdout
+        )
 
     while count() < crowd:
         time.sleep(0.2)
@@ -230,7 +239,7 @@ def main() -> None:
     report.say(
         f"{datetime.now(timezone.utc):%Y-%m-%d}, {platform.system()} {platform.machine()}, "
         f"{os.cpu_count()} cores, Python {platform.python_version()}, zbot {zbot.__version__}, "
-        f"eclipse-zenoh {version("eclipse-zenoh")}; medians of {rounds} interleaved runs."
+        f"eclipse-zenoh {version('eclipse-zenoh')}; medians of {rounds} interleaved runs."
     )
     latency_table(report, rounds)
     throughput_table(report, rounds)

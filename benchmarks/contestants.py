@@ -16,15 +16,20 @@ KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
 def message(): return UInt8MultiArray(data=array.array('B', bytes(SIZE)))
 """
 
-ZBOT_ECHO = ZBOT_HEAD + """
+ZBOT_ECHO = (
+    ZBOT_HEAD
+    + """
 with zbot.init():
     node = zbot.Node('echo')
     publisher = node.create_publisher(UInt8MultiArray, 'pong', 10)
     node.create_subscription(UInt8MultiArray, 'ping', publisher.publish, 10)
     zbot.spin(node)
 """
+)
 
-ZBOT_PING = ZBOT_HEAD + """
+ZBOT_PING = (
+    ZBOT_HEAD
+    + """
 trips, begun = [], 0
 def go():
     global begun
@@ -41,8 +46,11 @@ with zbot.init():
     zbot.spin(node)
 print(json.dumps(trips[COUNT // 10:]))
 """
+)
 
-ZBOT_SINK = ZBOT_HEAD + """
+ZBOT_SINK = (
+    ZBOT_HEAD
+    + """
 got, begun = 0, 0.0
 def on_message(msg):
     global got, begun
@@ -56,8 +64,11 @@ with zbot.init():
     subscription = node.create_subscription(UInt8MultiArray, 'flood', on_message, KEEP_ALL)
     zbot.spin(node)
 """
+)
 
-ZBOT_FLOOD = ZBOT_HEAD + """
+ZBOT_FLOOD = (
+    ZBOT_HEAD
+    + """
 with zbot.init():
     node = zbot.Node('flood'); sample = message()
     publisher = node.create_publisher(UInt8MultiArray, 'flood', KEEP_ALL)
@@ -65,6 +76,7 @@ with zbot.init():
     for _ in range(COUNT): publisher.publish(sample)
     while node.count_subscribers('flood'): time.sleep(0.01)
 """
+)
 
 RAW_HEAD = """
 import sys, time, json, os, threading, zenoh
@@ -83,7 +95,9 @@ def matched(publisher):
     while not publisher.matching_status.matching: time.sleep(0.01)
 """
 
-RAW_ECHO = RAW_HEAD + """
+RAW_ECHO = (
+    RAW_HEAD
+    + """
 session = session(False)
 publisher = session.declare_publisher('pong')
 subscriber = session.declare_subscriber('ping', lambda sample: publisher.put(sample.payload.to_bytes()))
@@ -92,8 +106,11 @@ try:
 finally:
     session.close()
 """
+)
 
-RAW_PING = RAW_HEAD + """
+RAW_PING = (
+    RAW_HEAD
+    + """
 trips, begun, done = [], 0, threading.Event()
 session = session(True)
 publisher = session.declare_publisher('ping'); sample = bytes(SIZE)
@@ -109,8 +126,11 @@ matched(publisher)
 go(); done.wait()
 print(json.dumps(trips[COUNT // 10:])); session.close()
 """
+)
 
-RAW_SINK = RAW_HEAD + """
+RAW_SINK = (
+    RAW_HEAD
+    + """
 got, begun, done = 0, 0.0, threading.Event()
 def on_message(sample):
     global got, begun
@@ -123,8 +143,11 @@ session = session(True)
 subscriber = session.declare_subscriber('flood', on_message)
 done.wait(); session.close()
 """
+)
 
-RAW_FLOOD = RAW_HEAD + """
+RAW_FLOOD = (
+    RAW_HEAD
+    + """
 session = session(False)
 publisher = session.declare_publisher('flood', **BLOCK); sample = bytes(SIZE)
 matched(publisher)
@@ -132,6 +155,7 @@ for _ in range(COUNT): publisher.put(sample)
 while publisher.matching_status.matching: time.sleep(0.01)
 session.close()
 """
+)
 
 RCLPY_HEAD = """
 import sys, time, json, array, rclpy
@@ -143,14 +167,19 @@ def message(): return UInt8MultiArray(data=array.array('B', bytes(SIZE)))
 rclpy.init()
 """
 
-RCLPY_ECHO = RCLPY_HEAD + """
+RCLPY_ECHO = (
+    RCLPY_HEAD
+    + """
 node = Node('echo')
 publisher = node.create_publisher(UInt8MultiArray, 'pong', 10)
 node.create_subscription(UInt8MultiArray, 'ping', publisher.publish, 10)
 rclpy.spin(node)
 """
+)
 
-RCLPY_PING = RCLPY_HEAD + """
+RCLPY_PING = (
+    RCLPY_HEAD
+    + """
 trips, begun = [], 0
 def go():
     global begun
@@ -166,10 +195,13 @@ time.sleep(1); go()
 while len(trips) < COUNT: rclpy.spin_once(node)
 print(json.dumps(trips[COUNT // 10:]))
 """
+)
 
 # rclpy's publisher raises when its queue is full, and what a subscriber cannot take is overwritten: what
 # is counted is what its callback got in five seconds of flood.
-RCLPY_SINK = RCLPY_HEAD + """
+RCLPY_SINK = (
+    RCLPY_HEAD
+    + """
 got, begun = 0, 0.0
 def on_message(msg):
     global got, begun
@@ -181,14 +213,18 @@ while not got: rclpy.spin_once(node, timeout_sec=1)
 while time.perf_counter() - begun < 5: rclpy.spin_once(node, timeout_sec=0.1)
 print(json.dumps({'rate': got / (time.perf_counter() - begun), 'lost': None}))
 """
+)
 
-RCLPY_FLOOD = RCLPY_HEAD + """
+RCLPY_FLOOD = (
+    RCLPY_HEAD
+    + """
 node = Node('flood'); sample = message()
 publisher = node.create_publisher(UInt8MultiArray, 'flood', 10)
 while not node.count_subscribers('flood'): time.sleep(0.05)
 end = time.perf_counter() + 7
 while time.perf_counter() < end: publisher.publish(sample)
 """
+)
 
 SOURCES = {
     "zbot": (ZBOT_ECHO, ZBOT_PING, ZBOT_SINK, ZBOT_FLOOD),

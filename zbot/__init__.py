@@ -61,8 +61,8 @@ if TYPE_CHECKING:
     from zbot.timer import Rate as Rate
     from zbot.timer import Timer as Timer
 
-# Where each name lives: it is imported when it is first used, because a command that lists topics must
-# not wait for executors.
+# Where each name lives: it is imported when it is first used, because a command that lists topics
+# must not wait for executors.
 _HOMES = {
     "CallbackGroup": "zbot.callback_group",
     "MutuallyExclusiveCallbackGroup": "zbot.callback_group",

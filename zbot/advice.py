@@ -1,7 +1,7 @@
-"""What a beginner is told without asking: name typos, two types on one topic, two nodes of one name.
+"""What a beginner is told without asking: typos, two types on a topic, two nodes of one name.
 
-Each would otherwise be silence: both sides look healthy and nothing arrives. One thread a context waits
-for the graph to change; it sleeps otherwise.
+Each would otherwise be silence: both sides look healthy and nothing arrives. One thread a context
+waits for the graph to change; it sleeps otherwise.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def adviser_of(context: Context) -> Adviser:
 
 
 class Adviser:
-    """Compares a context's own nodes and endpoints with everybody else's, and logs what looks wrong.
+    """Compares a context's nodes and endpoints with everybody else's; logs what looks wrong.
 
     Args:
         context: Whose nodes are looked after.

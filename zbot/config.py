@@ -89,7 +89,7 @@ class SessionConfig:
             ConfigError: The file is no valid Zenoh configuration.
         """
         try:
-            built = zenoh.Config.from_json5(self.text)
+            built: zenoh.Config = zenoh.Config.from_json5(self.text)
         except zenoh.ZError as exc:
             raise ConfigError(self.source, str(exc)) from exc
         silent = zenoh.Config()

@@ -105,6 +105,11 @@ class Context:
         """Whether there is no open session (any more)."""
         return self._session is None or self._session.is_closed()
 
+    @property
+    def is_over(self) -> bool:
+        """Whether it was shut down: it cannot be initialised again."""
+        return self._state == "shut down"
+
     def interrupt(self) -> None:
         """Let everything that spins end; publishing stays possible until `shutdown()`."""
         self._interrupted = True
@@ -225,7 +230,8 @@ class Context:
         """Open a client's session if anybody is there.
 
         Args:
-            wait: Keep the meeting port open oneself when nobody does, so that others can come later.
+            wait: Keep the meeting port open oneself when nobody does, so that others can come
+                later.
 
         Returns:
             Whether there is a session now.
@@ -246,7 +252,7 @@ class Context:
         self._is_settled = True
 
     def meet_subscribers(self, topic: str) -> None:
-        """Wait, at most 0.2 s, until what is published on a topic reaches those who subscribe to it now."""
+        """Wait, at most 0.2 s, until a topic's present subscribers can be reached."""
         if self._mode == "peer" and self._watch is not None:
             self.settle()
             subscriptions = self.graph.ask_for(EntityKind.SUBSCRIPTION, topic)
@@ -317,6 +323,6 @@ def get_default_context() -> Context:
     """Return the process's context; a new one after the last was shut down."""
     global _default  # noqa: PLW0603 - one per process is what it is
     with _default_lock:
-        if _default is None or _default._state == "shut down":
+        if _default is None or _default.is_over:
             _default = Context()
         return _default

@@ -1,8 +1,8 @@
 """Executors: they wait for work of their nodes and run the callbacks.
 
-Nothing is polled. Entities post themselves to their node's mailbox when they may have work (from any
-thread); the executor pops them, takes one piece of work at a time in turn, and sleeps on one lock until
-the next post or the next timer.
+Nothing is polled. Entities post themselves to their node's mailbox when they may have work (from
+any thread); the executor pops them, takes one piece of work at a time in turn, and sleeps on one
+lock until the next post or the next timer.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from collections import deque
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
-from zbot.callback_group import ReentrantCallbackGroup
+from zbot.callback_group import CallbackGroup, ReentrantCallbackGroup
 from zbot.errors import ExecutorBusyError, ShutdownError, ZbotError
 from zbot.task import Future, Task
 
@@ -76,7 +76,7 @@ class _Step:
 
     def __init__(self, task: Task[Any]) -> None:
         self.task = task
-        self.callback_group = _ALWAYS
+        self.callback_group: CallbackGroup = _ALWAYS
 
     def take(self) -> object | None:
         return None if self.task.is_over else self
@@ -376,9 +376,7 @@ class Executor:
         future.add_done_callback(lambda _: self._signal.set())
         self._spin_once(_deadline_ns(timeout_sec), lambda: future.is_over)
 
-    def _spin_once(
-        self, deadline_ns: int | None, stop: Callable[[], bool] | None = None
-    ) -> None:
+    def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         raise NotImplementedError
 
     @contextlib.contextmanager
@@ -457,9 +455,7 @@ class SingleThreadedExecutor(Executor):
                     self._is_disturbed = self._is_disturbed or bool(self._ready)
                     self._execute(*work)
 
-    def _spin_once(
-        self, deadline_ns: int | None, stop: Callable[[], bool] | None = None
-    ) -> None:
+    def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         with self._spins():
             work = self._next(deadline_ns, stop)
             self._is_disturbed = True  # one callback, and no more
@@ -484,9 +480,7 @@ class MultiThreadedExecutor(Executor):
         self._running = 0
         self._workers: set[int] = set()  # threads that are inside a callback
 
-    def _spin_once(
-        self, deadline_ns: int | None, stop: Callable[[], bool] | None = None
-    ) -> None:
+    def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         # As in rclpy, a shutdown from outside lets this executor's spin() return.
         with self._spins(), contextlib.suppress(ExternalShutdownException):
             work = self._next(deadline_ns, lambda: self._may_stop(stop))

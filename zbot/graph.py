@@ -1,7 +1,7 @@
 """The graph of a domain: which nodes there are, and what they publish, subscribe to and serve.
 
-It is made of Zenoh liveliness tokens (docs/wire.md), so it is right at once, everywhere, and a process
-that dies takes its tokens with it.
+It is made of Zenoh liveliness tokens (docs/wire.md), so it is right at once, everywhere, and a
+process that dies takes its tokens with it.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ import zenoh
 
 from zbot.errors import InvalidNameError, TokenError
 from zbot.names import fully_qualified, validate_full_topic_name
-from zbot.wire.tokens import EntityKind, EndpointToken, NodeToken
+from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
@@ -38,7 +38,7 @@ class Snapshot:
 
     @cached_property
     def nodes(self) -> list[NodeToken]:
-        """One token a node, sorted by full name; nodes of one name appear as often as they exist."""
+        """One token a node, sorted by full name; equal names appear as often as they exist."""
         found = (token for token in self.tokens if isinstance(token, NodeToken))
         return sorted(found, key=lambda node: (_full(node), node.zid, node.nid))
 
@@ -65,7 +65,7 @@ class Snapshot:
         return self.on(topic, EntityKind.SUBSCRIPTION)
 
     def names_and_types(self, *kinds: EntityKind, node: str | None = None) -> NamesAndTypes:
-        """Return each name once with its types, sorted; of one node only if `node` is its full name."""
+        """Return each name once with its types, sorted; only those of `node`, if given."""
         found: dict[str, set[str]] = {}
         for end in self.of_kind(*kinds):
             if node is None or _full(end) == node:
@@ -84,7 +84,8 @@ class Snapshot:
 class Graph:
     """The live graph of one context.
 
-    Tokens arrive on Zenoh's thread. Listeners are called there too: they must be quick and not block.
+    Tokens arrive on Zenoh's thread. Listeners are called there too: they must be quick and not
+    block.
 
     Args:
         session: The session through which tokens are seen.
@@ -111,7 +112,7 @@ class Graph:
         self._changed = threading.Condition()
 
     def watch(self) -> None:
-        """Begin to follow changes; needed once before `add_listener` or `find` can know anything."""
+        """Begin to follow changes; `find` knows nothing before."""
         with self._lock:
             if self._watching:
                 return
@@ -131,7 +132,7 @@ class Graph:
             return Snapshot(tuple(self._tokens.values()))
 
     def wait_for(self, condition: Callable[[Snapshot], bool], timeout_s: float) -> bool:
-        """Wait until a condition on the graph holds; `False` after `timeout_s` seconds without it."""
+        """Wait until a condition on the graph holds; `False` if it did not in `timeout_s`."""
         self.watch()
         deadline = time.monotonic() + timeout_s
         while not condition(self.snapshot()):
@@ -163,12 +164,12 @@ class Graph:
         return self._by_gid.get(gid)
 
     def ask_for(self, kind: EntityKind, name: str) -> list[EndpointToken]:
-        """Return the endpoints of a kind on a topic or service, asked anew rather than remembered."""
+        """Return the endpoints of a kind on a name, asked anew rather than remembered."""
         key = self._dialect.endpoints_key(self._domain, kind, name)
         return [token for token in self._ask(key) if isinstance(token, EndpointToken)]
 
     def add_listener(self, listener: Callable[[Token, bool], None]) -> None:
-        """Call the bound method `listener(token, appeared)` on every change, as long as its object lives."""
+        """Call a bound method `listener(token, appeared)` at each change while its object lives."""
         self.watch()
         with self._lock:
             self._listeners.append(weakref.WeakMethod(listener))
@@ -266,8 +267,10 @@ def _process(zid: str, payload: bytes) -> Process | None:
         return None  # a Zenoh program that is not zbot's
 
 
-def foreign_topics(session: zenoh.Session, snapshot: Snapshot, domain: int) -> dict[str, set[EntityKind]]:
-    """Return topics of a domain that only plain Zenoh programs use, as the meeting router sees them.
+def foreign_topics(
+    session: zenoh.Session, snapshot: Snapshot, domain: int
+) -> dict[str, set[EntityKind]]:
+    """Return the topics that only plain Zenoh programs use, as the meeting router sees them.
 
     Args:
         session: A client's session.
@@ -276,7 +279,10 @@ def foreign_topics(session: zenoh.Session, snapshot: Snapshot, domain: int) -> d
     """
     known = {end.name for end in snapshot.endpoints}
     found: dict[str, set[EntityKind]] = {}
-    for word, kind in (("publisher", EntityKind.PUBLISHER), ("subscriber", EntityKind.SUBSCRIPTION)):
+    for word, kind in (
+        ("publisher", EntityKind.PUBLISHER),
+        ("subscriber", EntityKind.SUBSCRIPTION),
+    ):
         for reply in session.get(f"@/*/router/{word}/{domain}/**", timeout=2.0):
             if reply.ok is not None:
                 name = "/" + str(reply.ok.key_expr).split(f"/{word}/{domain}/", 1)[1]

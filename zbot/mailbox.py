@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Protocol
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from zbot.callback_group import CallbackGroup
 
 
@@ -26,7 +27,7 @@ class Entity(Protocol):
     def take(self) -> Any | None:
         """Return one piece of work, or `None` if there is none; called by the executor's thread."""
 
-    def execute(self, taken: Any) -> Any:
+    def execute(self, taken: Any, /) -> Any:
         """Run the user's callback for what was taken; may return a coroutine."""
 
 

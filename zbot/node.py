@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import weakref
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from zbot.advice import adviser_of
@@ -64,9 +63,7 @@ class NodeHandle:
         namespace: Its absolute namespace, remapped.
     """
 
-    def __init__(
-        self, context: Context, arguments: Arguments, name: str, namespace: str
-    ) -> None:
+    def __init__(self, context: Context, arguments: Arguments, name: str, namespace: str) -> None:
         self.context = context
         self.arguments = arguments
         self.mailbox = Mailbox()
@@ -123,7 +120,12 @@ class NodeHandle:
 
     def destroy(self) -> None:
         """Destroy everything the node owns, in the reverse order of creation."""
-        for entity in (*self.timers, *self.rates, *self.guards):
+        owned: tuple[Timer | Rate | GuardCondition, ...] = (
+            *self.timers,
+            *self.rates,
+            *self.guards,
+        )
+        for entity in owned:
             entity.destroy()
         for endpoint in (*reversed(self.subscriptions), *reversed(self.publishers)):
             self.adviser.remove(endpoint.token)
@@ -191,9 +193,7 @@ class Node:
         self._zbot_handle = handle = NodeHandle(context, arguments, name, space)
         context.add_node(self)
         self._zbot_logger = get_logger(handle.logger_name)
-        self._zbot_rosout = (
-            Rosout(self, as_profile(rosout_qos_profile)) if enable_rosout else None
-        )
+        self._zbot_rosout = Rosout(self, as_profile(rosout_qos_profile)) if enable_rosout else None
         self._zbot_time = TimeSource(self, handle.clock)
         self._zbot_add_parameter_events()
         self._zbot_time.ros_time_is_active = bool(
@@ -386,7 +386,7 @@ class Node:
         callback: Callable[..., Any] | None,
         callback_group: CallbackGroup | None = None,
         clock: Clock | None = None,
-        autostart: bool = True,  # noqa: FBT001, FBT002 - rclpy's signature
+        autostart: bool = True,
     ) -> Timer:
         """Create a timer.
 
@@ -527,7 +527,7 @@ class Node:
         nodes = self.context.graph.snapshot().nodes
         return [(node.node, node.namespace, node.enclave) for node in nodes]
 
-    def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:  # noqa: ARG002, FBT001, FBT002
+    def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:  # noqa: ARG002
         """Return every topic with the types on it."""
         return self.context.graph.snapshot().topics()
 
@@ -536,13 +536,19 @@ class Node:
         return self.context.graph.snapshot().services()
 
     def get_publisher_names_and_types_by_node(
-        self, node_name: str, node_namespace: str, no_demangle: bool = False  # noqa: ARG002, FBT001, FBT002
+        self,
+        node_name: str,
+        node_namespace: str,
+        no_demangle: bool = False,  # noqa: ARG002
     ) -> NamesAndTypes:
         """Return the topics that a node publishes."""
         return self._zbot_of_node(EntityKind.PUBLISHER, node_name, node_namespace)
 
     def get_subscriber_names_and_types_by_node(
-        self, node_name: str, node_namespace: str, no_demangle: bool = False  # noqa: ARG002, FBT001, FBT002
+        self,
+        node_name: str,
+        node_namespace: str,
+        no_demangle: bool = False,  # noqa: ARG002
     ) -> NamesAndTypes:
         """Return the topics that a node subscribes to."""
         return self._zbot_of_node(EntityKind.SUBSCRIPTION, node_name, node_namespace)
@@ -569,13 +575,17 @@ class Node:
         return snapshot.names_and_types(kind, node=full)
 
     def get_publishers_info_by_topic(
-        self, topic_name: str, no_mangle: bool = False  # noqa: ARG002, FBT001, FBT002
+        self,
+        topic_name: str,
+        no_mangle: bool = False,  # noqa: ARG002
     ) -> list[TopicEndpointInfo]:
         """Return node, type and quality of service of a topic's publishers."""
         return self._zbot_infos(EntityKind.PUBLISHER, topic_name)
 
     def get_subscriptions_info_by_topic(
-        self, topic_name: str, no_mangle: bool = False  # noqa: ARG002, FBT001, FBT002
+        self,
+        topic_name: str,
+        no_mangle: bool = False,  # noqa: ARG002
     ) -> list[TopicEndpointInfo]:
         """Return node, type and quality of service of a topic's subscriptions."""
         return self._zbot_infos(EntityKind.SUBSCRIPTION, topic_name)

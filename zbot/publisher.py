@@ -20,8 +20,8 @@ if TYPE_CHECKING:
 
     from zbot.callback_group import CallbackGroup
     from zbot.context import Context
-    from zbot.time import Duration
     from zbot.qos import QoSProfile
+    from zbot.time import Duration
     from zbot.wire.tokens import EndpointToken
 
 MsgT = TypeVar("MsgT")
@@ -109,8 +109,8 @@ class Publisher(Generic[MsgT]):
         """Send a message, or the bytes of one.
 
         The first call waits, at most 0.2 s and usually 2 ms, until the session has met the topic's
-        subscribers, so that none that is already there misses it. With a reliable keep-all profile a full network
-        queue blocks; with any other it drops.
+        subscribers, so that none that is already there misses it. With a reliable keep-all profile
+        a full network queue blocks; with any other it drops.
 
         Raises:
             MessageTypeError: It is a message of another type.
@@ -161,7 +161,7 @@ class Publisher(Generic[MsgT]):
         return len(self._context.graph.snapshot().subscriptions(self.topic_name))
 
     def wait_for_all_acked(self, timeout: Duration | None = None) -> bool:  # noqa: ARG002
-        """Return True: Zenoh hands every reliable message on, link by link, without end-to-end acks."""
+        """Return True: Zenoh hands reliable messages on link by link, without acks end to end."""
         return True
 
     def assert_liveliness(self) -> None:
@@ -215,7 +215,7 @@ def _declare(context: Context, token: EndpointToken) -> Any:
 
     if reliable:
         options["sample_miss_detection"] = advanced.MissDetectionConfig(
-            sporadic_heartbeat=_HEARTBEAT_S
+            heartbeat=None, sporadic_heartbeat=_HEARTBEAT_S
         )
     depth = _KEEP_ALL_CACHE if keep_all else max(qos.depth, 1)
     return advanced.declare_advanced_publisher(

@@ -32,7 +32,7 @@ class InitContextManager:
     def __init__(self, context: Context) -> None:
         self.context = context
 
-    def __enter__(self) -> InitContextManager:  # noqa: PYI034 - rclpy's type
+    def __enter__(self) -> InitContextManager:
         return self
 
     def __exit__(
@@ -138,7 +138,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
 def spin_once(
     node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None
 ) -> None:
-    """Run one callback of a node, waiting for it at most `timeout_sec` seconds (`None`: for ever)."""
+    """Run one callback, waiting for it at most `timeout_sec` seconds (`None`: for ever)."""
     with _holding(node, executor) as chosen:
         chosen.spin_once(timeout_sec)
 

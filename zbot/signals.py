@@ -1,8 +1,9 @@
 """Every way out of a process closes its Zenoh sessions: the end of main, exceptions, signals.
 
 A session left open with a subscriber keeps Python from ending at all, so this is not a nicety.
-Ctrl-C raises `KeyboardInterrupt` as always, SIGTERM raises `ExternalShutdownException` in a spinning main
-thread and `SystemExit` elsewhere; none of them prints a traceback when nobody catches it.
+Ctrl-C raises `KeyboardInterrupt` as always, SIGTERM raises `ExternalShutdownException` in a
+spinning main thread and `SystemExit` elsewhere; none of them prints a traceback when nobody catches
+it.
 """
 
 from __future__ import annotations
@@ -121,8 +122,8 @@ def _hook_ways_out() -> None:
             thread_hook(args)
 
     threading.excepthook = on_thread_exception
-    # Python joins non-daemon threads before it runs atexit functions, and Zenoh's thread ends only with
-    # its session: concurrent.futures closes its pools through the same, private, hook.
+    # Python joins non-daemon threads before it runs atexit functions, and Zenoh's thread ends only
+    # with its session: concurrent.futures closes its pools through the same, private, hook.
     threading._register_atexit(_close_contexts)  # type: ignore[attr-defined]
     atexit.register(_die_of_sigterm)
 

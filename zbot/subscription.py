@@ -1,9 +1,10 @@
 """Subscriptions: samples wait in Zenoh's own queue and are decoded where their callback runs.
 
-A thread of ours waits for the first sample of a burst, hands it over and posts the subscription to its
-executor; the executor then drains Zenoh's queue itself, and re-arms the thread when nothing is left. So
-a burst costs one wake-up, the two threads never compete, and an idle subscription uses no CPU. A keep-last queue
-is Zenoh's ring channel: what does not fit is dropped there and never touched by Python.
+A thread of ours waits for the first sample of a burst, hands it over and posts the subscription to
+its executor; the executor then drains Zenoh's queue itself, and re-arms the thread when nothing is
+left. So a burst costs one wake-up, the two threads never compete, and an idle subscription uses no
+CPU. A keep-last queue is Zenoh's ring channel: what does not fit is dropped there and never touched
+by Python.
 """
 
 from __future__ import annotations
@@ -13,7 +14,6 @@ import inspect
 import threading
 import time
 from collections import deque
-from collections.abc import Callable
 from enum import Enum
 from typing import TYPE_CHECKING, Any, Generic, TypedDict, TypeVar
 
@@ -26,6 +26,7 @@ from zbot.wire.attachment import LAYOUT
 from zbot.wire.codec import CodecError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from types import TracebackType
 
     from typing_extensions import Self
@@ -48,7 +49,7 @@ _unpack = LAYOUT.unpack
 
 
 class MessageInfo(TypedDict):
-    """What a two-argument callback learns about its message; times in nanoseconds since the epoch."""
+    """What a two-argument callback learns about its message; times in ns since the epoch."""
 
     source_timestamp: int
     received_timestamp: int
@@ -74,7 +75,8 @@ class Subscription(Generic[MsgT]):
     Args:
         context: The session to listen through.
         msg_type: Message class.
-        callback: Takes the message, or the message and its `MessageInfo`; may be a coroutine function.
+        callback: Takes the message, or the message and its `MessageInfo`; may be a coroutine
+            function.
         token: Who and where this subscription is.
         mailbox: The node's way to its executor.
         callback_group: Decides beside what the callback may run.
@@ -125,9 +127,7 @@ class Subscription(Generic[MsgT]):
         self._channel = self._subscriber.handler
         self._try_recv = self._channel.try_recv
         self._armed = threading.Lock()
-        self._thread = threading.Thread(
-            target=self._listen, name=f"zbot {token.name}", daemon=True
-        )
+        self._thread = threading.Thread(target=self._listen, name=f"zbot {token.name}", daemon=True)
         self._is_waiting = False
         self._is_destroyed = False
         self._liveliness = context.session.liveliness().declare_token(token.key)
@@ -199,8 +199,9 @@ class Subscription(Generic[MsgT]):
         """Return the oldest sample that the profile's history still keeps, if any."""
         queue = self._queue
         if self._is_waiting:
-            # A keep-last queue always takes all that came, so that the oldest drop out. A keep-all queue
-            # is emptied before it takes more: refilling a channel that is full costs its writer a wake-up.
+            # A keep-last queue always takes all that came, so that the oldest drop out. A keep-all
+            # queue is emptied before it takes more: refilling a channel that is full costs its
+            # writer a wake-up.
             if not (queue and self._keep_all):
                 try_recv = self._try_recv
                 try:
@@ -221,7 +222,7 @@ class Subscription(Generic[MsgT]):
             self._armed.release()
 
     def execute(self, sample: zenoh.Sample) -> Any:
-        """Decode a sample and call the callback; a sample that cannot be read is counted and reported."""
+        """Decode a sample and call the callback; one that cannot be read is counted and told."""
         attachment = sample.attachment
         facts = None if attachment is None else attachment.to_bytes()
         if facts is not None and len(facts) == LAYOUT.size:
@@ -289,15 +290,16 @@ class Subscription(Generic[MsgT]):
             self._on_lost(missing)
         elif first:
             get_logger(self._logger_name).warning(
-                f"{self.topic_name}: {missing} messages lost: they come faster than the callback takes them "
-                f"(queue depth {self._token.qos.depth}; further losses are only counted)"
+                f"{self.topic_name}: {missing} messages lost: they come faster than the callback "
+                f"takes them (queue depth {self._token.qos.depth}; further losses are only counted)"
             )
 
     def _refuse(self, reason: str) -> None:
         self.refused_count += 1
         if self.refused_count == 1:
             get_logger(self._logger_name).error(
-                f"{self.topic_name}: cannot read a message: {reason} (further ones are only counted)"
+                f"{self.topic_name}: cannot read a message: {reason} "
+                "(further ones are only counted)"
             )
 
     def _info(self, facts: bytes | None) -> MessageInfo:
@@ -373,6 +375,6 @@ def _declare(context: Context, token: EndpointToken) -> Any:
         key,
         channel,
         history=advanced.HistoryConfig(detect_late_publishers=True, max_samples=depth),
-        recovery=advanced.RecoveryConfig(heartbeat=True),
+        recovery=advanced.RecoveryConfig(periodic_queries=None, heartbeat=True),
         subscriber_detection=True,
     )

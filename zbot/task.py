@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import inspect
 import threading
-from collections.abc import Callable, Coroutine, Generator
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 from zbot.errors import FutureStateError
 
 if TYPE_CHECKING:
+    from collections.abc import Callable, Coroutine, Generator
+
     from typing_extensions import Self
 
 T = TypeVar("T")
 
 
 class Future(Generic[T]):
-    """A result that comes later; `await` it in a callback, or give it to `spin_until_future_complete`.
+    """A result that comes later: `await` it, or give it to `spin_until_future_complete`.
 
     Done callbacks run on the executor if the future has one, else on the thread that completes it.
 
@@ -31,7 +32,7 @@ class Future(Generic[T]):
         self._result: T | None = None
         self._exception: BaseException | None = None
         self._exception_fetched = False
-        self._callbacks: list[Callable[[Self], Any]] = []
+        self._callbacks: list[Callable[[Any], Any]] = []
 
     def __await__(self) -> Generator[Future[T], None, T | None]:
         while not self.is_over:
@@ -113,7 +114,7 @@ class Future(Generic[T]):
             self._run(callback)
         return True
 
-    def _run(self, callback: Callable[[Self], Any]) -> None:
+    def _run(self, callback: Callable[[Any], Any]) -> None:
         if self._executor is None:
             callback(self)
         else:
@@ -144,7 +145,7 @@ class Task(Future[T]):
         else:
             function = cast("Callable[..., Any]", handler)
             self._coroutine = None
-            self._call = lambda: function(*args, **(kwargs or {}))
+            self._call: Callable[[], Any] = lambda: function(*args, **(kwargs or {}))
         self._stepping = threading.Lock()
 
     def __call__(self) -> None:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.clock import ROSClock
 from zbot.qos import QoSProfile, ReliabilityPolicy
 from zbot.time import ClockType, Time
 
 if TYPE_CHECKING:
+    from zbot.clock import ROSClock
     from zbot.node import Node
     from zbot.subscription import Subscription
 

@@ -34,8 +34,8 @@ class TimerInfo:
 class Timer:
     """Calls a function every period. Made by `Node.create_timer`.
 
-    A timer that is late calls once and goes on in its old rhythm: missed periods are skipped, and the
-    mean rate stays exact. On a simulated clock it follows `/clock`, else the monotonic clock.
+    A timer that is late calls once and goes on in its old rhythm: missed periods are skipped, and
+    the mean rate stays exact. On a simulated clock it follows `/clock`, else the monotonic clock.
 
     Args:
         callback: Called without arguments, or with a `TimerInfo`; may be a coroutine function.

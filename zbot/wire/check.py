@@ -72,7 +72,7 @@ def items_fault(
     for index, value in enumerate(values):
         try:
             convert(value)
-        except (Fault, AttributeError) as error:  # noqa: PERF203 - the list is known to be bad
+        except (Fault, AttributeError) as error:
             return message_fault(f"{field}[{index}]", type_name, value, error)
     return Fault(field, "the list changed while it was read")
 

@@ -23,7 +23,15 @@ from zbot.wire.qos import parse_qos, qos_text
 if TYPE_CHECKING:
     from zbot.qos import QoSProfile
 
-__all__ = ["EndpointToken", "EntityKind", "NodeToken", "endpoint_selector", "gid_of", "parse_token", "token_selector"]
+__all__ = [
+    "EndpointToken",
+    "EntityKind",
+    "NodeToken",
+    "endpoint_selector",
+    "gid_of",
+    "parse_token",
+    "token_selector",
+]
 
 TOKEN_PREFIX = "@zbot"  # noqa: S105 - a key's first chunk, no secret
 _NODE_CHUNKS = 9
