@@ -28,7 +28,8 @@ if TYPE_CHECKING:
     from zbot.node import Node
 
 _LINK_TIMEOUT_S = 1.0  # a healthy meeting point answers within 10 ms
-_SETTLE_TIMEOUT_S = 0.2  # the longest that a first publish waits
+# The longest that a first message waits: 2 ms are usual, a machine that is busy needs more.
+_SETTLE_TIMEOUT_S = 0.5
 
 #: Every context that has a session: what the way out of the process has to close.
 open_contexts: weakref.WeakSet[Context] = weakref.WeakSet()
@@ -243,7 +244,7 @@ class Context:
             return self._session is not None
 
     def settle(self) -> None:
-        """Wait, once and at most 0.2 s, until every session of the domain is linked to this one."""
+        """Wait, once and at most 0.5 s, until every session of the domain is linked to this one."""
         if self._is_settled:
             return
         session, watch = self.session, self._watch
@@ -252,7 +253,7 @@ class Context:
         self._is_settled = True
 
     def meet_subscribers(self, topic: str) -> None:
-        """Wait, at most 0.2 s, until a topic's present subscribers can be reached."""
+        """Wait, at most 0.5 s, until a topic's present subscribers can be reached."""
         if self._mode == "peer" and self._watch is not None:
             self.settle()
             subscriptions = self.graph.ask_for(EntityKind.SUBSCRIPTION, topic)

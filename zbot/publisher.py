@@ -14,6 +14,7 @@ from zbot.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from types import TracebackType
 
     from typing_extensions import Self
@@ -62,7 +63,7 @@ class Publisher(Generic[MsgT]):
         self._context = context
         self._token = token
         self._logger_name = logger_name
-        self._encode = context.dialect.codec_for(msg_type).encode
+        self._encode: Callable[[Any], Any] = context.dialect.codec_for(msg_type).encode
         self.sent_count = 0  #: messages sent; the last one's sequence number
         self._gid = token.gid
         self._lock = threading.Lock()
@@ -108,7 +109,7 @@ class Publisher(Generic[MsgT]):
     def publish(self, msg: MsgT | bytes) -> None:
         """Send a message, or the bytes of one.
 
-        The first call waits, at most 0.2 s and usually 2 ms, until the session has met the topic's
+        The first call waits, at most 0.5 s and usually 2 ms, until the session has met the topic's
         subscribers, so that none that is already there misses it. With a reliable keep-all profile
         a full network queue blocks; with any other it drops.
 
