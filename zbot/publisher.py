@@ -10,6 +10,7 @@ import zenoh
 
 from zbot.errors import InvalidHandleError, MessageTypeError, NotInitializedError
 from zbot.interfaces import type_name
+from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 
@@ -123,6 +124,8 @@ class Publisher(Generic[MsgT]):
             payload = self._from_other(msg)
         else:
             payload = self._encode(msg)
+        if len(payload) >= LARGE_BYTES:
+            keep_freed_memory()
         try:
             with self._lock:
                 self.sent_count += 1

@@ -21,6 +21,7 @@ import zenoh
 
 from zbot.errors import CallbackSignatureError
 from zbot.log import get_logger
+from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.codec import CodecError
@@ -127,7 +128,6 @@ class Subscription(Generic[MsgT]):
         self._channel = self._subscriber.handler
         self._try_recv = self._channel.try_recv
         self._armed = threading.Lock()
-        self._thread = threading.Thread(target=self._listen, name=f"zbot {token.name}", daemon=True)
         self._is_waiting = False
         self._is_destroyed = False
         self._liveliness = context.session.liveliness().declare_token(token.key)
@@ -135,7 +135,7 @@ class Subscription(Generic[MsgT]):
     def start(self) -> None:
         """Begin to listen; the executor learns of messages through the mailbox."""
         self._armed.acquire()
-        self._thread.start()
+        self._context.start_thread(f"zbot {self.topic_name}", self._listen, self._rearm)
 
     @property
     def callback(self) -> Callable[..., Any]:
@@ -238,8 +238,11 @@ class Subscription(Generic[MsgT]):
             return None
         else:
             facts = None
+        payload = sample.payload.to_bytes()
+        if len(payload) >= LARGE_BYTES:
+            keep_freed_memory()
         try:
-            message = self._decode(sample.payload.to_bytes())
+            message = self._decode(payload)
         except CodecError as exc:
             self._refuse(str(exc))
             return None
