@@ -35,7 +35,9 @@ def complete(words: list[str], nouns: Iterable[str]) -> int:
 
 def _candidates(done: Sequence[str], unfinished: str, nouns: Iterable[str]) -> Iterable[str]:
     if not done:
-        return ["--help", "--version", "--config", "--debug"] if unfinished.startswith("-") else nouns
+        return (
+            ["--help", "--version", "--config", "--debug"] if unfinished.startswith("-") else nouns
+        )
     if done[0] == "run":
         return _executables(done[1:])
     import typer.main  # noqa: PLC0415 - `zbot run` does without

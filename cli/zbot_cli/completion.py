@@ -48,8 +48,8 @@ _SCRIPTS = {"bash": _BASH, "zsh": _ZSH, "fish": _FISH, "powershell": _POWERSHELL
 _INSTALL = {
     "bash": 'eval "$(zbot completion bash)"          # add this line to ~/.bashrc',
     "zsh": 'eval "$(zbot completion zsh)"           # add this line to ~/.zshrc, after compinit',
-    "fish": "zbot completion fish | source            # add this line to ~/.config/fish/config.fish",
-    "powershell": "zbot completion powershell | Out-String | Invoke-Expression   # add this line to $PROFILE",
+    "fish": "zbot completion fish | source            # add it to ~/.config/fish/config.fish",
+    "powershell": "zbot completion powershell | Out-String | iex    # add it to $PROFILE",
 }
 
 

@@ -51,7 +51,9 @@ class Finding:
 
 @app.callback(invoke_without_command=True)
 def doctor(
-    report: Annotated[bool, typer.Option("-r", "--report", help="Show nodes, topics and processes too")] = False,
+    report: Annotated[
+        bool, typer.Option("-r", "--report", help="Show nodes, topics and processes too")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Check what could be wrong on this machine and in the domain."""
@@ -63,7 +65,12 @@ def doctor(
             findings += _report(context, graph)
     bad = [finding for finding in findings if not finding.is_ok]
     if as_json:
-        print_json([{"check": one.check, "ok": one.is_ok, "text": one.text, "advice": one.advice} for one in findings])
+        print_json(
+            [
+                {"check": one.check, "ok": one.is_ok, "text": one.text, "advice": one.advice}
+                for one in findings
+            ]
+        )
     else:
         _print(findings, len(bad))
     if bad:
@@ -77,7 +84,11 @@ def _print(findings: list[Finding], bad: int) -> None:
         if finding.advice:
             print(f"      -> {finding.advice}")
     print()
-    print(f"All {len(findings)} checks passed" if not bad else f"{bad}/{len(findings)} check(s) failed")
+    print(
+        f"All {len(findings)} checks passed"
+        if not bad
+        else f"{bad}/{len(findings)} check(s) failed"
+    )
 
 
 @contextlib.contextmanager
@@ -114,8 +125,8 @@ def _python() -> Finding:
 
 
 def _versions() -> Finding:
-    text = f"{__version__}, eclipse-zenoh {version('eclipse-zenoh')}, {platform.system()} {platform.machine()}"
-    return Finding("zbot", text)
+    machine = f"{platform.system()} {platform.machine()}"
+    return Finding("zbot", f"{__version__}, eclipse-zenoh {version('eclipse-zenoh')}, {machine}")
 
 
 def _domain() -> Finding:
@@ -125,7 +136,11 @@ def _domain() -> Finding:
 def _range() -> Finding:
     found = config.discovery_range()
     off = found is config.DiscoveryRange.OFF
-    return Finding("discovery range", found.value, "unset ZBOT_DISCOVERY_RANGE: no node is found" if off else "")
+    return Finding(
+        "discovery range",
+        found.value,
+        "unset ZBOT_DISCOVERY_RANGE: no node is found" if off else "",
+    )
 
 
 def _configuration() -> Finding:
@@ -167,12 +182,18 @@ def _clock() -> Finding:
         probe.connect_ex(("127.0.0.1", 9))
     step = (time.time() - begun) - (time.monotonic() - steady)
     if abs(step) > _LARGEST_CLOCK_STEP_S:
-        return Finding("clock", f"the system's clock jumps ({step:+.1f} s)", "check the machine's time synchronisation")
+        return Finding(
+            "clock",
+            f"the system's clock jumps ({step:+.1f} s)",
+            "check the machine's time synchronisation",
+        )
     return Finding("clock", "steady")
 
 
 def _graph_findings(graph: Snapshot) -> list[Finding]:
-    visible = [node for node in graph.nodes if not is_hidden(fully_qualified(node.namespace, node.node))]
+    visible = [
+        node for node in graph.nodes if not is_hidden(fully_qualified(node.namespace, node.node))
+    ]
     return [
         Finding("nodes", f"{len(visible)} running"),
         *_duplicate_names(graph),
@@ -217,5 +238,6 @@ def _report(context: Context, graph: Snapshot) -> Iterator[Finding]:
     for name in full_names(graph.nodes):
         yield Finding("node", name)
     for name, types in graph.topics():
-        counts = f"{len(graph.publishers(name))} publisher(s), {len(graph.subscriptions(name))} subscription(s)"
+        ends = (len(graph.publishers(name)), len(graph.subscriptions(name)))
+        counts = "{} publisher(s), {} subscription(s)".format(*ends)
         yield Finding("topic", f"{name} [{', '.join(types)}] {counts}")

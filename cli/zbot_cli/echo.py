@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.event import SubscriptionEventCallbacks
-from zbot.graph import Token
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.looking import full_name, hidden_node
 from zbot_cli.topic_type import message_class, wait_for_type
@@ -19,6 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from zbot.event import QoSMessageLostInfo
+    from zbot.graph import Token
     from zbot.node import Node
     from zbot.subscription import MessageInfo
     from zbot_cli.qos_options import Choice
@@ -125,7 +125,11 @@ class Echo:
 
     def _on_change(self, token: Token, appeared: bool) -> None:
         # Zenoh's thread: subscribing there could wait for itself.
-        if not appeared or not isinstance(token, EndpointToken) or token.kind is not EntityKind.PUBLISHER:
+        if (
+            not appeared
+            or not isinstance(token, EndpointToken)
+            or token.kind is not EntityKind.PUBLISHER
+        ):
             return
         if token.name not in self._subscribed and any(
             fnmatchcase(token.name, name.replace("**", "*")) for name in self._names
@@ -185,7 +189,7 @@ class Echo:
 
 
 def _split(words: list[str]) -> tuple[list[str], str | None]:
-    """Tell the type from the topics: it comes last, has no leading slash, and names an interface."""
+    """Tell the type from the topics: it comes last, without a leading slash."""
     if len(words) > 1 and not words[-1].startswith("/") and "*" not in words[-1]:
         from zbot_cli.types import resolve_message_type  # noqa: PLC0415 - only with a type
 

@@ -1,4 +1,4 @@
-"""What `zbot run` can run: bundled nodes, installed packages, packages of the workspace, and files."""
+"""What `zbot run` can run: bundled nodes, packages of the machine or workspace, and files."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def console_scripts(package: str) -> list[Executable]:
 
 
 def workspaces() -> list[Path]:
-    """Return the folders to search: `$ZBOT_WORKSPACE`, else the workspace around the current folder."""
+    """Return the folders to search: `$ZBOT_WORKSPACE`, else the workspace around this folder."""
     given = os.environ.get("ZBOT_WORKSPACE")
     if given:
         return [Path(part).expanduser() for part in given.split(os.pathsep) if part]
@@ -121,7 +121,10 @@ def _subfolders(folder: Path) -> list[Path]:
 
 def _of_package(folder: Path) -> Iterator[Executable]:
     package = folder.name
-    for line in (*_setup_py_scripts(folder / "setup.py"), *_setup_cfg_scripts(folder / "setup.cfg")):
+    for line in (
+        *_setup_py_scripts(folder / "setup.py"),
+        *_setup_cfg_scripts(folder / "setup.cfg"),
+    ):
         name, equals, target = (part.strip() for part in line.partition("="))
         if equals:
             yield Executable(package, name, target, str(folder))
@@ -150,7 +153,8 @@ def _constants(tree: ast.Module) -> dict[str, str]:
     return {
         target.id: statement.value.value
         for statement in tree.body
-        if isinstance(statement, ast.Assign) and isinstance(statement.value, ast.Constant)
+        if isinstance(statement, ast.Assign)
+        and isinstance(statement.value, ast.Constant)
         and isinstance(statement.value.value, str)
         for target in statement.targets
         if isinstance(target, ast.Name)

@@ -93,18 +93,38 @@ def _fault(node: ast.AST) -> str | None:
     if isinstance(node, ast.Attribute):
         return f"{node.attr} is private" if node.attr.startswith("_") else None
     if isinstance(node, ast.Name):
-        return None if node.id in {"m", *_FUNCTIONS} else f"{node.id} is not known; the message is m"
+        return (
+            None if node.id in {"m", *_FUNCTIONS} else f"{node.id} is not known; the message is m"
+        )
     if isinstance(node, ast.Call):
         named = isinstance(node.func, ast.Name) and node.func.id in _FUNCTIONS
-        return None if named and not node.keywords else "only " + ", ".join(_FUNCTIONS) + " can be called"
+        return (
+            None
+            if named and not node.keywords
+            else "only " + ", ".join(_FUNCTIONS) + " can be called"
+        )
     allowed = (
-        ast.Expression, ast.BoolOp, ast.And, ast.Or, ast.Compare, ast.BinOp, ast.UnaryOp, ast.Constant,
-        ast.Subscript, ast.Slice, ast.List, ast.Tuple, ast.Load, *_BINARY, *_UNARY, *_COMPARE,
-    )  # fmt: skip
+        ast.Expression,
+        ast.BoolOp,
+        ast.And,
+        ast.Or,
+        ast.Compare,
+        ast.BinOp,
+        ast.UnaryOp,
+        ast.Constant,
+        ast.Subscript,
+        ast.Slice,
+        ast.List,
+        ast.Tuple,
+        ast.Load,
+        *_BINARY,
+        *_UNARY,
+        *_COMPARE,
+    )
     return None if isinstance(node, allowed) else f"{type(node).__name__} is not allowed"
 
 
-def _value(node: ast.AST, message: Any) -> Any:  # noqa: C901, PLR0912 - one branch a kind of node
+def _value(node: ast.AST, message: Any) -> Any:  # noqa: C901 - one branch a kind of node
     match node:
         case ast.Constant(value=value):
             return value

@@ -52,7 +52,7 @@ class InterfaceError(ZbotError):
     """A package has no such interface."""
 
     def __init__(self, name: str) -> None:
-        known = interface_names(name.split("/")[0])
+        known = interface_names(name.split("/", maxsplit=1)[0])
         guess = nearest(name, known)
         self.hint = f"did you mean {guess}?" if guess else f"there are {', '.join(known)}"
         super().__init__(f"Unknown interface '{name}'")
@@ -76,7 +76,9 @@ def list_interfaces(
 ) -> None:
     """List all types."""
     kinds = _wanted(only_msgs, only_srvs, only_actions)
-    found = {kind: sorted(name for one in packages() for name in _names(one, [kind])) for kind in kinds}
+    found = {
+        kind: sorted(name for one in packages() for name in _names(one, [kind])) for kind in kinds
+    }
     if as_json:
         print_json(found)
         return
@@ -122,9 +124,16 @@ def list_packages(
 
 @app.command("show")
 def show(
-    type_name: Annotated[str, typer.Argument(metavar="TYPE", help="e.g. geometry_msgs/msg/Twist; - reads it from a pipe")],
-    all_comments: Annotated[bool, typer.Option("--all-comments", help="Comments of nested types too")] = False,
-    no_comments: Annotated[bool, typer.Option("--no-comments", help="No comments and blank lines")] = False,
+    type_name: Annotated[
+        str,
+        typer.Argument(metavar="TYPE", help="e.g. geometry_msgs/msg/Twist; - reads it from a pipe"),
+    ],
+    all_comments: Annotated[
+        bool, typer.Option("--all-comments", help="Comments of nested types too")
+    ] = False,
+    no_comments: Annotated[
+        bool, typer.Option("--no-comments", help="No comments and blank lines")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Show the definition of a type."""
@@ -138,7 +147,9 @@ def show(
 
         print_json(type_description(type_name))
         return
-    lines = _definition(spec.text, spec.name, nested_comments=all_comments, comments=not no_comments)
+    lines = _definition(
+        spec.text, spec.name, nested_comments=all_comments, comments=not no_comments
+    )
     print("\n".join(lines))
 
 
@@ -157,10 +168,10 @@ def _definition(
     text: str, owner: str, *, nested_comments: bool, comments: bool, indent: str = ""
 ) -> Iterator[str]:
     """Yield a definition's lines, each nested type's own lines below its field."""
-    package = owner.split("/")[0]
+    package = owner.split("/", maxsplit=1)[0]
     keep = comments and (not indent or nested_comments)
     for line in text.rstrip("\n").splitlines():
-        code, comment = _split(line)
+        code, _comment = _split(line)
         if not code and not keep:
             continue
         yield (indent + (line if keep else code)).rstrip()
@@ -190,7 +201,7 @@ def _split(line: str) -> tuple[str, str]:
 
 def _nested_name(code: str, package: str) -> str | None:
     words = code.split()
-    if len(words) < 2 or "=" in code.split("[")[0]:
+    if len(words) < 2 or "=" in code.split("[", maxsplit=1)[0]:
         return None
     base = words[0].split("[")[0].split("<")[0]
     if base == "Header":
@@ -204,7 +215,9 @@ def _nested_name(code: str, package: str) -> str | None:
 @app.command("proto")
 def proto(
     type_name: Annotated[str, typer.Argument(metavar="TYPE", help="e.g. geometry_msgs/msg/Twist")],
-    no_quotes: Annotated[bool, typer.Option("--no-quotes", help="Leave out the quotes around")] = False,
+    no_quotes: Annotated[
+        bool, typer.Option("--no-quotes", help="Leave out the quotes around")
+    ] = False,
 ) -> None:
     """Print a type's values as YAML, to copy and change."""
     from zbot_cli.echo import Form  # noqa: PLC0415 - only this verb fills a form
@@ -212,6 +225,12 @@ def proto(
 
     spec = _spec(type_name)
     cls = get_interface(spec.name)
-    part = cls.Request if isinstance(spec, ServiceSpec) else cls.Goal if isinstance(spec, ActionSpec) else cls
+    part = (
+        cls.Request
+        if isinstance(spec, ServiceSpec)
+        else cls.Goal
+        if isinstance(spec, ActionSpec)
+        else cls
+    )
     text = to_yaml(plain(part(), Form(length=None)))
     print(text if no_quotes else f'"{text}"')

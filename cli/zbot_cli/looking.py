@@ -25,7 +25,10 @@ def client(*, wait: bool = False) -> Iterator[Context]:
         wait: Stay even if nobody is there yet, so that nodes which come later are seen.
     """
     if discovery_range() is DiscoveryRange.OFF:
-        print("discovery is switched off (ZBOT_DISCOVERY_RANGE=OFF): no node can be seen", file=sys.stderr)
+        print(
+            "discovery is switched off (ZBOT_DISCOVERY_RANGE=OFF): no node can be seen",
+            file=sys.stderr,
+        )
     context = Context(mode="client")
     context.init([])
     try:

@@ -120,7 +120,8 @@ def _run_noun(words: list[str]) -> int:
 
 
 def _report_usage(error: Any) -> int:
-    # typer brings click along, under a name that changes between its versions: go by what errors can do.
+    # typer brings click along, under a name that changes between its versions: go by what errors
+    # can do.
     if type(error).__name__ == "NoArgsIsHelpError":
         print(error.format_message())
         return Status.OK

@@ -1,6 +1,7 @@
-"""`zbot topic hz`, `bw` and `delay`: one line of figures a second, for one topic or a table of them.
+"""`zbot topic hz`, `bw` and `delay`: figures every second, for one topic or several.
 
-Rates and bandwidths are taken from the bytes as they come: nothing is decoded, unless a filter asks.
+Rates and bandwidths are taken from the bytes as they come: nothing is decoded, unless a filter
+asks.
 """
 
 from __future__ import annotations
@@ -60,12 +61,15 @@ class Kind(Protocol):
 
     def meter(self, now_ns: Callable[[], int]) -> Meter:
         """Return a meter for one topic."""
+        ...
 
     def text(self, figures: dict[str, float]) -> str:
         """Return the lines for one topic."""
+        ...
 
     def cells(self, figures: dict[str, float]) -> list[str]:
         """Return a row of the table for several topics."""
+        ...
 
 
 def spread(values: Sequence[float]) -> tuple[float, float, float, float]:
@@ -110,7 +114,7 @@ class Rates:
     """How often messages come: `zbot topic hz`."""
 
     announces = False
-    columns = ("topic", "rate", "min_delta", "max_delta", "std_dev", "window")
+    columns: tuple[str, ...] = ("topic", "rate", "min_delta", "max_delta", "std_dev", "window")
 
     def __init__(self, window: int, filter_expression: str | None = None) -> None:
         self._window = window
@@ -118,6 +122,7 @@ class Rates:
         self.decodes = filter_expression is not None
 
     def meter(self, now_ns: Callable[[], int]) -> Meter:  # noqa: ARG002 - every kind's signature
+        """Return a meter for one topic."""
         accepts = None
         if self._filter is not None:
             from zbot_cli.filter import compile_filter  # noqa: PLC0415 - seldom used
@@ -126,6 +131,7 @@ class Rates:
         return _IntervalMeter(self._window, accepts)
 
     def text(self, figures: dict[str, float]) -> str:
+        """Return the two lines of ros2."""
         return (
             f"average rate: {figures['rate']:.3f}\n"
             f"\tmin: {figures['min']:.3f}s max: {figures['max']:.3f}s "
@@ -133,6 +139,7 @@ class Rates:
         )
 
     def cells(self, figures: dict[str, float]) -> list[str]:
+        """Return a row of the table, without the topic."""
         return [
             f"{figures['rate']:.3f}",
             f"{figures['min']:.3f}",
@@ -170,15 +177,17 @@ class Bandwidths:
 
     announces = True
     decodes = False
-    columns = ("topic", "rate", "messages", "mean", "min", "max")
+    columns: tuple[str, ...] = ("topic", "rate", "messages", "mean", "min", "max")
 
     def __init__(self, window: int) -> None:
         self._window = window
 
     def meter(self, now_ns: Callable[[], int]) -> Meter:  # noqa: ARG002 - every kind's signature
+        """Return a meter for one topic."""
         return _SizeMeter(self._window)
 
     def text(self, figures: dict[str, float]) -> str:
+        """Return the two lines of ros2."""
         rate, mean, low, high = self._in_unit(figures)
         return (
             f"{rate}/s from {figures['messages']:.0f} messages\n"
@@ -186,6 +195,7 @@ class Bandwidths:
         )
 
     def cells(self, figures: dict[str, float]) -> list[str]:
+        """Return a row of the table, without the topic."""
         rate, *sizes = self._in_unit(figures)
         return [f"{rate}/s", f"{figures['messages']:.0f}", *sizes]
 
@@ -233,15 +243,17 @@ class Delays:
 
     announces = False
     decodes = True
-    columns = ("topic", "delay", "min", "max", "std_dev", "window")
+    columns: tuple[str, ...] = ("topic", "delay", "min", "max", "std_dev", "window")
 
     def __init__(self, window: int) -> None:
         self._window = window
 
     def meter(self, now_ns: Callable[[], int]) -> Meter:
+        """Return a meter for one topic."""
         return _DelayMeter(self._window, now_ns)
 
     def text(self, figures: dict[str, float]) -> str:
+        """Return the two lines of ros2."""
         return (
             f"average delay: {figures['delay']:.3f}\n"
             f"\tmin: {figures['min']:.3f}s max: {figures['max']:.3f}s "
@@ -249,6 +261,7 @@ class Delays:
         )
 
     def cells(self, figures: dict[str, float]) -> list[str]:
+        """Return a row of the table, without the topic."""
         return [f"{figures[key]:.5f}" for key in ("delay", "min", "max", "std_dev")] + [
             f"{figures['window']}"
         ]
@@ -338,7 +351,9 @@ class _Report:
         rows = [[name, *self._kind.cells(figures)] for name, figures in news.items()]
         columns = list(zip(self._kind.columns, *rows, strict=True))
         widths = [max(map(len, column)) for column in columns]
-        head = "   ".join(name.center(width) for name, width in zip(self._kind.columns, widths, strict=True))
+        head = "   ".join(
+            name.center(width) for name, width in zip(self._kind.columns, widths, strict=True)
+        )
         lines = [
             "   ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
             for row in rows

@@ -216,7 +216,7 @@ def _array_label(value: Any, kind: FieldType) -> str:
 
 def _shown_list(value: Any, form: Form) -> list[Any]:
     shown = value if form.length is None else value[: form.length]
-    items = shown.tolist() if hasattr(shown, "tolist") else list(shown)
+    items: list[Any] = shown.tolist() if hasattr(shown, "tolist") else list(shown)
     numeric = isinstance(value, array.array) or hasattr(value, "dtype")
     if items and is_message(items[0]):
         items = [plain(item, form) for item in items]
@@ -277,7 +277,9 @@ def _leaves(value: Any, form: Form) -> Iterator[str]:
 def _json_line(
     form: Form, paths: list[list[str | int | slice]], topic: str, message: Any, info: MessageInfo
 ) -> str:
-    values = [json_value(select(message, path)) for path in paths] if paths else [json_value(message)]
+    values = (
+        [json_value(select(message, path)) for path in paths] if paths else [json_value(message)]
+    )
     value = values[0] if len(values) == 1 else values
     if form.with_info:
         value = {"topic": topic, "info": dict(info), "message": value}

@@ -42,7 +42,9 @@ class NodeKillError(ZbotError):
 @app.command("list")
 def list_nodes(
     show_all: Annotated[bool, typer.Option("-a", "--all", help="Show hidden nodes too")] = False,
-    count: Annotated[bool, typer.Option("-c", "--count-nodes", "--count", help="Print the number")] = False,
+    count: Annotated[
+        bool, typer.Option("-c", "--count-nodes", "--count", help="Print the number")
+    ] = False,
     as_json: AsJson = False,
     spin_time: SpinTime = 0.5,
     use_sim_time: UseSimTime = False,
@@ -78,7 +80,9 @@ def _warn_of_duplicates(names: list[str]) -> None:
 @app.command("info")
 def info(
     node_name: Annotated[str, typer.Argument(help="Name of the node, e.g. /talker")],
-    include_hidden: Annotated[bool, typer.Option("--include-hidden", help="Show hidden topics too")] = False,
+    include_hidden: Annotated[
+        bool, typer.Option("--include-hidden", help="Show hidden topics too")
+    ] = False,
     as_json: AsJson = False,
     spin_time: SpinTime = 0.5,
     use_sim_time: UseSimTime = False,
@@ -91,8 +95,11 @@ def info(
     if not found:
         raise UnknownNodeNameError(name, full_names(graph.nodes))
     if found > 1:
-        print(f"There are {found} nodes in the graph with the exact name '{name}'. You are seeing "
-              "information about all of them.", file=sys.stderr)
+        print(
+            f"There are {found} nodes in the graph with the exact name '{name}'. You are seeing "
+            "information about all of them.",
+            file=sys.stderr,
+        )
     groups = _groups(graph, name, include_hidden=include_hidden)
     if as_json:
         print_json({"node": name, **{title: dict(group) for title, group in groups.items()}})
@@ -169,5 +176,7 @@ def _end(name: str, process: Process | None, *, force: bool) -> None:
     except ProcessLookupError:
         raise NodeKillError(f"the process {process.pid} of {name} has gone already") from None
     except PermissionError:
-        raise NodeKillError(f"the process {process.pid} of {name} belongs to another user") from None
+        raise NodeKillError(
+            f"the process {process.pid} of {name} belongs to another user"
+        ) from None
     print(f"{name}: ended process {process.pid} ({process.command})")

@@ -52,7 +52,7 @@ class UntypedTopicError(ZbotError):
     """No type was given, and nobody uses the topic yet."""
 
     def __init__(self, name: str) -> None:
-        self.hint = f"name the type: zbot topic pub {name} std_msgs/msg/String \"data: hello\""
+        self.hint = f'name the type: zbot topic pub {name} std_msgs/msg/String "data: hello"'
         super().__init__(f"Could not determine the type of {name}: nobody uses it yet")
 
 
@@ -177,13 +177,17 @@ class Pub:
         wanted = self._pace.subscriptions
         if not wanted:
             return
-        deadline = None if self._pace.max_wait_s is None else time.monotonic() + self._pace.max_wait_s
+        deadline = (
+            None if self._pace.max_wait_s is None else time.monotonic() + self._pace.max_wait_s
+        )
         while node.context.ok() and publisher.get_subscription_count() < wanted:
             print(f"Waiting for at least {wanted} matching subscription(s)...", flush=True)
             step = 1.0 if deadline is None else min(1.0, max(0.0, deadline - time.monotonic()))
             node.context.graph.wait_for(
-                lambda graph: len(graph.subscriptions(publisher.topic_name)) >= wanted
-                or not node.context.ok(),
+                lambda graph: (
+                    len(graph.subscriptions(publisher.topic_name)) >= wanted
+                    or not node.context.ok()
+                ),
                 step,
             )
             found = publisher.get_subscription_count()

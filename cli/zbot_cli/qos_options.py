@@ -27,7 +27,9 @@ def _option(flag: str, text: str) -> Any:
     return typer.Option(flag, help=text, rich_help_panel=_HELP_PANEL)
 
 
-Profile = Annotated[str | None, _option("--qos-profile", "A preset to begin with, e.g. sensor_data")]
+Profile = Annotated[
+    str | None, _option("--qos-profile", "A preset to begin with, e.g. sensor_data")
+]
 Depth = Annotated[int | None, _option("--qos-depth", "Messages to keep")]
 History = Annotated[str | None, _option("--qos-history", "keep_last or keep_all")]
 Reliability = Annotated[str | None, _option("--qos-reliability", "reliable or best_effort")]
@@ -64,8 +66,8 @@ class Choice:
     def to_subscribe(self, publishers: list[EndpointToken]) -> QoSProfile:
         """Return the profile to listen with.
 
-        What no option says follows the publishers: reliable if all are, and transient local if all are,
-        so that a late `echo` still shows what a latched topic holds.
+        What no option says follows the publishers: reliable if all are, and transient local if all
+        are, so that a late `echo` still shows what a latched topic holds.
         """
         profile = self._preset("sensor_data")
         if publishers and self.profile is None:

@@ -19,22 +19,24 @@ from zbot_cli.listing import (
     print_json,
 )
 from zbot_cli.looking import client, full_name, snapshot, snapshot_of
-from zbot_cli.qos_options import (
-    Depth,
-    Durability,
-    History,
-    LeaseDuration,
-    Liveliness,
-    Profile,
-    Reliability,
-)
 
 if TYPE_CHECKING:
     from zbot.graph import NamesAndTypes, Snapshot
+    from zbot_cli.qos_options import (
+        Depth,
+        Durability,
+        History,
+        LeaseDuration,
+        Liveliness,
+        Profile,
+        Reliability,
+    )
 
 app = new_app("Look at topics, listen and publish")
 
-IncludeHidden = Annotated[bool, typer.Option("--include-hidden-topics", help="Consider hidden topics too")]
+IncludeHidden = Annotated[
+    bool, typer.Option("--include-hidden-topics", help="Consider hidden topics too")
+]
 TopicName = Annotated[str, typer.Argument(help="Name of the topic, e.g. /chatter")]
 UNKNOWN_TYPE = "unknown"
 
@@ -65,8 +67,12 @@ def _shown(topics: NamesAndTypes, include_hidden: bool) -> NamesAndTypes:
 @app.command("list")
 def list_topics(
     show_types: ShowTypes = False,
-    count: Annotated[bool, typer.Option("-c", "--count-topics", "--count", help="Print the number")] = False,
-    verbose: Annotated[bool, typer.Option("-v", "--verbose", help="Count publishers and subscribers")] = False,
+    count: Annotated[
+        bool, typer.Option("-c", "--count-topics", "--count", help="Print the number")
+    ] = False,
+    verbose: Annotated[
+        bool, typer.Option("-v", "--verbose", help="Count publishers and subscribers")
+    ] = False,
     include_hidden_topics: IncludeHidden = False,
     as_json: AsJson = False,
     spin_time: SpinTime = 0.5,
@@ -77,7 +83,10 @@ def list_topics(
     with client() as context:
         graph = snapshot_of(context)
         foreign = _foreign(context, graph)
-    topics = _shown(sorted([*graph.topics(), *((name, [UNKNOWN_TYPE]) for name in foreign)]), include_hidden_topics)
+    topics = _shown(
+        sorted([*graph.topics(), *((name, [UNKNOWN_TYPE]) for name in foreign)]),
+        include_hidden_topics,
+    )
     if count:
         print(len(topics))
     elif as_json:
@@ -121,7 +130,9 @@ def _print_verbose(graph: Snapshot, include_hidden: bool) -> None:
 @app.command("info")
 def info(
     topic_name: TopicName,
-    verbose: Annotated[bool, typer.Option("-v", "--verbose", help="Show every publisher and subscription")] = False,
+    verbose: Annotated[
+        bool, typer.Option("-v", "--verbose", help="Show every publisher and subscription")
+    ] = False,
     as_json: AsJson = False,
     spin_time: SpinTime = 0.5,
     use_sim_time: UseSimTime = False,
@@ -162,16 +173,18 @@ def _endpoint_text(end: EndpointToken, title: str) -> str:
     from zbot_cli.qos_options import profile_lines  # noqa: PLC0415 - only -v shows profiles
 
     gid = ".".join(f"{byte:02x}" for byte in end.gid)
-    return "\n".join((
-        f"Node name: {end.node}",
-        f"Node namespace: {end.namespace}",
-        f"Topic type: {end.type_name}",
-        f"Topic type hash: {end.type_hash}",
-        f"Endpoint type: {title.upper()}",
-        f"GID: {gid}",
-        "QoS profile:",
-        *profile_lines(end.qos),
-    ))
+    return "\n".join(
+        (
+            f"Node name: {end.node}",
+            f"Node namespace: {end.namespace}",
+            f"Topic type: {end.type_name}",
+            f"Topic type hash: {end.type_hash}",
+            f"Endpoint type: {title.upper()}",
+            f"GID: {gid}",
+            "QoS profile:",
+            *profile_lines(end.qos),
+        )
+    )
 
 
 @app.command("type")
@@ -192,8 +205,12 @@ def type_of(
 
 @app.command("find")
 def find(
-    topic_type: Annotated[str, typer.Argument(help="Type of the messages, e.g. std_msgs/msg/String")],
-    count: Annotated[bool, typer.Option("-c", "--count-topics", "--count", help="Print the number")] = False,
+    topic_type: Annotated[
+        str, typer.Argument(help="Type of the messages, e.g. std_msgs/msg/String")
+    ],
+    count: Annotated[
+        bool, typer.Option("-c", "--count-topics", "--count", help="Print the number")
+    ] = False,
     include_hidden_topics: IncludeHidden = False,
     as_json: AsJson = False,
     spin_time: SpinTime = 0.5,
@@ -202,7 +219,11 @@ def find(
 ) -> None:
     """List the topics that have a type."""
     wanted = topic_type if topic_type.count("/") == 2 else topic_type.replace("/", "/msg/", 1)
-    found = [name for name, types in _shown(snapshot().topics(), include_hidden_topics) if wanted in types]
+    found = [
+        name
+        for name, types in _shown(snapshot().topics(), include_hidden_topics)
+        if wanted in types
+    ]
     if count:
         print(len(found))
     elif as_json:
@@ -214,7 +235,12 @@ def find(
 
 @app.command("echo")
 def echo(
-    topics: Annotated[list[str], typer.Argument(help="Topics, `*` and `**` included; a type may follow", metavar="TOPIC... [TYPE]")],
+    topics: Annotated[
+        list[str],
+        typer.Argument(
+            help="Topics, `*` and `**` included; a type may follow", metavar="TOPIC... [TYPE]"
+        ),
+    ],
     qos_profile: Profile = None,
     qos_depth: Depth = None,
     qos_history: History = None,
@@ -223,20 +249,45 @@ def echo(
     qos_liveliness: Liveliness = None,
     qos_liveliness_lease_duration_seconds: LeaseDuration = None,
     csv: Annotated[bool, typer.Option("--csv", help="Print fields separated by commas")] = False,
-    field: Annotated[list[str] | None, typer.Option("--field", help="Only this field, e.g. pose.position")] = None,
-    full_length: Annotated[bool, typer.Option("-f", "--full-length", help="Show everything")] = False,
-    truncate_length: Annotated[int, typer.Option("-l", "--truncate-length", help="Elements and characters to show")] = 128,
-    no_arr: Annotated[bool, typer.Option("--no-arr", help="Leave out the content of arrays")] = False,
-    no_str: Annotated[bool, typer.Option("--no-str", help="Leave out the content of strings")] = False,
-    flow_style: Annotated[bool, typer.Option("--flow-style", help="Print collections on one line")] = False,
-    no_lost_messages: Annotated[bool, typer.Option("--no-lost-messages", help="Do not report losses")] = False,
+    field: Annotated[
+        list[str] | None, typer.Option("--field", help="Only this field, e.g. pose.position")
+    ] = None,
+    full_length: Annotated[
+        bool, typer.Option("-f", "--full-length", help="Show everything")
+    ] = False,
+    truncate_length: Annotated[
+        int, typer.Option("-l", "--truncate-length", help="Elements and characters to show")
+    ] = 128,
+    no_arr: Annotated[
+        bool, typer.Option("--no-arr", help="Leave out the content of arrays")
+    ] = False,
+    no_str: Annotated[
+        bool, typer.Option("--no-str", help="Leave out the content of strings")
+    ] = False,
+    flow_style: Annotated[
+        bool, typer.Option("--flow-style", help="Print collections on one line")
+    ] = False,
+    no_lost_messages: Annotated[
+        bool, typer.Option("--no-lost-messages", help="Do not report losses")
+    ] = False,
     raw: Annotated[bool, typer.Option("--raw", help="Print the bytes as they come")] = False,
-    filter_expression: Annotated[str | None, typer.Option("--filter", metavar="EXPR", help="Only messages `m` for which this is true")] = None,
+    filter_expression: Annotated[
+        str | None,
+        typer.Option("--filter", metavar="EXPR", help="Only messages `m` for which this is true"),
+    ] = None,
     once: Annotated[bool, typer.Option("--once", help="End after the first message")] = False,
-    timeout: Annotated[float | None, typer.Option("--timeout", help="End after this many seconds")] = None,
-    include_message_info: Annotated[bool, typer.Option("-i", "--include-message-info", help="Show times and numbers")] = False,
-    clear: Annotated[bool, typer.Option("-c", "--clear", help="Clear the screen before each message")] = False,
-    node_name: Annotated[str | None, typer.Option("-n", "--node-name", help="Name of the listening node")] = None,
+    timeout: Annotated[
+        float | None, typer.Option("--timeout", help="End after this many seconds")
+    ] = None,
+    include_message_info: Annotated[
+        bool, typer.Option("-i", "--include-message-info", help="Show times and numbers")
+    ] = False,
+    clear: Annotated[
+        bool, typer.Option("-c", "--clear", help="Clear the screen before each message")
+    ] = False,
+    node_name: Annotated[
+        str | None, typer.Option("-n", "--node-name", help="Name of the listening node")
+    ] = None,
     as_json: AsJson = False,
     spin_time: SpinTime = 0.5,
     use_sim_time: UseSimTime = False,
@@ -247,21 +298,46 @@ def echo(
     from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
 
     form = Form(
-        csv=csv, fields=tuple(field or ()), length=None if full_length else truncate_length,
-        no_arr=no_arr, no_str=no_str, flow_style=flow_style, raw=raw, filter_expression=filter_expression,
-        with_info=include_message_info, clear=clear, json=as_json, losses=not no_lost_messages,
-    )  # fmt: skip
+        csv=csv,
+        fields=tuple(field or ()),
+        length=None if full_length else truncate_length,
+        no_arr=no_arr,
+        no_str=no_str,
+        flow_style=flow_style,
+        raw=raw,
+        filter_expression=filter_expression,
+        with_info=include_message_info,
+        clear=clear,
+        json=as_json,
+        losses=not no_lost_messages,
+    )
     choice = Choice(
-        qos_profile, qos_depth, qos_history, qos_reliability, qos_durability, qos_liveliness,
+        qos_profile,
+        qos_depth,
+        qos_history,
+        qos_reliability,
+        qos_durability,
+        qos_liveliness,
         qos_liveliness_lease_duration_seconds,
-    )  # fmt: skip
-    Echo(topics, form, choice, once=once, timeout_s=timeout, node_name=node_name, use_sim_time=use_sim_time).run()
+    )
+    Echo(
+        topics,
+        form,
+        choice,
+        once=once,
+        timeout_s=timeout,
+        node_name=node_name,
+        use_sim_time=use_sim_time,
+    ).run()
 
 
 @app.command("pub")
 def pub(
     topic_name: TopicName,
-    words: Annotated[list[str] | None, typer.Argument(help="Type and values; both may be left out", metavar="[TYPE] [VALUES]")] = None,
+    words: Annotated[
+        list[str] | None,
+        typer.Argument(help="Type and values; both may be left out", metavar="[TYPE] [VALUES]"),
+    ] = None,
     qos_profile: Profile = None,
     qos_depth: Depth = None,
     qos_history: History = None,
@@ -270,15 +346,36 @@ def pub(
     qos_liveliness: Liveliness = None,
     qos_liveliness_lease_duration_seconds: LeaseDuration = None,
     rate: Annotated[float, typer.Option("-r", "--rate", help="Messages a second")] = 1.0,
-    print_every: Annotated[int, typer.Option("-p", "--print", help="Print every N-th message; 0: none")] = 1,
+    print_every: Annotated[
+        int, typer.Option("-p", "--print", help="Print every N-th message; 0: none")
+    ] = 1,
     once: Annotated[bool, typer.Option("-1", "--once", help="Publish one message and end")] = False,
-    times: Annotated[int, typer.Option("-t", "--times", help="Publish so many messages and end")] = 0,
-    wait_matching_subscriptions: Annotated[int | None, typer.Option("-w", "--wait-matching-subscriptions", help="Wait for so many subscriptions first; 1 with --once or --times")] = None,
-    max_wait_time_secs: Annotated[float | None, typer.Option("--max-wait-time-secs", help="Wait no longer than this")] = None,
-    keep_alive: Annotated[float, typer.Option("--keep-alive", help="Seconds to stay after the last message")] = 0.1,
-    node_name: Annotated[str | None, typer.Option("-n", "--node-name", help="Name of the publishing node")] = None,
-    stdin: Annotated[bool, typer.Option("--stdin", help="Read the values from standard input")] = False,
-    yaml_file: Annotated[str | None, typer.Option("--yaml-file", help="Publish each document of a file")] = None,
+    times: Annotated[
+        int, typer.Option("-t", "--times", help="Publish so many messages and end")
+    ] = 0,
+    wait_matching_subscriptions: Annotated[
+        int | None,
+        typer.Option(
+            "-w",
+            "--wait-matching-subscriptions",
+            help="Wait for so many subscriptions first; 1 with --once or --times",
+        ),
+    ] = None,
+    max_wait_time_secs: Annotated[
+        float | None, typer.Option("--max-wait-time-secs", help="Wait no longer than this")
+    ] = None,
+    keep_alive: Annotated[
+        float, typer.Option("--keep-alive", help="Seconds to stay after the last message")
+    ] = 0.1,
+    node_name: Annotated[
+        str | None, typer.Option("-n", "--node-name", help="Name of the publishing node")
+    ] = None,
+    stdin: Annotated[
+        bool, typer.Option("--stdin", help="Read the values from standard input")
+    ] = False,
+    yaml_file: Annotated[
+        str | None, typer.Option("--yaml-file", help="Publish each document of a file")
+    ] = None,
     spin_time: SpinTime = 0.5,
     use_sim_time: UseSimTime = False,
 ) -> None:
@@ -287,28 +384,55 @@ def pub(
     from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
 
     choice = Choice(
-        qos_profile, qos_depth, qos_history, qos_reliability, qos_durability, qos_liveliness,
+        qos_profile,
+        qos_depth,
+        qos_history,
+        qos_reliability,
+        qos_durability,
+        qos_liveliness,
         qos_liveliness_lease_duration_seconds,
-    )  # fmt: skip
+    )
     pace = Pace(
-        rate_hz=rate, print_every=print_every, times=1 if once else times,
-        wait_for=wait_matching_subscriptions, max_wait_s=max_wait_time_secs, keep_alive_s=keep_alive,
-    )  # fmt: skip
+        rate_hz=rate,
+        print_every=print_every,
+        times=1 if once else times,
+        wait_for=wait_matching_subscriptions,
+        max_wait_s=max_wait_time_secs,
+        keep_alive_s=keep_alive,
+    )
     if once and times:
         raise typer.BadParameter("--once and --times exclude each other")
-    Pub(topic_name, words or [], pace, choice, node_name=node_name, stdin=stdin, yaml_file=yaml_file, use_sim_time=use_sim_time).run()
+    Pub(
+        topic_name,
+        words or [],
+        pace,
+        choice,
+        node_name=node_name,
+        stdin=stdin,
+        yaml_file=yaml_file,
+        use_sim_time=use_sim_time,
+    ).run()
 
 
-Topics = Annotated[list[str] | None, typer.Argument(help="Topics, e.g. /chatter", metavar="TOPIC...")]
+Topics = Annotated[
+    list[str] | None, typer.Argument(help="Topics, e.g. /chatter", metavar="TOPIC...")
+]
 AllTopics = Annotated[bool, typer.Option("-a", "--all", help="All topics known at the start")]
 
 
 @app.command("hz")
 def hz(
     topics: Topics = None,
-    window: Annotated[int, typer.Option("-w", "--window", help="Intervals to measure over")] = 10000,
-    filter_expression: Annotated[str | None, typer.Option("--filter", metavar="EXPR", help="Only messages `m` for which this is true")] = None,
-    wall_time: Annotated[bool, typer.Option("--wall-time", help="Use the system's clock under simulated time")] = False,
+    window: Annotated[
+        int, typer.Option("-w", "--window", help="Intervals to measure over")
+    ] = 10000,
+    filter_expression: Annotated[
+        str | None,
+        typer.Option("--filter", metavar="EXPR", help="Only messages `m` for which this is true"),
+    ] = None,
+    wall_time: Annotated[
+        bool, typer.Option("--wall-time", help="Use the system's clock under simulated time")
+    ] = False,
     all_topics: AllTopics = False,
     qos_profile: Profile = None,
     qos_depth: Depth = None,
@@ -324,9 +448,13 @@ def hz(
     from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
 
     measure(
-        Rates(window, filter_expression), topics or [], Choice(qos_profile, qos_depth, qos_history, qos_reliability, qos_durability),
-        all_topics=all_topics, as_json=as_json, use_sim_time=use_sim_time and not wall_time,
-    )  # fmt: skip
+        Rates(window, filter_expression),
+        topics or [],
+        Choice(qos_profile, qos_depth, qos_history, qos_reliability, qos_durability),
+        all_topics=all_topics,
+        as_json=as_json,
+        use_sim_time=use_sim_time and not wall_time,
+    )
 
 
 @app.command("bw")
@@ -348,9 +476,13 @@ def bw(
     from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
 
     measure(
-        Bandwidths(window), topics or [], Choice(qos_profile, qos_depth, qos_history, qos_reliability, qos_durability),
-        all_topics=all_topics, as_json=as_json, use_sim_time=use_sim_time,
-    )  # fmt: skip
+        Bandwidths(window),
+        topics or [],
+        Choice(qos_profile, qos_depth, qos_history, qos_reliability, qos_durability),
+        all_topics=all_topics,
+        as_json=as_json,
+        use_sim_time=use_sim_time,
+    )
 
 
 @app.command("delay")
@@ -371,6 +503,10 @@ def delay(
     from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
 
     measure(
-        Delays(window), [topic_name], Choice(qos_profile, qos_depth, qos_history, qos_reliability, qos_durability),
-        all_topics=False, as_json=as_json, use_sim_time=use_sim_time,
-    )  # fmt: skip
+        Delays(window),
+        [topic_name],
+        Choice(qos_profile, qos_depth, qos_history, qos_reliability, qos_durability),
+        all_topics=False,
+        as_json=as_json,
+        use_sim_time=use_sim_time,
+    )

@@ -1,4 +1,4 @@
-"""Interface types as users write them: `std_msgs/msg/String`, `std_msgs/String`, `std_msgs.msg.String`, `String`."""
+"""Types as users write them: `std_msgs/msg/String`, `std_msgs/String`, `std_msgs.msg.String`."""
 
 from __future__ import annotations
 
@@ -22,8 +22,10 @@ class InvalidTypeError(ZbotError):
 
 def looks_like_type(word: str) -> bool:
     """Return whether a word on the command line is meant as a type rather than as values."""
-    return bool(word) and all(part.isidentifier() for part in word.replace("/", ".").split(".")) and (
-        "/" in word or word.count(".") == 2 or word[0].isupper()
+    return (
+        bool(word)
+        and all(part.isidentifier() for part in word.replace("/", ".").split("."))
+        and ("/" in word or word.count(".") == 2 or word[0].isupper())
     )
 
 

@@ -43,7 +43,7 @@ def populate(message_type: type[Any], text: str, now_ns: Callable[[], int]) -> A
 
     Args:
         message_type: Message class.
-        text: YAML (of which JSON is a part), or words like `linear.x=2 angular.z=1.8`; may be empty.
+        text: YAML (of which JSON is a part), or words like `linear.x=2`; may be empty.
         now_ns: What `header: auto` and `stamp: now` stand for, nanoseconds since the epoch.
 
     Raises:
@@ -87,7 +87,7 @@ def _assignments(words: list[str]) -> dict[str, Any]:
     values: dict[str, Any] = {}
     for word in words:
         match = _ASSIGNMENT.match(word)
-        assert match is not None  # noqa: S101 - the caller looked
+        assert match is not None
         *path, last = match["path"].split(".")
         place = values
         for part in path:
@@ -108,7 +108,7 @@ def _syntax_error(text: str, exc: yaml.YAMLError) -> ValuesError:
     mark = getattr(exc, "problem_mark", None)
     problem = getattr(exc, "problem", None) or "it is no YAML"
     where = "" if mark is None else f" (line {mark.line + 1}, column {mark.column + 1})"
-    hint = "write it like \"{linear: {x: 2.0}}\", with a blank after each colon"
+    hint = 'write it like "{linear: {x: 2.0}}", with a blank after each colon'
     line = "" if mark is None else _pointer(text, mark)
     return ValuesError(f"The values are no YAML: {problem}{where}{line}", hint)
 
@@ -156,7 +156,7 @@ def _value(kind: FieldType, value: Any, now_ns: Callable[[], int], path: str) ->
 
 
 def _nested(kind: FieldType, value: Any, now_ns: Callable[[], int], path: str) -> Any:
-    message = get_message(kind.base)()
+    message: Any = get_message(kind.base)()
     if (kind.base, value) == (_HEADER, "auto"):
         value = {"stamp": "now"}
     if (kind.base, value) == (_TIME, "now"):
