@@ -21,7 +21,6 @@ if TYPE_CHECKING:
 
 app = new_app("Look at nodes")
 
-_ACTION_TOPIC = "/_action/status"
 _ACTION_SERVICE = "/_action/send_goal"
 
 

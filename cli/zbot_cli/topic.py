@@ -19,18 +19,18 @@ from zbot_cli.listing import (
     print_json,
 )
 from zbot_cli.looking import client, full_name, snapshot, snapshot_of
+from zbot_cli.qos_options import (
+    Depth,
+    Durability,
+    History,
+    LeaseDuration,
+    Liveliness,
+    Profile,
+    Reliability,
+)
 
 if TYPE_CHECKING:
     from zbot.graph import NamesAndTypes, Snapshot
-    from zbot_cli.qos_options import (
-        Depth,
-        Durability,
-        History,
-        LeaseDuration,
-        Liveliness,
-        Profile,
-        Reliability,
-    )
 
 app = new_app("Look at topics, listen and publish")
 
