@@ -46,7 +46,7 @@ def environment(name: str) -> dict[str, str]:
     env = {**os.environ, "BENCH_PORT": port, "ZBOT_DOMAIN_ID": domain}
     if name == "rclpy":
         # Its interpreter starts itself again and hands these on; ours must not inherit them.
-        env |= {"ROS_DOMAIN_ID": "78", "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
+        env |= {"ROS_DOMAIN_ID": domain[-2:], "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
     return env
 
 
@@ -107,7 +107,7 @@ def throughput_table(report: Report, rounds: int) -> None:
     report.say("\n## One way, reliable keep-all, two processes (messages per second received)\n")
     report.say("| size | contestant | rate | MB/s | lost | rate / raw |\n|---|---|---|---|---|---|")
     for size, label in SIZES:
-        count = 1500 if size > 100_000 else 200_000
+        count = 1500 if size > 100_000 else 300_000
         runs: dict[str, list[dict[str, float]]] = {name: [] for name in contestants()}
         for _ in range(rounds):
             for name in runs:

@@ -1,19 +1,22 @@
 """The programs that are measured, each as Python source run in a process of its own.
 
-Every contestant does the same work: `zbot` with typed messages, `raw` with eclipse-zenoh alone on bytes of
-the same size, `rclpy` with the genuine ROS 2 wheels where they are installed.
+Every contestant does the same work: `zbot` and `rclpy` (where its wheels are installed) with typed
+messages, a String up to 4 KiB and a UInt8MultiArray of 1 MB; `raw` is eclipse-zenoh alone, with
+bytes of the same size.
 """
 
 from __future__ import annotations
 
 ZBOT_HEAD = """
 import sys, time, json, zbot
-from std_msgs.msg import UInt8MultiArray
+from std_msgs.msg import String, UInt8MultiArray
 from zbot import QoSProfile, HistoryPolicy
 import array
 SIZE, COUNT = int(sys.argv[1]), int(sys.argv[2])
 KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
-def message(): return UInt8MultiArray(data=array.array('B', bytes(SIZE)))
+TYPE = String if SIZE < 100_000 else UInt8MultiArray
+def message():
+    return String(data='x' * SIZE) if TYPE is String else TYPE(data=array.array('B', bytes(SIZE)))
 """
 
 ZBOT_ECHO = (
@@ -21,8 +24,8 @@ ZBOT_ECHO = (
     + """
 with zbot.init():
     node = zbot.Node('echo')
-    publisher = node.create_publisher(UInt8MultiArray, 'pong', 10)
-    node.create_subscription(UInt8MultiArray, 'ping', publisher.publish, 10)
+    publisher = node.create_publisher(TYPE, 'pong', 10)
+    node.create_subscription(TYPE, 'ping', publisher.publish, 10)
     zbot.spin(node)
 """
 )
@@ -39,8 +42,8 @@ def on_pong(msg):
     go() if len(trips) < COUNT else zbot.shutdown()
 with zbot.init():
     node = zbot.Node('ping'); sample = message()
-    publisher = node.create_publisher(UInt8MultiArray, 'ping', 10)
-    node.create_subscription(UInt8MultiArray, 'pong', on_pong, 10)
+    publisher = node.create_publisher(TYPE, 'ping', 10)
+    node.create_subscription(TYPE, 'pong', on_pong, 10)
     while not (node.count_subscribers('ping') and node.count_publishers('pong')): time.sleep(0.01)
     go()
     zbot.spin(node)
@@ -61,7 +64,7 @@ def on_message(msg):
         zbot.shutdown()
 with zbot.init():
     node = zbot.Node('sink')
-    subscription = node.create_subscription(UInt8MultiArray, 'flood', on_message, KEEP_ALL)
+    subscription = node.create_subscription(TYPE, 'flood', on_message, KEEP_ALL)
     zbot.spin(node)
 """
 )
@@ -71,7 +74,7 @@ ZBOT_FLOOD = (
     + """
 with zbot.init():
     node = zbot.Node('flood'); sample = message()
-    publisher = node.create_publisher(UInt8MultiArray, 'flood', KEEP_ALL)
+    publisher = node.create_publisher(TYPE, 'flood', KEEP_ALL)
     while not node.count_subscribers('flood'): time.sleep(0.01)
     for _ in range(COUNT): publisher.publish(sample)
     while node.count_subscribers('flood'): time.sleep(0.01)
@@ -161,9 +164,11 @@ RCLPY_HEAD = """
 import sys, time, json, array, rclpy
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, HistoryPolicy
-from std_msgs.msg import UInt8MultiArray
+from std_msgs.msg import String, UInt8MultiArray
 SIZE, COUNT = int(sys.argv[1]), int(sys.argv[2])
-def message(): return UInt8MultiArray(data=array.array('B', bytes(SIZE)))
+TYPE = String if SIZE < 100_000 else UInt8MultiArray
+def message():
+    return String(data='x' * SIZE) if TYPE is String else TYPE(data=array.array('B', bytes(SIZE)))
 rclpy.init()
 """
 
@@ -171,8 +176,8 @@ RCLPY_ECHO = (
     RCLPY_HEAD
     + """
 node = Node('echo')
-publisher = node.create_publisher(UInt8MultiArray, 'pong', 10)
-node.create_subscription(UInt8MultiArray, 'ping', publisher.publish, 10)
+publisher = node.create_publisher(TYPE, 'pong', 10)
+node.create_subscription(TYPE, 'ping', publisher.publish, 10)
 rclpy.spin(node)
 """
 )
@@ -188,8 +193,8 @@ def on_pong(msg):
     trips.append(time.perf_counter_ns() - begun)
     if len(trips) < COUNT: go()
 node = Node('ping'); sample = message()
-publisher = node.create_publisher(UInt8MultiArray, 'ping', 10)
-node.create_subscription(UInt8MultiArray, 'pong', on_pong, 10)
+publisher = node.create_publisher(TYPE, 'ping', 10)
+node.create_subscription(TYPE, 'pong', on_pong, 10)
 while not (node.count_subscribers('ping') and node.count_publishers('pong')): time.sleep(0.05)
 time.sleep(1); go()
 while len(trips) < COUNT: rclpy.spin_once(node)
@@ -208,7 +213,7 @@ def on_message(msg):
     if got == 0: begun = time.perf_counter()
     got += 1
 node = Node('sink')
-node.create_subscription(UInt8MultiArray, 'flood', on_message, 10)
+node.create_subscription(TYPE, 'flood', on_message, 10)
 while not got: rclpy.spin_once(node, timeout_sec=1)
 while time.perf_counter() - begun < 5: rclpy.spin_once(node, timeout_sec=0.1)
 print(json.dumps({'rate': got / (time.perf_counter() - begun), 'lost': None}))
@@ -219,7 +224,7 @@ RCLPY_FLOOD = (
     RCLPY_HEAD
     + """
 node = Node('flood'); sample = message()
-publisher = node.create_publisher(UInt8MultiArray, 'flood', 10)
+publisher = node.create_publisher(TYPE, 'flood', 10)
 while not node.count_subscribers('flood'): time.sleep(0.05)
 end = time.perf_counter() + 7
 while time.perf_counter() < end: publisher.publish(sample)

@@ -1,0 +1,35 @@
+"""Runs `zbot` as a user does: a process, its exit code, and what it printed."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a command ended."""
+
+    code: int
+    out: str
+    err: str
+
+
+def zbot(*words: str, stdin: str = "", cwd: Path | None = None, timeout_s: float = 20) -> Outcome:
+    """Run a command line to its end."""
+    done = subprocess.run(
+        [sys.executable, "-m", "zbot_cli", *words],
+        input=stdin,
+        capture_output=True,
+        encoding="utf-8",
+        timeout=timeout_s,
+        cwd=cwd,
+        check=False,
+    )
+    assert "Traceback" not in done.stderr, done.stderr
+    return Outcome(done.returncode, done.stdout, done.stderr)
