@@ -56,7 +56,7 @@ class Adviser:
         self._signal = threading.Condition()
         context.graph.add_listener(self._on_change)
         context.add_waker(self._wake)
-        threading.Thread(target=self._run, name="zbot advice", daemon=True).start()
+        context.start_thread("zbot advice", self._run)
 
     def add(self, token: Token, logger_name: str) -> None:
         """Look after a node or endpoint; what is found is logged under `logger_name`."""

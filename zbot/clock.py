@@ -31,8 +31,9 @@ __all__ = [
     "TimeJump",
 ]
 
-# Windows does not interrupt a wait for Ctrl-C.
-_LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 86_400.0
+# Ctrl-C does not interrupt a wait on Windows, and elsewhere not if it comes just before Python goes
+# to sleep.
+_LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
 
 
 class WakingContext(Protocol):

@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 _LINK_TIMEOUT_S = 1.0  # a healthy meeting point answers within 10 ms
 # The longest that a first message waits: 2 ms are usual, a machine that is busy needs more.
 _SETTLE_TIMEOUT_S = 0.5
+_JOIN_TIMEOUT_S = 2.0  # threads end within a millisecond of their session
 
 #: Every context that has a session: what the way out of the process has to close.
 open_contexts: weakref.WeakSet[Context] = weakref.WeakSet()
@@ -56,6 +57,7 @@ class Context:
         self._graph: Graph | None = None
         self._wakers: list[Callable[[], None]] = []
         self._on_shutdown: list[Callable[[], None]] = []
+        self._threads: dict[threading.Thread, Callable[[], object]] = {}
         self._entity_ids = itertools.count()
         self._nodes: weakref.WeakSet[Node] = weakref.WeakSet()
         self.arguments = Arguments()
@@ -215,7 +217,13 @@ class Context:
         if self._graph is None:
             with self._lock:
                 if self._graph is None:
-                    self._graph = Graph(self.session, self.dialect, self._domain, self.settle)
+                    self._graph = Graph(
+                        self.session,
+                        self.dialect,
+                        self._domain,
+                        settle=self.settle,
+                        start_thread=self.start_thread,
+                    )
         return self._graph
 
     @property
@@ -280,9 +288,12 @@ class Context:
             self._adopt(session, meeting, watch=wait)
 
     def _adopt(self, session: zenoh.Session, meeting: MeetingPoint, *, watch: bool = True) -> None:
+        # In this order: a Ctrl-C in between must find everything that is to be closed.
         self._session, self._meeting = session, meeting
-        self._watch = MeetingWatch(session, meeting) if watch else None
         open_contexts.add(self)
+        if watch:
+            self._watch = MeetingWatch(session, meeting)
+            self._watch.start()
 
     def _check_linked(self, meeting: MeetingPoint) -> None:
         off = config.discovery_range() is config.DiscoveryRange.OFF
@@ -292,10 +303,42 @@ class Context:
                 "other nodes will not be found (choose another domain: ZBOT_DOMAIN_ID=7)"
             )
 
+    def start_thread(
+        self, name: str, run: Callable[[], None], wake: Callable[[], object] = bool
+    ) -> None:
+        """Run a function in a thread that `shutdown()` waits for.
+
+        Python kills the threads that are left at its end, and one that is inside Zenoh then takes
+        the whole process down.
+
+        Args:
+            name: Shown by debuggers.
+            run: Must end when the session is closed and `wake` was called.
+            wake: Called after the session was closed.
+        """
+
+        def body() -> None:
+            try:
+                run()
+            finally:
+                self._threads.pop(thread, None)
+
+        thread = threading.Thread(target=body, name=name, daemon=True)
+        self._threads[thread] = wake
+        thread.start()
+
+    def _join_threads(self) -> None:
+        for thread, wake in list(self._threads.items()):
+            wake()
+            # One whose start was interrupted by a signal has no ident.
+            if thread is not threading.current_thread() and thread.ident is not None:
+                thread.join(_JOIN_TIMEOUT_S)
+
     def _close(self) -> None:
         # The session first: that ends the threads which wait for its data (see docs/wire.md).
         if self._session is not None:
             self._session.close()
+        self._join_threads()
         if self._watch is not None:
             self._watch.join()
         if self._meeting is not None:

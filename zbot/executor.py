@@ -19,7 +19,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
 from zbot.callback_group import CallbackGroup, ReentrantCallbackGroup
-from zbot.errors import ExecutorBusyError, ShutdownError, ZbotError
+from zbot.errors import ExecutorBusyError, NotInitializedError, ShutdownError, ZbotError
 from zbot.task import Future, Task
 
 if TYPE_CHECKING:
@@ -32,8 +32,9 @@ if TYPE_CHECKING:
     from zbot.mailbox import Entity
     from zbot.node import Node
 
-# A lock's acquire() is not interrupted by Ctrl-C on Windows: wait in slices there.
-_LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else threading.TIMEOUT_MAX
+# Ctrl-C does not interrupt a lock's acquire() on Windows, and elsewhere not if it comes just before
+# Python goes to sleep: wait in slices.
+_LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
 
 
 class ExternalShutdownException(ZbotError):  # noqa: N818 - rclpy's name
@@ -311,6 +312,11 @@ class Executor:
                 taken = entity.take()
                 if taken is None:
                     break
+        except NotInitializedError as exc:
+            if self._context.ok():
+                raise
+            # The callback used what another thread, or the end of the program, has just closed.
+            raise ExternalShutdownException from exc
         finally:
             if outcome is None or not hasattr(outcome, "send"):
                 self._finish(entity)
@@ -383,7 +389,9 @@ class Executor:
     def _spins(self) -> Iterator[None]:
         global _main_spins  # noqa: PLW0603 - signal handlers ask for it
         if not self._spinning.acquire(blocking=False):
-            raise ExecutorBusyError
+            if self._spinner is not None:
+                raise ExecutorBusyError
+            self._spinning.acquire()  # `wait_idle` holds it for a moment
         in_main = threading.current_thread() is threading.main_thread()
         _main_spins += in_main
         self._spinner = threading.get_ident()
@@ -404,13 +412,14 @@ class Executor:
         """
         self._is_shutdown = True
         self.wake()
-        ended = self._wait_idle(-1 if timeout_sec is None or timeout_sec < 0 else timeout_sec)
+        ended = self.wait_idle(-1 if timeout_sec is None or timeout_sec < 0 else timeout_sec)
         for node in list(self._nodes):
             self.remove_node(node)
         self._context.remove_waker(self.wake)
         return ended
 
-    def _wait_idle(self, timeout_s: float) -> bool:
+    def wait_idle(self, timeout_s: float) -> bool:
+        """Wait until nothing spins here, other than the caller; below 0 for as long as it takes."""
         if self._spinner == threading.get_ident():
             return True  # a callback shuts down its own executor
         ended = self._spinning.acquire(timeout=timeout_s)
@@ -504,9 +513,9 @@ class MultiThreadedExecutor(Executor):
         try:
             self._pool.submit(self._work, entity, taken)
         except RuntimeError:
-            if not self._is_shutdown:
-                raise
-            self._end_work()  # shutdown() came between
+            # shutdown() came between, or the program is at its end.
+            self._is_shutdown = True
+            self._end_work()
             self._finish(entity)
 
     def _work(self, entity: Entity, taken: Any) -> None:
@@ -526,12 +535,14 @@ class MultiThreadedExecutor(Executor):
             self._idle.notify_all()
         self._signal.set()
 
-    def _wait_idle(self, timeout_s: float) -> bool:
-        own = threading.get_ident() in self._workers  # a callback that shuts down its own executor
+    def wait_idle(self, timeout_s: float) -> bool:
+        """Wait until nothing spins here and no callback runs, other than the caller's own."""
+        own = threading.get_ident() in self._workers
         with self._idle:
-            return self._idle.wait_for(
+            ended = self._idle.wait_for(
                 lambda: self._running <= own, None if timeout_s < 0 else timeout_s
             )
+        return ended and super().wait_idle(timeout_s)
 
     def shutdown(self, timeout_sec: float | None = None, *, wait_for_threads: bool = True) -> bool:
         """Stop spinning, leave all nodes, wait for running callbacks, and end the threads."""

@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from zbot.qos import QoSProfile
     from zbot.wire.dialect import Dialect
 
+_QUEUE = 1024  # tokens that wait for the graph's thread; a full queue only slows Zenoh down
+
 NamesAndTypes = list[tuple[str, list[str]]]
 Token = NodeToken | EndpointToken
 
@@ -81,24 +83,47 @@ class Snapshot:
         return self.names_and_types(EntityKind.SERVICE)
 
 
+class Announcement:
+    """A node or endpoint that others can see until it is undeclared, or the session closed."""
+
+    def __init__(self, graph: Graph, session: zenoh.Session, token: Token) -> None:
+        self._graph = graph
+        self._token = token
+        self._declared = session.liveliness().declare_token(token.key)
+        graph.note(token, appeared=True)
+
+    def undeclare(self) -> None:
+        """Withdraw it."""
+        self._declared.undeclare()
+        self._graph.note(self._token, appeared=False)
+
+
 class Graph:
     """The live graph of one context.
 
-    Tokens arrive on Zenoh's thread. Listeners are called there too: they must be quick and not
-    block.
+    Listeners are called in its own thread, or in the one that announces something: they must be
+    quick and not block.
 
     Args:
         session: The session through which tokens are seen.
         dialect: How tokens are written.
         domain: 0 to 232.
         settle: Waits until the session has met the others; called before the first look.
+        start_thread: Runs a function under a name until the session is closed.
     """
 
     def __init__(
-        self, session: zenoh.Session, dialect: Dialect, domain: int, settle: Callable[[], None]
+        self,
+        session: zenoh.Session,
+        dialect: Dialect,
+        domain: int,
+        *,
+        settle: Callable[[], None],
+        start_thread: Callable[[str, Callable[[], None]], None],
     ) -> None:
         self._session = session
         self._settle = settle
+        self._start_thread = start_thread
         self._dialect = dialect
         self._domain = domain
         self._key = dialect.tokens_key(domain)
@@ -117,10 +142,34 @@ class Graph:
             if self._watching:
                 return
             self._watching = True
-        callback = zenoh.handlers.Callback(self._on_sample, indirect=False)
+        # A callback would run inside `declare_token` too, where Zenoh swallows a Ctrl-C.
         self._subscriber = self._session.liveliness().declare_subscriber(
-            self._key, callback, history=True
+            self._key, zenoh.handlers.FifoChannel(_QUEUE), history=True
         )
+        self._start_thread("zbot graph", self._follow)
+
+    def _follow(self) -> None:
+        receive = self._subscriber.handler.recv
+        while True:
+            try:
+                sample = receive()
+            except zenoh.ZError:
+                return  # the session was closed
+            self._on_sample(sample)
+
+    def announce(self, token: Token) -> Announcement:
+        """Declare a token of this context, which its own graph shows at once."""
+        return Announcement(self, self._session, token)
+
+    def note(self, token: Token, *, appeared: bool) -> None:
+        """Change what is known, and tell the listeners if that is news."""
+        if appeared:
+            changed = self._add(token)
+        else:
+            with self._lock:
+                changed = self._forget(token.key) is not None
+        if changed:
+            self._tell(token, appeared)
 
     def snapshot(self) -> Snapshot:
         """Return the graph as it is now, complete from the first call on (1 to 25 ms then)."""

@@ -76,7 +76,6 @@ class NodeHandle:
         self.rates: list[Rate] = []
         self.clock = ROSClock()
         self.is_destroyed = False
-        session = context.session
         self.token = NodeToken(
             domain=context.get_domain_id(),
             zid=context.zid,
@@ -85,7 +84,7 @@ class NodeHandle:
             node=name,
             enclave=arguments.enclave,
         )
-        self.liveliness = session.liveliness().declare_token(self.token.key)
+        self.liveliness = context.graph.announce(self.token)
         self.adviser = adviser_of(context)
         self.adviser.add(self.token, self.logger_name)
 

@@ -70,7 +70,7 @@ class Publisher(Generic[MsgT]):
         self._lock = threading.Lock()
         self._publisher: Any = _declare(context, token)
         self._put = self._put_first
-        self._liveliness = context.session.liveliness().declare_token(token.key)
+        self._liveliness = context.graph.announce(token)
 
     @property
     def handle(self) -> Any:

@@ -205,6 +205,9 @@ class MeetingWatch:
         self._thread = threading.Thread(
             target=self._run, args=(events.handler,), name="zbot meeting", daemon=True
         )
+
+    def start(self) -> None:
+        """Begin to watch."""
         self._thread.start()
 
     def _run(self, events: Any) -> None:
@@ -283,7 +286,7 @@ class MeetingWatch:
     def join(self) -> None:
         """Wait for the thread to end; call it after the session was closed."""
         self._closing.set()
-        if threading.current_thread() is not self._thread:
+        if threading.current_thread() is not self._thread and self._thread.ident is not None:
             self._thread.join(2.0)
 
 

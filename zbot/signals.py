@@ -20,7 +20,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from zbot.context import open_contexts
-from zbot.errors import SetupError
+from zbot.errors import NotInitializedError, SetupError
 from zbot.executor import ExternalShutdownException, spinning_in_main_thread
 
 if TYPE_CHECKING:
@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 _PACKAGE = str(Path(__file__).parent) + os.sep
 _TERMINATED = 128 + signal.SIGTERM
+_AGAIN_S = 0.001
+_PATIENCE_S = 0.3  # for a callback that is running when the program ends
 
 
 class SignalHandlerOptions(enum.Enum):
@@ -45,7 +47,8 @@ class _Process:
     previous: dict[int, Any] = {}  # noqa: RUF012 - one per process
     hooked = False
     ending = False
-    terminated = False
+    got_sigterm = False
+    dies_of_sigterm = False
 
 
 def install(options: SignalHandlerOptions) -> None:
@@ -104,9 +107,10 @@ def _on_sigterm(number: int, frame: FrameType | None) -> None:
     if callable(previous):
         previous(number, frame)
         return
-    _Process.terminated = True
+    _Process.got_sigterm = True
     if spinning_in_main_thread():
         raise ExternalShutdownException
+    _Process.dies_of_sigterm = True
     raise SystemExit(_TERMINATED)
 
 
@@ -118,10 +122,15 @@ def _hook_ways_out() -> None:
     thread_hook = threading.excepthook
 
     def on_thread_exception(args: threading.ExceptHookArgs) -> None:
-        if not issubclass(args.exc_type, (ExternalShutdownException, KeyboardInterrupt)):
+        quiet: tuple[type[BaseException], ...] = (ExternalShutdownException, KeyboardInterrupt)
+        if _Process.ending:
+            quiet += (NotInitializedError,)  # the thread used what was closed under it
+        if not issubclass(args.exc_type, quiet):
+            _shorten(args.exc_value)
             thread_hook(args)
 
     threading.excepthook = on_thread_exception
+    sys.unraisablehook = _again(sys.unraisablehook)
     # Python joins non-daemon threads before it runs atexit functions, and Zenoh's thread ends only
     # with its session: concurrent.futures closes its pools through the same, private, hook.
     threading._register_atexit(_close_contexts)  # type: ignore[attr-defined]
@@ -134,10 +143,33 @@ def _quiet(previous: Any) -> Any:
     ) -> None:
         if issubclass(kind, SetupError):
             print(value, file=sys.stderr)
-        elif not issubclass(kind, (KeyboardInterrupt, ExternalShutdownException)):
-            previous(kind, value, user_part(trace))
+        elif issubclass(kind, ExternalShutdownException):
+            _Process.dies_of_sigterm = _Process.got_sigterm  # nobody caught it
+        elif not issubclass(kind, KeyboardInterrupt):
+            _shorten(value)
+            previous(kind, value, value.__traceback__ or trace)
 
     return excepthook
+
+
+def _again(previous: Any) -> Any:
+    """Repeat a signal whose exception ended in a destructor, where Python drops it."""
+
+    def unraisablehook(args: Any) -> None:
+        number = signal.SIGINT if args.exc_type is KeyboardInterrupt else signal.SIGTERM
+        ours = (KeyboardInterrupt, ExternalShutdownException, SystemExit)
+        if _Process.ending or sys.platform == "win32" or not issubclass(args.exc_type, ours):
+            previous(args)
+        else:
+            threading.Timer(_AGAIN_S, os.kill, (os.getpid(), number)).start()
+
+    return unraisablehook
+
+
+def _shorten(value: BaseException | None) -> None:
+    # Python prints the exception's own traceback, whatever a hook is given beside it.
+    if value is not None:
+        value.__traceback__ = user_part(value.__traceback__)
 
 
 def user_part(trace: TracebackType | None) -> TracebackType | None:
@@ -166,14 +198,18 @@ def _is_ours(entry: TracebackType) -> bool:
 def _close_contexts() -> None:
     _Process.ending = True
     for context in list(open_contexts):
+        executors = {node.executor for node in context.nodes if node.executor is not None}
         try:
             context.shutdown()
         except Exception:  # noqa: BLE001 - the others must be closed too
             traceback.print_exc()
+        # Python kills daemon threads at its end; one that is inside Zenoh takes the process down.
+        for executor in executors:
+            executor.wait_idle(_PATIENCE_S)
 
 
 def _die_of_sigterm() -> None:
-    if _Process.terminated and sys.platform != "win32":
+    if _Process.dies_of_sigterm and sys.platform != "win32":
         # The parent shall see what ended us, as it does for a program that ignores SIGTERM's name.
         for stream in (sys.stdout, sys.stderr):
             if stream is not None and not stream.closed:

@@ -130,7 +130,7 @@ class Subscription(Generic[MsgT]):
         self._armed = threading.Lock()
         self._is_waiting = False
         self._is_destroyed = False
-        self._liveliness = context.session.liveliness().declare_token(token.key)
+        self._liveliness = context.graph.announce(token)
 
     def start(self) -> None:
         """Begin to listen; the executor learns of messages through the mailbox."""

@@ -1,0 +1,293 @@
+"""Every way out of a program: quiet, quick, and with the exit code that the parent expects."""
+
+from __future__ import annotations
+
+import os
+import random
+import signal
+import sys
+import threading
+import time
+from typing import TYPE_CHECKING
+
+import pytest
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import Program
+
+    Start = Callable[..., Program]
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+
+LIMIT_S = 1.0
+#: Set ZBOT_TEST_SEED to repeat the moments of a failed run.
+SEED = os.environ.get("ZBOT_TEST_SEED", str(time.time_ns()))
+
+HEAD = """
+import sys, threading, time
+import zbot
+from std_msgs.msg import String
+
+class Robot(zbot.Node):
+    def __init__(self):
+        super().__init__("robot")
+        self.publisher = self.create_publisher(String, "chatter", 10)
+        self.subscription = self.create_subscription(String, "chatter", self.listen, 10)
+        self.timer = self.create_timer(0.001, self.tick)
+
+    def tick(self):
+        self.publisher.publish(String(data="hello"))
+
+    def listen(self, message):
+        self.get_logger().debug(message.data)
+
+zbot.init()
+print("up", flush=True)
+"""
+
+PROGRAMS = {
+    "spin": HEAD + "zbot.spin(Robot())",
+    "spin_once": HEAD
+    + """
+robot = Robot()
+while zbot.ok():
+    zbot.spin_once(robot, timeout_sec=0.01)
+""",
+    "threads": HEAD
+    + """
+executor = zbot.MultiThreadedExecutor()
+executor.add_node(Robot())
+threading.Thread(target=executor.spin, daemon=True).start()
+while True:
+    time.sleep(0.2)  # Python itself misses a signal just before it goes to sleep
+""",
+    "sleep": HEAD
+    + """
+robot = Robot()
+robot.tick = None
+robot.timer.callback = lambda: time.sleep(60)
+zbot.spin(robot)
+""",
+    "publish": HEAD
+    + """
+robot = Robot()
+while True:
+    robot.tick()
+""",
+    "rate": HEAD
+    + """
+robot = Robot()
+rate = robot.create_rate(1000)
+while zbot.ok():
+    robot.tick()
+    rate.sleep()
+""",
+}
+
+LESSON = """
+import zbot as rclpy
+from zbot import Node
+
+class MinimalNode(Node):
+    def __init__(self):
+        super().__init__('minimal_node')
+        self.get_logger().info('Hello from ROS2!')
+
+def main(args=None):
+    rclpy.init(args=args)
+    node = MinimalNode()
+    rclpy.spin(node)
+    node.destroy_node()
+    rclpy.shutdown()
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+def end(program: Program, number: int) -> int:
+    """Send a signal; return the exit code, after checking that the end was quiet and quick."""
+    begin = time.monotonic()
+    code = program.stop(number)
+    took_s = time.monotonic() - begin
+    for word in ("Traceback", "Error", "Exception", "panicked"):
+        assert word not in program.output
+    assert took_s < LIMIT_S
+    return code
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["SIGINT", "SIGTERM"])
+@pytest.mark.parametrize("kind", PROGRAMS)
+def test_a_signal_at_any_moment_ends_quietly(start: Start, kind: str, number: int) -> None:
+    moments = random.Random(f"{SEED} {kind} {number}")
+    for _ in range(3):
+        delay_s = moments.choice((0.02, 0.1, 0.3)) * moments.random()
+        print(f"ZBOT_TEST_SEED={SEED}: signal {number} after {delay_s:.4f} s")
+        program = start(source=PROGRAMS[kind])
+        program.wait_for("up")
+        threading.Event().wait(delay_s)
+        # A loop that asks ok() may come to its end before it meets the exception.
+        assert end(program, number) in {-number, 0 if "ok()" in PROGRAMS[kind] else -number}
+
+
+def test_the_lessons_listing_ends_quietly(start: Start) -> None:
+    program = start(source=LESSON)
+    program.wait_for("Hello from ROS2!")
+    assert end(program, signal.SIGINT) == -signal.SIGINT
+    assert len(program.lines) == 1
+
+
+@pytest.mark.parametrize(
+    ("caught", "number"),
+    [
+        ("KeyboardInterrupt", signal.SIGINT),
+        ("zbot.ExternalShutdownException", signal.SIGTERM),
+        ("(KeyboardInterrupt, zbot.ExternalShutdownException)", signal.SIGINT),
+        ("(KeyboardInterrupt, zbot.ExternalShutdownException)", signal.SIGTERM),
+    ],
+)
+def test_a_program_that_catches_the_exception_ends_normally(
+    start: Start, caught: str, number: int
+) -> None:
+    program = start(
+        source=f"""
+import zbot
+zbot.init()
+node = zbot.Node("robot")
+node.create_guard_condition(lambda: print("ready", flush=True)).trigger()
+try:
+    zbot.spin(node)
+except {caught}:
+    print("caught", zbot.ok())
+finally:
+    node.destroy_node()
+    zbot.try_shutdown()
+print("end")
+"""
+    )
+    program.wait_for("ready")
+    assert end(program, number) == 0
+    assert program.lines == ["ready", "caught False", "end"]
+
+
+def test_publishing_works_on_the_way_out(start: Start) -> None:
+    listener = start(
+        source="""
+import zbot
+from std_msgs.msg import String
+with zbot.init():
+    node = zbot.Node("listener")
+    node.create_subscription(String, "farewell", lambda message: print(message.data), 10)
+    print("ready", flush=True)
+    zbot.spin(node)
+"""
+    )
+    listener.wait_for("ready")
+    program = start(
+        source="""
+import zbot
+from std_msgs.msg import String
+with zbot.init():
+    node = zbot.Node("robot")
+    publisher = node.create_publisher(String, "farewell", 10)
+    node.create_guard_condition(lambda: print("ready", flush=True)).trigger()
+    try:
+        zbot.spin(node)
+    finally:
+        publisher.publish(String(data="stop the motors"))
+"""
+    )
+    program.wait_for("ready")
+    assert end(program, signal.SIGINT) == -signal.SIGINT
+    listener.wait_for("stop the motors", timeout_s=2)
+
+
+def test_two_signals_in_a_row_end_quietly_too(start: Start) -> None:
+    program = start(source=PROGRAMS["spin"])
+    program.wait_for("up")
+    program.process.send_signal(signal.SIGINT)
+    assert end(program, signal.SIGINT) in {-signal.SIGINT, 0}
+
+
+def test_a_handler_of_the_programs_own_is_respected(start: Start) -> None:
+    program = start(
+        source="""
+import signal, zbot
+signal.signal(signal.SIGINT, lambda number, frame: print("own handler", flush=True))
+zbot.init()
+node = zbot.Node("robot")
+node.create_guard_condition(lambda: print("ready", flush=True)).trigger()
+try:
+    zbot.spin(node)
+except zbot.ExternalShutdownException:
+    pass
+print("spin ended")
+"""
+    )
+    program.wait_for("ready")
+    assert end(program, signal.SIGINT) == 0
+    assert program.lines == ["ready", "own handler", "spin ended"]
+
+
+# -- without a signal ------------------------------------------------------------------------------
+
+
+def test_an_exception_in_a_callback_is_reported_from_the_users_line_on(start: Start) -> None:
+    program = start(
+        source="""
+import zbot
+
+class Robot(zbot.Node):
+    def __init__(self):
+        super().__init__("robot")
+        self.create_timer(0.001, self.tick)
+
+    def tick(self):
+        self.measure()
+
+    def measure(self):
+        return 1 / 0
+
+with zbot.init():
+    zbot.spin(Robot())
+"""
+    )
+    assert program.wait() == 1
+    assert program.lines[0] == "Traceback (most recent call last):"
+    assert "in tick" in program.lines[1]
+    assert "in measure" in program.output
+    assert program.lines[-1] == "ZeroDivisionError: division by zero"
+    assert f"{os.sep}zbot{os.sep}" not in program.output
+
+
+@pytest.mark.parametrize(
+    ("way", "code"),
+    [
+        ("pass", 0),
+        ("sys.exit(3)", 3),
+        ("raise SystemExit", 0),
+        ("zbot.shutdown()", 0),
+        ("zbot.shutdown(); zbot.shutdown()", 0),
+        ("robot.destroy_node(); robot.destroy_node()", 0),
+        ("robot.destroy_node(); zbot.shutdown()", 0),
+        ("zbot.shutdown(); robot.destroy_node()", 0),
+        ("raise ValueError('mine')", 1),
+        ("threading.Thread(target=zbot.spin, args=(robot,), daemon=True).start()", 0),
+        ("threading.Thread(target=zbot.spin, args=(robot,)).start(); zbot.shutdown()", 0),
+    ],
+)
+def test_a_program_that_comes_to_its_end_ends(start: Start, way: str, code: int) -> None:
+    program = start(source=HEAD + f"robot = Robot()\nrobot.tick()\n{way}\n")
+    program.wait_for("up")
+    begin = time.monotonic()
+    assert program.wait() == code
+    assert time.monotonic() - begin < LIMIT_S
+    assert ("Traceback" in program.output) == ("mine" in way)
+
+
+def test_a_parent_sees_that_a_child_died_of_sigterm_in_a_sleep(start: Start) -> None:
+    program = start(source=HEAD + "Robot()\nprint('asleep', flush=True)\ntime.sleep(60)\n")
+    program.wait_for("asleep")
+    assert end(program, signal.SIGTERM) == -signal.SIGTERM
