@@ -10,6 +10,7 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import pytest
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 
     from zbot.log.record import Record
 
+_RESERVATION_PORT = MEETING_PORT + 1000
 _PREFIXES = ("ZBOT_", "ROS_", "RCUTILS_", "ZENOH_", "AMENT_", "COLCON_")
 
 
@@ -35,27 +37,36 @@ def clean_environment(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture
-def domain(monkeypatch: pytest.MonkeyPatch, worker_id: str) -> int:
+def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
     """Return a domain that nobody on this machine uses, and put it into the environment."""
-    # Workers begin in different places, so that two never ask for one port at the same moment.
-    worker = int(worker_id.removeprefix("gw") or 0) if worker_id != "master" else 0
-    first = (worker * 37 + time.monotonic_ns() // 1000) % MAX_DOMAIN_ID
+    first = time.monotonic_ns() // 1000 % MAX_DOMAIN_ID
     for offset in range(MAX_DOMAIN_ID):
         candidate = 1 + (first + offset) % MAX_DOMAIN_ID
-        if _is_free(MEETING_PORT + candidate):
-            monkeypatch.setenv("ZBOT_DOMAIN_ID", str(candidate))
-            return candidate
+        # A meeting port is free now and then while its test runs: a second port reserves it.
+        with _bound(_RESERVATION_PORT + candidate) as is_ours:
+            if is_ours and _is_free(MEETING_PORT + candidate):
+                monkeypatch.setenv("ZBOT_DOMAIN_ID", str(candidate))
+                yield candidate
+                return
     pytest.fail("every meeting port of this machine is taken")
 
 
-def _is_free(port: int) -> bool:
-    with socket.socket() as probe:
-        probe.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+@contextmanager
+def _bound(port: int) -> Iterator[bool]:
+    with socket.socket() as holder:
+        holder.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
-            probe.bind(("127.0.0.1", port))
+            holder.bind(("127.0.0.1", port))
+            holder.listen()
         except OSError:
-            return False
-        return True
+            yield False
+        else:
+            yield True
+
+
+def _is_free(port: int) -> bool:
+    with _bound(port) as is_free:
+        return is_free
 
 
 def wait_until(condition: Callable[[], bool], timeout_s: float = 5.0) -> bool:
