@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.event import SubscriptionEventCallbacks
+from zbot.executor import SingleThreadedExecutor
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.looking import full_name, hidden_node
 from zbot_cli.topic_type import message_class, wait_for_type
@@ -101,9 +102,11 @@ class Echo:
         self._format = formatter(self._form)
         self._accepts = self._filter()
         with hidden_node("echo", self._node_name, use_sim_time=self._use_sim_time) as node:
+            executor = SingleThreadedExecutor(context=node.context)
+            executor.add_node(node)
             self._begin(node)
             deadline = None if self._timeout_s is None else time.monotonic() + self._timeout_s
-            self._spin(node, deadline)
+            self._spin(executor, deadline)
         if self._timeout_s is not None and not self._shown:
             raise NothingReceivedError(self._names, self._timeout_s)
 
@@ -154,12 +157,8 @@ class Echo:
             event_callbacks=callbacks,
         )
 
-    def _spin(self, node: Node, deadline: float | None) -> None:
-        import zbot  # noqa: PLC0415 - makes the message packages importable
-
-        executor = zbot.SingleThreadedExecutor(context=node.context)
-        executor.add_node(node)
-        while node.context.ok() and not self._done:
+    def _spin(self, executor: SingleThreadedExecutor, deadline: float | None) -> None:
+        while executor.context.ok() and not self._done:
             left = None if deadline is None else deadline - time.monotonic()
             if left is not None and left <= 0:
                 return

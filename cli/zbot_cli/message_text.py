@@ -57,7 +57,7 @@ _Dumper.add_representer(
 
 
 def to_yaml(value: Any) -> str:
-    """Return a value of plain types as block YAML, ending with a newline."""
+    """Return a dictionary or list of plain types as block YAML, ending with a newline."""
     text: str = yaml.dump(
         value,
         Dumper=_Dumper,
@@ -66,7 +66,7 @@ def to_yaml(value: Any) -> str:
         sort_keys=False,
         width=2**31 - 1,
     )
-    return text.removesuffix("...\n")
+    return text
 
 
 def formatter(form: Form) -> Callable[[str, Any, MessageInfo], str]:

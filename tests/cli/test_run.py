@@ -1,0 +1,131 @@
+"""`zbot run`: nodes by name, by package and by path."""
+
+from __future__ import annotations
+
+import signal
+from typing import TYPE_CHECKING
+
+import pytest
+
+from tests.cli.command import zbot
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from tests.conftest import Program
+
+    Start = Callable[..., Program]
+
+SETUP = """
+from setuptools import setup
+package_name = 'my_robot'
+setup(name=package_name, entry_points={
+    'console_scripts': [
+        'hello = my_robot.hello:main',
+        f'named = {package_name}.hello:main',
+        package_name + '_node = my_robot.hello:main',
+    ],
+})
+"""
+HELLO = """
+import sys
+from my_robot.words import GREETING
+
+def main():
+    print(GREETING, *sys.argv[1:], flush=True)
+    return 3 if 'fail' in sys.argv else None
+"""
+
+
+@pytest.fixture
+def workspace(tmp_path: Path) -> Path:
+    """A workspace with one ament_python package, nothing built."""
+    package = tmp_path / "ws" / "src" / "my_robot"
+    module = package / "my_robot"
+    module.mkdir(parents=True)
+    (package / "package.xml").write_text("<package><name>my_robot</name></package>")
+    (package / "setup.py").write_text(SETUP)
+    (module / "__init__.py").touch()
+    (module / "hello.py").write_text(HELLO)
+    (module / "words.py").write_text("GREETING = 'hello from my_robot'\n")
+    return tmp_path / "ws"
+
+
+@pytest.mark.parametrize("name", ["hello", "named", "my_robot_node"])
+@pytest.mark.parametrize("folder", [".", "src", "src/my_robot", "src/my_robot/my_robot"])
+def test_a_package_of_the_workspace_runs_unbuilt(workspace: Path, name: str, folder: str) -> None:
+    done = zbot("run", "my_robot", name, "a", "--ros-args", "-r", "x:=y", cwd=workspace / folder)
+    assert done.out == "hello from my_robot a --ros-args -r x:=y\n"
+    assert done.code == 0
+
+
+def test_the_workspace_can_be_named(
+    workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ZBOT_WORKSPACE", str(workspace))
+    assert zbot("run", "hello", cwd=tmp_path).out == "hello from my_robot\n"
+
+
+def test_the_exit_code_is_the_programs(workspace: Path) -> None:
+    assert zbot("run", "my_robot", "hello", "fail", cwd=workspace).code == 3
+
+
+def test_a_wrong_executable_shows_what_there_is(workspace: Path) -> None:
+    done = zbot("run", "my_robot", "helo", cwd=workspace)
+    assert done.code == 1
+    assert "No executable found" in done.err
+    assert "did you mean 'hello'? my_robot has hello, my_robot_node, named" in done.err
+
+
+def test_a_file_runs_as_main(tmp_path: Path) -> None:
+    (tmp_path / "hi.py").write_text(
+        "import sys\nfrom std_msgs.msg import String\nprint(__name__, String(data='x'), sys.argv)\n"
+    )
+    done = zbot("run", "hi.py", "-v", cwd=tmp_path)
+    assert done.out == "__main__ std_msgs.msg.String(data='x') ['hi.py', '-v']\n"
+
+
+def test_a_fault_of_the_program_is_shown_by_python(start: Start, tmp_path: Path) -> None:
+    (tmp_path / "bad.py").write_text("1/0\n")
+    program = start("zbot", "run", "bad.py")
+    program.wait_for("ZeroDivisionError: division by zero")
+    assert program.wait() == 1
+
+
+def test_a_prefix_stands_before_the_program(tmp_path: Path) -> None:
+    (tmp_path / "hi.py").write_text("import os\nprint(os.environ['GREETING'])\n")
+    assert zbot("run", "--prefix", "env GREETING='good day'", "hi.py", cwd=tmp_path).out == (
+        "good day\n"
+    )
+    assert (
+        "Prefix command 'nonesuch' not found" in zbot("run", "--prefix", "nonesuch", "talker").err
+    )
+
+
+@pytest.mark.usefixtures("domain")
+def test_names_can_be_remapped(start: Start) -> None:
+    talker = start(
+        "zbot", "run", "talker", "--ros-args",
+        "-r", "__node:=bob", "-r", "__ns:=/lab", "-r", "chatter:=words",
+    )  # fmt: skip
+    talker.wait_for("[lab.bob]: Publishing")
+    assert zbot("node", "list").out == "/lab/bob\n"
+    assert "/lab/words\n" in zbot("topic", "list").out
+    assert zbot("topic", "echo", "/lab/words", "--once", "--field", "data").out.startswith("Hello")
+
+
+@pytest.mark.parametrize(
+    ("number", "code"), [(signal.SIGINT, -signal.SIGINT), (signal.SIGTERM, -signal.SIGTERM)]
+)
+def test_a_signal_ends_it_without_a_word(start: Start, number: int, code: int) -> None:
+    talker = start("zbot", "run", "talker")
+    talker.wait_for("Publishing")
+    assert talker.stop(number) == code
+    assert all("[INFO]" in line for line in talker.lines)
+
+
+def test_malformed_ros_args_are_told(start: Start) -> None:
+    talker = start("zbot", "run", "talker", "--ros-args", "-r", "chatter=words")
+    assert talker.wait() == 1
+    assert "chatter=words" in talker.output

@@ -1,0 +1,272 @@
+"""`zbot topic` and `zbot node` beside running nodes."""
+
+from __future__ import annotations
+
+import json
+import re
+import signal
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot as library
+from tests.cli.command import zbot
+from tests.conftest import wait_until
+
+from sensor_msgs.msg import LaserScan  # isort: skip
+from std_msgs.msg import Header, Int32, String  # isort: skip
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from tests.conftest import Program, Spinner
+
+    Start = Callable[..., Program]
+    Spin = Callable[..., Spinner]
+    MakeContext = Callable[[], library.Context]
+
+
+@pytest.fixture
+def robot(make_context: MakeContext, spin: Spin) -> library.Node:
+    """A node that publishes on /chatter and /robot1/scan, ten times a second."""
+    node = library.Node("robot", context=make_context())
+    chatter = node.create_publisher(String, "chatter", 10)
+    scan = node.create_publisher(LaserScan, "/robot1/scan", 10)
+    node.create_publisher(String, "_hidden", 10)
+
+    def speak() -> None:
+        chatter.publish(String(data="hello"))
+        stamp = node.get_clock().now().to_msg()
+        scan.publish(LaserScan(header=Header(stamp=stamp, frame_id="laser")))
+
+    node.create_timer(0.1, speak)
+    spin(node)
+    return node
+
+
+@pytest.mark.usefixtures("robot")
+def test_list_shows_what_its_options_ask_for() -> None:
+    assert zbot("topic", "list").out == "/chatter\n/parameter_events\n/robot1/scan\n/rosout\n"
+    assert zbot("topic", "list", "--count-topics").out == "4\n"
+    assert "/_hidden\n" in zbot("topic", "list", "--include-hidden-topics").out
+    assert zbot("topic", "list", "-v").out == (
+        "Published topics:\n"
+        " * /chatter [std_msgs/msg/String] 1 publisher\n"
+        " * /parameter_events [rcl_interfaces/msg/ParameterEvent] 1 publisher\n"
+        " * /robot1/scan [sensor_msgs/msg/LaserScan] 1 publisher\n"
+        " * /rosout [rcl_interfaces/msg/Log] 1 publisher\n"
+        "\nSubscribed topics:\n\n"
+    )
+    found = {topic["name"]: topic for topic in json.loads(zbot("topic", "list", "--json").out)}
+    assert found["/chatter"]["types"] == ["std_msgs/msg/String"]
+    assert found["/chatter"]["publishers"] == 1
+
+
+@pytest.mark.usefixtures("domain")
+def test_lists_are_empty_where_nobody_is() -> None:
+    for words in (["topic", "list"], ["node", "list"]):
+        done = zbot(*words)
+        assert (done.code, done.out, done.err) == (0, "", "")
+
+
+@pytest.mark.usefixtures("robot")
+def test_info_shows_every_endpoint() -> None:
+    text = zbot("topic", "info", "chatter", "--verbose").out
+    assert re.fullmatch(
+        r"Type: std_msgs/msg/String\n\nPublisher count: 1\n\nNode name: robot\nNode namespace: /\n"
+        r"Topic type: std_msgs/msg/String\nTopic type hash: RIHS01_df668c[0-9a-f]{58}\n"
+        r"Endpoint type: PUBLISHER\nGID: ([0-9a-f]{2}\.){15}[0-9a-f]{2}\nQoS profile:\n"
+        r"  Reliability: RELIABLE\n  History \(Depth\): KEEP_LAST \(10\)\n  Durability: VOLATILE\n"
+        r"  Lifespan: Infinite\n  Deadline: Infinite\n  Liveliness: AUTOMATIC\n"
+        r"  Liveliness lease duration: Infinite\n\nSubscription count: 0\n\n",
+        text,
+    )
+
+
+@pytest.mark.usefixtures("robot")
+def test_nodes_are_listed_and_described() -> None:
+    assert zbot("node", "list").out == "/robot\n"
+    assert zbot("node", "list", "-c").out == "1\n"
+    assert json.loads(zbot("node", "list", "--json").out) == [{"name": "robot", "namespace": "/"}]
+    assert zbot("node", "info", "robot").out.startswith("/robot\n  Subscribers:\n\n  Publishers:\n")
+    found = json.loads(zbot("node", "info", "/robot", "--json").out)
+    assert found["Publishers"]["/chatter"] == ["std_msgs/msg/String"]
+
+
+@pytest.mark.usefixtures("robot")
+def test_an_unknown_name_suggests_the_nearest() -> None:
+    assert "hint: did you mean /chatter?" in zbot("topic", "info", "/chattre").err
+    assert "hint: did you mean /robot?" in zbot("node", "info", "/robott").err
+
+
+@pytest.mark.parametrize(
+    ("words", "wanted"),
+    [
+        ([], "data: hello\n---\n"),
+        (["--json"], '{"data": "hello"}\n'),
+        (["--csv"], "hello\n"),
+        (["--field", "data"], "hello\n---\n"),
+        (["--raw"], "b'\\x81\\xa4data\\xa5hello'\n---\n"),
+        (["--filter", "m.data == 'hello'"], "data: hello\n---\n"),
+        (["--no-str"], "data: '<string length: <5>>'\n---\n"),
+    ],
+)
+@pytest.mark.usefixtures("robot")
+def test_echo_in_every_form(words: list[str], wanted: str) -> None:
+    done = zbot("topic", "echo", "--once", "/chatter", *words)
+    assert (done.code, done.out) == (0, wanted)
+
+
+@pytest.mark.usefixtures("robot")
+def test_echo_of_several_topics_says_which() -> None:
+    done = zbot("topic", "echo", "/chatter", "/robot1/scan", "--timeout", "1")
+    assert done.code == 0
+    assert "# /chatter\ndata: hello\n---\n" in done.out
+    assert "# /robot1/scan\nheader:\n" in done.out
+
+
+@pytest.mark.usefixtures("robot")
+def test_echo_takes_wildcards() -> None:
+    done = zbot("topic", "echo", "/robot*/scan", "--once")
+    assert done.out.startswith("# /robot1/scan\nheader:\n")
+
+
+@pytest.mark.usefixtures("domain")
+def test_echo_that_hears_nothing_in_time_fails() -> None:
+    done = zbot("topic", "echo", "/nothing", "std_msgs/msg/String", "--timeout", "0.3")
+    assert (done.code, done.out) == (1, "")
+    assert "no message on /nothing within 0.3 s" in done.err
+
+
+def test_echo_waits_and_survives_its_publishers(start: Start) -> None:
+    echo = start("zbot", "topic", "echo", "/chatter")
+    echo.wait_for("waiting for /chatter to appear")
+    for _ in range(2):
+        talker = start("zbot", "run", "talker")
+        echo.wait_for("data: 'Hello World: 0'")
+        talker.stop(signal.SIGKILL)
+    assert echo.stop() == 130
+    assert "Traceback" not in echo.output
+
+
+@pytest.mark.usefixtures("robot")
+def test_rates_bandwidths_and_delays(start: Start) -> None:
+    rate = start("zbot", "topic", "hz", "/chatter")
+    bandwidth = start("zbot", "topic", "bw", "/chatter")
+    delay = start("zbot", "topic", "delay", "/robot1/scan")
+    assert 9 < float(rate.wait_for("average rate: ").rpartition(" ")[2]) < 11
+    assert re.search(r"\tmin: .*s max: .*s std dev: 0\.\d{5}s window: \d+", rate.wait_for("window"))
+    bandwidth.wait_for("Subscribed to [/chatter]")
+    assert re.fullmatch(r"\d+ B/s from \d+ messages", bandwidth.wait_for("B/s from"))
+    assert bandwidth.wait_for("size") == "\tMessage size mean: 12 B min: 12 B max: 12 B"
+    assert 0 <= float(delay.wait_for("average delay: ").rpartition(" ")[2]) < 0.5
+    assert [one.stop() for one in (rate, bandwidth, delay)] == [130, 130, 130]
+
+
+@pytest.mark.usefixtures("robot")
+def test_several_rates_make_a_table(start: Start) -> None:
+    rates = start("zbot", "topic", "hz", "/chatter", "/robot1/scan")
+    assert rates.wait_for("topic").split() == [
+        "topic",
+        "rate",
+        "min_delta",
+        "max_delta",
+        "std_dev",
+        "window",
+    ]
+    assert set(rates.wait_for("===")) == {"="}
+    rates.wait_for("/chatter ")
+    rates.wait_for("/robot1/scan ")
+
+
+def test_a_delay_needs_a_header(start: Start, robot: library.Node) -> None:
+    del robot
+    delay = start("zbot", "topic", "delay", "/chatter")
+    delay.wait_for("msg does not have header")
+    assert delay.wait() == 1
+
+
+# -- publishing ------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def inbox(make_context: MakeContext, spin: Spin) -> list[Any]:
+    """What a subscription of /numbers (Int32) hears."""
+    heard: list[Any] = []
+    node = library.Node("listener", context=make_context())
+    node.create_subscription(Int32, "numbers", heard.append, 1000)
+    spin(node)
+    return heard
+
+
+def test_pub_needs_no_type_where_somebody_listens(inbox: list[Any]) -> None:
+    done = zbot("topic", "pub", "--once", "/numbers", "{data: 7}")
+    assert (done.code, done.err) == (0, "")
+    assert "publishing #1: std_msgs.msg.Int32(data=7)" in done.out
+    assert wait_until(lambda: [message.data for message in inbox] == [7])
+
+
+def test_pub_keeps_the_rate_of_1_khz(inbox: list[Any]) -> None:
+    done = zbot("topic", "pub", "-t", "1001", "-r", "1000", "-p", "0", "/numbers", "{data: 7}")
+    assert done.code == 0
+    assert done.out.splitlines()[-1] == "publisher: beginning loop"
+    assert wait_until(lambda: len(inbox) == 1001)
+
+
+def test_pub_reads_standard_input_and_files(inbox: list[Any], tmp_path: Path) -> None:
+    assert zbot("topic", "pub", "--once", "--stdin", "/numbers", stdin="data: 1").code == 0
+    saved = tmp_path / "saved.yaml"
+    saved.write_text("data: 2\n---\ndata: 3\n---\n", encoding="utf-8")
+    done = zbot("topic", "pub", "-r", "100", "-w", "1", "/numbers", "--yaml-file", str(saved))
+    assert done.code == 0
+    assert wait_until(lambda: [message.data for message in inbox] == [1, 2, 3])
+
+
+@pytest.mark.usefixtures("domain")
+def test_pub_gives_up_waiting_when_told_to() -> None:
+    done = zbot("topic", "pub", "--once", "--max-wait-time-secs", "0.2", "/x", "std_msgs/Empty")
+    assert done.code == 1
+    assert "Expected 1 subscribers but only got 0 subscribers" in done.err
+
+
+@pytest.mark.usefixtures("domain")
+def test_pub_without_a_type_says_how_to_name_one() -> None:
+    done = zbot("topic", "pub", "/x", "{data: 1}")
+    assert done.code == 1
+    assert "hint: name the type: zbot topic pub /x std_msgs/msg/String" in done.err
+
+
+# -- others ----------------------------------------------------------------------------------------
+
+
+def test_a_plain_zenoh_program_is_listed_and_measured(
+    robot: library.Node, start: Start, domain: int
+) -> None:
+    publisher: Any = robot.context.session.declare_publisher(f"{domain}/plain/topic")
+    assert "/plain/topic [unknown]\n" in zbot("topic", "list", "-t").out
+    meter = start("zbot", "topic", "bw", "/plain/topic")
+    meter.wait_for("Subscribed to")
+    assert wait_until(lambda: publisher.matching_status.matching)
+    timer = robot.create_timer(0.05, lambda: publisher.put(b"12345"))
+    assert meter.wait_for("size") == "\tMessage size mean: 5 B min: 5 B max: 5 B"
+    timer.cancel()
+
+
+def test_a_node_is_killed_by_name(start: Start) -> None:
+    talker = start("zbot", "run", "talker")
+    talker.wait_for("Publishing")
+    done = zbot("node", "kill", "/talker")
+    assert (done.code, done.err) == (0, "")
+    assert talker.wait() == -signal.SIGTERM
+    assert zbot("node", "list").out == ""
+
+
+def test_two_nodes_of_one_name_are_told(start: Start) -> None:
+    for _ in range(2):
+        start("zbot", "run", "talker").wait_for("Publishing")
+    done = zbot("node", "list")
+    assert done.out == "/talker\n/talker\n"
+    assert (
+        "WARNING: Be aware that there are nodes in the graph that share an exact name" in done.err
+    )
