@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from zbot.clock import Clock
+from zbot.qos import LivelinessPolicy
 from zbot.time import ClockType
 from zbot.timer import Timer
 from zbot.wire.tokens import EndpointToken, EntityKind
@@ -214,26 +215,41 @@ class _SilenceHandler(EventHandler):
         self._count = count
         self._info = info
         self._last = count()
-        self._asserted = False
         self._total = 0
         steady = Clock(clock_type=ClockType.STEADY_TIME)
         self._timer = Timer(self._look, callback_group, period.nanoseconds, steady, mailbox)
         mailbox.add(self._timer)
 
-    def assert_liveliness(self) -> None:
-        self._asserted = True
-
     def _look(self) -> None:
         count = self._count()
-        if count == self._last and not self._asserted:
+        if self._is_silent(count):
             self._total += 1
             self.tell(self._info(self._total, 1))
-        self._last, self._asserted = count, False
+        self._last = count
+
+    def _is_silent(self, count: int) -> bool:
+        return count == self._last
 
     def destroy(self) -> None:
         self._timer.destroy()
         self.mailbox.remove(self._timer)
         super().destroy()
+
+
+class _LeaseHandler(_SilenceHandler):
+    """Tells once when a publisher neither published nor said that it is alive, until it does."""
+
+    _was_asserted = False
+    _is_lost = False
+
+    def assert_liveliness(self) -> None:
+        self._was_asserted = True
+
+    def _is_silent(self, count: int) -> bool:
+        was_lost = self._is_lost
+        self._is_lost = super()._is_silent(count) and not self._was_asserted
+        self._was_asserted = False
+        return self._is_lost and not was_lost
 
 
 def _is_finite(period: Duration) -> bool:
@@ -278,21 +294,30 @@ class PublisherEventCallbacks:
             handlers.append(
                 _TypeClashHandler(self.incompatible_type, group, mailbox, own=own, graph=graph)
             )
-        for callback, period, info in (
-            (self.deadline, own.qos.deadline, QoSOfferedDeadlineMissedInfo),
-            (self.liveliness, own.qos.liveliness_lease_duration, QoSLivelinessLostInfo),
-        ):
-            if callback is not None and _is_finite(period):
-                handlers.append(
-                    _SilenceHandler(
-                        callback,
-                        group,
-                        mailbox,
-                        period=period,
-                        count=lambda: publisher.sent_count,
-                        info=info,
-                    )
+        if self.deadline is not None and _is_finite(own.qos.deadline):
+            handlers.append(
+                _SilenceHandler(
+                    self.deadline,
+                    group,
+                    mailbox,
+                    period=own.qos.deadline,
+                    count=lambda: publisher.sent_count,
+                    info=QoSOfferedDeadlineMissedInfo,
                 )
+            )
+        lease = own.qos.liveliness_lease_duration
+        is_manual = own.qos.liveliness is LivelinessPolicy.MANUAL_BY_TOPIC
+        if self.liveliness is not None and is_manual and _is_finite(lease):
+            handlers.append(
+                _LeaseHandler(
+                    self.liveliness,
+                    group,
+                    mailbox,
+                    period=lease,
+                    count=lambda: publisher.sent_count,
+                    info=QoSLivelinessLostInfo,
+                )
+            )
 
 
 class SubscriptionEventCallbacks:

@@ -1,0 +1,286 @@
+"""Events of quality of service, as publishers and subscriptions hear of them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+from zbot.event import (
+    IncompatibleTypeInfo,
+    PublisherEventCallbacks,
+    QoSLivelinessChangedInfo,
+    QoSLivelinessLostInfo,
+    QoSMatchedInfo,
+    QoSMessageLostInfo,
+    QoSOfferedDeadlineMissedInfo,
+    QoSRequestedDeadlineMissedInfo,
+    SubscriptionEventCallbacks,
+)
+from zbot.qos import HistoryPolicy, LivelinessPolicy, QoSProfile
+
+from std_msgs.msg import Float32, Int64, String
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import Spinner
+    from zbot.log.record import Record
+
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., Spinner]
+
+KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
+
+
+def every(seconds: float) -> QoSProfile:
+    return QoSProfile(depth=10, deadline=zbot.Duration(seconds=seconds))
+
+
+def leased(seconds: float, liveliness: LivelinessPolicy) -> QoSProfile:
+    lease = zbot.Duration(seconds=seconds)
+    return QoSProfile(depth=10, liveliness=liveliness, liveliness_lease_duration=lease)
+
+
+@pytest.fixture
+def talker(make_context: MakeContext) -> zbot.Node:
+    return zbot.Node("talker", context=make_context())
+
+
+@pytest.fixture
+def listener(make_context: MakeContext) -> zbot.Node:
+    return zbot.Node("listener", context=make_context())
+
+
+def test_a_publisher_hears_of_subscriptions_that_come_and_go(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    infos: list[QoSMatchedInfo] = []
+    listener.create_subscription(String, "chatter", print, 10)
+    events = PublisherEventCallbacks(matched=infos.append)
+    talker.create_publisher(String, "chatter", 10, event_callbacks=events)
+    spin(talker)
+    assert wait_until(lambda: infos == [QoSMatchedInfo(1, 1, 1, 1)])
+    second = listener.create_subscription(String, "chatter", print, 10)
+    assert wait_until(lambda: infos[1:] == [QoSMatchedInfo(2, 1, 2, 1)])
+    listener.destroy_subscription(second)
+    assert wait_until(lambda: infos[2:] == [QoSMatchedInfo(2, 0, 1, -1)])
+    listener.context.shutdown()
+    assert wait_until(lambda: infos[3:] == [QoSMatchedInfo(2, 0, 0, -1)])
+
+
+def test_a_subscription_hears_of_publishers_that_come_and_go(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    infos: list[QoSMatchedInfo] = []
+    events = SubscriptionEventCallbacks(matched=infos.append)
+    listener.create_subscription(String, "chatter", print, 10, event_callbacks=events)
+    spin(listener)
+    talker.create_publisher(String, "elsewhere", 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    assert wait_until(lambda: infos == [QoSMatchedInfo(1, 1, 1, 1)])
+    publisher.destroy()
+    assert wait_until(lambda: infos[1:] == [QoSMatchedInfo(1, 0, 0, -1)])
+
+
+def test_a_subscription_hears_how_many_publishers_are_alive(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    infos: list[QoSLivelinessChangedInfo] = []
+    events = SubscriptionEventCallbacks(liveliness=infos.append)
+    listener.create_subscription(String, "chatter", print, 10, event_callbacks=events)
+    spin(listener)
+    talker.create_publisher(String, "chatter", 10)
+    assert wait_until(lambda: infos == [QoSLivelinessChangedInfo(1, 0, 1, 0)])
+    talker.context.shutdown()
+    assert wait_until(lambda: infos[1:] == [QoSLivelinessChangedInfo(0, 1, -1, 1)])
+
+
+def test_both_sides_hear_of_another_type(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    at_talker: list[IncompatibleTypeInfo] = []
+    at_listener: list[IncompatibleTypeInfo] = []
+    matched: list[Any] = []
+    talker.create_publisher(
+        Float32,
+        "chatter",
+        10,
+        event_callbacks=PublisherEventCallbacks(
+            incompatible_type=at_talker.append, matched=matched.append
+        ),
+    )
+    listener.create_subscription(
+        String,
+        "chatter",
+        print,
+        10,
+        event_callbacks=SubscriptionEventCallbacks(
+            incompatible_type=at_listener.append, matched=matched.append
+        ),
+    )
+    spin(talker)
+    spin(listener)
+    assert wait_until(lambda: at_talker == at_listener == [IncompatibleTypeInfo(1, 1)])
+    assert matched == []
+
+
+def test_a_subscription_hears_how_many_messages_it_lost(
+    talker: zbot.Node, listener: zbot.Node, logged: list[Record]
+) -> None:
+    infos: list[QoSMessageLostInfo] = []
+    inbox: list[int] = []
+    listener.create_subscription(
+        Int64,
+        "count",
+        lambda message: inbox.append(message.data),
+        2,
+        event_callbacks=SubscriptionEventCallbacks(message_lost=infos.append),
+    )
+    mark = listener.create_subscription(String, "mark", lambda _: None, 1)
+    publisher = talker.create_publisher(Int64, "count", KEEP_ALL)
+    marker = talker.create_publisher(String, "mark", KEEP_ALL)
+    executor = zbot.SingleThreadedExecutor(context=listener.context)
+    executor.add_node(listener)
+    publisher.publish(Int64(data=0))
+    while not inbox:
+        executor.spin_once(timeout_sec=2)
+    for number in range(1, 11):
+        publisher.publish(Int64(data=number))
+    marker.publish(String())
+    assert wait_until(lambda: mark._is_waiting)
+    while not infos:
+        executor.spin_once(timeout_sec=2)
+    assert infos == [QoSMessageLostInfo(8, 8)]
+    assert inbox[:2] == [0, 9]
+    assert not [record for record in logged if "lost" in record.message]
+
+
+def test_missed_deadlines_are_told_again_and_again(talker: zbot.Node, spin: Spin) -> None:
+    offered: list[QoSOfferedDeadlineMissedInfo] = []
+    requested: list[QoSRequestedDeadlineMissedInfo] = []
+    talker.create_publisher(
+        String,
+        "chatter",
+        every(0.01),
+        event_callbacks=PublisherEventCallbacks(deadline=offered.append),
+    )
+    talker.create_subscription(
+        String,
+        "chatter",
+        print,
+        every(0.01),
+        event_callbacks=SubscriptionEventCallbacks(deadline=requested.append),
+    )
+    spin(talker)
+    assert wait_until(lambda: len(offered) >= 3 and len(requested) >= 3)
+    assert offered[:3] == [QoSOfferedDeadlineMissedInfo(count, 1) for count in (1, 2, 3)]
+    assert requested[:3] == [QoSRequestedDeadlineMissedInfo(count, 1) for count in (1, 2, 3)]
+
+
+def test_deadlines_that_are_kept_are_not_told(talker: zbot.Node, spin: Spin) -> None:
+    missed: list[Any] = []
+    publisher = talker.create_publisher(
+        Int64,
+        "count",
+        every(0.25),
+        event_callbacks=PublisherEventCallbacks(deadline=missed.append),
+    )
+    inbox: list[Int64] = []
+    talker.create_subscription(
+        Int64,
+        "count",
+        inbox.append,
+        every(0.25),
+        event_callbacks=SubscriptionEventCallbacks(deadline=missed.append),
+    )
+    talker.create_timer(0.01, lambda: publisher.publish(Int64()))
+    spin(talker)
+    assert wait_until(lambda: len(inbox) > 60)
+    assert missed == []
+
+
+def test_asserting_liveliness_keeps_no_deadline(talker: zbot.Node, spin: Spin) -> None:
+    missed: list[Any] = []
+    publisher = talker.create_publisher(
+        String,
+        "chatter",
+        every(0.01),
+        event_callbacks=PublisherEventCallbacks(deadline=missed.append),
+    )
+    talker.create_timer(0.001, publisher.assert_liveliness)
+    spin(talker)
+    assert wait_until(lambda: bool(missed))
+
+
+def test_a_lease_that_runs_out_is_told_once_until_it_is_renewed(
+    talker: zbot.Node, spin: Spin
+) -> None:
+    lost: list[QoSLivelinessLostInfo] = []
+    ticks: list[int] = []
+    publisher = talker.create_publisher(
+        String,
+        "chatter",
+        leased(0.02, LivelinessPolicy.MANUAL_BY_TOPIC),
+        event_callbacks=PublisherEventCallbacks(liveliness=lost.append),
+    )
+    talker.create_timer(0.02, lambda: ticks.append(1))
+    spin(talker)
+    assert wait_until(lambda: len(ticks) > 5)
+    assert lost == [QoSLivelinessLostInfo(1, 1)]
+    publisher.assert_liveliness()
+    assert wait_until(lambda: len(lost) == 2)
+    publisher.publish(String())
+    assert wait_until(lambda: len(lost) == 3)
+    assert lost[2] == QoSLivelinessLostInfo(3, 1)
+
+
+def test_an_automatic_lease_never_runs_out_while_the_process_lives(
+    talker: zbot.Node, spin: Spin
+) -> None:
+    lost: list[Any] = []
+    ticks: list[int] = []
+    talker.create_publisher(
+        String,
+        "chatter",
+        leased(0.01, LivelinessPolicy.AUTOMATIC),
+        event_callbacks=PublisherEventCallbacks(liveliness=lost.append),
+    )
+    talker.create_timer(0.01, lambda: ticks.append(1))
+    spin(talker)
+    assert wait_until(lambda: len(ticks) > 5)
+    assert lost == []
+
+
+def test_a_destroyed_endpoint_hears_nothing_more(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    infos: list[Any] = []
+    ticks: list[int] = []
+    publisher = talker.create_publisher(
+        String,
+        "chatter",
+        every(0.01),
+        event_callbacks=PublisherEventCallbacks(matched=infos.append, deadline=infos.append),
+    )
+    talker.create_timer(0.01, lambda: ticks.append(1))
+    spin(talker)
+    assert wait_until(lambda: bool(infos))
+    talker.destroy_publisher(publisher)
+    infos.clear()
+    listener.create_subscription(String, "chatter", print, 10)
+    assert wait_until(lambda: talker.count_subscribers("chatter") == 1)
+    ticks.clear()
+    assert wait_until(lambda: len(ticks) > 3)
+    assert infos == []
+
+
+def test_events_nobody_can_meet_are_accepted(talker: zbot.Node) -> None:
+    talker.create_publisher(
+        String, "a", 10, event_callbacks=PublisherEventCallbacks(incompatible_qos=print)
+    )
+    talker.create_subscription(
+        String, "a", print, 10, event_callbacks=SubscriptionEventCallbacks(incompatible_qos=print)
+    )
