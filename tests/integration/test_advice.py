@@ -1,0 +1,147 @@
+"""What a beginner is told without asking: each mistake is one line, and nothing when all is well."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+
+from std_msgs.msg import Float32, String
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.log.record import Record
+
+    MakeContext = Callable[[], zbot.Context]
+
+PATIENCE_S = 0.05
+
+
+@pytest.fixture(autouse=True)
+def impatience(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("zbot.advice._PATIENCE_S", PATIENCE_S)
+
+
+@pytest.fixture
+def lines(logged: list[Record]) -> Callable[[], list[str]]:
+    return lambda: sorted(f"[{record.name}] {record.message}" for record in logged)
+
+
+def after_the_check(node: zbot.Node, lines: Callable[[], list[str]]) -> list[str]:
+    """Return what was said when a later subscription's mistake has been said too."""
+    publisher = node.create_publisher(String, "the_last_check", 10)
+    node.create_subscription(String, "the_last_chec", print, 10)
+    assert wait_until(lambda: any("the_last_chec," in line for line in lines()))
+    publisher.destroy()
+    return [line for line in lines() if "the_last_chec" not in line]
+
+
+def test_a_misspelt_topic_is_one_line(
+    make_context: MakeContext, lines: Callable[[], list[str]]
+) -> None:
+    talker = zbot.Node("talker", context=make_context())
+    talker.create_publisher(Float32, "temperature", 10)
+    listener = zbot.Node("listener", context=make_context())
+    listener.create_subscription(Float32, "temprature", print, 10)
+    listener.create_subscription(Float32, "temprature", print, 10)
+    assert after_the_check(listener, lines) == [
+        (
+            "[listener] nobody publishes /temprature, but /temperature (std_msgs/msg/Float32) has a "
+            "publisher: is one of the names misspelt?"
+        )
+    ]
+
+
+def test_nothing_is_said_of_a_name_of_another_type_or_far_from_all_others(
+    make_context: MakeContext, lines: Callable[[], list[str]]
+) -> None:
+    talker = zbot.Node("talker", context=make_context())
+    talker.create_publisher(String, "temperature", 10)
+    talker.create_publisher(Float32, "pressure", 10)
+    listener = zbot.Node("listener", context=make_context())
+    listener.create_subscription(Float32, "temprature", print, 10)
+    listener.create_subscription(Float32, "_presure", print, 10)
+    assert after_the_check(listener, lines) == []
+
+
+def test_a_publisher_that_comes_in_time_is_no_mistake(
+    make_context: MakeContext, lines: Callable[[], list[str]]
+) -> None:
+    talker = zbot.Node("talker", context=make_context())
+    listener = zbot.Node("listener", context=make_context())
+    talker.create_publisher(Float32, "temperature_1", 10)
+    listener.create_subscription(Float32, "temperature_2", print, 10)
+    talker.create_publisher(Float32, "temperature_2", 10)
+    assert after_the_check(listener, lines) == []
+
+
+def test_a_subscription_that_is_gone_is_not_talked_of(
+    make_context: MakeContext, lines: Callable[[], list[str]]
+) -> None:
+    node = zbot.Node("robot", context=make_context())
+    node.create_publisher(Float32, "temperature", 10)
+    subscription = node.create_subscription(Float32, "temprature", print, 10)
+    node.destroy_subscription(subscription)
+    assert after_the_check(node, lines) == []
+
+
+def test_two_types_on_one_topic_are_one_line_for_each_side(
+    make_context: MakeContext, lines: Callable[[], list[str]]
+) -> None:
+    talker = zbot.Node("talker", context=make_context())
+    listener = zbot.Node("listener", context=make_context())
+    listener.create_subscription(String, "temperature", print, 10)
+    talker.create_publisher(Float32, "temperature", 10)
+    talker.create_publisher(Float32, "temperature", 10)
+    assert wait_until(lambda: len(lines()) >= 2)
+    assert after_the_check(listener, lines) == [
+        (
+            "[listener] /temperature has two types: this node uses std_msgs/msg/String, but /talker "
+            "publishes std_msgs/msg/Float32; they cannot hear each other"
+        ),
+        (
+            "[talker] /temperature has two types: this node uses std_msgs/msg/Float32, but /listener "
+            "subscribes to std_msgs/msg/String; they cannot hear each other"
+        ),
+    ]
+
+
+def test_two_nodes_of_one_name_are_one_line_for_each(
+    make_context: MakeContext, lines: Callable[[], list[str]]
+) -> None:
+    first = zbot.Node("robot", context=make_context())
+    second = zbot.Node("robot", context=make_context())
+    advice = (
+        "[robot] there is another node named /robot; give one of them another name: "
+        "--ros-args -r __node:=robot_2"
+    )
+    assert wait_until(lambda: len(lines()) >= 2)
+    assert after_the_check(second, lines) == [advice, advice]
+    assert first.get_name() == second.get_name()
+
+
+def test_a_name_that_is_free_again_may_be_used(
+    make_context: MakeContext, lines: Callable[[], list[str]]
+) -> None:
+    first = zbot.Node("robot", context=make_context())
+    first.context.shutdown()
+    context = make_context()
+    with zbot.Node("robot", context=context):
+        pass
+    second = zbot.Node("robot", context=context)
+    assert after_the_check(second, lines) == []
+
+
+def test_nothing_is_said_when_all_is_well(
+    make_context: MakeContext, lines: Callable[[], list[str]]
+) -> None:
+    talker = zbot.Node("talker", context=make_context(), namespace="/a")
+    listener = zbot.Node("talker", context=make_context(), namespace="/b")
+    talker.create_publisher(String, "/chatter", 10)
+    listener.create_subscription(String, "/chatter", print, 10)
+    listener.create_publisher(String, "/chatter", 10)
+    assert after_the_check(listener, lines) == []
