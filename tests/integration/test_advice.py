@@ -1,4 +1,4 @@
-"""What a beginner is told without asking: each mistake is one line, and nothing when all is well."""
+"""What a beginner is told without asking: each mistake is one line, and else nothing."""
 
 from __future__ import annotations
 
@@ -48,12 +48,11 @@ def test_a_misspelt_topic_is_one_line(
     listener = zbot.Node("listener", context=make_context())
     listener.create_subscription(Float32, "temprature", print, 10)
     listener.create_subscription(Float32, "temprature", print, 10)
-    assert after_the_check(listener, lines) == [
-        (
-            "[listener] nobody publishes /temprature, but /temperature (std_msgs/msg/Float32) has a "
-            "publisher: is one of the names misspelt?"
-        )
-    ]
+    advice = (
+        "[listener] nobody publishes /temprature, but /temperature (std_msgs/msg/Float32) has a "
+        "publisher: is one of the names misspelt?"
+    )
+    assert after_the_check(listener, lines) == [advice]
 
 
 def test_nothing_is_said_of_a_name_of_another_type_or_far_from_all_others(
@@ -97,17 +96,16 @@ def test_two_types_on_one_topic_are_one_line_for_each_side(
     listener.create_subscription(String, "temperature", print, 10)
     talker.create_publisher(Float32, "temperature", 10)
     talker.create_publisher(Float32, "temperature", 10)
+    at_listener = (
+        "[listener] /temperature has two types: this node uses std_msgs/msg/String, but /talker "
+        "publishes std_msgs/msg/Float32; they cannot hear each other"
+    )
+    at_talker = (
+        "[talker] /temperature has two types: this node uses std_msgs/msg/Float32, but /listener "
+        "subscribes to std_msgs/msg/String; they cannot hear each other"
+    )
     assert wait_until(lambda: len(lines()) >= 2)
-    assert after_the_check(listener, lines) == [
-        (
-            "[listener] /temperature has two types: this node uses std_msgs/msg/String, but /talker "
-            "publishes std_msgs/msg/Float32; they cannot hear each other"
-        ),
-        (
-            "[talker] /temperature has two types: this node uses std_msgs/msg/Float32, but /listener "
-            "subscribes to std_msgs/msg/String; they cannot hear each other"
-        ),
-    ]
+    assert after_the_check(listener, lines) == [at_listener, at_talker]
 
 
 def test_two_nodes_of_one_name_are_one_line_for_each(

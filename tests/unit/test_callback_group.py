@@ -1,0 +1,71 @@
+from __future__ import annotations
+
+import gc
+import threading
+
+import pytest
+
+from zbot.callback_group import (
+    CallbackGroup,
+    MutuallyExclusiveCallbackGroup,
+    ReentrantCallbackGroup,
+)
+
+
+class Entity:
+    pass
+
+
+def test_a_reentrant_group_lets_everything_begin() -> None:
+    group, entity = ReentrantCallbackGroup(), Entity()
+    for _ in range(3):
+        assert group.can_execute(entity)
+        assert group.beginning_execution(entity)
+    assert group.ending_execution(entity) == []
+
+
+def test_an_exclusive_group_lets_one_begin_and_names_who_waited() -> None:
+    group, first, second, third = MutuallyExclusiveCallbackGroup(), Entity(), Entity(), Entity()
+    assert group.beginning_execution(first)
+    assert not group.can_execute(second)
+    assert not group.beginning_execution(second)
+    assert not group.beginning_execution(third)
+    assert not group.beginning_execution(second)
+    assert not group.beginning_execution(first)
+    assert group.ending_execution(first) == [second, third, first]
+    assert group.can_execute(second)
+    assert group.beginning_execution(second)
+    assert group.ending_execution(second) == []
+
+
+def test_only_one_of_many_threads_enters_an_exclusive_group() -> None:
+    group, barrier = MutuallyExclusiveCallbackGroup(), threading.Barrier(8)
+    entered: list[bool] = []
+
+    def enter() -> None:
+        barrier.wait(5)
+        entered.append(group.beginning_execution(Entity()))
+
+    threads = [threading.Thread(target=enter) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert sorted(entered) == [False] * 7 + [True]
+
+
+@pytest.mark.parametrize("kind", [MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup])
+def test_a_group_knows_its_entities_and_keeps_none_alive(kind: type[CallbackGroup]) -> None:
+    group, entity = kind(), Entity()
+    group.add_entity(entity)
+    assert group.has_entity(entity)
+    assert not group.has_entity(Entity())
+    del entity
+    gc.collect()
+    assert len(group._entities) == 0
+
+
+def test_the_base_class_decides_nothing() -> None:
+    for method in ("can_execute", "beginning_execution", "ending_execution"):
+        with pytest.raises(NotImplementedError):
+            getattr(CallbackGroup(), method)(Entity())

@@ -1,0 +1,216 @@
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from zbot.errors import FutureStateError
+from zbot.task import Future, Task
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+
+class Queue:
+    """Stands in for an executor: runs what is scheduled when told to."""
+
+    def __init__(self) -> None:
+        self.tasks: list[Task[Any]] = []
+
+    def schedule(self, task: Task[Any]) -> None:
+        self.tasks.append(task)
+
+    def create_task(self, callback: Callable[..., Any], *args: Any) -> Task[Any]:
+        task: Task[Any] = Task(callback, args, executor=self)
+        self.tasks.append(task)
+        return task
+
+    def run(self) -> None:
+        while self.tasks:
+            self.tasks.pop(0)()
+
+
+def pending() -> Future[Any]:
+    return Future()
+
+
+def finished() -> Future[Any]:
+    future: Future[Any] = Future()
+    future.set_result(5)
+    return future
+
+
+def failed() -> Future[Any]:
+    future: Future[Any] = Future()
+    future.set_exception(LookupError("mine"))
+    return future
+
+
+def cancelled() -> Future[Any]:
+    future: Future[Any] = Future()
+    future.cancel()
+    return future
+
+
+@pytest.mark.parametrize(
+    ("make", "done", "was_cancelled", "over"),
+    [
+        (pending, False, False, False),
+        (finished, True, False, True),
+        (failed, True, False, True),
+        (cancelled, False, True, True),
+    ],
+)
+def test_a_future_tells_its_state(
+    make: Callable[[], Future[Any]], *, done: bool, was_cancelled: bool, over: bool
+) -> None:
+    future = make()
+    assert (future.done(), future.cancelled(), future.is_over) == (done, was_cancelled, over)
+
+
+def test_a_future_holds_a_result_or_an_exception() -> None:
+    assert pending().result() is None
+    assert finished().result() == 5
+    assert finished().exception() is None
+    assert cancelled().result() is None
+    assert str(failed().exception()) == "mine"
+    with pytest.raises(LookupError, match="mine"):
+        failed().result()
+
+
+@pytest.mark.parametrize("make", [finished, failed, cancelled])
+def test_what_is_over_is_not_completed_again(make: Callable[[], Future[Any]]) -> None:
+    future = make()
+    with pytest.raises(FutureStateError):
+        future.set_result(1)
+    with pytest.raises(FutureStateError):
+        future.set_exception(ValueError())
+    was_cancelled = future.cancelled()
+    future.cancel()
+    assert future.cancelled() is was_cancelled
+
+
+@pytest.mark.parametrize(
+    "end",
+    [
+        lambda future: future.set_result(1),
+        lambda future: future.set_exception(ValueError()),
+        lambda future: future.cancel(),
+    ],
+    ids=["result", "exception", "cancel"],
+)
+def test_done_callbacks_run_once_with_the_future(end: Callable[[Future[Any]], None]) -> None:
+    future, calls = pending(), list[Any]()
+    future.add_done_callback(calls.append)
+    end(future)
+    assert calls == [future]
+    future.add_done_callback(calls.append)
+    assert calls == [future, future]
+
+
+def test_a_done_callback_can_be_taken_back() -> None:
+    future, calls = pending(), list[Any]()
+    future.add_done_callback(calls.append)
+    assert future.remove_done_callback(calls.append)
+    assert not future.remove_done_callback(calls.append)
+    future.set_result(1)
+    assert calls == []
+
+
+def test_one_of_many_threads_completes_a_future() -> None:
+    future, barrier, refused = pending(), threading.Barrier(8), list[int]()
+
+    def complete(number: int) -> None:
+        barrier.wait(5)
+        try:
+            future.set_result(number)
+        except FutureStateError:
+            refused.append(number)
+
+    threads = [threading.Thread(target=complete, args=(k,)) for k in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert {*refused, future.result()} == set(range(8))
+    assert len(refused) == 7
+
+
+def test_a_task_runs_a_function_with_its_arguments() -> None:
+    task: Task[tuple[int, int]] = Task(divmod, (17, 5))
+    assert not task.done()
+    task()
+    assert task.result() == (3, 2)
+    assert Task(dict, (), {"a": 1}).done() is False
+
+
+def test_a_task_keeps_what_its_function_raises() -> None:
+    task: Task[None] = Task(lambda: 1 / 0)
+    task()
+    assert isinstance(task.exception(), ZeroDivisionError)
+
+
+def test_an_interrupt_passes_through_a_task() -> None:
+    def interrupt() -> None:
+        raise KeyboardInterrupt
+
+    task: Task[None] = Task(interrupt)
+    with pytest.raises(KeyboardInterrupt):
+        task()
+    assert task.done()
+
+
+def test_a_coroutine_goes_on_when_what_it_awaits_is_there() -> None:
+    queue, future, steps = Queue(), pending(), list[Any]()
+
+    async def work() -> str:
+        steps.append("begin")
+        steps.append(await future)
+        return "end"
+
+    task = queue.create_task(work)
+    queue.run()
+    assert steps == ["begin"]
+    assert not task.done()
+    future.set_result("answer")
+    queue.run()
+    assert steps == ["begin", "answer"]
+    assert task.result() == "end"
+
+
+def test_awaiting_what_is_done_does_not_pause() -> None:
+    queue = Queue()
+
+    async def work() -> list[Any]:
+        return [await finished(), await finished()]
+
+    task = queue.create_task(work)
+    queue.tasks.pop()()
+    assert task.result() == [5, 5]
+
+
+def test_a_finished_task_does_not_run_again() -> None:
+    calls: list[int] = []
+    task: Task[None] = Task(calls.append, (1,))
+    task()
+    task()
+    assert calls == [1]
+
+
+def test_cancelling_closes_a_coroutine_that_waits() -> None:
+    queue, future, steps = Queue(), pending(), list[str]()
+
+    async def work() -> None:
+        try:
+            await future
+        finally:
+            steps.append("closed")
+
+    task = queue.create_task(work)
+    queue.run()
+    task.cancel()
+    assert steps == ["closed"]
+    future.set_result(1)
+    queue.run()
+    assert task.cancelled()
