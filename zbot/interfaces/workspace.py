@@ -34,7 +34,7 @@ def packages_around(roots: Roots) -> dict[str, list[Path]]:
     found: dict[str, list[Path]] = {}
     for root, depth in roots:
         for folder in _package_folders(root, depth):
-            found.setdefault(_package_name(folder), []).append(folder)
+            found.setdefault(package_name(folder), []).append(folder)
     return found
 
 
@@ -77,8 +77,13 @@ def _may_search(folder: Path) -> bool:
     return folder != home and folder not in home.parents and folder != Path(folder.anchor)
 
 
-def _package_folders(root: Path, depth: int) -> Iterator[Path]:
-    """Folders with definitions at or below a root, level by level, each level by name."""
+def walk(root: Path, depth: int) -> Iterator[tuple[Path, set[str], list[str]]]:
+    """Visit a folder and those below it, level by level, each level by name.
+
+    Yields:
+        The folder, the names of all that is in it, and the paths of the folders in it that are
+        visited next: clear the list to leave them out.
+    """
     level, seen = [str(root)], 0
     for _ in range(depth + 1):
         following: list[str] = []
@@ -89,11 +94,29 @@ def _package_folders(root: Path, depth: int) -> Iterator[Path]:
             names, folders = _entries(folder)
             if names & _STOP_FILES:
                 continue
-            if has_definitions(Path(folder)):
-                yield Path(folder)
-            elif "package.xml" not in names or folder == str(root):
-                following += folders
+            yield Path(folder), names, folders
+            following += folders
         level = following
+
+
+def package_name(folder: Path) -> str:
+    """The name in package.xml, else the folder's."""
+    try:
+        with (folder / "package.xml").open(encoding="utf-8", errors="replace") as manifest:
+            match = _NAME_TAG.search(manifest.read(_MAX_MANIFEST))
+    except OSError:
+        match = None
+    return match[1] if match else folder.resolve().name
+
+
+def _package_folders(root: Path, depth: int) -> Iterator[Path]:
+    """Folders with definitions at or below a root."""
+    for folder, names, below in walk(root, depth):
+        if has_definitions(folder):
+            yield folder
+            below.clear()
+        elif "package.xml" in names and folder != root:
+            below.clear()
 
 
 def _entries(folder: str) -> tuple[set[str], list[str]]:
@@ -115,13 +138,3 @@ def _is_worth_searching(entry: os.DirEntry[str]) -> bool:
     if entry.name.startswith(".") or entry.name in _SKIPPED:
         return False
     return entry.is_dir(follow_symlinks=False)
-
-
-def _package_name(folder: Path) -> str:
-    """The name in package.xml, else the folder's."""
-    try:
-        with (folder / "package.xml").open(encoding="utf-8", errors="replace") as manifest:
-            match = _NAME_TAG.search(manifest.read(_MAX_MANIFEST))
-    except OSError:
-        match = None
-    return match[1] if match else folder.resolve().name
