@@ -64,12 +64,14 @@ def _options(command: Any) -> list[str]:
 
 
 def _executables(done: Sequence[str]) -> Iterable[str]:
-    from zbot_cli.executables import all_executables  # noqa: PLC0415 - only `run` asks
+    from zbot_cli.executables import all_packages  # noqa: PLC0415 - only `run` asks
 
-    known = all_executables()
+    packages = [package for package in all_packages() if package.executables]
     if not done:
-        return {one.name for one in known} | {one.package for one in known}
-    return {one.name for one in known if one.package == done[0]} if len(done) == 1 else []
+        names = {one.name for package in packages for one in package.executables}
+        return names | {package.name for package in packages}
+    inside = [package.executables for package in packages if package.name == done[0]]
+    return {one.name for group in inside for one in group} if len(done) == 1 else []
 
 
 def _topics(_: Sequence[str], unfinished: str) -> Iterable[str]:

@@ -1,29 +1,27 @@
-"""What `zbot run` can run: bundled nodes, packages of the machine or workspace, and files."""
+"""What `zbot run` can run: packages of the workspace, bundled nodes, installed packages."""
 
 from __future__ import annotations
 
-import ast
-import configparser
-import importlib.metadata
-import os
-import sys
-from dataclasses import dataclass
+import importlib.util
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+from zbot.interfaces.workspace import package_name, search_roots, walk
+from zbot_cli.setup_scripts import FILES, SetupFileError, declared_scripts
 
-#: Entry point group of nodes: the bundled ones are in it, and a student's package may add its own.
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+#: Entry point group of nodes: an installed package may add its own.
 GROUP = "zbot.nodes"
 BUNDLED = "zbot_nodes"
-#: ROS 2's packages for the nodes that zbot bundles.
-_ROS_NAMES = {
-    "demo_nodes_py": {"talker", "listener"},
-    "demo_nodes_cpp": {"talker", "listener"},
+_PROJECT = "zbot"
+#: Names of packages that also stand for nodes that zbot bundles; the empty set: for all of them.
+_ALIASES: dict[str, frozenset[str]] = {
+    "demo_nodes_cpp": frozenset({"listener", "talker"}),
+    "demo_nodes_py": frozenset({"listener", "talker"}),
 }
-_MOST_FOLDERS = 2000
-_SKIPPED = {"build", "install", "log", "node_modules", "__pycache__", "site-packages"}
 
 
 @dataclass(frozen=True, order=True)
@@ -33,172 +31,105 @@ class Executable:
     package: str
     name: str
     target: str  #: `module:function`, or the path of a file
-    folder: str = ""  #: has to be on Python's path for the module to be found
+    folders: tuple[str, ...] = ()  #: have to be on Python's path for the module to be found
 
 
-def all_executables() -> list[Executable]:
-    """Return everything that can be run by name, workspace first."""
-    found: dict[tuple[str, str, str], Executable] = {}
-    for executable in (*_in_workspace(), *_installed()):
-        found.setdefault((executable.package, executable.name, executable.target), executable)
-    return list(found.values())
+@dataclass(frozen=True)
+class Package:
+    """A package that may have executables."""
+
+    name: str
+    executables: tuple[Executable, ...] = ()
+    folder: Path | None = None  #: where its sources are; None if it is installed
+    fault: str = ""  #: why its executables are not known
+
+    def has_module(self, name: str) -> bool:
+        """Return whether it has a module of that name, which setup.py does not mention."""
+        return self.folder is not None and (self.folder / self.name / f"{name}.py").is_file()
 
 
-def _installed() -> Iterator[Executable]:
-    for point in importlib.metadata.entry_points(group=GROUP):
-        distribution = point.dist.name if point.dist is not None else BUNDLED
-        package = BUNDLED if distribution == "zbot" else distribution.replace("-", "_")
-        yield Executable(package, point.name, point.value)
-        for alias, names in _ROS_NAMES.items():
-            if package == BUNDLED and point.name in names:
-                yield Executable(alias, point.name, point.value)
+def all_packages() -> list[Package]:
+    """Return every package that has executables, those of the workspace first."""
+    return [*workspace_packages(), *bundled_packages(), *installed_packages()]
 
 
-def console_scripts(package: str) -> list[Executable]:
-    """Return the commands that an installed distribution brings."""
-    try:
-        distribution = importlib.metadata.distribution(package)
-    except importlib.metadata.PackageNotFoundError:
-        return []
-    return [
-        Executable(package, point.name, point.value)
-        for point in distribution.entry_points
-        if point.group == "console_scripts"
-    ]
+def workspace_packages() -> list[Package]:
+    """Return the packages around the current folder, or below those of `$ZBOT_WORKSPACE`."""
+    folders = [folder for root, depth in search_roots() for folder in _sources(root, depth)]
+    paths = tuple(dict.fromkeys(path for folder in folders for path in _import_paths(folder)))
+    return [_of_sources(folder, paths) for folder in folders if package_name(folder) != _PROJECT]
 
 
-def workspaces() -> list[Path]:
-    """Return the folders to search: `$ZBOT_WORKSPACE`, else the workspace around this folder."""
-    given = os.environ.get("ZBOT_WORKSPACE")
-    if given:
-        return [Path(part).expanduser() for part in given.split(os.pathsep) if part]
-    try:
-        here = Path.cwd()
-    except OSError:  # the folder was deleted under us
-        return []
-    stop = {Path.home(), Path(here.anchor)}
-    for folder in (here, *here.parents):
-        if folder in stop:
-            break
-        if (folder / "src").is_dir() or (folder / "package.xml").is_file():
-            # A package inside a src/ belongs to the workspace around that.
-            around = folder.parent.parent if folder.parent.name == "src" else folder
-            return [around]
-    return []
-
-
-def _in_workspace() -> Iterator[Executable]:
-    for root in workspaces():
-        for folder in _packages_below(root):
-            yield from _of_package(folder)
-
-
-def _packages_below(root: Path) -> Iterator[Path]:
-    pending, seen = [root], 0
-    while pending and seen < _MOST_FOLDERS:
-        folder = pending.pop(0)
-        seen += 1
-        if (folder / "package.xml").is_file():
+def _sources(root: Path, depth: int) -> Iterator[Path]:
+    for folder, names, below in walk(root, depth):
+        if "package.xml" in names or names & FILES:
             yield folder
-            continue
-        pending.extend(_subfolders(folder))
+            # The root may be a package and the workspace of others too.
+            if folder != root:
+                below.clear()
 
 
-def _subfolders(folder: Path) -> list[Path]:
+def _import_paths(folder: Path) -> list[str]:
+    inner = folder / "src"
+    has_inner = inner.is_dir() and any(inner.glob("*/__init__.py"))
+    return [str(inner), str(folder)] if has_inner else [str(folder)]
+
+
+def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
+    name = package_name(folder)
+    own = _import_paths(folder)
+    # As after sourcing a ROS 2 workspace: every package can import every other.
+    folders = (*own, *(path for path in paths if path not in own))
     try:
-        entries = sorted(os.scandir(folder), key=lambda entry: entry.name)
-    except OSError:
-        return []
-    return [
-        Path(entry.path)
-        for entry in entries
-        if entry.is_dir(follow_symlinks=False)
-        and not entry.name.startswith(".")
-        and entry.name not in _SKIPPED
-        and not (Path(entry.path) / "pyvenv.cfg").is_file()
-    ]
+        scripts = declared_scripts(folder)
+    except SetupFileError as error:
+        return Package(name, (), folder, str(error))
+    declared = [Executable(name, one, target, folders) for one, target in scripts.items()]
+    files = [Executable(name, path.name, str(path)) for path in _script_files(folder)]
+    return Package(name, (*declared, *files), folder)
 
 
-def _of_package(folder: Path) -> Iterator[Executable]:
-    package = folder.name
-    for line in (
-        *_setup_py_scripts(folder / "setup.py"),
-        *_setup_cfg_scripts(folder / "setup.cfg"),
-    ):
-        name, equals, target = (part.strip() for part in line.partition("="))
-        if equals:
-            yield Executable(package, name, target, str(folder))
-    scripts = folder / "scripts"
-    if scripts.is_dir():
-        for path in sorted(scripts.glob("*.py")):
-            yield Executable(package, path.name, str(path), str(folder))
+def _script_files(folder: Path) -> list[Path]:
+    return sorted((folder / "scripts").glob("*.py"))
 
 
-def _setup_py_scripts(path: Path) -> list[str]:
-    """Return the console scripts of a setup.py, read without running it."""
+def bundled_packages() -> list[Package]:
+    """Return the nodes that come with zbot, under each package name that they go by."""
+    spec = importlib.util.find_spec(BUNDLED)
+    folders = (spec and spec.submodule_search_locations) or ()
+    modules = sorted(path.stem for folder in folders for path in Path(folder).glob("[a-z]*.py"))
+    nodes = [Executable(BUNDLED, module, f"{BUNDLED}.{module}:main") for module in modules]
+    aliases = (
+        Package(alias, tuple(replace(one, package=alias) for one in nodes if one.name in names))
+        for alias, names in _ALIASES.items()
+    )
+    return [Package(BUNDLED, tuple(nodes)), *aliases]
+
+
+def installed_packages() -> list[Package]:
+    """Return installed packages that declare nodes; zbot's own are among the bundled ones."""
+    from importlib.metadata import entry_points  # noqa: PLC0415 - 40 ms; bundled nodes need it not
+
+    found: dict[str, list[Executable]] = {}
+    for point in entry_points(group=GROUP):
+        distribution = point.dist.name if point.dist is not None else ""
+        if distribution not in {"", _PROJECT}:
+            name = distribution.replace("-", "_")
+            found.setdefault(name, []).append(Executable(name, point.name, point.value))
+    return [Package(name, tuple(executables)) for name, executables in sorted(found.items())]
+
+
+def installed_package(name: str) -> Package | None:
+    """Return an installed package with the commands that it brings; None if there is none."""
+    from importlib.metadata import PackageNotFoundError, distribution  # noqa: PLC0415 - as above
+
     try:
-        tree = ast.parse(path.read_text(encoding="utf-8"))
-    except (OSError, SyntaxError, ValueError):
-        return []
-    constants = _constants(tree)
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "setup":
-            for keyword in node.keywords:
-                if keyword.arg == "entry_points":
-                    return _scripts_of(keyword.value, constants)
-    return []
-
-
-def _constants(tree: ast.Module) -> dict[str, str]:
-    return {
-        target.id: statement.value.value
-        for statement in tree.body
-        if isinstance(statement, ast.Assign)
-        and isinstance(statement.value, ast.Constant)
-        and isinstance(statement.value.value, str)
-        for target in statement.targets
-        if isinstance(target, ast.Name)
+        points = distribution(name).entry_points
+    except (PackageNotFoundError, ValueError):
+        return None
+    found = {
+        point.name: Executable(name, point.name, point.value)
+        for point in points
+        if point.group in {"console_scripts", GROUP}
     }
-
-
-def _scripts_of(value: ast.expr, constants: dict[str, str]) -> list[str]:
-    if not isinstance(value, ast.Dict):
-        return []
-    for key, entries in zip(value.keys, value.values, strict=True):
-        if isinstance(key, ast.Constant) and key.value == "console_scripts":
-            items = entries.elts if isinstance(entries, (ast.List, ast.Tuple)) else []
-            return [text for item in items if (text := _text(item, constants)) is not None]
-    return []
-
-
-def _text(item: ast.expr, constants: dict[str, str]) -> str | None:
-    if isinstance(item, ast.Constant) and isinstance(item.value, str):
-        return item.value
-    if isinstance(item, ast.JoinedStr):
-        parts = [_text(part, constants) for part in item.values]
-        return None if None in parts else "".join(part for part in parts if part is not None)
-    if isinstance(item, ast.FormattedValue):
-        return _text(item.value, constants)
-    if isinstance(item, ast.Name):
-        return constants.get(item.id)
-    if isinstance(item, ast.BinOp) and isinstance(item.op, ast.Add):
-        left, right = _text(item.left, constants), _text(item.right, constants)
-        return None if left is None or right is None else left + right
-    return None
-
-
-def _setup_cfg_scripts(path: Path) -> Iterable[str]:
-    parser = configparser.ConfigParser()
-    try:
-        parser.read(path, encoding="utf-8")
-    except (configparser.Error, UnicodeDecodeError):
-        return []
-    section = "options.entry_points"
-    if not parser.has_option(section, "console_scripts"):
-        return []
-    return [line for line in parser.get(section, "console_scripts").splitlines() if line.strip()]
-
-
-def is_path(word: str) -> bool:
-    """Return whether a word names a Python file rather than a package or executable."""
-    return word.endswith(".py") or os.sep in word or (sys.platform == "win32" and "/" in word)
+    return Package(name, tuple(found.values()))

@@ -1,37 +1,98 @@
-"""What a child of `zbot run` begins with: zbot's names become importable, then the program runs.
+"""Where the `zbot` command turns into the program that it was asked to run.
 
-Run: python -m zbot_cli.launchpad (MODULE:FUNCTION | PATH) FOLDER [ARGS]...
+The program takes over this very process: signals, exit code and what `ps` shows are its own, on
+Windows too, and nothing is started twice.
 """
 
 from __future__ import annotations
 
 import importlib
 import os
-import runpy
 import sys
 from pathlib import Path
+from typing import TYPE_CHECKING, Any, NoReturn
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+    from types import TracebackType
+
+    from zbot_cli.executables import Executable
+
+_HERE = str(Path(__file__).parent) + os.sep
 
 
-def main() -> None:
-    """Run the program that the command line names, as Python itself would."""
+def become(executable: Executable, arguments: Sequence[str]) -> NoReturn:
+    """Run a program in this process, and end with it.
+
+    Args:
+        executable: What to run.
+        arguments: Its command line, without its own name.
+    """
     from zbot import signals  # noqa: PLC0415 - Ctrl-C may come from now on
 
     signals.install(signals.SignalHandlerOptions.SIGINT)
-    _, target, folder, *arguments = sys.argv
-    if folder:
-        sys.path.insert(0, folder)
-    if target.endswith(".py") or os.sep in target:
-        sys.path.insert(0, str(Path(target).resolve().parent))
-        sys.argv = [target, *arguments]
-        runpy.run_path(target, run_name="__main__")
-        return
-    module_name, _, function_name = target.partition(":")
-    sys.argv = [module_name.rpartition(".")[2], *arguments]
-    function = importlib.import_module(module_name.strip())
-    for part in function_name.split(" ")[0].split("."):
-        function = getattr(function, part)
-    sys.exit(function())  # type: ignore[operator]
+    _leave_out_own_frames()
+    _set_path(executable)
+    if is_file(executable.target):
+        sys.argv = [executable.target, *arguments]
+        _run_file(executable.target)
+    sys.argv = [executable.name, *arguments]
+    sys.exit(_function(executable.target)())
 
 
-if __name__ == "__main__":
-    main()
+def _run_file(path: str) -> NoReturn:
+    from zbot_cli.script import NothingToRunError, run_script  # noqa: PLC0415 - packages do without
+
+    try:
+        sys.exit(run_script(path))
+    except NothingToRunError as error:
+        from zbot_cli.report import report  # noqa: PLC0415 - only for errors
+
+        sys.exit(report(error))
+
+
+def is_file(target: str) -> bool:
+    """Return whether a target is the path of a file rather than `module:function`."""
+    return target.endswith(".py") or os.sep in target
+
+
+def _set_path(executable: Executable) -> None:
+    folders = list(executable.folders)
+    if is_file(executable.target):
+        folders.insert(0, str(Path(executable.target).resolve().parent))
+    # Its first entry is the folder of the `zbot` command itself, or the current one: a random.py
+    # that lies there must not become everybody's `random`.
+    has_own_entry = not getattr(sys.flags, "safe_path", False)
+    sys.path[: int(has_own_entry)] = folders
+
+
+def _function(target: str) -> Any:
+    module_name, _, attributes = target.partition(":")
+    found: Any = importlib.import_module(module_name.strip())
+    for name in (attributes.strip() or "main").split("."):
+        found = getattr(found, name)
+    return found
+
+
+def _leave_out_own_frames() -> None:
+    """Let tracebacks begin in the program, as if Python had started it."""
+    report = sys.excepthook
+
+    def shortened(
+        kind: type[BaseException], value: BaseException, trace: TracebackType | None
+    ) -> None:
+        value.__traceback__ = _below_own(value.__traceback__ or trace)
+        report(kind, value, value.__traceback__)
+
+    sys.excepthook = shortened
+
+
+def _below_own(trace: TracebackType | None) -> TracebackType | None:
+    entry, below = trace, trace
+    while entry is not None:
+        if entry.tb_frame.f_code.co_filename.startswith(_HERE):
+            below = entry.tb_next
+        entry = entry.tb_next
+    while below is not None and below.tb_frame.f_code.co_filename.startswith("<frozen importlib"):
+        below = below.tb_next
+    return below

@@ -8,9 +8,12 @@ from __future__ import annotations
 import importlib
 import os
 import sys
-from typing import Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 from zbot_cli.status import Status
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
 
 #: Every noun, with the line that `zbot --help` shows.
 NOUNS = {
@@ -93,7 +96,7 @@ def _refuse(text: str) -> NoReturn:
     sys.exit(Status.USAGE)
 
 
-def _run_noun(words: list[str]) -> int:
+def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
     noun = _ALIASES.get(words[0], words[0])
     if noun not in NOUNS and noun not in _HIDDEN:
         _refuse_noun(words[0])
@@ -136,14 +139,6 @@ def _refuse_noun(word: str) -> NoReturn:
     _refuse(f"No such command '{word}'." + (f" Did you mean '{guess}'?" if guess else ""))
 
 
-def _report(error: Exception) -> int:
-    print(error, file=sys.stderr)
-    hint = getattr(error, "hint", None)
-    if hint:
-        print(f"\nhint: {hint}", file=sys.stderr)
-    return Status.ERROR
-
-
 def _flush() -> None:
     try:
         sys.stdout.flush()
@@ -163,23 +158,28 @@ def _set_up_streams() -> None:
             reconfigure(line_buffering=True, errors="backslashreplace")
 
 
-def run_command(words: list[str]) -> int:
-    """Run one command line and return its exit code.
+def run_command(words: list[str]) -> int | Callable[[], NoReturn]:
+    """Run one command line.
 
     Args:
         words: Everything after `zbot`.
-    """
-    from zbot.errors import ZbotError  # noqa: PLC0415 - small
 
+    Returns:
+        Its exit code; of `zbot run`, the program that this process is to become.
+    """
     options = _Options(words)
     if not options.words:
         _end(_help())
+    from zbot.errors import ZbotError  # noqa: PLC0415 - `zbot --help` does without
+
     try:
         return _run_noun(options.words)
     except ZbotError as error:
         if options.debug:
             raise
-        return _report(error)
+        from zbot_cli.report import report  # noqa: PLC0415 - only for errors
+
+        return report(error)
     except BrokenPipeError:
         _silence_stdout()
         return Status.OK
@@ -191,8 +191,10 @@ def main() -> NoReturn:
     """Run the command line of this process, and end it."""
     _set_up_streams()
     try:
-        code = run_command(sys.argv[1:])
+        outcome = run_command(sys.argv[1:])
     except KeyboardInterrupt:  # before or after the command itself
-        code = Status.INTERRUPTED
+        outcome = Status.INTERRUPTED
+    if callable(outcome):
+        outcome()  # what it raises is the program's own
     _flush()
-    sys.exit(code)
+    sys.exit(outcome)

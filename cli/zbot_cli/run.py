@@ -1,4 +1,4 @@
-"""`zbot run`: start a node and become it.
+"""`zbot run`: find a node and become it.
 
 No typer here: the words after the executable belong to the node, and the node should start at once.
 """
@@ -6,25 +6,19 @@ No typer here: the words after the executable belong to the node, and the node s
 from __future__ import annotations
 
 import os
-import shlex
-import shutil
-import subprocess
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from zbot.errors import ZbotError
-from zbot_cli.executables import (
-    BUNDLED,
-    Executable,
-    all_executables,
-    console_scripts,
-    is_path,
-)
+from zbot_cli import executables
+from zbot_cli.executables import BUNDLED, Executable, Package
+from zbot_cli.launchpad import become
 from zbot_cli.status import Status
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    import subprocess
+    from collections.abc import Callable, Iterable, Sequence
 
 _USAGE = """\
 Usage: zbot run [--prefix COMMAND] [PACKAGE] EXECUTABLE [ARGS]...
@@ -39,6 +33,14 @@ Options:
 Examples:
   zbot run sensor
   zbot run my_package my_node --ros-args -r __node:=other -p rate:=2.0"""
+#: Where a name is looked up: nearer places come first, and hide what is farther.
+_PLACES: tuple[Callable[[], list[Package]], ...] = (
+    executables.workspace_packages,
+    executables.bundled_packages,
+    executables.installed_packages,
+)
+# Python with the `zbot` command and without the current folder on its path.
+_ZBOT = "import sys; sys.path[:] = filter(None, sys.path); from zbot_cli.main import main; main()"
 
 
 class PackageNotFoundError(ZbotError):
@@ -46,17 +48,23 @@ class PackageNotFoundError(ZbotError):
 
     def __init__(self, package: str, known: Sequence[str]) -> None:
         self.package = package
-        self.hint = _hint(package, known, f"the packages are: {', '.join(known)}")
+        self.hint = _hint(package, known, f"the packages with nodes are {', '.join(known)}")
         super().__init__(f"Package '{package}' not found")
 
 
 class ExecutableNotFoundError(ZbotError):
-    """A package has no such executable."""
+    """There is no such executable, in one package or at all."""
 
-    def __init__(self, name: str, package: str | None, known: Sequence[str]) -> None:
+    def __init__(self, name: str, known: Sequence[str], packages: Sequence[Package] = ()) -> None:
         self.name = name
-        where = f"{package} has" if package else "there are"
-        self.hint = _hint(name, known, f"{where}: {', '.join(known) or 'none'}")
+        where = f"{packages[0].name} has" if packages else "there are"
+        self.hint = _hint(name, known, f"{where} {', '.join(known) or 'none'}")
+        for package in packages:
+            if package.fault:
+                self.hint = package.fault
+            elif package.has_module(name):
+                entry = f"'{name} = {package.name}.{name}:main'"
+                self.hint = f"add {entry} to the console_scripts in {package.name}'s setup.py"
         super().__init__("No executable found")
 
 
@@ -76,36 +84,45 @@ class ProgramNotFoundError(ZbotError):
         super().__init__(f"{what} '{name}' not found")
 
 
-def _hint(word: str, known: Sequence[str], otherwise: str) -> str:
+class PrefixError(ZbotError):
+    """A prefix is no command line."""
+
+    def __init__(self, prefix: str, reason: str) -> None:
+        super().__init__(f"cannot read --prefix {prefix!r}: {reason}")
+
+
+def _hint(word: str, known: Iterable[str], otherwise: str) -> str:
     from zbot.names import nearest  # noqa: PLC0415 - only for mistakes
 
     guess = nearest(word, known)
     return f"did you mean '{guess}'? {otherwise}" if guess else otherwise
 
 
-def run(words: list[str]) -> int:
-    """Run a node in place of this process; on Windows as a child that is waited for.
+def run(words: list[str]) -> int | Callable[[], NoReturn]:
+    """Find what to run.
 
     Args:
         words: The words after `zbot run`.
 
     Returns:
-        The node's exit code, where this process lives on.
+        The program, to be called outside of all that concerns the command line; or an exit code
+        where there is nothing to run.
     """
     prefix: list[str] = []
     while words and words[0].startswith("-"):
-        word = words.pop(0)
-        if word in {"-h", "--help"}:
+        option, equals, value = words.pop(0).partition("=")
+        if option in {"-h", "--help"}:
             print(_USAGE)
             return Status.OK
-        if word != "--prefix" and not word.startswith("--prefix="):
-            _refuse(f"No such option: {word}")
-        value = word.partition("=")[2] or (words.pop(0) if words else "")
-        prefix = shlex.split(value, posix=os.name != "nt")
+        if option != "--prefix":
+            _refuse(f"No such option: {option}")
+        prefix = _split(value if equals or not words else words.pop(0))
     if not words:
         _refuse("name a node to run: zbot run sensor")
-    executable, arguments = _choose(words)
-    return _start([*prefix, *_command(executable), *arguments], bool(prefix))
+    executable, arguments = find(words)
+    if prefix:
+        return _run_behind(prefix, words)
+    return lambda: become(executable, arguments)
 
 
 def _refuse(text: str) -> NoReturn:
@@ -113,29 +130,61 @@ def _refuse(text: str) -> NoReturn:
     sys.exit(Status.USAGE)
 
 
-def _choose(words: list[str]) -> tuple[Executable, list[str]]:
-    if is_path(words[0]):
-        return _file(words[0]), words[1:]
-    known = all_executables()
-    packages = sorted({one.package for one in known})
-    if words[0] in packages:
-        if len(words) > 1 and not words[1].startswith("-"):
-            return _in_package(words[0], words[1], known), words[2:]
-        # A package that is named like its only or main node: `zbot run turtlesim`.
-        same = [one for one in known if one.name == words[0]]
-        if not same:
-            names = sorted({one.name for one in known if one.package == words[0]})
-            raise ExecutableNotFoundError("", words[0], names)
-    named = _distinct(one for one in known if one.name == words[0])
-    if named:
-        return _single(named), words[1:]
-    if len(words) > 1 and not words[1].startswith("-"):
-        scripts = console_scripts(words[0])
-        if not scripts:
-            raise PackageNotFoundError(words[0], packages)
-        return _in_package(words[0], words[1], scripts), words[2:]
-    names = sorted({one.name for one in known})
-    raise ExecutableNotFoundError(words[0], None, names)
+def _split(prefix: str) -> list[str]:
+    import shlex  # noqa: PLC0415 - few prefixes are given
+
+    try:
+        return shlex.split(prefix, posix=os.name != "nt")
+    except ValueError as exc:
+        raise PrefixError(prefix, str(exc)) from None
+
+
+def find(words: Sequence[str]) -> tuple[Executable, list[str]]:
+    """Return the executable that a command line begins with, and the words that are its own.
+
+    Raises:
+        ProgramNotFoundError: There is no file of that path.
+        PackageNotFoundError: There is no package of that name.
+        ExecutableNotFoundError: There is no executable of that name.
+        SeveralExecutablesError: There are several, and nothing says which.
+    """
+    first, rest = words[0], list(words[1:])
+    if _is_path(first):
+        return _file(first), rest
+    seen: list[Package] = []
+    for place in _PLACES:
+        packages = place()
+        seen += packages
+        inside = [package for package in packages if package.name in {first, _canonical(first)}]
+        if inside and rest and (found := _named(rest[0], inside)):
+            return _single(found), rest[1:]
+        if not inside and (found := _named(first, packages)):
+            return _single(found), rest
+    return _find_farther(first, rest, seen)
+
+
+def _find_farther(
+    first: str, rest: list[str], packages: list[Package]
+) -> tuple[Executable, list[str]]:
+    installed = executables.installed_package(first)
+    inside = [package for package in (*packages, installed) if package and package.name == first]
+    if rest and (found := _named(rest[0], inside)):
+        return _single(found), rest[1:]
+    if found := _named(first, packages):  # a package that is named like a node
+        return _single(found), rest
+    if inside:
+        raise ExecutableNotFoundError(rest[0] if rest else "", _names(inside), inside)
+    if rest and not rest[0].startswith("-"):
+        raise PackageNotFoundError(first, sorted({one.name for one in packages if one.executables}))
+    raise ExecutableNotFoundError(first, _names(packages))
+
+
+def _canonical(package: str) -> str:
+    return BUNDLED if package == "zbot" else package
+
+
+def _is_path(word: str) -> bool:
+    return word.endswith(".py") or os.sep in word or (sys.platform == "win32" and "/" in word)
 
 
 def _file(word: str) -> Executable:
@@ -145,21 +194,18 @@ def _file(word: str) -> Executable:
     return Executable("", path.name, str(path))
 
 
-def _in_package(package: str, name: str, known: Sequence[Executable]) -> Executable:
-    inside = [one for one in known if one.package == package]
-    found = [one for one in inside if name in {one.name, one.name.removesuffix(".py")}]
-    if not found:
-        found = [one for one in console_scripts(package) if one.name == name]
-    if not found:
-        raise ExecutableNotFoundError(name, package, sorted({one.name for one in inside}))
-    return _single(_distinct(found))
+def _named(name: str, packages: Iterable[Package]) -> list[Executable]:
+    """Return the executables of that name, each program once; `.py` may be left out."""
+    found: dict[str, Executable] = {}
+    for package in packages:
+        for one in package.executables:
+            if name in {one.name, one.name.removesuffix(".py")}:
+                found.setdefault(one.target, one)
+    return list(found.values())
 
 
-def _distinct(found: object) -> list[Executable]:
-    by_target: dict[tuple[str, str], Executable] = {}
-    for one in sorted(found, key=lambda one: one.package != BUNDLED):  # type: ignore[call-overload]
-        by_target.setdefault((one.target, one.folder), one)
-    return list(by_target.values())
+def _names(packages: Iterable[Package]) -> list[str]:
+    return sorted({one.name for package in packages for one in package.executables})
 
 
 def _single(found: list[Executable]) -> Executable:
@@ -168,15 +214,15 @@ def _single(found: list[Executable]) -> Executable:
     return found[0]
 
 
-def _command(executable: Executable) -> list[str]:
-    # -u: what a node prints is on the screen at once, also through a pipe.
-    return [sys.executable, "-u", "-m", "zbot_cli.launchpad", executable.target, executable.folder]
+def _run_behind(prefix: list[str], words: list[str]) -> int:
+    """Let a command such as `nice` or a debugger run `zbot run` with the same words."""
+    import shutil  # noqa: PLC0415 - as above
+    import subprocess  # noqa: PLC0415 - as above
 
-
-def _start(command: list[str], has_prefix: bool) -> int:
-    program = shutil.which(command[0])
+    program = shutil.which(prefix[0])
     if program is None:
-        raise ProgramNotFoundError("Prefix command" if has_prefix else "Program", command[0])
+        raise ProgramNotFoundError("Prefix command", prefix[0])
+    command = [*prefix, sys.executable, "-c", _ZBOT, "run", *words]
     sys.stdout.flush()
     if os.name != "nt":
         os.execv(program, command)  # noqa: S606 - the words are the user's own

@@ -1,0 +1,64 @@
+"""The command line in this process: quick, and its exit code, output and errors apart."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Protocol
+
+import pytest
+
+from zbot_cli.main import run_command
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+@dataclass(frozen=True)
+class Result:
+    code: int
+    out: str
+    err: str
+
+
+class Command(Protocol):
+    def __call__(self, *words: str) -> Result: ...
+
+
+@pytest.fixture
+def zbot_command(capsys: pytest.CaptureFixture[str]) -> Command:
+    """Return a function that runs `zbot` with the words that it is given."""
+
+    def run(*words: str) -> Result:
+        capsys.readouterr()
+        try:
+            outcome = run_command(list(words))
+        except SystemExit as end:
+            outcome = int(end.code or 0)
+        assert not callable(outcome), "this would become a node"
+        captured = capsys.readouterr()
+        return Result(outcome, captured.out, captured.err)
+
+    return run
+
+
+@pytest.fixture
+def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return the `src` folder of a workspace, which is around the current folder."""
+    source = tmp_path / "workspace" / "src"
+    source.mkdir(parents=True)
+    monkeypatch.chdir(source.parent)
+    return source
+
+
+def write_package(source: Path, name: str, **scripts: str) -> Path:
+    """Write a package as `ros2 pkg create --build-type ament_python` does."""
+    folder = source / name
+    (folder / name).mkdir(parents=True)
+    (folder / name / "__init__.py").touch()
+    (folder / "package.xml").write_text(f"<package><name>{name}</name></package>")
+    entries = [f"{one} = {target}" for one, target in scripts.items()]
+    (folder / "setup.py").write_text(
+        "from setuptools import setup\n"
+        f"setup(name={name!r}, entry_points={{'console_scripts': {entries!r}}})\n"
+    )
+    return folder

@@ -1,0 +1,197 @@
+"""What `zbot run` finds, and what it says when it finds nothing."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import os
+from typing import TYPE_CHECKING
+
+import pytest
+
+from tests.cli.conftest import write_package
+from zbot_cli.executables import all_packages, bundled_packages
+from zbot_cli.run import SeveralExecutablesError, find
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from tests.cli.conftest import Command
+
+BUNDLED = ["listener", "monitor", "sensor", "student_publisher", "student_subscriber", "talker"]
+
+
+# -- finding -------------------------------------------------------------------------------------
+
+
+def test_every_bundled_node_is_an_entry_point_and_the_other_way_round() -> None:
+    points = importlib.metadata.entry_points(group="zbot.nodes")
+    declared = {point.name: point.value for point in points}
+    found = {one.name: one.target for one in bundled_packages()[0].executables}
+    assert found == declared
+    assert sorted(found) == BUNDLED
+
+
+@pytest.mark.parametrize(
+    "words",
+    [["talker"], ["zbot_nodes", "talker"], ["zbot", "talker"], ["demo_nodes_py", "talker"]],
+)
+@pytest.mark.usefixtures("workspace")
+def test_a_bundled_node_goes_by_several_names(words: list[str]) -> None:
+    executable, arguments = find([*words, "--ros-args", "-r", "a:=b"])
+    assert executable.target == "zbot_nodes.talker:main"
+    assert arguments == ["--ros-args", "-r", "a:=b"]
+
+
+@pytest.mark.usefixtures("workspace")
+def test_a_node_alone_may_have_arguments() -> None:
+    assert find(["sensor", "fast", "5"])[1] == ["fast", "5"]
+
+
+def test_a_package_of_the_workspace_is_found_from_inside_it(
+    workspace: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = write_package(workspace, "my_robot", drive="my_robot.drive:main")
+    monkeypatch.chdir(folder / "my_robot")
+    executable, arguments = find(["my_robot", "drive", "x"])
+    assert (executable.target, arguments) == ("my_robot.drive:main", ["x"])
+    assert executable.folders[0] == str(folder)
+    assert find(["drive"])[0] == executable
+
+
+def test_the_workspace_can_be_named_by_a_variable(
+    workspace: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write_package(workspace, "my_robot", drive="my_robot.drive:main")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("ZBOT_WORKSPACE", f"{tmp_path / 'nowhere'}{os.pathsep}{workspace}")
+    assert find(["drive"])[0].package == "my_robot"
+
+
+def test_packages_of_a_workspace_can_import_each_other(workspace: Path) -> None:
+    first = write_package(workspace, "first", one="first.one:main")
+    second = write_package(workspace, "second")
+    assert find(["one"])[0].folders == (str(first), str(second))
+
+
+def test_a_layout_with_src_is_known(workspace: Path) -> None:
+    folder = workspace / "modern"
+    (folder / "src" / "modern").mkdir(parents=True)
+    (folder / "src" / "modern" / "__init__.py").touch()
+    (folder / "pyproject.toml").write_text('[project.scripts]\nrun_it = "modern:main"\n')
+    assert find(["modern", "run_it"])[0].folders[0] == str(folder / "src")
+
+
+def test_scripts_of_a_package_are_found_with_and_without_py(workspace: Path) -> None:
+    folder = write_package(workspace, "my_robot")
+    (folder / "scripts").mkdir()
+    (folder / "scripts" / "wave.py").touch()
+    for name in ("wave", "wave.py"):
+        assert find(["my_robot", name])[0].target == str(folder / "scripts" / "wave.py")
+
+
+def test_a_students_node_hides_a_bundled_one_of_the_same_name(workspace: Path) -> None:
+    write_package(workspace, "my_robot", talker="my_robot.talker:main")
+    assert find(["talker"])[0].package == "my_robot"
+    assert find(["zbot_nodes", "talker"])[0].target == "zbot_nodes.talker:main"
+
+
+def test_two_packages_with_one_name_have_to_be_told_apart(workspace: Path) -> None:
+    write_package(workspace, "blue", drive="blue.drive:main")
+    write_package(workspace, "red", drive="red.drive:main")
+    with pytest.raises(SeveralExecutablesError) as caught:
+        find(["drive"])
+    assert str(caught.value).splitlines() == [
+        "Multiple executables found:",
+        "- blue drive (blue.drive:main)",
+        "- red drive (red.drive:main)",
+    ]
+    assert caught.value.hint == "name the package too: zbot run blue drive"
+
+
+@pytest.mark.usefixtures("workspace")
+def test_an_installed_package_is_run_by_its_console_scripts() -> None:
+    assert find(["pytest", "pytest"])[0].package == "pytest"
+
+
+def test_build_and_install_folders_are_not_searched(workspace: Path) -> None:
+    write_package(workspace.parent / "install", "my_robot", drive="my_robot.drive:main")
+    assert "my_robot" not in {package.name for package in all_packages()}
+
+
+# -- mistakes ------------------------------------------------------------------------------------
+
+
+@pytest.mark.usefixtures("workspace")
+def test_an_unknown_package(zbot_command: Command) -> None:
+    result = zbot_command("run", "nopkg", "nope")
+    assert (result.code, result.out) == (1, "")
+    assert result.err == (
+        "Package 'nopkg' not found\n\n"
+        "hint: the packages with nodes are demo_nodes_cpp, demo_nodes_py, zbot_nodes\n"
+    )
+
+
+@pytest.mark.usefixtures("workspace")
+def test_an_unknown_executable_of_a_package(zbot_command: Command) -> None:
+    result = zbot_command("run", "demo_nodes_py", "nope")
+    assert result.code == 1
+    assert result.err == "No executable found\n\nhint: demo_nodes_py has listener, talker\n"
+
+
+@pytest.mark.usefixtures("workspace")
+def test_a_package_alone(zbot_command: Command) -> None:
+    assert "demo_nodes_py has listener, talker" in zbot_command("run", "demo_nodes_py").err
+
+
+@pytest.mark.parametrize(
+    ("words", "hint"),
+    [
+        (["sensro"], "did you mean 'sensor'?"),
+        (["demo_nodes_py", "taker"], "did you mean 'talker'?"),
+        (["demo_node_py", "talker"], "did you mean 'demo_nodes_py'?"),
+        (["nothing_like_it"], "there are listener, monitor, sensor,"),
+    ],
+)
+@pytest.mark.usefixtures("workspace")
+def test_the_nearest_name_is_offered(zbot_command: Command, words: list[str], hint: str) -> None:
+    result = zbot_command("run", *words)
+    assert result.code == 1
+    assert f"hint: {hint}" in result.err
+
+
+def test_a_module_that_setup_py_forgot(workspace: Path, zbot_command: Command) -> None:
+    folder = write_package(workspace, "my_robot", drive="my_robot.drive:main")
+    (folder / "my_robot" / "turn.py").touch()
+    result = zbot_command("run", "my_robot", "turn")
+    assert "add 'turn = my_robot.turn:main' to the console_scripts in" in result.err
+
+
+def test_a_broken_setup_py_is_the_reason(workspace: Path, zbot_command: Command) -> None:
+    folder = write_package(workspace, "my_robot")
+    (folder / "setup.py").write_text("setup(entry_points={'console_scripts': [)")
+    result = zbot_command("run", "my_robot", "drive")
+    assert "No executable found\n\nhint: cannot read " in result.err
+    assert "setup.py: line 1: " in result.err
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "text"),
+    [
+        (["nope.py"], 1, "File 'nope.py' not found\n"),
+        (["--prefix", "no_such_command -v", "sensor"], 1, "Prefix command 'no_such_command' not"),
+        (["--prefix", "nice 'n", "sensor"], 1, 'cannot read --prefix "nice \'n": No closing quo'),
+        ([], 2, "name a node to run"),
+        (["--prefx", "nice", "sensor"], 2, "No such option: --prefx"),
+    ],
+)
+@pytest.mark.usefixtures("workspace")
+def test_other_mistakes(zbot_command: Command, words: list[str], code: int, text: str) -> None:
+    result = zbot_command("run", *words)
+    assert (result.code, result.out) == (code, "")
+    assert text in result.err
+
+
+def test_help(zbot_command: Command) -> None:
+    result = zbot_command("run", "--help")
+    assert result.code == 0
+    assert result.out.startswith("Usage: zbot run [--prefix COMMAND] [PACKAGE] EXECUTABLE [ARGS]")

@@ -1,0 +1,96 @@
+"""How a program starts in the place of `zbot run`, and how it ends."""
+
+from __future__ import annotations
+
+import signal
+import sys
+from typing import TYPE_CHECKING
+
+import pytest
+
+from tests.cli.command import zbot
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from tests.conftest import Program
+
+    Start = Callable[..., Program]
+
+NODE_CLASS = """
+import zbot
+NAME = 'n'
+
+class N(zbot.Node):
+    def __init__(self):
+        super().__init__(NAME)
+        print('started', flush=True)
+"""
+
+
+def test_what_a_program_prints_is_there_at_once(start: Start, tmp_path: Path) -> None:
+    (tmp_path / "wait.py").write_text("print('ready')\nwhile True: pass\n")
+    program = start("zbot", "run", "wait.py")
+    program.wait_for("ready")
+    assert program.stop(signal.SIGINT) != 0
+    assert program.output == "ready"
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "def main(args=None):\n    print('started')\n",
+        NODE_CLASS,
+    ],
+)
+def test_a_file_that_only_defines_a_node_is_started(
+    start: Start, tmp_path: Path, source: str
+) -> None:
+    (tmp_path / "sheet.py").write_text(source)
+    start("zbot", "run", "sheet.py").wait_for("started")
+
+
+def test_a_file_that_starts_itself_is_started_once(start: Start, tmp_path: Path) -> None:
+    source = "def main():\n    print('started')\n\nif __name__ == '__main__':\n    main()\n"
+    (tmp_path / "own.py").write_text(source)
+    program = start("zbot", "run", "own.py")
+    assert program.wait() == 0
+    assert program.output == "started"
+
+
+def test_a_file_with_nothing_to_start_says_so(start: Start, tmp_path: Path) -> None:
+    (tmp_path / "parts.py").write_text("def helper(): ...\n")
+    program = start("zbot", "run", "parts.py")
+    assert program.wait() == 1
+    assert program.lines[0].startswith("parts.py has nothing to run")
+
+
+def test_a_report_begins_at_the_users_line(start: Start, tmp_path: Path) -> None:
+    (tmp_path / "fails.py").write_text("def main():\n    return 1 / 0\n\nmain()\n")
+    program = start("zbot", "run", "fails.py")
+    assert program.wait() == 1
+    assert program.lines[0] == "Traceback (most recent call last):"
+    assert program.lines[1] == '  File "fails.py", line 4, in <module>'
+    assert program.lines[-1] == "ZeroDivisionError: division by zero"
+
+
+def test_a_syntax_error_is_shown_as_python_shows_it(start: Start, tmp_path: Path) -> None:
+    (tmp_path / "bad.py").write_text("def main(:\n")
+    program = start("zbot", "run", "bad.py")
+    assert program.wait() == 1
+    assert program.lines[0] == '  File "bad.py", line 1'
+    assert program.lines[-1].startswith("SyntaxError: ")
+
+
+def test_a_neighbour_can_be_imported(tmp_path: Path) -> None:
+    (tmp_path / "code").mkdir()
+    (tmp_path / "code" / "a.py").write_text("import b\nprint(b.WORD)\n")
+    (tmp_path / "code" / "b.py").write_text("WORD = 'found'\n")
+    assert zbot("run", "code/a.py", cwd=tmp_path).out == "found\n"
+
+
+def test_a_file_nearby_cannot_take_the_place_of_a_module(start: Start, tmp_path: Path) -> None:
+    (tmp_path / "random.py").write_text("raise SystemExit('the wrong one')\n")
+    source = f"import sys; sys.path[0] = {str(tmp_path)!r}; from zbot_cli.main import main; main()"
+    start(sys.executable, "-c", source, "run", "sensor").wait_for("Temperature sensor started")
