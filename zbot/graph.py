@@ -134,6 +134,7 @@ class Graph:
         self._watching = False
         self._is_complete = False
         self._gone: set[str] = set()
+        self._withdrawn: set[str] = set()  # own tokens whose coming and going may still be queued
         self._changed = threading.Condition()
 
     def watch(self) -> None:
@@ -168,6 +169,8 @@ class Graph:
         else:
             with self._lock:
                 changed = self._forget(token.key) is not None
+                if self._watching:
+                    self._withdrawn.add(token.key)
         if changed:
             self._tell(token, appeared)
 
@@ -254,6 +257,7 @@ class Graph:
             return
         with self._lock:
             gone = self._forget(key)
+            self._withdrawn.discard(key)
             if not self._is_complete:
                 self._gone.add(key)
         if gone is not None:
@@ -261,7 +265,7 @@ class Graph:
 
     def _add(self, token: Token) -> bool:
         with self._lock:
-            if token.key in self._tokens:
+            if token.key in self._tokens or token.key in self._withdrawn:
                 return False
             self._tokens[token.key] = token
             if isinstance(token, EndpointToken):
