@@ -13,11 +13,12 @@ from zbot.executor import Signal
 from zbot_cli.looking import full_name, hidden_node, snapshot
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator, Sequence
+    from collections.abc import Sequence
 
     from zbot.node import Node
     from zbot.publisher import Publisher
     from zbot_cli.qos_options import Choice
+    from zbot_cli.values import Template
 
 
 class RateError(ZbotError):
@@ -135,13 +136,11 @@ class Pub:
         self._pace.check()
         type_name, values = self._type_and_values()
         message_type = message_class(type_name)
-        # Values are checked before anybody is waited for.
-        for text in self._documents(values):
-            self._message(message_type, text, time.time_ns)
+        templates = self._templates(message_type, values)
         with hidden_node("pub", self._node_name, use_sim_time=self._use_sim_time) as node:
             publisher = node.create_publisher(message_type, self._topic, self._choice.to_publish())
             self._wait(node, publisher)
-            self._publish(node, publisher, message_type, values)
+            self._publish(node, publisher, templates)
 
     def _type_and_values(self) -> tuple[str, list[str]]:
         from zbot_cli.types import looks_like_type, resolve_message_type  # noqa: PLC0415 - as above
@@ -155,23 +154,15 @@ class Pub:
             raise UntypedTopicError(self._topic)
         return found, self._words
 
-    def _documents(self, values: list[str]) -> Iterator[str]:
+    def _templates(self, message_type: type[Any], values: list[str]) -> list[Template]:
+        from zbot_cli.values import Template, split_documents  # noqa: PLC0415 - as above
+
         if self._yaml_file is not None:
-            from zbot_cli.values import split_documents  # noqa: PLC0415 - as above
-
-            yield from split_documents(_read(self._yaml_file))
-        elif self._stdin:
-            if not hasattr(self, "_input"):
-                self._input = sys.stdin.read()
-            yield self._input
-        else:
-            yield " ".join(values)
-
-    @staticmethod
-    def _message(message_type: type[Any], text: str, now_ns: Callable[[], int]) -> Any:
-        from zbot_cli.values import populate  # noqa: PLC0415 - as above
-
-        return populate(message_type, text, now_ns)
+            documents = split_documents(_read(self._yaml_file))
+            if not documents:
+                raise ValuesFileError(self._yaml_file, "there is no message in it")
+            return [Template(message_type, document) for document in documents]
+        return [Template(message_type, sys.stdin.read() if self._stdin else values)]
 
     def _wait(self, node: Node, publisher: Publisher[Any]) -> None:
         wanted = self._pace.subscriptions
@@ -194,26 +185,18 @@ class Pub:
             if found < wanted and deadline is not None and time.monotonic() >= deadline:
                 raise NoSubscriberError(wanted, found)
 
-    def _publish(
-        self,
-        node: Node,
-        publisher: Publisher[Any],
-        message_type: type[Any],
-        values: list[str],
-    ) -> None:
+    def _publish(self, node: Node, publisher: Publisher[Any], templates: list[Template]) -> None:
         now_ns = lambda: node.get_clock().now().nanoseconds  # noqa: E731 - one expression, twice used
-        texts = list(self._documents(values))
-        messages = [self._message(message_type, text, now_ns) for text in texts]
-        is_stamped = [_is_stamped(text) for text in texts]
-        limit = len(texts) if self._yaml_file is not None else self._pace.times
+        messages = [template.make(now_ns) for template in templates]
+        limit = len(templates) if self._yaml_file is not None else self._pace.times
         print("publisher: beginning loop", flush=True)
         begun, sent = time.monotonic(), 0
         pause = Signal()  # a signal handler sets it: an Event could wait for itself
         node.context.add_waker(pause.set)
         while node.context.ok():
-            index = sent % len(texts)
-            if is_stamped[index]:
-                messages[index] = self._message(message_type, texts[index], now_ns)
+            index = sent % len(templates)
+            if templates[index].is_stamped:
+                messages[index] = templates[index].make(now_ns)
             publisher.publish(messages[index])
             sent += 1
             if self._pace.print_every and sent % self._pace.print_every == 0:
@@ -223,10 +206,6 @@ class Pub:
                 return
             # Reckoned from the beginning, so that the mean rate is exact.
             pause.wait(max(0.0, begun + sent / self._pace.rate_hz - time.monotonic()))
-
-
-def _is_stamped(text: str) -> bool:
-    return "auto" in text or "now" in text
 
 
 def _read(path: str) -> str:

@@ -2,24 +2,28 @@
 
 from __future__ import annotations
 
+import base64
+import binascii
 import re
-from typing import TYPE_CHECKING, Any
-
-import yaml
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Union
 
 from zbot.errors import ZbotError
 from zbot.interfaces import get_message, spec_of
 from zbot.names import nearest
+from zbot_cli import yaml_text
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from zbot.interfaces import FieldType
 
-_Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-_ASSIGNMENT = re.compile(r"(?P<path>[A-Za-z_][\w.]*)=(?P<value>.*)\Z", re.DOTALL)
+_ASSIGNMENT = re.compile(r"(?P<path>[A-Za-z_]\w*(\.\w+)*)=(?P<value>.*)\Z", re.DOTALL)
+_SEPARATOR = re.compile(r"^---[ \t]*$", re.MULTILINE)
 _HEADER = "std_msgs/msg/Header"
 _TIME = "builtin_interfaces/msg/Time"
+_OCTETS = {"byte", "char", "uint8"}
+_LONGEST_SHOWN_LINE = 200
 
 
 class ValuesError(ZbotError):
@@ -38,160 +42,300 @@ class PopulateError(ZbotError):
         super().__init__(f"Failed to populate field: {reason}")
 
 
-def populate(message_type: type[Any], text: str, now_ns: Callable[[], int]) -> Any:
-    """Return a message made from text; fields that are not named keep their defaults.
+@dataclass(frozen=True)
+class Word:
+    """A value that is neither a list nor a dictionary."""
+
+    text: str  #: as it was written: `yes`, `1.0`
+    value: Any  #: what YAML makes of that: True, 1.0
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class _Key(str):
+    """The name of a field, and where it stands."""
+
+    __slots__ = ("place",)
+    place: str
+
+
+#: What a text says, before it is known which message it is for.
+Tree = Union[Word, "list[Tree]", "dict[str, Tree]"]
+
+
+class Template:
+    """Makes messages of one type with the values of a command line.
+
+    What does not fit is told at once, before anybody is waited for.
 
     Args:
         message_type: Message class.
-        text: YAML (of which JSON is a part), or words like `linear.x=2`; may be empty.
-        now_ns: What `header: auto` and `stamp: now` stand for, nanoseconds since the epoch.
+        words: YAML (of which JSON is a part), or words like `linear.x=2 angular.z=1.8`; none at
+            all leaves every field at its default.
 
     Raises:
-        ValuesError: The text is no dictionary in YAML.
+        ValuesError: The words are no dictionary in YAML.
         PopulateError: A field does not exist, or a value does not fit it.
     """
-    values = parse(text)
-    message = message_type()
-    _fill(message, values, now_ns, "")
-    return message
 
+    def __init__(self, message_type: type[Any], words: str | Sequence[str]) -> None:
+        self._type = message_type
+        self._values = parse(words)
+        #: Whether each message has to be made anew, because it holds the time.
+        self.is_stamped = False
+        self.make(self._notice)
 
-def parse(text: str) -> dict[str, Any]:
-    """Return the dictionary that a text stands for.
+    def make(self, now_ns: Callable[[], int]) -> Any:
+        """Return a message.
 
-    Raises:
-        ValuesError: It is none.
-    """
-    words = text.split()
-    if words and all(map(_ASSIGNMENT.match, words)):
-        return _assignments(words)
-    try:
-        values = yaml.load(text, Loader=_Loader)  # noqa: S506 - a safe loader, in C where there is one
-    except yaml.YAMLError as exc:
-        raise _syntax_error(text, exc) from None
-    if values is None:
-        return {}
-    if not isinstance(values, dict):
-        hint = "put a blank after the colon: 'data: hello'" if ":" in text else None
-        raise ValuesError("The passed value needs to be a dictionary in YAML format", hint)
-    return values
+        Args:
+            now_ns: What `header: auto` and `stamp: now` stand for, nanoseconds since the epoch.
+        """
+        message = self._type()
+        _fill(message, self._values, now_ns, "")
+        return message
+
+    def _notice(self) -> int:
+        self.is_stamped = True
+        return 0
 
 
 def split_documents(text: str) -> list[str]:
     """Return the documents of a YAML stream, such as saved output of `zbot topic echo`."""
-    parts = re.split(r"^---[ \t]*$", text, flags=re.MULTILINE)
-    return [part for part in parts if part.strip()]
+    return [part for part in _SEPARATOR.split(text) if part.strip()]
 
 
-def _assignments(words: list[str]) -> dict[str, Any]:
-    values: dict[str, Any] = {}
-    for word in words:
-        match = _ASSIGNMENT.match(word)
-        assert match is not None
-        *path, last = match["path"].split(".")
-        place = values
-        for part in path:
-            place = place.setdefault(part, {})
-        place[last] = parse_scalar(match["value"])
-    return values
+# -- from text to a tree -----------------------------------------------------------------------
 
 
-def parse_scalar(text: str) -> Any:
-    """Return what YAML makes of one value; the text itself where YAML can make nothing of it."""
+def parse(words: str | Sequence[str]) -> dict[str, Tree]:
+    """Return the dictionary that a text, or the words of a command line, stand for.
+
+    Raises:
+        ValuesError: They stand for something else, or for nothing.
+    """
+    words = [words] if isinstance(words, str) else list(words)
+    if len(words) == 1 and all(map(_ASSIGNMENT.match, words[0].split())):
+        words = words[0].split()
+    matches = [match for match in map(_ASSIGNMENT.match, words) if match]
+    if matches and len(matches) == len(words):
+        return _assignments(matches)
+    text = " ".join(words)
+    tree = _parsed(text)
+    if tree is None:
+        return {}
+    if not isinstance(tree, dict):
+        raise ValuesError("The passed value needs to be a dictionary in YAML format", _advice(text))
+    return tree
+
+
+def _advice(text: str) -> str:
+    name, colon, value = text.strip().partition(":")
+    if colon and name.isidentifier():
+        return f"put a blank after the colon: '{name}: {value.strip()}'"
+    return 'name the fields that the values are for: "{data: hello}"'
+
+
+def _parsed(text: str) -> Tree | None:
     try:
-        return yaml.load(text, Loader=_Loader)  # noqa: S506 - as above
-    except yaml.YAMLError:
-        return text
+        node = yaml_text.compose(text)
+        return None if node is None or _is_empty(node) else _tree(node, text)
+    except yaml_text.YAMLError as exc:
+        raise _syntax_error(text, exc) from None
 
 
-def _syntax_error(text: str, exc: yaml.YAMLError) -> ValuesError:
-    mark = getattr(exc, "problem_mark", None)
+def _is_empty(node: yaml_text.Node) -> bool:
+    return isinstance(node, yaml_text.ScalarNode) and node.tag == "tag:yaml.org,2002:null"
+
+
+def _tree(node: yaml_text.Node, text: str) -> Tree:
+    if isinstance(node, yaml_text.SequenceNode):
+        return [_tree(item, text) for item in node.value]
+    if isinstance(node, yaml_text.MappingNode):
+        return _mapping(node, text)
+    assert isinstance(node, yaml_text.ScalarNode)
+    return Word(node.value, yaml_text.scalar(node))
+
+
+def _mapping(node: yaml_text.MappingNode, text: str) -> dict[str, Tree]:
+    tree: dict[str, Tree] = {}
+    for key_node, value_node in node.value:
+        key = _Key(key_node.value)
+        key.place = _place(text, key_node.start_mark)
+        if key in tree:
+            raise ValuesError(f"{key} has two values{key.place}", "leave one of them out")
+        tree[key] = _tree(value_node, text)
+    return tree
+
+
+def _assignments(matches: list[re.Match[str]]) -> dict[str, Tree]:
+    tree: dict[str, Tree] = {}
+    for match in matches:
+        *path, last = match["path"].split(".")
+        place = tree
+        for name in path:
+            inner = place.setdefault(name, {})
+            if not isinstance(inner, dict):
+                raise ValuesError(f"{name} has two values, one of them in '{match[0]}'")
+            place = inner
+        if last in place:
+            raise ValuesError(f"{match['path']} has two values")
+        place[last] = _assigned(match["value"])
+    return tree
+
+
+def _assigned(text: str) -> Tree:
+    try:
+        node = yaml_text.compose(text)
+        if node is None:
+            return Word("", None)
+        # A collection in brackets; without them, `data=a: b` is a text whose quotes a shell took.
+        if not isinstance(node, yaml_text.CollectionNode) or node.flow_style:
+            return _tree(node, text)
+    except yaml_text.YAMLError:
+        pass
+    return Word(text, text)
+
+
+def _syntax_error(text: str, exc: yaml_text.YAMLError) -> ValuesError:
     problem = getattr(exc, "problem", None) or "it is no YAML"
-    where = "" if mark is None else f" (line {mark.line + 1}, column {mark.column + 1})"
+    place = _place(text, getattr(exc, "problem_mark", None))
     hint = 'write it like "{linear: {x: 2.0}}", with a blank after each colon'
-    line = "" if mark is None else _pointer(text, mark)
-    return ValuesError(f"The values are no YAML: {problem}{where}{line}", hint)
+    return ValuesError(f"The values are no YAML: {problem}{place}", hint)
 
 
-def _pointer(text: str, mark: Any) -> str:
-    lines = text.splitlines()
-    if mark.line >= len(lines) or len(lines[mark.line]) > 200:
+def _place(text: str, mark: Any) -> str:
+    """Return where something is, and its line with a mark below it."""
+    if mark is None:
         return ""
-    return f"\n  {lines[mark.line]}\n  {' ' * mark.column}^"
+    lines = text.splitlines() or [""]
+    line, column = mark.line, mark.column
+    if line >= len(lines):  # YAML counts the end of a text as a line of its own
+        line, column = len(lines) - 1, len(lines[-1])
+    place = f" (line {line + 1}, column {column + 1})"
+    if len(lines[line]) > _LONGEST_SHOWN_LINE:
+        return place
+    return f"{place}\n  {lines[line]}\n  {' ' * column}^"
 
 
-def _fill(message: Any, values: dict[str, Any], now_ns: Callable[[], int], path: str) -> None:
-    kinds = {field.name: field.type for field in spec_of(type(message)).fields}  # type: ignore[union-attr]
-    for key, value in values.items():
-        name = str(key)
+# -- from a tree to a message ------------------------------------------------------------------
+
+
+def _fill(message: Any, values: dict[str, Tree], now_ns: Callable[[], int], path: str) -> None:
+    kinds: dict[str, FieldType] = {
+        field.name: field.type
+        for field in spec_of(type(message)).fields  # type: ignore[union-attr]
+    }
+    for name, value in values.items():
         if name not in kinds:
             raise _unknown_field(message, name, value, list(kinds))
         try:
             setattr(message, name, _value(kinds[name], value, now_ns, f"{path}{name}"))
         except (TypeError, ValueError, OverflowError) as exc:
-            raise PopulateError(str(exc)) from None
+            raise PopulateError(str(exc), _example(kinds[name], f"{path}{name}")) from None
 
 
-def _unknown_field(message: Any, name: str, value: Any, known: list[str]) -> PopulateError:
-    if ":" in name and value is None:
-        before, _, after = name.partition(":")
-        hint = f"put a blank after the colon: {before}: {after}"
-    else:
-        guess = nearest(name, known)
-        fields = ", ".join(known) or "none"
-        hint = f"did you mean '{guess}'?" if guess else f"its fields are {fields}"
+def _unknown_field(message: Any, name: str, value: Tree, known: list[str]) -> PopulateError:
     reason = f"'{type(message).__name__}' object has no attribute '{name}'"
-    return PopulateError(reason, hint)
+    before, colon, after = name.partition(":")
+    if colon and isinstance(value, Word) and value.value is None:
+        hint = f"put a blank after the colon: {before}: {after}"
+        return PopulateError(reason + getattr(name, "place", ""), hint)
+    guess = nearest(name, known)
+    fields = f"its fields are {', '.join(known)}" if known else "it has no fields"
+    return PopulateError(reason, f"did you mean '{guess}'?" if guess else fields)
 
 
-def _value(kind: FieldType, value: Any, now_ns: Callable[[], int], path: str) -> Any:
+def _example(kind: FieldType, path: str) -> str | None:
+    name = path.rpartition(".")[2]
     if kind.kind != "scalar":
-        if not isinstance(value, list):
-            raise PopulateError(f"{path} is {kind.text}: give it a list, not {value!r}")
-        one = type(kind)(kind.base, "scalar", 0, kind.string_bound)
-        return [_value(one, item, now_ns, f"{path}[{index}]") for index, item in enumerate(value)]
+        return f"{path} is {kind.text}: write {name}: [...]"
+    number = "1.5" if kind.base.startswith("float") else "2"
+    if not kind.typecode:
+        return None
+    article = "an" if kind.base.startswith("i") else "a"
+    return f"{path} is {article} {kind.base}: write {name}: {number}"
+
+
+def _value(kind: FieldType, value: Tree, now_ns: Callable[[], int], path: str) -> Any:
+    if kind.kind != "scalar":
+        return _list(kind, value, now_ns, path)
     if kind.is_message:
         return _nested(kind, value, now_ns, path)
+    if not isinstance(value, Word):
+        many = "a dictionary" if isinstance(value, dict) else "a list"
+        hint = f"put the text of {path} in quotes" if kind.is_string else _example(kind, path)
+        raise PopulateError(f"{path} is a {kind.base}, not {many}", hint)
     return _scalar(kind, value, path)
 
 
-def _nested(kind: FieldType, value: Any, now_ns: Callable[[], int], path: str) -> Any:
+def _list(kind: FieldType, value: Tree, now_ns: Callable[[], int], path: str) -> list[Any] | bytes:
+    one = type(kind)(kind.base, "scalar", 0, kind.string_bound)
+    if isinstance(value, list):
+        return [_value(one, item, now_ns, f"{path}[{index}]") for index, item in enumerate(value)]
+    if isinstance(value, Word) and value.value is None:
+        return []
+    if isinstance(value, Word) and kind.base in _OCTETS:
+        return _octets(kind, value, path)
+    raise PopulateError(f"{path} is {kind.text}: give it a list, not {_shown(value)}")
+
+
+def _octets(kind: FieldType, value: Word, path: str) -> list[Any] | bytes:
+    """Return the bytes that base64 stands for, as `zbot topic echo --json` prints it."""
+    try:
+        octets = base64.b64decode(value.text, validate=True)
+    except (binascii.Error, ValueError):
+        raise PopulateError(
+            f"{path} is {kind.text}: give it a list or base64, not {_shown(value)}"
+        ) from None
+    return [bytes([octet]) for octet in octets] if kind.base == "byte" else octets
+
+
+def _nested(kind: FieldType, value: Tree, now_ns: Callable[[], int], path: str) -> Any:
     message: Any = get_message(kind.base)()
-    if (kind.base, value) == (_HEADER, "auto"):
-        value = {"stamp": "now"}
-    if (kind.base, value) == (_TIME, "now"):
+    word = value.text if isinstance(value, Word) else None
+    if (kind.base, word) == (_HEADER, "auto"):
+        value = {"stamp": Word("now", "now")}
+    if (kind.base, word) == (_TIME, "now"):
         message.sec, message.nanosec = divmod(now_ns(), 10**9)
         return message
     if not isinstance(value, dict):
+        name = "list" if isinstance(value, list) else type(value.value).__name__
         raise PopulateError(
-            f"Value '{value}' is expected to be a dictionary but is a {type(value).__name__}",
-            f"{path} is a {kind.base}: write {path}: {{...}}",
+            f"Value '{_shown(value)}' is expected to be a dictionary but is a {name}",
+            f"{path} is a {kind.base}: write {path.rpartition('.')[2]}: {{...}}",
         )
     _fill(message, value, now_ns, f"{path}.")
     return message
 
 
-def _scalar(kind: FieldType, value: Any, path: str) -> Any:
-    base = kind.base
+def _shown(value: Tree) -> str:
+    if isinstance(value, Word):
+        return value.text
+    if isinstance(value, dict):
+        return "{...}"
+    return f"[{', '.join(map(_shown, value))}]"
+
+
+def _scalar(kind: FieldType, word: Word, path: str) -> Any:
     if kind.is_string:
-        return value if isinstance(value, str) else _as_text(value)
-    if base == "bool":
-        if isinstance(value, (bool, int)) and value in {0, 1}:
-            return bool(value)
-        raise PopulateError(f"{path} is a bool: give it true or false, not {value!r}")
-    if base == "byte":
-        return bytes([_integer(value, path)])
-    return float(value) if base.startswith("float") else _integer(value, path)
-
-
-def _as_text(value: Any) -> str:
-    # YAML read a word as something else; the user meant the word.
-    return str(value).lower() if isinstance(value, bool) else "" if value is None else str(value)
+        # As it was written: YAML takes 12:30 for the number 750, and `no` for False.
+        return "" if word.value is None else word.text
+    if kind.base == "bool":
+        if isinstance(word.value, (bool, int)) and word.value in {0, 1}:
+            return bool(word.value)
+        raise PopulateError(f"{path} is a bool: give it true or false, not {word.text!r}")
+    if word.value is None or isinstance(word.value, bool):
+        found = "nothing" if word.value is None else word.text
+        raise PopulateError(f"{path} is a number, not {found}", _example(kind, path))
+    if kind.base.startswith("float"):
+        return float(word.value)
+    number = _integer(word.value, path)
+    return bytes([number]) if kind.base == "byte" else number
 
 
 def _integer(value: Any, path: str) -> int:
     if isinstance(value, float) and not value.is_integer():
         raise PopulateError(f"{path} is a whole number, not {value!r}")
-    if isinstance(value, (dict, list)) or value is None:
-        raise PopulateError(f"{path} is a number, not {value!r}")
     return int(value)

@@ -1,0 +1,95 @@
+"""The one place that knows PyYAML: values to text as ros2 writes it, and text to nodes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import yaml
+from yaml import CollectionNode, MappingNode, Node, ScalarNode, SequenceNode, YAMLError
+from yaml.constructor import SafeConstructor
+
+__all__ = [
+    "CollectionNode",
+    "Flow",
+    "MappingNode",
+    "Node",
+    "ScalarNode",
+    "SequenceNode",
+    "YAMLError",
+    "compose",
+    "dump",
+    "scalar",
+]
+
+# libyaml writes and reads ten times faster; a PyYAML built without it lacks these names.
+_BaseDumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+_Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+_UNLIMITED = 2**31 - 1
+
+
+class Flow(list[Any]):
+    """A list that is written on one line."""
+
+
+def _represent_flow(dumper: Any, data: Flow) -> Any:
+    return dumper.represent_sequence("tag:yaml.org,2002:seq", data, flow_style=True)
+
+
+class _Dumper(_BaseDumper):  # type: ignore[misc]
+    """Writes every value in full, also one that occurs twice."""
+
+    def ignore_aliases(self, data: object) -> bool:  # noqa: ARG002 - PyYAML's signature
+        return True
+
+
+class _WideDumper(yaml.SafeDumper):
+    """Slower, and keeps what libyaml would escape: emoji and all else beyond the basic plane."""
+
+    def ignore_aliases(self, data: object) -> bool:  # noqa: ARG002 - PyYAML's signature
+        return True
+
+
+_Dumper.add_representer(Flow, _represent_flow)
+_WideDumper.add_representer(Flow, _represent_flow)
+
+
+def dump(value: Any) -> str:
+    """Return a value of plain types as block YAML, ending with a newline."""
+    text = _dump(value, _Dumper)
+    if "\\U" in text:
+        text = _dump(value, _WideDumper)
+    return text.removesuffix("...\n")
+
+
+def _dump(value: Any, dumper: Any) -> str:
+    text: str = yaml.dump(
+        value,
+        Dumper=dumper,
+        allow_unicode=True,
+        default_flow_style=False,
+        sort_keys=False,
+        width=_UNLIMITED,
+    )
+    return text
+
+
+def compose(text: str) -> Node | None:
+    """Return the node of a text's only document; None if it is empty.
+
+    Raises:
+        YAMLError: The text is no YAML.
+    """
+    node: Node | None = yaml.compose(text, Loader=_Loader)
+    return node
+
+
+def scalar(node: ScalarNode) -> Any:
+    """Return the value of a scalar: a number, a truth value, None, a date or a text.
+
+    Raises:
+        YAMLError: Its tag is unknown, or its text does not fit the tag.
+    """
+    try:
+        return SafeConstructor().construct_document(node)
+    except ValueError:  # 2024-13-01 looks like a date
+        return node.value
