@@ -26,9 +26,9 @@ if TYPE_CHECKING:
     from zbot.clock import ROSClock as ROSClock
     from zbot.context import Context as Context
     from zbot.context import get_default_context as get_default_context
+    from zbot.errors import ExternalShutdownException as ExternalShutdownException
     from zbot.errors import ZbotError as ZbotError
     from zbot.executor import Executor as Executor
-    from zbot.executor import ExternalShutdownException as ExternalShutdownException
     from zbot.executor import MultiThreadedExecutor as MultiThreadedExecutor
     from zbot.executor import SingleThreadedExecutor as SingleThreadedExecutor
     from zbot.log import LoggingSeverity as LoggingSeverity
@@ -73,7 +73,7 @@ _HOMES = {
     "get_default_context": "zbot.context",
     "ZbotError": "zbot.errors",
     "Executor": "zbot.executor",
-    "ExternalShutdownException": "zbot.executor",
+    "ExternalShutdownException": "zbot.errors",
     "MultiThreadedExecutor": "zbot.executor",
     "SingleThreadedExecutor": "zbot.executor",
     "LoggingSeverity": "zbot.log",

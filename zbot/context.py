@@ -16,7 +16,6 @@ from zbot.log import configure, get_logger, get_logging_severity_from_string
 from zbot.session import MeetingPoint, MeetingWatch, process_facts
 from zbot.version import __version__
 from zbot.wire.dialect import NATIVE
-from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -112,6 +111,11 @@ class Context:
     def is_over(self) -> bool:
         """Whether it was shut down: it cannot be initialised again."""
         return self._state == "shut down"
+
+    @property
+    def is_interrupted(self) -> bool:
+        """Whether a signal asked everything to end."""
+        return self._interrupted
 
     def interrupt(self) -> None:
         """Let everything that spins end; publishing stays possible until `shutdown()`."""
@@ -260,12 +264,10 @@ class Context:
             watch.wait_settled(_SETTLE_TIMEOUT_S)
         self._is_settled = True
 
-    def meet_subscribers(self, topic: str) -> None:
-        """Wait, at most 0.5 s, until a topic's present subscribers can be reached."""
+    def meet(self) -> None:
+        """Wait, at most 0.5 s, until everybody's present subscriptions are known here."""
         if self._mode == "peer" and self._watch is not None:
-            self.settle()
-            subscriptions = self.graph.ask_for(EntityKind.SUBSCRIPTION, topic)
-            self._watch.wait_met({token.zid for token in subscriptions}, _SETTLE_TIMEOUT_S)
+            self._watch.wait_settled(_SETTLE_TIMEOUT_S)
 
     def _new_meeting(self) -> MeetingPoint:
         reach = config.discovery_range()

@@ -512,3 +512,7 @@ class ParametersFileError(ZbotError, ValueError):
     def __init__(self, path: str, reason: str) -> None:
         self.path, self.reason = path, reason
         super().__init__(f"cannot use the parameter file {path}: {reason}")
+
+
+class ExternalShutdownException(ZbotError):  # noqa: N818 - rclpy's name
+    """The context was shut down, by a signal or another thread, while an executor was waiting."""

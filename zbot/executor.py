@@ -19,7 +19,12 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
 from zbot.callback_group import CallbackGroup, ReentrantCallbackGroup
-from zbot.errors import ExecutorBusyError, NotInitializedError, ShutdownError, ZbotError
+from zbot.errors import (
+    ExecutorBusyError,
+    ExternalShutdownException,
+    NotInitializedError,
+    ShutdownError,
+)
 from zbot.task import Future, Task
 
 if TYPE_CHECKING:
@@ -35,10 +40,6 @@ if TYPE_CHECKING:
 # Ctrl-C does not interrupt a lock's acquire() on Windows, and elsewhere not if it comes just before
 # Python goes to sleep: wait in slices.
 _LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
-
-
-class ExternalShutdownException(ZbotError):  # noqa: N818 - rclpy's name
-    """The context was shut down, by a signal or another thread, while an executor was waiting."""
 
 
 _main_spins = 0
@@ -359,6 +360,12 @@ class Executor:
         """
         while self._context.ok() and not self._is_shutdown:
             self.spin_once()
+        self._tell_interruption()
+
+    def _tell_interruption(self) -> None:
+        # The handler's own exception may have been caught on its way, by a callback say.
+        if self._context.is_interrupted:
+            raise ExternalShutdownException
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Run one callback, waiting for it at most `timeout_sec` seconds (`None`: for ever)."""
@@ -463,6 +470,7 @@ class SingleThreadedExecutor(Executor):
                     self._due_ns = self._agenda.earliest_ns()
                     self._is_disturbed = self._is_disturbed or bool(self._ready)
                     self._execute(*work)
+        self._tell_interruption()
 
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         with self._spins():

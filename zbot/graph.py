@@ -215,11 +215,6 @@ class Graph:
         """Return the endpoint that a message's gid names, if it is known (by now)."""
         return self._by_gid.get(gid)
 
-    def ask_for(self, kind: EntityKind, name: str) -> list[EndpointToken]:
-        """Return the endpoints of a kind on a name, asked anew rather than remembered."""
-        key = self._dialect.endpoints_key(self._domain, kind, name)
-        return [token for token in self._ask(key) if isinstance(token, EndpointToken)]
-
     def add_listener(self, listener: Callable[[Token, bool], None]) -> None:
         """Call a bound method `listener(token, appeared)` at each change while its object lives."""
         self.watch()

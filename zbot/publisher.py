@@ -136,7 +136,7 @@ class Publisher(Generic[MsgT]):
             raise
 
     def _put_first(self, payload: Any, **options: Any) -> None:
-        self._context.meet_subscribers(self.topic_name)
+        self._context.meet()
         self._put = self._publisher.put
         self._put(payload, **options)
 

@@ -235,14 +235,14 @@ class MeetingWatch:
         return self._wait(lambda: bool(self._session.info.routers_zid()), timeout_s)
 
     def wait_settled(self, timeout_s: float) -> bool:
-        """Wait until the session has met every peer that the meeting router knows.
+        """Wait until the session has met everybody whom the meeting router knows.
 
         Takes 5 to 30 ms after a session was opened.
         """
         deadline = time.monotonic() + timeout_s
         if not self.wait_linked(timeout_s):
             return False
-        return self.wait_met(self._peers_at_router(timeout_s), deadline - time.monotonic())
+        return self.wait_met(self._sessions_at_router(timeout_s), deadline - time.monotonic())
 
     def wait_met(self, zids: set[str], timeout_s: float) -> bool:
         """Wait until every one of some sessions has answered a query.
@@ -264,13 +264,13 @@ class MeetingWatch:
                     self._changed.wait(_LINK_PAUSE_S)
         return True
 
-    def _peers_at_router(self, timeout_s: float) -> set[str]:
+    def _sessions_at_router(self, timeout_s: float) -> set[str]:
         routers = {str(zid) for zid in self._session.info.routers_zid()}
         found: set[str] = set()
         for router in routers:
             for reply in self._session.get(f"@/{router}/router", timeout=timeout_s):
                 if reply.ok is not None:
-                    found |= peers_in(reply.ok.payload.to_bytes())
+                    found |= sessions_in(reply.ok.payload.to_bytes())
         return found
 
     def _wait(self, done: Any, timeout_s: float) -> bool:
@@ -290,9 +290,9 @@ class MeetingWatch:
             self._thread.join(2.0)
 
 
-def peers_in(router_facts: bytes) -> set[str]:
-    """Return the session ids of the peers in a router's admin space root (JSON)."""
+def sessions_in(router_facts: bytes) -> set[str]:
+    """Return the session ids of peers and clients in a router's admin space root (JSON)."""
     import json  # noqa: PLC0415 - only the first publish of a process needs it
 
     sessions = json.loads(router_facts).get("sessions", [])
-    return {entry["peer"] for entry in sessions if entry.get("whatami") == "peer"}
+    return {entry["peer"] for entry in sessions if entry.get("whatami") in {"peer", "client"}}

@@ -20,8 +20,8 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from zbot.context import open_contexts
-from zbot.errors import NotInitializedError, SetupError
-from zbot.executor import ExternalShutdownException, spinning_in_main_thread
+from zbot.errors import ExternalShutdownException, NotInitializedError, SetupError
+from zbot.executor import spinning_in_main_thread
 
 if TYPE_CHECKING:
     from types import FrameType

@@ -9,6 +9,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, TypeAlias
 
+from zbot.errors import ExternalShutdownException
 from zbot.log.console import Console
 from zbot.log.log_file import LogFile
 from zbot.log.record import Record
@@ -232,6 +233,8 @@ class Hub:
     def _feed_one(self, tap: Tap, record: Record) -> None:
         try:
             tap.sink(record)
+        except ExternalShutdownException:
+            raise  # a signal came meanwhile: that is not the sink's fault
         except Exception as error:  # noqa: BLE001 - a sink may be anybody's function
             if not tap.has_failed:
                 tap.has_failed = True

@@ -12,7 +12,7 @@ from zbot.wire import codec, keys, tokens
 
 if TYPE_CHECKING:
     from zbot.wire.codec import Codec
-    from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
+    from zbot.wire.tokens import EndpointToken, NodeToken
 
 __all__ = ["NATIVE", "Dialect"]
 
@@ -34,10 +34,6 @@ class Dialect(Protocol):
         """Return the key expression of every liveliness token of a domain."""
         ...
 
-    def endpoints_key(self, domain: int, kind: EntityKind, name: str) -> str:
-        """Return the key expression of the tokens of a kind on one topic or service."""
-        ...
-
     def parse_token(self, key: str) -> NodeToken | EndpointToken:
         """Return what a token says, or raise TokenError."""
         ...
@@ -57,7 +53,6 @@ class _Native:
     topic_key = staticmethod(keys.topic_key)
     parse_key = staticmethod(keys.parse_key)
     tokens_key = staticmethod(tokens.token_selector)
-    endpoints_key = staticmethod(tokens.endpoint_selector)
     parse_token = staticmethod(tokens.parse_token)
     encoding = staticmethod(keys.encoding)
     codec_for = staticmethod(codec.codec_for)

@@ -27,7 +27,6 @@ __all__ = [
     "EndpointToken",
     "EntityKind",
     "NodeToken",
-    "endpoint_selector",
     "gid_of",
     "parse_token",
     "token_selector",
@@ -121,11 +120,6 @@ class EndpointToken:
 def token_selector(domain: int) -> str:
     """Return the key expression of every token of a domain."""
     return f"{TOKEN_PREFIX}/{domain}/**"
-
-
-def endpoint_selector(domain: int, kind: EntityKind, name: str) -> str:
-    """Return the key expression of every token of a kind on one topic or service."""
-    return f"{TOKEN_PREFIX}/{domain}/*/*/*/{kind.value}/*/*/*/{_mangle(name)}/**"
 
 
 # A graph asks for the same few gids again and again: with every message's info.
