@@ -57,7 +57,10 @@ def python(name: str) -> str:
 def run_pair(name: str, background: str, foreground: str, size: int, count: int) -> str:
     env = environment(name)
     words = [python(name), "-c"]
-    helper = subprocess.Popen([*words, background, str(size), str(count)], env=env)
+    # What a contestant says when it is ended is no result.
+    helper = subprocess.Popen(
+        [*words, background, str(size), str(count)], env=env, stderr=subprocess.DEVNULL
+    )
     try:
         done = subprocess.run(
             [*words, foreground, str(size), str(count)],
