@@ -92,6 +92,9 @@ class SessionConfig:
             built: zenoh.Config = zenoh.Config.from_json5(self.text)
         except zenoh.ZError as exc:
             raise ConfigError(self.source, str(exc)) from exc
+        if built.get_json("id") != "null":
+            reason = "remove `id`: every session of a program needs one of its own"
+            raise ConfigError(self.source, reason)
         silent = zenoh.Config()
         for path, value in fill.items():
             if built.get_json(path) == silent.get_json(path) and not self._mentions(path):

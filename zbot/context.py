@@ -236,7 +236,7 @@ class Context:
         return str(self.session.info.zid())
 
     def next_entity_id(self) -> int:
-        """Return a number that no other node or endpoint of this session has."""
+        """Return a number that no other node or endpoint of the context has."""
         return next(self._entity_ids)
 
     def connect(self, *, wait: bool = False) -> bool:

@@ -264,14 +264,6 @@ class MessageTypeError(ZbotError, TypeError):
         )
 
 
-class FutureStateError(ZbotError, RuntimeError):
-    """A future that is already done is completed again."""
-
-    def __init__(self, state: str) -> None:
-        self.state = state
-        super().__init__(f"this future is already {state}; create a new one for a new result")
-
-
 class ShutdownError(ZbotError, RuntimeError):
     """Something is used after its own shutdown()."""
 

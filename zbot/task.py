@@ -6,8 +6,6 @@ import inspect
 import threading
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
-from zbot.errors import FutureStateError
-
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Generator
 
@@ -69,22 +67,12 @@ class Future(Generic[T]):
         return self._exception
 
     def set_result(self, result: T) -> None:
-        """Complete with a result.
-
-        Raises:
-            FutureStateError: It is already done.
-        """
-        if not self._complete("done", result=result):
-            raise FutureStateError(self._state)
+        """Complete with a result; on a future that is over it takes the place of what is there."""
+        self._complete("done", result=result, again=True)
 
     def set_exception(self, exception: BaseException) -> None:
-        """Complete with an exception, which `result()` and `await` raise.
-
-        Raises:
-            FutureStateError: It is already done.
-        """
-        if not self._complete("done", exception=exception):
-            raise FutureStateError(self._state)
+        """Complete with an exception, which `result()` and `await` raise; see `set_result`."""
+        self._complete("done", exception=exception, again=True)
 
     def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
         """Call `callback(self)` when done, at once if it is."""
@@ -103,16 +91,20 @@ class Future(Generic[T]):
         return removed
 
     def _complete(
-        self, state: str, *, result: T | None = None, exception: BaseException | None = None
-    ) -> bool:
+        self,
+        state: str,
+        *,
+        result: T | None = None,
+        exception: BaseException | None = None,
+        again: bool = False,
+    ) -> None:
         with self._lock:
-            if self.is_over:
-                return False
+            if self.is_over and not again:
+                return
             self._result, self._exception, self._state = result, exception, state
             callbacks, self._callbacks = self._callbacks, []
         for callback in callbacks:
             self._run(callback)
-        return True
 
     def _run(self, callback: Callable[[Any], Any]) -> None:
         if self._executor is None:

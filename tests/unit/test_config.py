@@ -138,3 +138,8 @@ def test_a_file_that_is_no_configuration_is_named(text: str) -> None:
         SessionConfig("f.json5", text).build({})
     assert "\n" not in str(raised.value)
     assert raised.value.source == "f.json5"
+
+
+def test_an_id_for_all_sessions_is_refused() -> None:
+    with pytest.raises(ConfigError, match="remove `id`"):
+        SessionConfig("zenoh.json5", '{ id: "abc" }').build({})

@@ -89,8 +89,12 @@ def test_a_dataclass_is_found_by_its_name() -> None:
     [
         ("my_robot.parts.sensor", None, "my_robot"),
         ("MyRobot", None, "myrobot"),
-        ("__main__", SimpleNamespace(__file__="/tmp/my-talker.py", __spec__=None), "my_talker"),
-        ("__main__", SimpleNamespace(__file__="/tmp/2nd.py", __spec__=None), "script_2nd"),
+        (
+            "__main__",
+            SimpleNamespace(__file__="/home/a/my-talker.py", __spec__=None),
+            "my_talker",
+        ),
+        ("__main__", SimpleNamespace(__file__="/home/ana/2nd.py", __spec__=None), "script_2nd"),
         ("__main__", SimpleNamespace(__spec__=SimpleNamespace(name="my_robot.node")), "my_robot"),
         ("__main__", SimpleNamespace(__spec__=None), "main"),
     ],
