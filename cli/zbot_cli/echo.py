@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 import time
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Any
 
@@ -13,15 +12,17 @@ from zbot.event import SubscriptionEventCallbacks
 from zbot.executor import SingleThreadedExecutor
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.looking import full_name, hidden_node
-from zbot_cli.topic_type import message_class, wait_for_type
+from zbot_cli.topic_type import message_class, only_type, tell_waiting
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Sequence
 
     from zbot.event import QoSMessageLostInfo
     from zbot.graph import Token
     from zbot.node import Node
     from zbot.subscription import MessageInfo
+    from zbot_cli.filter import Filter
+    from zbot_cli.message_text import Form
     from zbot_cli.qos_options import Choice
 
 _CLEAR = "\033[H\033[2J"
@@ -32,24 +33,6 @@ class NothingReceivedError(ZbotError):
 
     def __init__(self, topics: Sequence[str], timeout_s: float) -> None:
         super().__init__(f"no message on {', '.join(topics)} within {timeout_s:g} s")
-
-
-@dataclass(frozen=True)
-class Form:
-    """How messages are shown; `length` is `None` for everything."""
-
-    csv: bool = False
-    fields: tuple[str, ...] = ()
-    length: int | None = 128
-    no_arr: bool = False
-    no_str: bool = False
-    flow_style: bool = False
-    raw: bool = False
-    filter_expression: str | None = None
-    with_info: bool = False
-    clear: bool = False
-    json: bool = False
-    losses: bool = True
 
 
 class Echo:
@@ -97,10 +80,10 @@ class Echo:
         Raises:
             NothingReceivedError: The time limit passed without a message.
         """
-        from zbot_cli.message_text import formatter  # noqa: PLC0415 - only echo formats messages
+        from zbot_cli.message_text import Formatter  # noqa: PLC0415 - only echo formats messages
 
-        self._format = formatter(self._form)
-        self._accepts = self._filter()
+        self._format = Formatter(self._form, with_topic=self._several)
+        self._filter = _filter(self._form)
         with hidden_node("echo", self._node_name, use_sim_time=self._use_sim_time) as node:
             executor = SingleThreadedExecutor(context=node.context)
             executor.add_node(node)
@@ -110,21 +93,18 @@ class Echo:
         if self._timeout_s is not None and not self._shown:
             raise NothingReceivedError(self._names, self._timeout_s)
 
-    def _filter(self) -> Callable[[Any], bool] | None:
-        if self._form.filter_expression is None:
-            return None
-        from zbot_cli.filter import compile_filter  # noqa: PLC0415 - seldom used
-
-        return compile_filter(self._form.filter_expression)
-
     def _begin(self, node: Node) -> None:
+        graph = node.context.graph
+        snapshot = graph.snapshot()
         for name in self._names:
-            if _is_pattern(name):
-                continue
-            self._subscribe(node, name, self._type or wait_for_type(node, name))
-        if any(map(_is_pattern, self._names)):
+            type_name = None if _is_pattern(name) else self._type or only_type(snapshot, name)
+            if type_name is not None:
+                self._subscribe(node, name, type_name)
+            elif not _is_pattern(name):
+                tell_waiting(snapshot, name)
+        if self._subscribed != set(self._names):
             self._node = node
-            node.context.graph.add_listener(self._on_change)
+            graph.add_listener(self._on_change)
 
     def _on_change(self, token: Token, appeared: bool) -> None:
         # Zenoh's thread: subscribing there could wait for itself.
@@ -143,13 +123,15 @@ class Echo:
             )
 
     def _subscribe(self, node: Node, name: str, type_name: str) -> None:
-        if not type_name:
-            return  # interrupted while waiting
+        message_type = message_class(type_name)
+        self._format.check(message_type)
+        if self._filter is not None:
+            self._filter.check(message_type, self._format.subject)
         self._subscribed.add(name)
         qos = self._choice.to_subscribe(node.context.graph.snapshot().publishers(name))
         callbacks = SubscriptionEventCallbacks(message_lost=self._on_lost)
         node.create_subscription(
-            message_class(type_name),
+            message_type,
             name,
             lambda message, info: self._show(name, message, info),
             qos,
@@ -165,17 +147,18 @@ class Echo:
             executor.spin_once(left)
 
     def _show(self, name: str, message: Any, info: MessageInfo) -> None:
-        if self._done or (self._accepts is not None and not self._accepts(message)):
+        if self._done or not self._is_wanted(message):
             return
-        text = self._format(name, message, info)
+        text = self._format.text(name, message, info)
         if self._form.clear:
             text = _CLEAR + text
-        if self._several and not (self._form.json or self._form.csv):
-            text = f"# {name}\n{text}"
         sys.stdout.write(text)
         sys.stdout.flush()
         self._shown += 1
         self._done = self._once
+
+    def _is_wanted(self, message: Any) -> bool:
+        return self._filter is None or self._filter.accepts(self._format.subject(message))
 
     def _on_lost(self, info: QoSMessageLostInfo) -> None:
         if self._form.losses:
@@ -185,6 +168,14 @@ class Echo:
                 flush=True,
                 file=sys.stderr if self._form.json else sys.stdout,
             )
+
+
+def _filter(form: Form) -> Filter | None:
+    if form.filter_expression is None:
+        return None
+    from zbot_cli.filter import Filter  # noqa: PLC0415 - seldom used
+
+    return Filter(form.filter_expression)
 
 
 def _split(words: list[str]) -> tuple[list[str], str | None]:

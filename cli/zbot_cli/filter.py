@@ -7,10 +7,13 @@ handed to `eval`: a lesson sheet's command line must not be able to do anything 
 from __future__ import annotations
 
 import ast
+import contextlib
 import operator
+from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
+from zbot_cli.field_path import FieldPathError, follow
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -39,14 +42,20 @@ _COMPARE: dict[type[ast.AST], Callable[[Any, Any], bool]] = {
     ast.In: lambda item, items: item in items,
     ast.NotIn: lambda item, items: item not in items,
 }
+
+
+def _rounded(number: Any) -> Any:
+    # Without a number of digits: from one of -10**9 it would not come back.
+    return round(number)
+
+
 _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "abs": abs,
     "len": len,
     "max": max,
     "min": min,
-    "round": round,
+    "round": _rounded,
 }
-_NUMBERS = (int, float, bool)
 
 
 class FilterError(ZbotError):
@@ -58,25 +67,52 @@ class FilterError(ZbotError):
         super().__init__(f"Invalid filter expression '{expression}': {reason}")
 
 
-def compile_filter(expression: str) -> Callable[[Any], bool]:
-    """Return a function that tells whether the expression is true of a message.
+class Filter:
+    """An expression about `m` that is true of some messages.
+
+    Args:
+        expression: The expression, e.g. `m.linear.x > 0.5`.
 
     Raises:
-        FilterError: The expression is no expression, or does more than compare and reckon.
+        FilterError: It is no expression, or does more than compare and reckon.
     """
-    try:
-        tree = ast.parse(expression.strip(), mode="eval")
-    except (SyntaxError, ValueError, RecursionError, MemoryError) as exc:
-        raise FilterError(expression, getattr(exc, "msg", None) or "it is too long") from None
-    _check(expression, tree)
 
-    def accepts(message: Any) -> bool:
+    def __init__(self, expression: str) -> None:
+        self._expression = expression
         try:
-            return bool(_value(tree.body, message))
-        except (AttributeError, TypeError, LookupError, ArithmeticError, ValueError) as exc:
-            raise FilterError(expression, str(exc)) from None
+            tree = ast.parse(expression.strip(), mode="eval")
+        except (SyntaxError, ValueError, RecursionError, MemoryError) as exc:
+            reason = getattr(exc, "msg", None) or "it is too long"
+            raise FilterError(expression, reason) from None
+        _check(expression, tree)
+        self._body = tree.body
 
-    return accepts
+    def accepts(self, message: Any) -> bool:
+        """Return whether the expression is true of a message, or of a part of one.
+
+        Raises:
+            FilterError: The expression does not fit the message.
+        """
+        try:
+            return bool(_value(self._body, message))
+        except (AttributeError, TypeError, LookupError, ArithmeticError, ValueError) as exc:
+            raise FilterError(self._expression, str(exc)) from None
+
+    def check(self, message_type: type[Any], subject: Callable[[Any], Any]) -> None:
+        """Refuse an expression that fits no message of a type, before one has come.
+
+        Args:
+            message_type: Message class.
+            subject: What is `m` of a message.
+
+        Raises:
+            FilterError: It names a field that does not exist, or compares what cannot be compared.
+        """
+        with contextlib.suppress(FieldPathError, LookupError, ArithmeticError, ValueError):
+            try:
+                _value(self._body, subject(message_type()))
+            except (AttributeError, TypeError) as exc:
+                raise FilterError(self._expression, str(exc)) from None
 
 
 def _check(expression: str, tree: ast.Expression) -> None:
@@ -128,10 +164,10 @@ def _value(node: ast.AST, message: Any) -> Any:  # noqa: C901 - one branch a kin
     match node:
         case ast.Constant(value=value):
             return value
-        case ast.Name():
+        case ast.Name(id="m"):
             return message
         case ast.Attribute(value=owner, attr=name):
-            return getattr(_value(owner, message), name)
+            return follow(_value(owner, message), name)
         case ast.Subscript(value=owner, slice=index):
             return _value(owner, message)[_value(index, message)]
         case ast.Slice(lower=lower, upper=upper, step=step):
@@ -155,7 +191,7 @@ def _value(node: ast.AST, message: Any) -> Any:  # noqa: C901 - one branch a kin
 
 def _reckon(op: ast.operator, left: Any, right: Any) -> Any:
     # Numbers only: "x" * 10**9 would take the machine down.
-    if not (isinstance(left, _NUMBERS) and isinstance(right, _NUMBERS)):
+    if not (isinstance(left, Real) and isinstance(right, Real)):
         raise TypeError("only numbers can be reckoned with")
     return _BINARY[type(op)](left, right)
 

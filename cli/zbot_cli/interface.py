@@ -220,8 +220,8 @@ def proto(
     ] = False,
 ) -> None:
     """Print a type's values as YAML, to copy and change."""
-    from zbot_cli.echo import Form  # noqa: PLC0415 - only this verb fills a form
-    from zbot_cli.message_text import plain, to_yaml  # noqa: PLC0415 - as above
+    from zbot_cli.message_text import Form, plain  # noqa: PLC0415 - only this verb shows values
+    from zbot_cli.yaml_text import dump  # noqa: PLC0415 - as above
 
     spec = _spec(type_name)
     cls = get_interface(spec.name)
@@ -232,5 +232,5 @@ def proto(
         if isinstance(spec, ActionSpec)
         else cls
     )
-    text = to_yaml(plain(part(), Form(length=None)))
+    text = dump(plain(part(), Form(length=None)))
     print(text if no_quotes else f'"{text}"')

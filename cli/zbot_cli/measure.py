@@ -125,9 +125,9 @@ class Rates:
         """Return a meter for one topic."""
         accepts = None
         if self._filter is not None:
-            from zbot_cli.filter import compile_filter  # noqa: PLC0415 - seldom used
+            from zbot_cli.filter import Filter  # noqa: PLC0415 - seldom used
 
-            accepts = compile_filter(self._filter)
+            accepts = Filter(self._filter).accepts
         return _IntervalMeter(self._window, accepts)
 
     def text(self, figures: dict[str, float]) -> str:

@@ -6,301 +6,258 @@ import array
 import base64
 import json
 import math
-import re
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import yaml
-
-from zbot.errors import ZbotError
-from zbot.interfaces import spec_of
-from zbot.names import nearest
+from zbot_cli.field_path import FieldPath, fields_of, is_message
+from zbot_cli.yaml_text import Flow, dump
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
     from zbot.interfaces import FieldType
     from zbot.subscription import MessageInfo
-    from zbot_cli.echo import Form
 
 SEPARATOR = "---\n"
-#: Numeric lists up to this long are shown on one line.
-SHORT_LIST = 16
-_STEP = re.compile(r"(?P<name>\w+)(?P<indices>(?:\[[^\[\]]*\])*)\Z")
-_INDEX = re.compile(r"\[([^\[\]]*)\]")
-
-_Base: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
+#: Numeric lists up to this long stand on one line: a 6x6 covariance does, a scan does not.
+SHORT_LIST = 36
+_OCTETS = {"byte", "char", "uint8"}
+_QUOTED_IN_CSV = frozenset(',"\r\n')
 
 
-class FieldPathError(ZbotError):
-    """A field that was asked for does not exist."""
+@dataclass(frozen=True)
+class Form:
+    """How messages are shown; `length` is `None` for everything."""
 
-    def __init__(self, path: str, reason: str, hint: str | None = None) -> None:
-        self.path, self.hint = path, hint
-        super().__init__(f"Invalid field '{path}': {reason}")
-
-
-class _Flow(list[Any]):
-    """A list that is written on one line."""
-
-
-class _Dumper(_Base):  # type: ignore[misc]
-    """Writes mappings in their order, and flow lists on one line."""
-
-    def ignore_aliases(self, data: object) -> bool:  # noqa: ARG002 - PyYAML's signature
-        return True
-
-
-_Dumper.add_representer(
-    _Flow,
-    lambda dumper, data: dumper.represent_sequence("tag:yaml.org,2002:seq", data, flow_style=True),
-)
+    csv: bool = False
+    fields: tuple[str, ...] = ()
+    length: int | None = 128
+    no_arr: bool = False
+    no_str: bool = False
+    flow_style: bool = False
+    raw: bool = False
+    filter_expression: str | None = None
+    with_info: bool = False
+    clear: bool = False
+    json: bool = False
+    losses: bool = True
 
 
-def to_yaml(value: Any) -> str:
-    """Return a dictionary or list of plain types as block YAML, ending with a newline."""
-    text: str = yaml.dump(
-        value,
-        Dumper=_Dumper,
-        allow_unicode=True,
-        default_flow_style=False,
-        sort_keys=False,
-        width=2**31 - 1,
-    )
-    return text
+class Formatter:
+    """Turns messages into text, each ending with a newline.
 
-
-def formatter(form: Form) -> Callable[[str, Any, MessageInfo], str]:
-    """Return the function that turns a topic's name, a message and its info into text."""
-    if form.raw:
-        return lambda _, message, info: _info_text(form, info) + f"{message}\n{SEPARATOR}"
-    paths = [parse_path(path) for path in form.fields]
-    if form.json:
-        return lambda topic, message, info: _json_line(form, paths, topic, message, info)
-    show = _csv_line if form.csv else _yaml_text
-    if not paths:
-        return lambda _, message, info: show(form, message, info)
-    return lambda _, message, info: "".join(
-        show(form, select(message, path), info) for path in paths
-    )
-
-
-# -- fields --------------------------------------------------------------------------------------
-
-
-def parse_path(path: str) -> list[str | int | slice]:
-    """Return the steps of a dotted path: `poses[0].position` is poses, 0, position.
+    Args:
+        form: How they are to look.
+        with_topic: Whether they come from several topics and have to say from which.
 
     Raises:
-        FieldPathError: The path is malformed.
+        FieldPathError: A field of the form is no path.
     """
-    steps: list[str | int | slice] = []
-    for part in path.split("."):
-        match = _STEP.match(part)
-        if match is None:
-            raise FieldPathError(path, "write it like pose.position.x or ranges[0]")
-        steps.append(match["name"])
-        steps.extend(_index(path, text) for text in _INDEX.findall(match["indices"]))
-    return steps
 
+    def __init__(self, form: Form, *, with_topic: bool = False) -> None:
+        self._form = form
+        self._with_topic = with_topic
+        self._paths = [FieldPath(text) for text in form.fields]
 
-def _index(path: str, text: str) -> int | slice:
-    try:
-        numbers = [int(part) if part.strip() else None for part in text.split(":")]
-    except ValueError:
-        raise FieldPathError(path, f"[{text}] is no index") from None
-    if len(numbers) == 1 and numbers[0] is not None:
-        return numbers[0]
-    if len(numbers) not in {2, 3}:
-        raise FieldPathError(path, f"[{text}] is no index")
-    return slice(*numbers)
+    def check(self, message_type: type[Any]) -> None:
+        """Refuse fields that no message of a type has.
 
+        Raises:
+            FieldPathError: There is one.
+        """
+        if not self._form.raw:
+            for path in self._paths:
+                path.check(message_type)
 
-def select(message: Any, path: list[str | int | slice]) -> Any:
-    """Return the part of a message that a path leads to.
+    def subject(self, message: Any) -> Any:
+        """Return what a filter calls `m`: the message, or the one field that is shown."""
+        return self._paths[0].select(message) if len(self._paths) == 1 else message
 
-    Raises:
-        FieldPathError: It leads nowhere.
-    """
-    value = message
-    for step in path:
-        try:
-            value = getattr(value, step) if isinstance(step, str) else value[step]
-        except AttributeError:
-            raise _missing_field(path, value, step) from None
-        except (IndexError, TypeError) as exc:
-            raise FieldPathError(_path_text(path), str(exc)) from None
-    return value
+    def text(self, topic: str, message: Any, info: MessageInfo) -> str:
+        """Return a message as text.
 
+        Args:
+            topic: The topic that it came from.
+            message: The message; its bytes if the form is raw.
+            info: When it was sent and received.
+        """
+        form = self._form
+        if form.json and not form.raw:
+            return self._json_line(topic, message, info)
+        head = f"# {topic}\n" if self._with_topic and not form.csv else ""
+        if form.raw:
+            return head + _info_text(form, info) + f"{message}\n{SEPARATOR}"
+        parts = [path.select(message) for path in self._paths] or [message]
+        if not form.csv:
+            return head + "".join(_yaml_text(form, part, info) for part in parts)
+        head = f"{topic}," if self._with_topic else ""
+        return "".join(head + _csv_line(form, part, info) for part in parts)
 
-def _missing_field(path: list[str | int | slice], value: Any, step: Any) -> FieldPathError:
-    known = list(_fields(value)) if is_message(value) else []
-    guess = nearest(str(step), known)
-    hint = f"did you mean '{guess}'?" if guess else None
-    if hint is None and known:
-        hint = f"its fields are {', '.join(known)}"
-    reason = f"'{type(value).__name__}' object has no attribute '{step}'"
-    return FieldPathError(_path_text(path), reason, hint)
-
-
-def _path_text(path: list[str | int | slice]) -> str:
-    text = ""
-    for step in path:
-        text += f".{step}" if isinstance(step, str) else f"[{step}]"
-    return text[1:]
-
-
-def is_message(value: Any) -> bool:
-    """Return whether a value is a message rather than a number, string or list."""
-    return hasattr(type(value), "get_fields_and_field_types") or hasattr(type(value), "SPEC")
-
-
-def _fields(message: Any) -> dict[str, FieldType]:
-    return {field.name: field.type for field in spec_of(type(message)).fields}  # type: ignore[union-attr]
+    def _json_line(self, topic: str, message: Any, info: MessageInfo) -> str:
+        parts = [json_value(path.select(message)) for path in self._paths] or [json_value(message)]
+        value = parts[0] if len(parts) == 1 else parts
+        if self._form.with_info:
+            value = {"topic": topic, "info": dict(info), "message": value}
+        elif self._with_topic:
+            value = {"topic": topic, "message": value}
+        return json.dumps(value, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 # -- YAML ----------------------------------------------------------------------------------------
 
 
 def _yaml_text(form: Form, value: Any, info: MessageInfo) -> str:
-    head = _info_text(form, info)
+    return _info_text(form, info) + _value_text(form, value) + SEPARATOR
+
+
+def _value_text(form: Form, value: Any) -> str:
     if is_message(value):
-        return head + to_yaml(plain(value, form)) + SEPARATOR
-    if isinstance(value, list) and value and is_message(value[0]):
-        return head + to_yaml([plain(item, form) for item in value]) + SEPARATOR
-    return f"{head}{value}\n{SEPARATOR}"
+        return dump(plain(value, form))
+    if isinstance(value, (str, bytes)) or not hasattr(value, "__len__"):
+        return f"{_shown_item(value, None)}\n"
+    items = _items(value)
+    if items and is_message(items[0]):
+        return dump([plain(item, form) for item in items])
+    # What was asked for by name is shown whole, and on one line.
+    return dump(Flow(_shown_item(item, None) for item in items))
 
 
 def _info_text(form: Form, info: MessageInfo) -> str:
-    return to_yaml(dict(sorted(info.items()))) + SEPARATOR if form.with_info else ""
+    return dump(dict(sorted(info.items()))) + SEPARATOR if form.with_info else ""
 
 
 def plain(message: Any, form: Form) -> dict[str, Any]:
     """Return a message as a dictionary of what YAML can write, shortened as the form says."""
     return {
-        name: _plain_value(getattr(message, name), kind, form)
-        for name, kind in _fields(message).items()
+        field.name: _plain_value(getattr(message, field.name), field.type, form)
+        for field in fields_of(message)
     }
 
 
 def _plain_value(value: Any, kind: FieldType, form: Form) -> Any:
-    if isinstance(value, str):
-        return _shown_string(value, form)
-    if isinstance(value, (bytes, bytearray)):
-        return _shown_string("".join(map(chr, value)), form)
-    if kind.kind == "scalar":
-        return plain(value, form) if is_message(value) else _number(value)
-    if form.no_arr:
-        return _array_label(value, kind)
-    return _shown_list(value, form)
+    if kind.kind != "scalar":
+        return _array_label(value, kind) if form.no_arr else _shown_list(value, kind, form)
+    if kind.is_message:
+        return plain(value, form)
+    if form.no_str and kind.is_string:
+        return f"<string length: <{len(value)}>>"
+    return _shown_item(value, form.length)
 
 
-def _number(value: Any) -> Any:
-    return value.item() if hasattr(value, "item") else value
-
-
-def _shown_string(text: str, form: Form) -> str:
-    if form.no_str:
-        return f"<string length: <{len(text)}>>"
-    if form.length is not None and len(text) > form.length:
-        return text[: form.length] + "..."
-    return text
+def _shown_item(item: Any, length: int | None) -> Any:
+    if isinstance(item, (bytes, bytearray)):
+        item = item.decode("latin-1")  # each byte as the character of that number
+    if isinstance(item, str):
+        is_long = length is not None and len(item) > length
+        return item[:length] + "..." if is_long else item
+    return item.item() if hasattr(item, "item") else item
 
 
 def _array_label(value: Any, kind: FieldType) -> str:
-    base = str(type(kind)(kind.base, "scalar", 0, kind.string_bound))
+    base = kind.base
+    if not (kind.is_message or kind.is_string):
+        base = str(type(kind)(base))  # as IDL calls it: double, octet
     if kind.kind == "array":
         return f"<array type: {base}[{kind.size}]>"
     bound = f"[{kind.size}]" if kind.size else ""
     return f"<sequence type: {base}{bound}, length: {len(value)}>"
 
 
-def _shown_list(value: Any, form: Form) -> list[Any]:
+def _shown_list(value: Any, kind: FieldType, form: Form) -> list[Any]:
     shown = value if form.length is None else value[: form.length]
-    items: list[Any] = shown.tolist() if hasattr(shown, "tolist") else list(shown)
-    numeric = isinstance(value, array.array) or hasattr(value, "dtype")
-    if items and is_message(items[0]):
+    items = _items(shown)
+    if kind.is_message:
         items = [plain(item, form) for item in items]
-    else:
-        items = [_shown_item(item, form) for item in items] if not numeric else items
+    elif not kind.typecode:
+        one = type(kind)(kind.base)
+        items = [_plain_value(item, one, form) for item in items]
     if len(shown) < len(value):
         items.append("...")
-    flow = form.flow_style or (numeric and len(value) <= SHORT_LIST)
-    return _Flow(items) if flow else items
+    is_short = kind.typecode and len(value) <= SHORT_LIST
+    return Flow(items) if form.flow_style or is_short else items
 
 
-def _shown_item(item: Any, form: Form) -> Any:
-    if isinstance(item, bytes):
-        return "".join(map(chr, item))
-    return _shown_string(item, form) if isinstance(item, str) else item
+def _items(value: Any) -> list[Any]:
+    items: list[Any] = value.tolist() if hasattr(value, "tolist") else list(value)
+    return items
 
 
 # -- CSV -----------------------------------------------------------------------------------------
 
 
 def _csv_line(form: Form, value: Any, info: MessageInfo) -> str:
-    head = ""
+    head: tuple[int, ...] = ()
     if form.with_info:
-        order = ("source", "received")
-        times = [info[f"{word}_timestamp"] for word in order]  # type: ignore[literal-required]
-        numbers = (info["publication_sequence_number"], info["reception_sequence_number"])
-        head = ",".join(map(str, (*times, *numbers))) + ","
-    if not is_message(value):
-        return f"{head}{value}\n"
-    return head + ",".join(_leaves(value, form)) + "\n"
+        head = (
+            info["source_timestamp"],
+            info["received_timestamp"],
+            info["publication_sequence_number"],
+            info["reception_sequence_number"],
+        )
+    return ",".join((*map(str, head), *_leaves(value, form))) + "\n"
 
 
 def _leaves(value: Any, form: Form) -> Iterator[str]:
     if is_message(value):
-        for name, kind in _fields(value).items():
-            item = getattr(value, name)
-            if form.no_arr and kind.kind != "scalar":
-                yield _array_label(item, kind)
+        for field in fields_of(value):
+            item = getattr(value, field.name)
+            if form.no_arr and field.type.kind != "scalar":
+                yield _array_label(item, field.type)
             else:
                 yield from _leaves(item, form)
     elif isinstance(value, str):
-        yield _shown_string(value, form)
-    elif isinstance(value, (bytes, bytearray)):
-        yield _shown_string("".join(map(chr, value)), form)
-    elif hasattr(value, "__len__"):
+        text = f"<string length: <{len(value)}>>" if form.no_str else value
+        yield _quoted(_shown_item(text, form.length))
+    elif isinstance(value, (bytes, bytearray)) or not hasattr(value, "__len__"):
+        yield str(value)
+    else:
         shown = value if form.length is None else value[: form.length]
-        for item in shown.tolist() if hasattr(shown, "tolist") else shown:
+        for item in _items(shown):
             yield from _leaves(item, form)
         if len(shown) < len(value):
             yield "..."
-    else:
-        yield str(_number(value))
+
+
+def _quoted(text: str) -> str:
+    if _QUOTED_IN_CSV.isdisjoint(text):
+        return text
+    return '"' + text.replace('"', '""') + '"'
 
 
 # -- JSON ----------------------------------------------------------------------------------------
 
 
-def _json_line(
-    form: Form, paths: list[list[str | int | slice]], topic: str, message: Any, info: MessageInfo
-) -> str:
-    values = (
-        [json_value(select(message, path)) for path in paths] if paths else [json_value(message)]
-    )
-    value = values[0] if len(values) == 1 else values
-    if form.with_info:
-        value = {"topic": topic, "info": dict(info), "message": value}
-    return json.dumps(value, ensure_ascii=False, allow_nan=False) + "\n"
-
-
 def json_value(value: Any) -> Any:
     """Return a value as JSON has it.
 
-    Numbers that JSON lacks (NaN, infinities) become null, and bytes base64.
+    Numbers that JSON lacks (NaN, infinities) become null. Many bytes, of whichever type, become
+    base64; one byte is a number. `zbot topic pub` reads all of it but null.
     """
     if is_message(value):
-        return {name: json_value(getattr(value, name)) for name in _fields(value)}
+        return {
+            field.name: _json_field(getattr(value, field.name), field.type)
+            for field in fields_of(value)
+        }
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
     if isinstance(value, (bytes, bytearray)):
-        return base64.b64encode(value).decode()
+        return value[0] if len(value) == 1 else _base64(value)
     if isinstance(value, array.array) and value.typecode == "B":
-        return base64.b64encode(value.tobytes()).decode()
+        return _base64(value)
     if hasattr(value, "tolist"):
         return json_value(value.tolist())
     if isinstance(value, list):
         return [json_value(item) for item in value]
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
     return value
+
+
+def _json_field(value: Any, kind: FieldType) -> Any:
+    if kind.kind == "scalar" or kind.base not in _OCTETS:
+        return json_value(value)
+    if kind.base == "byte":
+        return _base64(b"".join(value))
+    return _base64(value.tobytes() if hasattr(value, "tobytes") else bytes(value))
+
+
+def _base64(octets: Any) -> str:
+    return base64.b64encode(octets).decode()

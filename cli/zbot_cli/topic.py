@@ -294,7 +294,8 @@ def echo(
     no_daemon: NoDaemon = False,
 ) -> None:
     """Print the messages of a topic."""
-    from zbot_cli.echo import Echo, Form  # noqa: PLC0415 - lists do without
+    from zbot_cli.echo import Echo  # noqa: PLC0415 - lists do without
+    from zbot_cli.message_text import Form  # noqa: PLC0415 - lists do without
     from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
 
     form = Form(

@@ -52,14 +52,15 @@ def wait_for_type(node: Node, name: str) -> str:
     graph = node.context.graph
     found = only_type(graph.snapshot(), name)
     if found is None:
-        _tell_waiting(graph.snapshot(), name)
+        tell_waiting(graph.snapshot(), name)
         while found is None and node.context.ok():
             graph.wait_for(lambda snapshot: only_type(snapshot, name) is not None, 0.5)
             found = only_type(graph.snapshot(), name)
     return found or ""
 
 
-def _tell_waiting(graph: Snapshot, name: str) -> None:
+def tell_waiting(graph: Snapshot, name: str) -> None:
+    """Say on stderr that nobody uses a topic yet."""
     known = [topic for topic, _ in graph.topics()]
     guess = nearest(name, known)
     hint = f"; did you mean {guess}?" if guess else ""

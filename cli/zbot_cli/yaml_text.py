@@ -25,6 +25,8 @@ __all__ = [
 _BaseDumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
 _Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _UNLIMITED = 2**31 - 1
+# What PyYAML's own emitter makes of these line breaks does not read back.
+_UNUSUAL_BREAKS = frozenset("\x85\u2028\u2029")
 
 
 class Flow(list[Any]):
@@ -54,11 +56,12 @@ _WideDumper.add_representer(Flow, _represent_flow)
 
 
 def dump(value: Any) -> str:
-    """Return a value of plain types as block YAML, ending with a newline."""
+    """Return a dictionary or list of plain types as block YAML, ending with a newline."""
     text = _dump(value, _Dumper)
     if "\\U" in text:
-        text = _dump(value, _WideDumper)
-    return text.removesuffix("...\n")
+        wide = _dump(value, _WideDumper)
+        return wide if _UNUSUAL_BREAKS.isdisjoint(wide) else text
+    return text
 
 
 def _dump(value: Any, dumper: Any) -> str:

@@ -6,16 +6,22 @@ import array
 import json
 from typing import Any
 
+import hypothesis
 import pytest
 import yaml
+from hypothesis import strategies
 
 import zbot  # noqa: F401 - makes the message packages importable
-from zbot_cli.echo import Form
-from zbot_cli.message_text import FieldPathError, formatter, parse_path, select
+from zbot_cli.field_path import FieldPath, FieldPathError
+from zbot_cli.message_text import Form, Formatter
+from zbot_cli.values import Template
+from zbot_cli.yaml_text import dump
 
-from geometry_msgs.msg import PoseWithCovariance, Twist  # isort: skip
+from geometry_msgs.msg import Pose, PoseArray, PoseWithCovariance, Twist  # isort: skip
 from sensor_msgs.msg import JointState, LaserScan  # isort: skip
-from std_msgs.msg import ByteMultiArray, Float32, Header, String  # isort: skip
+from shape_msgs.msg import SolidPrimitive  # isort: skip
+from std_msgs.msg import Byte, ByteMultiArray, Float32, Header, String, UInt8MultiArray  # isort: skip
+from unique_identifier_msgs.msg import UUID  # isort: skip
 
 INFO: Any = {
     "source_timestamp": 2,
@@ -26,7 +32,7 @@ INFO: Any = {
 
 
 def text(message: Any, **form: Any) -> str:
-    return formatter(Form(**form))("/topic", message, INFO)
+    return Formatter(Form(**form)).text("/topic", message, INFO)
 
 
 def scan(count: int) -> LaserScan:
@@ -115,15 +121,15 @@ def test_a_field_can_be_chosen() -> None:
 @pytest.mark.parametrize("path", ["", ".", "a..b", "a[", "a[x]", "a[1:2:3:4]", "a b"])
 def test_a_malformed_path_is_refused(path: str) -> None:
     with pytest.raises(FieldPathError, match="Invalid field"):
-        parse_path(path)
+        FieldPath(path)
 
 
 def test_a_path_that_leads_nowhere_is_told_with_the_nearest_field() -> None:
     with pytest.raises(FieldPathError, match="'Twist' object has no attribute 'linar'") as caught:
-        select(Twist(), parse_path("linar.x"))
+        FieldPath("linar.x").select(Twist())
     assert caught.value.hint == "did you mean 'linear'?"
     with pytest.raises(FieldPathError, match="index out of range"):
-        select(scan(2), parse_path("ranges[7]"))
+        FieldPath("ranges[7]").select(scan(2))
 
 
 def test_times_and_numbers_come_first() -> None:
@@ -146,3 +152,129 @@ def test_json_is_one_object_a_line() -> None:
 
 def test_bytes_are_shown_as_characters() -> None:
     assert "- A" in text(ByteMultiArray(data=[b"A"])).splitlines()
+    assert text(Byte(data=b"A")) == "data: A\n---\n"
+    assert text(Byte(data=b"A"), no_str=True) == "data: A\n---\n"
+    assert text(Byte(data=b"\x00"), csv=True) == "b'\\x00'\n"
+
+
+def values(text: strategies.SearchStrategy[str]) -> strategies.SearchStrategy[dict[str, Any]]:
+    scalars = text | strategies.integers() | strategies.floats() | strategies.booleans()
+    names = strategies.text("abc", min_size=1)
+    inner = strategies.recursive(
+        scalars,
+        lambda part: strategies.lists(part) | strategies.dictionaries(names, part),
+        max_leaves=5,
+    )
+    return strategies.dictionaries(names, inner)
+
+
+@hypothesis.given(values(strategies.text()))
+def test_yaml_reads_back(value: dict[str, Any]) -> None:
+    assert repr(yaml.safe_load(dump(value))) == repr(value)
+
+
+UNUSUAL_BREAKS = "\x85\u2028\u2029"  # PyYAML's own emitter gets them wrong
+
+
+@hypothesis.given(
+    values(strategies.text(strategies.characters(codec="utf-8", exclude_characters=UNUSUAL_BREAKS)))
+)
+def test_yaml_is_that_of_pyyaml(value: dict[str, Any]) -> None:
+    wanted = yaml.safe_dump(value, allow_unicode=True, sort_keys=False, width=2**31 - 1)
+    assert dump(value) == wanted
+
+
+def test_emoji_are_kept() -> None:
+    assert text(String(data="🤖 läuft")) == "data: 🤖 läuft\n---\n"
+    assert text(String(data="C:\\Users\\me")) == "data: C:\\Users\\me\n---\n"
+
+
+def test_labels_of_arrays_use_the_names_of_ros2() -> None:
+    shown = text(PoseArray(poses=[Pose()]), no_arr=True)
+    assert "poses: '<sequence type: geometry_msgs/msg/Pose, length: 1>'" in shown
+    shown = text(JointState(name=["a", "b"]), no_arr=True)
+    assert "name: '<sequence type: string, length: 2>'" in shown
+    shown = text(ByteMultiArray(data=[b"A"]), no_arr=True)
+    assert "data: '<sequence type: octet, length: 1>'" in shown
+    shown = text(SolidPrimitive(dimensions=[1.0]), no_arr=True)
+    assert "dimensions: '<sequence type: double[3], length: 1>'" in shown
+
+
+def test_a_covariance_stands_on_one_line() -> None:
+    lines = text(PoseWithCovariance()).splitlines()
+    assert "covariance: [" + ", ".join(["0.0"] * 36) + "]" in lines
+
+
+def test_a_list_that_was_asked_for_is_whole_and_on_one_line() -> None:
+    shown = text(scan(200), fields=("ranges",))
+    assert shown == "[" + ", ".join(f"{float(i)}" for i in range(200)) + "]\n---\n"
+    assert text(scan(200), fields=("ranges[:2]",)) == "[0.0, 1.0]\n---\n"
+    assert text(PoseWithCovariance(), fields=("covariance[35]",)) == "0.0\n---\n"
+    assert text(String(data="x" * 200), fields=("data",)) == "x" * 200 + "\n---\n"
+
+
+def test_a_list_of_messages_can_be_chosen() -> None:
+    message = PoseArray(poses=[Pose(), Pose()])
+    message.poses[1].position.x = 1.5
+    assert text(message, fields=("poses[1].position",)) == "x: 1.5\ny: 0.0\nz: 0.0\n---\n"
+    assert text(message, fields=("poses[1:]",)).startswith("- position:\n    x: 1.5\n")
+
+
+def test_csv_quotes_only_what_would_break_a_line() -> None:
+    assert text(String(data="Hello World: 54"), csv=True) == "Hello World: 54\n"
+    assert text(String(data='a, "b"'), csv=True) == '"a, ""b"""\n'
+    assert text(scan(3), csv=True, length=2).rstrip().endswith(",0.0,1.0,...")
+    assert text(scan(3), csv=True, fields=("header.frame_id",)) == "laser\n"
+
+
+def test_several_topics_are_told_apart_in_every_form() -> None:
+    message = String(data="x")
+
+    def from_two(**form: Any) -> str:
+        return Formatter(Form(**form), with_topic=True).text("/a", message, INFO)
+
+    assert from_two() == "# /a\ndata: x\n---\n"
+    assert from_two(csv=True) == "/a,x\n"
+    assert json.loads(from_two(json=True)) == {"topic": "/a", "message": {"data": "x"}}
+
+
+def test_json_has_bytes_as_base64_whichever_their_type() -> None:
+    def as_json(message: Any) -> Any:
+        return json.loads(text(message, json=True))
+
+    assert as_json(UInt8MultiArray(data=b"AB"))["data"] == "QUI="
+    assert as_json(ByteMultiArray(data=[b"A", b"B"]))["data"] == "QUI="
+    assert as_json(UUID(uuid=list(range(16))))["uuid"] == "AAECAwQFBgcICQoLDA0ODw=="
+    assert as_json(Byte(data=b"A"))["data"] == 65
+    assert as_json(PoseWithCovariance())["covariance"] == [0.0] * 36
+
+
+@pytest.mark.parametrize(
+    "message", [UInt8MultiArray(data=b"AB"), ByteMultiArray(data=[b"A"]), scan(3), Byte(data=b"A")]
+)
+def test_json_can_be_published_again(message: Any) -> None:
+    assert Template(type(message), text(message, json=True)).make(lambda: 0) == message
+
+
+@pytest.mark.parametrize("path", ["linar", "linear.w", "linear.x.y", "linear[0]", "linear.x[1]"])
+def test_a_path_that_fits_no_message_is_refused_before_one_comes(path: str) -> None:
+    with pytest.raises(FieldPathError, match="Invalid field"):
+        Formatter(Form(fields=(path,))).check(Twist)
+
+
+@pytest.mark.parametrize("path", ["poses[3].position.x", "poses", "poses[1:2]", "header.stamp"])
+def test_a_path_into_a_list_waits_for_a_message(path: str) -> None:
+    Formatter(Form(fields=(path,))).check(PoseArray)
+
+
+@pytest.mark.parametrize(
+    ("path", "reason"),
+    [
+        ("data.upper", "'str' object has no attribute 'upper'"),
+        ("__class__", "'String' object has no attribute '__class__'"),
+        ("get_fields_and_field_types", "'String' object has no attribute 'get_fi"),
+    ],
+)
+def test_a_path_leads_to_fields_only(path: str, reason: str) -> None:
+    with pytest.raises(FieldPathError, match=reason):
+        FieldPath(path).select(String())

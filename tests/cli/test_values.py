@@ -10,7 +10,7 @@ import pytest
 from hypothesis import strategies
 
 import zbot  # noqa: F401 - makes the message packages importable
-from zbot_cli.filter import FilterError, compile_filter
+from zbot_cli.filter import Filter, FilterError
 from zbot_cli.types import InvalidTypeError, looks_like_type, resolve_message_type
 from zbot_cli.values import PopulateError, Template, ValuesError, split_documents
 
@@ -246,7 +246,7 @@ def test_a_saved_echo_is_a_list_of_documents() -> None:
     ],
 )
 def test_filters_compare_and_reckon(expression: str, wanted: bool) -> None:
-    assert compile_filter(expression)(make(Twist, "linear.x=2 angular.z=1.8")) is wanted
+    assert Filter(expression).accepts(make(Twist, "linear.x=2 angular.z=1.8")) is wanted
 
 
 @pytest.mark.parametrize(
@@ -270,7 +270,7 @@ def test_filters_compare_and_reckon(expression: str, wanted: bool) -> None:
 )
 def test_a_filter_can_do_nothing_else(expression: str) -> None:
     with pytest.raises(FilterError, match="Invalid filter expression"):
-        compile_filter(expression)
+        Filter(expression)
 
 
 @pytest.mark.parametrize(
@@ -278,7 +278,7 @@ def test_a_filter_can_do_nothing_else(expression: str) -> None:
 )
 def test_a_filter_that_does_not_fit_is_told_at_the_first_message(expression: str) -> None:
     with pytest.raises(FilterError):
-        compile_filter(expression)(Twist())
+        Filter(expression).accepts(Twist())
 
 
 # -- types -----------------------------------------------------------------------------------------

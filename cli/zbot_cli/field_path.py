@@ -1,0 +1,132 @@
+"""Parts of a message that a path on the command line names: `poses[0].position`."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from zbot.errors import ZbotError
+from zbot.interfaces import spec_of
+from zbot.names import nearest
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+_PART = re.compile(r"(?P<name>\w+)(?P<indices>(?:\[[^\[\]]*\])*)\Z")
+_INDEX = re.compile(r"\[([^\[\]]*)\]")
+
+#: A field's name, or what stands in brackets behind it.
+Step: TypeAlias = "str | int | slice"
+
+
+class FieldPathError(ZbotError):
+    """A field that was asked for does not exist."""
+
+    def __init__(self, path: str, reason: str, hint: str | None = None) -> None:
+        self.path, self.hint = path, hint
+        super().__init__(f"Invalid field '{path}': {reason}")
+
+
+class FieldPath:
+    """A dotted path with indices and slices, as in `ranges[0]` and `points[2:5]`.
+
+    Args:
+        text: The path.
+
+    Raises:
+        FieldPathError: The text is no path.
+    """
+
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._steps = tuple(self._parse())
+
+    def select(self, message: Any) -> Any:
+        """Return the part of a message that the path leads to.
+
+        Raises:
+            FieldPathError: It leads nowhere.
+        """
+        value = message
+        for step in self._steps:
+            try:
+                value = follow(value, step)
+            except AttributeError as exc:
+                raise self._missing(value, step, str(exc)) from None
+            except (IndexError, TypeError) as exc:
+                raise FieldPathError(self._text, str(exc)) from None
+        return value
+
+    def check(self, message_type: type[Any]) -> None:
+        """Refuse a path that leads nowhere in any message of a type, before one has come.
+
+        Raises:
+            FieldPathError: It names a field that the type lacks.
+        """
+        value = message_type()
+        for step in self._steps:
+            if isinstance(step, slice):
+                return
+            try:
+                value = follow(value, step)
+            except IndexError:
+                return  # a list that is empty in a new message
+            except (AttributeError, TypeError):
+                self.select(message_type())
+
+    def _parse(self) -> Sequence[Step]:
+        steps: list[Step] = []
+        for part in self._text.split("."):
+            match = _PART.match(part)
+            if match is None:
+                raise FieldPathError(self._text, "write it like pose.position.x or ranges[0]")
+            steps.append(match["name"])
+            steps.extend(self._index(text) for text in _INDEX.findall(match["indices"]))
+        return steps
+
+    def _index(self, text: str) -> int | slice:
+        try:
+            numbers = [int(part) if part.strip() else None for part in text.split(":")]
+        except ValueError:
+            numbers = []
+        if len(numbers) == 1 and numbers[0] is not None:
+            return numbers[0]
+        if len(numbers) not in {2, 3} or numbers[2:] == [0]:
+            raise FieldPathError(self._text, f"[{text}] is no index")
+        return slice(*numbers)
+
+    def _missing(self, value: Any, step: Step, reason: str) -> FieldPathError:
+        known = [field.name for field in fields_of(value)]
+        guess = nearest(str(step), known)
+        hint = f"did you mean '{guess}'?" if guess else None
+        if hint is None and known:
+            hint = f"its fields are {', '.join(known)}"
+        return FieldPathError(self._text, reason, hint)
+
+
+def follow(value: Any, step: Step) -> Any:
+    """Return a field of a message, or elements of a list; methods and the like are neither.
+
+    Raises:
+        AttributeError: The value has no such field.
+        IndexError: The list is shorter.
+        TypeError: The value is no list.
+    """
+    if not isinstance(step, str):
+        return value[step]
+    if step not in {field.name for field in fields_of(value)}:
+        raise AttributeError(f"'{type(value).__name__}' object has no attribute '{step}'")
+    return getattr(value, step)
+
+
+def fields_of(value: Any) -> Sequence[Any]:
+    """Return the fields of a message's definition; none for any other value."""
+    if not is_message(value):
+        return ()
+    fields: Sequence[Any] = spec_of(type(value)).fields  # type: ignore[union-attr]
+    return fields
+
+
+def is_message(value: Any) -> bool:
+    """Return whether a value is a message rather than a number, text or list."""
+    return hasattr(type(value), "get_fields_and_field_types") or hasattr(type(value), "SPEC")
