@@ -103,9 +103,9 @@ def _message_types(_: Sequence[str], __: str) -> Iterable[str]:
 
 
 def _all_types(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot.interfaces import interface_names, packages  # noqa: PLC0415 - only types ask
+    from zbot_cli.types import all_types  # noqa: PLC0415 - only types ask
 
-    return [name for package in packages() for name in interface_names(package)]
+    return all_types()
 
 
 def _packages(_: Sequence[str], __: str) -> Iterable[str]:

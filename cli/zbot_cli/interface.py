@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from zbot.errors import ZbotError
 from zbot.interfaces import (
     ActionSpec,
-    MessageSpec,
+    InterfaceSpec,
     ServiceSpec,
     get_interface,
     get_spec,
@@ -18,10 +18,9 @@ from zbot.interfaces import (
     packages,
 )
 from zbot.names import nearest
+from zbot_cli.definition import definition
 from zbot_cli.listing import AsJson, new_app, print_json
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
+from zbot_cli.types import all_types, find_types, type_hint
 
 app = new_app("Look at message, service and action types")
 
@@ -32,10 +31,10 @@ OnlyActions = Annotated[bool, typer.Option("-a", "--only-actions", help="Only ac
 
 
 class InterfaceNameError(ZbotError):
-    """A type is not named in three parts."""
+    """A short name stands for no type, or for several."""
 
-    def __init__(self, name: str) -> None:
-        self.hint = "write it like std_msgs/msg/String"
+    def __init__(self, name: str, found: list[str]) -> None:
+        self.hint = type_hint(name, found, all_types()) if name else "write std_msgs/msg/String"
         super().__init__(f"Invalid name '{name}'. Expected three parts separated by '/'")
 
 
@@ -102,8 +101,9 @@ def package_interfaces(
     names = _names(package_name, _wanted(only_msgs, only_srvs, only_actions))
     if as_json:
         print_json(names)
-    else:
-        print("\n".join(names))
+        return
+    for name in names:
+        print(name)
 
 
 @app.command("packages")
@@ -118,8 +118,9 @@ def list_packages(
     found = sorted(package for package in packages() if _names(package, kinds))
     if as_json:
         print_json(found)
-    else:
-        print("\n".join(found))
+        return
+    for package in found:
+        print(package)
 
 
 @app.command("show")
@@ -145,71 +146,22 @@ def show(
     if as_json:
         from zbot.interfaces import type_description  # noqa: PLC0415 - only JSON needs it
 
-        print_json(type_description(type_name))
+        print_json(type_description(spec.name))
         return
-    lines = _definition(
-        spec.text, spec.name, nested_comments=all_comments, comments=not no_comments
-    )
-    print("\n".join(lines))
+    for line in definition(spec, comments=not no_comments, nested_comments=all_comments):
+        print(line)
 
 
-def _spec(name: str) -> MessageSpec | ServiceSpec | ActionSpec:
-    parts = name.split("/")
+def _spec(word: str) -> InterfaceSpec:
+    found = find_types(word) if word else []
+    if len(found) == 1:
+        return get_spec(found[0])
+    parts = word.split("/")
     if len(parts) != 3 or not all(parts):
-        raise InterfaceNameError(name)
+        raise InterfaceNameError(word, found)
     if parts[0] not in packages():
         raise PackageError(parts[0])
-    if name not in interface_names(parts[0]):
-        raise InterfaceError(name)
-    return get_spec(name)
-
-
-def _definition(
-    text: str, owner: str, *, nested_comments: bool, comments: bool, indent: str = ""
-) -> Iterator[str]:
-    """Yield a definition's lines, each nested type's own lines below its field."""
-    package = owner.split("/", maxsplit=1)[0]
-    keep = comments and (not indent or nested_comments)
-    for line in text.rstrip("\n").splitlines():
-        code, _comment = _split(line)
-        if not code and not keep:
-            continue
-        yield (indent + (line if keep else code)).rstrip()
-        nested = _nested_name(code, package)
-        if nested is not None:
-            yield from _definition(
-                get_spec(nested).text,
-                nested,
-                nested_comments=nested_comments,
-                comments=comments,
-                indent=indent + "\t",
-            )
-
-
-def _split(line: str) -> tuple[str, str]:
-    """Tell a line's code from its comment; a `#` inside quotes is no comment."""
-    quote = ""
-    for index, character in enumerate(line):
-        if quote:
-            quote = "" if character == quote else quote
-        elif character in "\"'":
-            quote = character
-        elif character == "#":
-            return line[:index].rstrip(), line[index:]
-    return line.rstrip(), ""
-
-
-def _nested_name(code: str, package: str) -> str | None:
-    words = code.split()
-    if len(words) < 2 or "=" in code.split("[", maxsplit=1)[0]:
-        return None
-    base = words[0].split("[")[0].split("<")[0]
-    if base == "Header":
-        return "std_msgs/msg/Header"
-    if "/" in base:
-        parts = base.split("/")
-        return f"{parts[0]}/msg/{parts[-1]}"
-    return f"{package}/msg/{base}" if base[:1].isupper() else None
+    raise InterfaceError(word)
 
 
 @app.command("proto")

@@ -11,11 +11,13 @@ from zbot.names import nearest
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+KINDS = ("msg", "srv", "action")
+
 
 class InvalidTypeError(ZbotError):
     """A word names no message type."""
 
-    def __init__(self, word: str, hint: str | None) -> None:
+    def __init__(self, word: str, hint: str) -> None:
         self.word, self.hint = word, hint
         super().__init__("The passed message type is invalid")
 
@@ -35,13 +37,24 @@ def resolve_message_type(word: str) -> str:
     Raises:
         InvalidTypeError: There is none of that name, or several of a short one.
     """
+    found = [name for name in find_types(word) if "/msg/" in name]
+    if len(found) != 1:
+        raise InvalidTypeError(word, type_hint(word, found, all_messages()))
+    return found[0]
+
+
+def find_types(word: str) -> list[str]:
+    """Return the full names of all types that a word may stand for."""
+    if "/" in word or "." in word:
+        return [name for name in _full_names(word) if _exists(name)]
+    return [name for name in all_types() if name.endswith(f"/{word}")]
+
+
+def _full_names(word: str) -> list[str]:
     parts = word.replace(".", "/").split("/")
-    if len(parts) == 1:
-        return _by_short_name(word)
-    name = "/".join((parts[0], "msg", parts[1]) if len(parts) == 2 else parts)
-    if len(parts) <= 3 and name.split("/")[1] == "msg" and _exists(name):
-        return name
-    raise InvalidTypeError(word, _hint(name))
+    if len(parts) == 2:
+        return [f"{parts[0]}/{kind}/{parts[1]}" for kind in KINDS]
+    return ["/".join(parts)]
 
 
 def _exists(name: str) -> bool:
@@ -52,25 +65,30 @@ def _exists(name: str) -> bool:
     return True
 
 
+def all_types() -> Iterator[str]:
+    """Yield the full name of every type on this machine."""
+    for package in packages():
+        yield from interface_names(package)
+
+
 def all_messages() -> Iterator[str]:
     """Yield the full name of every message type on this machine."""
-    for package in packages():
-        yield from (name for name in interface_names(package) if "/msg/" in name)
+    return (name for name in all_types() if "/msg/" in name)
 
 
-def _by_short_name(word: str) -> str:
-    found = [name for name in all_messages() if name.endswith(f"/{word}")]
-    if len(found) == 1:
-        return found[0]
+def type_hint(word: str, found: list[str], known: Iterator[str]) -> str:
+    """Return what to do about a word that names no type, or that names several."""
     if found:
-        raise InvalidTypeError(word, f"there are several: {', '.join(found)}")
-    raise InvalidTypeError(word, _hint(word))
-
-
-def _hint(name: str) -> str | None:
-    guess = nearest(name, list(all_messages()))
-    if guess is None:
-        last = name.rpartition("/")[2].lower()
-        same = [one for one in all_messages() if one.lower().endswith(f"/{last}")]
-        guess = same[0] if same else None
+        return f"there are several: {', '.join(found)}"
+    names = list(known)
+    guesses = [nearest(full, names) for full in _full_names(word)] + [_short_guess(word, names)]
+    guess = next(filter(None, guesses), None)
     return f"did you mean {guess}?" if guess else "zbot interface list shows all types"
+
+
+def _short_guess(word: str, names: list[str]) -> str | None:
+    """Return a type whose last part is like that of the word, in whichever package."""
+    last = word.replace(".", "/").rpartition("/")[2]
+    by_last = {name.rpartition("/")[2].lower(): name for name in reversed(names)}
+    guess = nearest(last.lower(), by_last) if last == word else None
+    return by_last.get(guess or last.lower())
