@@ -5,7 +5,6 @@ Options come from the commands themselves, names from the running domain, types 
 
 from __future__ import annotations
 
-import importlib
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
@@ -13,6 +12,9 @@ from zbot_cli.status import Status
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
+
+#: An empty word as PowerShell has to write it, whose older versions lose one without quotes.
+_EMPTY = ('""', "''")
 
 
 def complete(words: list[str], nouns: Iterable[str]) -> int:
@@ -24,6 +26,8 @@ def complete(words: list[str], nouns: Iterable[str]) -> int:
     """
     words = words[1:] if words[:1] == ["--"] else words
     unfinished = words[-1] if words else ""
+    if unfinished in _EMPTY:
+        unfinished = ""
     try:
         found = _candidates(words[:-1], unfinished, nouns)
     except ZbotError:
@@ -40,15 +44,15 @@ def _candidates(done: Sequence[str], unfinished: str, nouns: Iterable[str]) -> I
         )
     if done[0] == "run":
         return _executables(done[1:])
-    import typer.main  # noqa: PLC0415 - `zbot run` does without
-
     if done[0] not in nouns:
         return []
-    command: Any = typer.main.get_command(importlib.import_module(f"zbot_cli.{done[0]}").app)
-    commands: dict[str, Any] = getattr(command, "commands", {})
-    if commands and len(done) == 1:
-        return _options(command) if unfinished.startswith("-") else commands
-    verb = commands.get(done[1]) if commands else command
+    from zbot_cli.nouns import load, verbs  # noqa: PLC0415 - `zbot run` does without typer
+
+    command = load(done[0])
+    known = verbs(command)
+    if known and len(done) == 1:
+        return _options(command) if unfinished.startswith("-") else known
+    verb = known.get(done[1]) if known else command
     if verb is None:
         return []
     if unfinished.startswith("-"):
@@ -60,7 +64,8 @@ def _candidates(done: Sequence[str], unfinished: str, nouns: Iterable[str]) -> I
 
 
 def _options(command: Any) -> list[str]:
-    return [name for one in command.params for name in one.opts if name.startswith("--")]
+    shown = [one for one in command.params if not getattr(one, "hidden", False)]
+    return [name for one in shown for name in one.opts if name.startswith("--")]
 
 
 def _executables(done: Sequence[str]) -> Iterable[str]:

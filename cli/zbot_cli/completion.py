@@ -29,8 +29,9 @@ compdef _zbot zbot
 """
 _FISH = """\
 function __zbot_complete
-    set -l words (commandline -opc) (commandline -ct)
-    zbot complete -- $words[2..-1] 2>/dev/null
+    set -l words (commandline -opc)
+    set -l unfinished (commandline -ct)
+    zbot complete -- $words[2..-1] "$unfinished" 2>/dev/null
 end
 complete -c zbot -f -a '(__zbot_complete)'
 """
@@ -38,7 +39,7 @@ _POWERSHELL = """\
 Register-ArgumentCompleter -Native -CommandName zbot -ScriptBlock {
     param($wordToComplete, $commandAst, $cursorPosition)
     $words = @($commandAst.CommandElements | Select-Object -Skip 1 | ForEach-Object { "$_" })
-    if ($wordToComplete -eq '') { $words += '' }
+    if ($wordToComplete -eq '') { $words += '""' }
     zbot complete -- @words 2>$null | ForEach-Object {
         [System.Management.Automation.CompletionResult]::new($_, $_, 'ParameterValue', $_)
     }

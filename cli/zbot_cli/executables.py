@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 GROUP = "zbot.nodes"
 BUNDLED = "zbot_nodes"
 _PROJECT = "zbot"
+_COMMAND = "zbot_cli."
 #: Names of packages that also stand for nodes that zbot bundles; the empty set: for all of them.
 _ALIASES: dict[str, frozenset[str]] = {
     "demo_nodes_cpp": frozenset({"listener", "talker"}),
@@ -57,7 +58,7 @@ def workspace_packages() -> list[Package]:
     """Return the packages around the current folder, or below those of `$ZBOT_WORKSPACE`."""
     folders = [folder for root, depth in search_roots() for folder in _sources(root, depth)]
     paths = tuple(dict.fromkeys(path for folder in folders for path in _import_paths(folder)))
-    return [_of_sources(folder, paths) for folder in folders if package_name(folder) != _PROJECT]
+    return [_of_sources(folder, paths) for folder in folders]
 
 
 def _sources(root: Path, depth: int) -> Iterator[Path]:
@@ -84,7 +85,11 @@ def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
         scripts = declared_scripts(folder)
     except SetupFileError as error:
         return Package(name, (), folder, str(error))
-    declared = [Executable(name, one, target, folders) for one, target in scripts.items()]
+    declared = [
+        Executable(name, one, target, folders)
+        for one, target in scripts.items()
+        if not target.startswith(_COMMAND)  # in zbot's own sources
+    ]
     files = [Executable(name, path.name, str(path)) for path in _script_files(folder)]
     return Package(name, (*declared, *files), folder)
 
@@ -119,17 +124,17 @@ def installed_packages() -> list[Package]:
     return [Package(name, tuple(executables)) for name, executables in sorted(found.items())]
 
 
-def installed_package(name: str) -> Package | None:
-    """Return an installed package with the commands that it brings; None if there is none."""
+def installed_package(name: str) -> list[Package]:
+    """Return the package that is installed under a name, with its commands; or nothing."""
     from importlib.metadata import PackageNotFoundError, distribution  # noqa: PLC0415 - as above
 
     try:
         points = distribution(name).entry_points
     except (PackageNotFoundError, ValueError):
-        return None
+        return []
     found = {
         point.name: Executable(name, point.name, point.value)
         for point in points
-        if point.group in {"console_scripts", GROUP}
+        if point.group in {"console_scripts", GROUP} and not point.value.startswith(_COMMAND)
     }
-    return Package(name, tuple(found.values()))
+    return [Package(name, tuple(found.values()))]

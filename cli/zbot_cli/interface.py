@@ -171,7 +171,7 @@ def proto(
         bool, typer.Option("--no-quotes", help="Leave out the quotes around")
     ] = False,
 ) -> None:
-    """Print a type's values as YAML, to copy and change."""
+    """Print a type's default values as YAML."""
     from zbot_cli.message_text import Form, plain  # noqa: PLC0415 - only this verb shows values
     from zbot_cli.yaml_text import dump  # noqa: PLC0415 - as above
 

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING
 
 from zbot.config import DiscoveryRange, discovery_range
 from zbot.context import Context
+from zbot.errors import ExternalShutdownException
 from zbot.graph import Snapshot
+from zbot_cli.status import Status
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -67,6 +69,8 @@ def hidden_node(
         )
         try:
             yield node
+        except ExternalShutdownException:
+            sys.exit(Status.TERMINATED)
         finally:
             node.destroy_node()
 

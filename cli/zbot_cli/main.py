@@ -5,7 +5,6 @@ A noun's module is imported when it is used: `zbot --help` must answer before a 
 
 from __future__ import annotations
 
-import importlib
 import os
 import sys
 from typing import TYPE_CHECKING, Any, NoReturn
@@ -108,9 +107,11 @@ def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
         from zbot_cli.complete import complete  # noqa: PLC0415 - only shells ask
 
         return complete(words[1:], NOUNS)
-    import typer.main  # noqa: PLC0415 - `zbot --help` and `zbot run` do without
+    import typer  # noqa: PLC0415 - `zbot --help` and `zbot run` do without
 
-    command = typer.main.get_command(importlib.import_module(f"zbot_cli.{noun}").app)
+    from zbot_cli.nouns import load  # noqa: PLC0415 - as above
+
+    command = load(noun)
     try:
         code = command.main(words[1:], prog_name=f"zbot {words[0]}", standalone_mode=False)
     except typer.Abort:

@@ -87,7 +87,7 @@ def info(
     use_sim_time: UseSimTime = False,
     no_daemon: NoDaemon = False,
 ) -> None:
-    """Show what a node publishes, subscribes to and serves."""
+    """Show a node's topics, services and actions."""
     graph = snapshot()
     name = full_name(node_name)
     found = full_names(graph.nodes).count(name)

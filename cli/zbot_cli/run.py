@@ -155,7 +155,7 @@ def find(words: Sequence[str]) -> tuple[Executable, list[str]]:
     for place in _PLACES:
         packages = place()
         seen += packages
-        inside = [package for package in packages if package.name in {first, _canonical(first)}]
+        inside = _called(first, packages)
         if inside and rest and (found := _named(rest[0], inside)):
             return _single(found), rest[1:]
         if not inside and (found := _named(first, packages)):
@@ -166,8 +166,7 @@ def find(words: Sequence[str]) -> tuple[Executable, list[str]]:
 def _find_farther(
     first: str, rest: list[str], packages: list[Package]
 ) -> tuple[Executable, list[str]]:
-    installed = executables.installed_package(first)
-    inside = [package for package in (*packages, installed) if package and package.name == first]
+    inside = [*_called(first, packages), *executables.installed_package(first)]
     if rest and (found := _named(rest[0], inside)):
         return _single(found), rest[1:]
     if found := _named(first, packages):  # a package that is named like a node
@@ -179,8 +178,9 @@ def _find_farther(
     raise ExecutableNotFoundError(first, _names(packages))
 
 
-def _canonical(package: str) -> str:
-    return BUNDLED if package == "zbot" else package
+def _called(name: str, packages: Iterable[Package]) -> list[Package]:
+    names = {name, BUNDLED} if name == "zbot" else {name}
+    return [package for package in packages if package.name in names]
 
 
 def _is_path(word: str) -> bool:

@@ -12,3 +12,4 @@ class Status(IntEnum):
     ERROR = 1  #: something failed or was not found; a sentence on stderr says what
     USAGE = 2  #: the command line makes no sense
     INTERRUPTED = 130  #: Ctrl-C, as shells count it: 128 + SIGINT
+    TERMINATED = 143  #: SIGTERM, counted likewise

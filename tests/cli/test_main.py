@@ -1,0 +1,225 @@
+"""The frame around every command: nouns, verbs, errors, signals, streams."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+from typing import TYPE_CHECKING
+
+import pytest
+
+from zbot.errors import ZbotError
+from zbot_cli import main as main_module
+from zbot_cli.main import NOUNS, main, run_command
+from zbot_cli.nouns import load, verbs
+from zbot_cli.report import report
+from zbot_cli.status import Status
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.cli.conftest import Command
+    from tests.conftest import Program
+
+    Start = Callable[..., Program]
+
+LOADED = sorted(set(NOUNS) - {"run"})
+
+
+class LostError(ZbotError):
+    def __init__(self, hint: str | None = None) -> None:
+        self.hint = hint
+        super().__init__("the robot is lost")
+
+
+def test_version_names_what_an_issue_needs(zbot_command: Command) -> None:
+    result = zbot_command("--version")
+    assert (result.code, result.err) == (0, "")
+    for word in ("zbot ", "eclipse-zenoh ", "Python ", "."):
+        assert word in result.out
+    assert result.out.count("\n") == 1
+
+
+@pytest.mark.parametrize("noun", LOADED)
+def test_every_noun_has_help_of_short_phrases(zbot_command: Command, noun: str) -> None:
+    result = zbot_command(noun, "-h")
+    assert (result.code, result.err) == (0, "")
+    assert result.out.startswith(f"Usage: zbot {noun}")
+    for name, verb in verbs(load(noun)).items():
+        assert verb.short_help in result.out, name
+        assert not verb.short_help.endswith(".")
+        assert len(verb.short_help.split()) <= 8
+
+
+@pytest.mark.parametrize("noun", LOADED)
+def test_every_verb_has_help_and_describes_its_options(zbot_command: Command, noun: str) -> None:
+    for name, verb in verbs(load(noun)).items():
+        assert zbot_command(noun, name, "--help").code == 0
+        for option in verb.params:
+            assert option.help, f"{noun} {name} {option.name}"
+
+
+def test_descriptions_of_nouns_are_short() -> None:
+    for text in NOUNS.values():
+        assert len(text.split()) <= 8
+        assert not text.endswith(".")
+
+
+@pytest.mark.parametrize(
+    ("words", "text"),
+    [
+        (["frobnicate"], "No such command 'frobnicate'."),
+        (["nod"], "Did you mean 'node'?"),
+        (["topic", "frobnicate"], "No such command 'frobnicate'."),
+        (["topic", "ehco"], "Did you mean 'echo'?"),
+        (["interface", "show"], "Missing argument"),
+        (["node", "list", "/rosout"], "unexpected extra argument"),
+        (["--config"], "Option '--config' requires a file."),
+    ],
+)
+def test_a_wrong_command_line(zbot_command: Command, words: list[str], text: str) -> None:
+    result = zbot_command(*words)
+    assert (result.code, result.out) == (2, "")
+    assert text in result.err
+    assert "-h' for help" in result.err or "--help' for help" in result.err
+
+
+def test_an_error_is_a_sentence_and_a_hint(capsys: pytest.CaptureFixture[str]) -> None:
+    assert report(LostError()) is Status.ERROR
+    assert capsys.readouterr().err == "the robot is lost\n"
+    report(LostError("look for it"))
+    assert capsys.readouterr().err == "the robot is lost\n\nhint: look for it\n"
+
+
+def test_debug_shows_where_an_error_comes_from() -> None:
+    with pytest.raises(ZbotError, match="Unknown package 'nope'"):
+        run_command(["--debug", "interface", "show", "nope/msg/Nope"])
+
+
+@pytest.mark.parametrize("sets", [["--config", "my.json5"], ["--config=my.json5"]])
+def test_config_is_for_this_command(
+    zbot_command: Command, monkeypatch: pytest.MonkeyPatch, sets: list[str]
+) -> None:
+    monkeypatch.setenv("ZBOT_CONFIG", "other.json5")
+    assert zbot_command(*sets, "daemon", "status").code == 0
+    assert os.environ["ZBOT_CONFIG"] == "my.json5"
+
+
+def test_ctrl_c_inside_of_a_command(monkeypatch: pytest.MonkeyPatch) -> None:
+    def interrupted(_: list[str]) -> int:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(main_module, "_run_noun", interrupted)
+    assert run_command(["topic", "list"]) == Status.INTERRUPTED
+
+
+def test_an_error_of_ours_is_not_hidden(monkeypatch: pytest.MonkeyPatch) -> None:
+    def wrong(_: list[str]) -> int:
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(main_module, "_run_noun", wrong)
+    with pytest.raises(ZeroDivisionError):
+        run_command(["topic", "list"])
+
+
+def test_main_ends_with_the_commands_code(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(sys, "argv", ["zbot", "daemon", "status"])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 0
+
+
+@pytest.mark.parametrize("verb", ["status", "start", "stop"])
+def test_daemon_verbs_agree(zbot_command: Command, verb: str) -> None:
+    result = zbot_command("daemon", verb)
+    assert result.code == 0
+    assert result.out == (
+        "zbot has no daemon and needs none: every command sees the running nodes directly\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("number", "code"), [(signal.SIGINT, Status.INTERRUPTED), (signal.SIGTERM, Status.TERMINATED)]
+)
+@pytest.mark.usefixtures("domain")
+def test_a_signal_ends_a_command_quietly(start: Start, number: int, code: Status) -> None:
+    echo = start("zbot", "topic", "echo", "/nothing")
+    echo.wait_for("waiting for /nothing")
+    assert echo.stop(number) == code
+    assert echo.lines == ["waiting for /nothing to appear"]
+
+
+def test_help_imports_neither_typer_nor_zenoh() -> None:
+    source = (
+        "import sys\nfrom zbot_cli.main import run_command\n"
+        "try:\n    run_command(['--help'])\nexcept SystemExit:\n    pass\n"
+        "print(sorted({'zenoh', 'typer', 'rich', 'yaml', 'asyncio', 'zbot'} & set(sys.modules)))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", source], capture_output=True, text=True, check=True
+    )
+    assert done.stdout.splitlines()[-1] == "[]"
+
+
+@pytest.mark.parametrize("noun", LOADED)
+def test_no_noun_imports_rich(noun: str) -> None:
+    source = (
+        "import sys\nfrom zbot_cli.main import run_command\n"
+        f"run_command([{noun!r}, '--help'])\nprint(sorted({{'rich'}} & set(sys.modules)))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", source], capture_output=True, text=True, check=True
+    )
+    assert done.stdout.splitlines()[-1] == "[]"
+
+
+# -- completion ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("words", "wanted"),
+    [
+        (["na"], []),
+        (["int"], ["interface"]),
+        (["--v"], ["--version"]),
+        (["interface", "pa"], ["package", "packages"]),
+        (["interface", "package", "geometry"], ["geometry_msgs"]),
+        (["interface", "show", "std_srvs/srv/E"], ["std_srvs/srv/Empty"]),
+        (["interface", "show", "--no"], ["--no-comments"]),
+        (["run", "demo_nodes_py", "t"], ["talker"]),
+        (["run", "demo_nodes_py", "talker", "t"], []),
+        (["completion", ""], ["bash", "fish", "powershell", "zsh"]),
+        (["completion", '""'], ["bash", "fish", "powershell", "zsh"]),
+        (["nonsense", "x"], []),
+        (["topic", "nonsense", "x"], []),
+        (["topic", "list", "--spin"], []),
+        (["topic", "pub", "/x", "std_msgs/msg/String", ""], ['\'{"data": ""}\'']),
+    ],
+)
+def test_completion(zbot_command: Command, words: list[str], wanted: list[str]) -> None:
+    result = zbot_command("complete", "--", *words)
+    assert (result.code, result.err) == (0, "")
+    assert result.out.splitlines() == wanted
+
+
+@pytest.mark.usefixtures("workspace")
+def test_completion_of_run_offers_nodes_and_packages(zbot_command: Command) -> None:
+    assert zbot_command("complete", "--", "run", "").out.split() == [
+        "demo_nodes_cpp",
+        "demo_nodes_py",
+        "listener",
+        "monitor",
+        "sensor",
+        "student_publisher",
+        "student_subscriber",
+        "talker",
+        "zbot_nodes",
+    ]
+
+
+def test_completion_for_an_unknown_shell(zbot_command: Command) -> None:
+    result = zbot_command("completion", "tcsh")
+    assert result.code == 2
+    assert "there are bash, zsh, fish, powershell" in result.err
