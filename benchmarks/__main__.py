@@ -21,6 +21,7 @@ from pathlib import Path
 
 import zbot
 from benchmarks.contestants import SOURCES
+from zbot.config import MEETING_PORT
 
 SIZES = ((64, "64 B"), (4096, "4 KiB"), (1_000_000, "1 MB"))
 ROS2_PYTHON = os.environ.get("ZBOT_ROS2_PYTHON", "")
@@ -38,11 +39,16 @@ class Report:
         self.lines.append(line)
 
 
+def is_free(port: int) -> bool:
+    with socket.socket() as probe:
+        return probe.connect_ex(("127.0.0.1", port)) != 0
+
+
 def environment(name: str) -> dict[str, str]:
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = str(probe.getsockname()[1])
-    domain = str(next(_DOMAIN))
+    domain = str(next(number for number in _DOMAIN if is_free(MEETING_PORT + number)))
     env = {**os.environ, "BENCH_PORT": port, "ZBOT_DOMAIN_ID": domain}
     if name == "rclpy":
         # Its interpreter starts itself again and hands these on; ours must not inherit them.
