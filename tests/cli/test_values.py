@@ -14,7 +14,7 @@ from zbot_cli.filter import Filter, FilterError
 from zbot_cli.types import InvalidTypeError, looks_like_type, resolve_message_type
 from zbot_cli.values import PopulateError, Template, ValuesError, split_documents
 
-from geometry_msgs.msg import PoseArray, PoseStamped, Twist  # isort: skip
+from geometry_msgs.msg import PoseArray, PoseStamped, PoseWithCovariance, Twist  # isort: skip
 from sensor_msgs.msg import JointState  # isort: skip
 from std_msgs.msg import Bool, Byte, ByteMultiArray, Empty, Float32  # isort: skip
 from std_msgs.msg import Header, Int8, String, UInt8MultiArray  # isort: skip
@@ -279,6 +279,47 @@ def test_a_filter_can_do_nothing_else(expression: str) -> None:
 def test_a_filter_that_does_not_fit_is_told_at_the_first_message(expression: str) -> None:
     with pytest.raises(FilterError):
         Filter(expression).accepts(Twist())
+
+
+@pytest.mark.parametrize("expression", ["max > 1", "round(m.linear.x, -10**9)", "m.linear.SPEC"])
+def test_a_filter_has_fields_and_nothing_else(expression: str) -> None:
+    with pytest.raises(FilterError):
+        Filter(expression).accepts(Twist())
+
+
+@pytest.mark.parametrize(
+    ("expression", "message_type"),
+    [
+        ("m.nope > 1", Twist),
+        ("m.linear > 1", Twist),
+        ("m.linear.x.real > 1", Twist),
+        ("m.poses.length > 1", PoseArray),
+    ],
+)
+def test_a_filter_that_fits_no_message_is_refused_before_one_comes(
+    expression: str, message_type: type[Any]
+) -> None:
+    with pytest.raises(FilterError):
+        Filter(expression).check(message_type, lambda message: message)
+
+
+@pytest.mark.parametrize(
+    ("expression", "message_type"),
+    [
+        ("m.poses[3].position.x > 1", PoseArray),
+        ("1 / m.linear.x > 1", Twist),
+        ("max(m.position) > 1", JointState),
+        ("m.covariance[0] + 1 > 0", PoseWithCovariance),
+    ],
+)
+def test_a_filter_that_may_fit_waits_for_a_message(
+    expression: str, message_type: type[Any]
+) -> None:
+    Filter(expression).check(message_type, lambda message: message)
+
+
+def test_a_filter_reckons_with_elements_of_fixed_arrays() -> None:
+    assert Filter("m.covariance[0] + 1 == 1").accepts(PoseWithCovariance())
 
 
 # -- types -----------------------------------------------------------------------------------------
