@@ -147,7 +147,8 @@ def test_daemon_verbs_agree(zbot_command: Command, verb: str) -> None:
 def test_a_signal_ends_a_command_quietly(start: Start, number: int, code: Status) -> None:
     echo = start("zbot", "topic", "echo", "/nothing")
     echo.wait_for("waiting for /nothing")
-    assert echo.stop(number) == code
+    # Ended by the signal itself or by its exit code: a shell sees the same number.
+    assert echo.stop(number) in {code, -number}
     assert echo.lines == ["waiting for /nothing to appear"]
 
 
