@@ -99,11 +99,6 @@ class MeetingPoint:
         """The Zenoh endpoint of the meeting port."""
         return f"tcp/{LOOPBACK}:{self.port}"
 
-    @property
-    def is_held(self) -> bool:
-        """Whether the router behind the port lives in this process."""
-        return self._router is not None
-
     def _multicast(self) -> dict[str, Any]:
         found = self._reach is DiscoveryRange.SUBNET
         return {

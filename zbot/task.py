@@ -29,7 +29,6 @@ class Future(Generic[T]):
         self._state = "pending"
         self._result: T | None = None
         self._exception: BaseException | None = None
-        self._exception_fetched = False
         self._callbacks: list[Callable[[Any], Any]] = []
 
     def __await__(self) -> Generator[Future[T], None, T | None]:
@@ -57,13 +56,11 @@ class Future(Generic[T]):
     def result(self) -> T | None:
         """Return the result, `None` while there is none; raise the exception if that was set."""
         if self._exception is not None:
-            self._exception_fetched = True
             raise self._exception
         return self._result
 
     def exception(self) -> BaseException | None:
         """Return the exception that was set, if any."""
-        self._exception_fetched = True
         return self._exception
 
     def set_result(self, result: T) -> None:
