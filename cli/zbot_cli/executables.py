@@ -5,13 +5,9 @@ from __future__ import annotations
 import importlib.util
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from zbot.interfaces.workspace import package_name, search_roots, walk
-from zbot_cli.setup_scripts import FILES, SetupFileError, declared_scripts
-
-if TYPE_CHECKING:
-    from collections.abc import Iterator
+from zbot.package.workspace import package_folders, package_name
+from zbot_cli.setup_scripts import SetupFileError, declared_scripts
 
 #: Entry point group of nodes: an installed package may add its own.
 GROUP = "zbot.nodes"
@@ -56,18 +52,9 @@ def all_packages() -> list[Package]:
 
 def workspace_packages() -> list[Package]:
     """Return the packages around the current folder, or below those of `$ZBOT_WORKSPACE`."""
-    folders = [folder for root, depth in search_roots() for folder in _sources(root, depth)]
+    folders = list(package_folders())
     paths = tuple(dict.fromkeys(path for folder in folders for path in _import_paths(folder)))
     return [_of_sources(folder, paths) for folder in folders]
-
-
-def _sources(root: Path, depth: int) -> Iterator[Path]:
-    for folder, names, below in walk(root, depth):
-        if "package.xml" in names or names & FILES:
-            yield folder
-            # The root may be a package and the workspace of others too.
-            if folder != root:
-                below.clear()
 
 
 def _import_paths(folder: Path) -> list[str]:

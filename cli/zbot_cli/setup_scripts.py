@@ -11,8 +11,6 @@ if TYPE_CHECKING:
     import ast
     from pathlib import Path
 
-#: Files that declare console scripts.
-FILES = frozenset({"setup.py", "setup.cfg", "pyproject.toml"})
 _SECTION = re.compile(r"\s*\[\s*project\s*\.\s*scripts\s*\]\s*(#.*)?\Z")
 _ENTRY = re.compile(r"""\s*["']?(?P<name>[\w.-]+)["']?\s*=\s*["'](?P<target>[^"']*)["']""")
 

@@ -9,7 +9,8 @@ from importlib.machinery import PathFinder
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.interfaces.workspace import KINDS, Roots, has_definitions, packages_around, search_roots
+from zbot.interfaces.workspace import KINDS, has_definitions, packages_around
+from zbot.package.workspace import Roots, search_roots
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -1,32 +1,18 @@
-"""Packages with interface definitions in the workspace around the current folder.
-
-The search is bounded in depth and number of folders: it may start anywhere, and an import waits for
-it.
-"""
+"""Packages with interface definitions in the workspace around the current folder."""
 
 from __future__ import annotations
 
-import os
-import re
-from pathlib import Path
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING
+
+from zbot.package.workspace import MANIFEST, package_name, walk
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from pathlib import Path
+
+    from zbot.package.workspace import Roots
 
 KINDS = ("msg", "srv", "action")
-_MAX_PARENTS = 12
-_MAX_DEPTH = 5
-_DEPTH_ELSEWHERE = 1  # in a current folder that belongs to no workspace
-_MAX_FOLDERS = 2000
-_MAX_MANIFEST = 65536
-_SKIPPED = {"build", "install", "log", "node_modules", "site-packages", "__pycache__"}
-_STOP_FILES = {"COLCON_IGNORE", "pyvenv.cfg"}
-_NAME_TAG = re.compile(r"<name>\s*([a-z][a-z0-9_]*)\s*</name>")
-
-
-#: Folders to search, each with the number of levels below it.
-Roots: TypeAlias = "tuple[tuple[Path, int], ...]"
 
 
 def packages_around(roots: Roots) -> dict[str, list[Path]]:
@@ -38,75 +24,9 @@ def packages_around(roots: Roots) -> dict[str, list[Path]]:
     return found
 
 
-def search_roots() -> Roots:
-    """Where to look: the folders of ZBOT_WORKSPACE, else those around the current one."""
-    named = os.environ.get("ZBOT_WORKSPACE", "")
-    if named:
-        parts = [part for part in named.split(os.pathsep) if part]
-        return tuple((Path(part).expanduser(), _MAX_DEPTH) for part in parts)
-    try:
-        current = Path.cwd()
-    except FileNotFoundError:  # the current folder was removed under this process
-        return ()
-    return _roots_around(current)
-
-
 def has_definitions(folder: Path) -> bool:
     """Whether a folder has a msg, srv or action folder with definitions in it."""
     return any(next(folder.glob(f"{kind}/*.{kind}"), None) is not None for kind in KINDS)
-
-
-def _roots_around(current: Path) -> Roots:
-    """The workspace of a folder: a `src` that it is in or has, else the package that it is in."""
-    near = [folder for folder in (current, *current.parents)[:_MAX_PARENTS] if _may_search(folder)]
-    for folder in reversed(near):
-        if folder.name == "src":
-            return ((folder, _MAX_DEPTH),)
-    for folder in near:
-        if (folder / "src").is_dir():
-            return ((folder / "src", _MAX_DEPTH), (folder, 0))
-    for folder in near:
-        if (folder / "package.xml").is_file():
-            return ((folder, _MAX_DEPTH),)
-    return ((current, _DEPTH_ELSEWHERE),) if current in near else ()
-
-
-def _may_search(folder: Path) -> bool:
-    """Not the home folder, nor what is above it: those hold everything that a user has."""
-    home = Path(os.path.expanduser("~"))  # noqa: PTH111 - Path.home() raises where there is none
-    return folder != home and folder not in home.parents and folder != Path(folder.anchor)
-
-
-def walk(root: Path, depth: int) -> Iterator[tuple[Path, set[str], list[str]]]:
-    """Visit a folder and those below it, level by level, each level by name.
-
-    Yields:
-        The folder, the names of all that is in it, and the paths of the folders in it that are
-        visited next: clear the list to leave them out.
-    """
-    level, seen = [str(root)], 0
-    for _ in range(depth + 1):
-        following: list[str] = []
-        for folder in level:
-            seen += 1
-            if seen > _MAX_FOLDERS:
-                return
-            names, folders = _entries(folder)
-            if names & _STOP_FILES:
-                continue
-            yield Path(folder), names, folders
-            following += folders
-        level = following
-
-
-def package_name(folder: Path) -> str:
-    """The name in package.xml, else the folder's."""
-    try:
-        with (folder / "package.xml").open(encoding="utf-8", errors="replace") as manifest:
-            match = _NAME_TAG.search(manifest.read(_MAX_MANIFEST))
-    except OSError:
-        match = None
-    return match[1] if match else folder.resolve().name
 
 
 def _package_folders(root: Path, depth: int) -> Iterator[Path]:
@@ -115,26 +35,5 @@ def _package_folders(root: Path, depth: int) -> Iterator[Path]:
         if has_definitions(folder):
             yield folder
             below.clear()
-        elif "package.xml" in names and folder != root:
+        elif MANIFEST in names and folder != root:
             below.clear()
-
-
-def _entries(folder: str) -> tuple[set[str], list[str]]:
-    """Names of everything in a folder, and paths of the folders in it worth looking into."""
-    names: set[str] = set()
-    folders: list[str] = []
-    try:
-        with os.scandir(folder) as entries:
-            for entry in entries:
-                names.add(entry.name)
-                if _is_worth_searching(entry):
-                    folders.append(entry.path)
-    except OSError:  # not there, not a folder, or not ours to read
-        return set(), []
-    return names, sorted(folders)
-
-
-def _is_worth_searching(entry: os.DirEntry[str]) -> bool:
-    if entry.name.startswith(".") or entry.name in _SKIPPED:
-        return False
-    return entry.is_dir(follow_symlinks=False)

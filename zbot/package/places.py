@@ -1,0 +1,112 @@
+"""Where packages are: in the workspace, among what zbot brings, installed, in a ROS 2 prefix."""
+
+from __future__ import annotations
+
+import os
+import site
+import sys
+from dataclasses import dataclass
+from enum import Enum
+from importlib.machinery import PathFinder
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from zbot.package.workspace import MANIFEST, package_folders, package_name
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+_ZBOT = Path(__file__).parents[1]
+_DEFINITIONS = _ZBOT / "interfaces" / "defs"
+_STAND_INS = _ZBOT / "compat" / "packages"
+#: Names that the nodes and launch files of zbot go by.
+BUNDLED_NAMES = ("zbot", "zbot_nodes", "demo_nodes_py", "demo_nodes_cpp")
+_INDEX = Path("share", "ament_index", "resource_index", "packages")
+#: An installed Python package counts as one of ours if it has one of these in its folder.
+_MARKS = (MANIFEST, "launch", "msg", "srv", "action")
+
+
+class Origin(Enum):
+    """Where a package comes from."""
+
+    WORKSPACE = "workspace"
+    BUNDLED = "bundled"
+    INSTALLED = "installed"
+
+
+@dataclass(frozen=True)
+class Package:
+    """A package that was found."""
+
+    name: str
+    folder: Path  #: its sources, or what was installed of it for others to use
+    origin: Origin
+    prefix: Path | None = None  #: where it was installed to; None where nothing was installed
+
+
+def all_packages() -> dict[str, Package]:
+    """Every package, by name; of several with one name the one that is found first."""
+    found: dict[str, Package] = {}
+    for place in (_workspace(), _bundled(), _in_prefixes()):
+        for package in place:
+            found.setdefault(package.name, package)
+    return dict(sorted(found.items()))
+
+
+def find_package(name: str) -> Package | None:
+    """The package of that name; None if there is none."""
+    for place in (_workspace(), _bundled(), _in_prefixes(), _python_package(name)):
+        for package in place:
+            if package.name == name:
+                return package
+    return None
+
+
+def searched_places() -> list[Path]:
+    """What `find_package` looks into, for error texts."""
+    from zbot.package.workspace import search_roots  # noqa: PLC0415 - only for mistakes
+
+    return [*(root for root, _ in search_roots()), *_prefixes()]
+
+
+def _workspace() -> Iterator[Package]:
+    for folder in package_folders():
+        yield Package(package_name(folder), folder, Origin.WORKSPACE)
+
+
+def _bundled() -> Iterator[Package]:
+    share = bundled_share()
+    yield from (Package(name, share, Origin.BUNDLED) for name in BUNDLED_NAMES)
+    for parent in (_DEFINITIONS, _STAND_INS):
+        if parent.is_dir():
+            folders = (entry for entry in parent.iterdir() if entry.name.isidentifier())
+            yield from (Package(one.name, one, Origin.BUNDLED) for one in folders if one.is_dir())
+
+
+def bundled_share() -> Path:
+    """The folder with zbot's own `launch` folder: inside zbot, or in a checkout beside it."""
+    inside = _ZBOT / "share"
+    return inside if inside.is_dir() else _ZBOT.parent
+
+
+def _prefixes() -> list[Path]:
+    """Folders that packages are installed to: ROS 2's, then those that pip installs to."""
+    named = os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
+    own = [sys.prefix, site.getuserbase()] if site.ENABLE_USER_SITE else [sys.prefix]
+    return [Path(entry) for entry in (*own, *named) if entry]
+
+
+def _in_prefixes() -> Iterator[Package]:
+    for prefix in _prefixes():
+        for entry in sorted(prefix.joinpath(_INDEX).glob("[!.]*")):
+            share = prefix / "share" / entry.name
+            yield Package(entry.name, share, Origin.INSTALLED, prefix)
+
+
+def _python_package(name: str) -> Iterator[Package]:
+    """An installed Python package's own folder; nothing is imported, only paths are looked at."""
+    spec = PathFinder.find_spec(name) if name.isidentifier() else None
+    for location in (spec and spec.submodule_search_locations) or ():
+        folder = Path(location)
+        if any((folder / mark).exists() for mark in _MARKS):
+            yield Package(name, folder, Origin.INSTALLED)
