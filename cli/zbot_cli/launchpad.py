@@ -28,6 +28,7 @@ def become(executable: Executable, arguments: Sequence[str]) -> NoReturn:
         executable: What to run.
         arguments: Its command line, without its own name.
     """
+    import zbot.compat  # noqa: F401, PLC0415 - `import rclpy` and its like are zbot from now on
     from zbot import signals  # noqa: PLC0415 - Ctrl-C may come from now on
 
     signals.install(signals.SignalHandlerOptions.SIGINT)

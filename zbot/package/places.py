@@ -66,7 +66,7 @@ def searched_places() -> list[Path]:
     """What `find_package` looks into, for error texts."""
     from zbot.package.workspace import search_roots  # noqa: PLC0415 - only for mistakes
 
-    return [*(root for root, _ in search_roots()), *_prefixes()]
+    return [*(root for root, _ in search_roots()), *prefixes()]
 
 
 def _workspace() -> Iterator[Package]:
@@ -89,7 +89,7 @@ def bundled_share() -> Path:
     return inside if inside.is_dir() else _ZBOT.parent
 
 
-def _prefixes() -> list[Path]:
+def prefixes() -> list[Path]:
     """Folders that packages are installed to: ROS 2's, then those that pip installs to."""
     named = os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
     own = [sys.prefix, site.getuserbase()] if site.ENABLE_USER_SITE else [sys.prefix]
@@ -97,7 +97,7 @@ def _prefixes() -> list[Path]:
 
 
 def _in_prefixes() -> Iterator[Package]:
-    for prefix in _prefixes():
+    for prefix in prefixes():
         for entry in sorted(prefix.joinpath(_INDEX).glob("[!.]*")):
             share = prefix / "share" / entry.name
             yield Package(entry.name, share, Origin.INSTALLED, prefix)
