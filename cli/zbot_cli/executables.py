@@ -6,8 +6,8 @@ import importlib.util
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from zbot.package.setup_file import SetupFileError, declared_scripts
 from zbot.package.workspace import package_folders, package_name
-from zbot_cli.setup_scripts import SetupFileError, declared_scripts
 
 #: Entry point group of nodes: an installed package may add its own.
 GROUP = "zbot.nodes"

@@ -4,7 +4,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot_cli.setup_scripts import SetupFileError, declared_scripts
+from zbot.package.setup_file import SetupFileError, data_files, declared_scripts
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -80,3 +80,61 @@ def test_a_file_that_is_no_text_is_named(tmp_path: Path) -> None:
     (tmp_path / "setup.py").write_bytes(b"console_scripts \xff")
     with pytest.raises(SetupFileError, match=r"setup\.py"):
         declared_scripts(tmp_path)
+
+
+# -- data files ----------------------------------------------------------------------------------
+
+BOTH = [("share/pkg/launch", "launch/a.launch.py"), ("share/pkg/launch", "launch/b.launch.py")]
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "setup(data_files=[('share/pkg/launch', ['launch/a.launch.py', 'launch/b.launch.py'])])",
+        "setup(data_files=[('share/pkg/launch', glob('launch/*.launch.py'))])",
+        "setup(data_files=[('share/pkg/launch', sorted(glob.glob('launch/*')))])",
+        "setup(data_files=[('share/pkg/launch', glob(os.path.join('launch', '*.[pxy][yma]*')))])",
+        "setup(data_files=[('share/pkg/launch', [f for f in glob('l*/*', recursive=True)])])",
+        "p = 'pkg'\nsetup(data_files=[('share/' + p + '/launch', glob('launch/*.py'))])",
+        "p = 'pkg'\nsetup(data_files=[(f'share/{p}/launch', glob('launch/*.py'))])",
+        "p = 'pkg'\nsetup(data_files=[('share/%s/launch' % p, glob('launch/*'))])",
+        "p = 'pkg'\nsetup(data_files=[('share/{}/launch'.format(p), glob('launch/*'))])",
+        "p = 'pkg'\nsetup(data_files=[(join('share', p, 'launch'), glob('launch/*'))])",
+        "l = [('share/pkg/launch', glob('launch/*'))]\nsetup(data_files=[*l, *unknown])",
+        "l = []\nl.append(('share/pkg/launch', glob('launch/*')))\nsetup(data_files=l)",
+        "l = []\nl += [('share/pkg/launch', glob('launch/*'))]\nsetup(data_files=l + walk())",
+        "setup(data_files=[walked('models'), ('share/pkg/launch', glob('launch/*')), ('x', 1)])",
+        "setup(**{'data_files': [('share/pkg/launch', glob('launch/*'))]})",
+    ],
+)
+def test_data_files_are_understood_without_running_anything(tmp_path: Path, source: str) -> None:
+    (tmp_path / "launch").mkdir()
+    for name in ("b.launch.py", "a.launch.py"):
+        (tmp_path / "launch" / name).touch()
+    (tmp_path / "setup.py").write_text(source)
+    assert list(data_files(tmp_path)) == BOTH
+
+
+def test_absolute_data_files_are_those_of_the_folder(tmp_path: Path) -> None:
+    (tmp_path / "a.yaml").touch()
+    (tmp_path / "setup.py").write_text(
+        "here = os.path.abspath(os.path.dirname(__file__))\n"
+        "setup(data_files=[('share/pkg', glob(os.path.join(here, '*.yaml')))])\n"
+    )
+    assert list(data_files(tmp_path)) == [("share/pkg", str(tmp_path / "a.yaml"))]
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "setup(data_files='x' % (1, 2))",
+        "setup(data_files='{}'.format())",
+        "setup(data_files=glob(5))",
+        "setup(data_files=[[]] + [('a', ['b'], 'c')])",
+        "setup(data_files=[('a', None), (None, ['b']), ('c', 'd'), 5])",
+        "setup(data_files={'a': 'b'})",
+    ],
+)
+def test_what_is_no_list_of_files_is_left_out(tmp_path: Path, source: str) -> None:
+    (tmp_path / "setup.py").write_text(source)
+    assert list(data_files(tmp_path)) == []

@@ -1,0 +1,147 @@
+"""What the setup files of a Python package declare, read without running any of them."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+
+if TYPE_CHECKING:
+    import ast
+    from collections.abc import Iterator
+    from pathlib import Path
+
+_SECTION = re.compile(r"\s*\[\s*project\s*\.\s*scripts\s*\]\s*(#.*)?\Z")
+_ENTRY = re.compile(r"""\s*["']?(?P<name>[\w.-]+)["']?\s*=\s*["'](?P<target>[^"']*)["']""")
+
+
+class SetupFileError(ZbotError):
+    """A package's setup file cannot be read.
+
+    Attributes:
+        path: The file.
+        reason: What is wrong with it.
+        line: Where, counted from 1; 0 if it is the whole file.
+    """
+
+    def __init__(self, path: Path, reason: str, line: int = 0) -> None:
+        self.path, self.reason, self.line = path, reason, line
+        where = f"line {line}: " if line else ""
+        super().__init__(f"cannot read {path}: {where}{reason}")
+
+
+def declared_scripts(folder: Path) -> dict[str, str]:
+    """Return the console scripts of a package: name -> `module:function`.
+
+    Raises:
+        SetupFileError: A file of it is not what it should be.
+    """
+    lines = (
+        *_setup_py_scripts(folder / "setup.py"),
+        *_setup_cfg(folder / "setup.cfg", "options.entry_points", "console_scripts"),
+        *_pyproject(folder / "pyproject.toml"),
+    )
+    pairs = (line.partition("=") for line in lines if isinstance(line, str))
+    return {name.strip(): _without_extras(target) for name, _, target in pairs if target.strip()}
+
+
+def data_files(folder: Path) -> Iterator[tuple[str, str]]:
+    """Yield each data file of a package, relative to its folder, with the folder it goes to.
+
+    Raises:
+        SetupFileError: A file of it is not what it should be.
+    """
+    for entry in setup_arguments(folder / "setup.py", "data_files").get("data_files") or ():
+        if isinstance(entry, (tuple, list)) and len(entry) == 2 and isinstance(entry[0], str):
+            files = entry[1] if isinstance(entry[1], (tuple, list)) else ()
+            yield from ((entry[0], file) for file in files if isinstance(file, str))
+
+
+def setup_arguments(path: Path, wanted: str = "setup") -> dict[str, Any]:
+    """Return what a setup.py hands to `setup()`, as far as it can be known without running it.
+
+    Args:
+        path: The file; it need not be there.
+        wanted: A word without which the file need not be looked at.
+
+    Raises:
+        SetupFileError: It is no Python, or no text.
+    """
+    source = _text(path)
+    if wanted not in source:
+        return {}
+    import ast  # noqa: PLC0415 - 8 ms that only a setup.py needs
+
+    from zbot.package.literal import Literals  # noqa: PLC0415 - as above
+
+    try:
+        tree = ast.parse(source)
+    except SyntaxError as exc:
+        raise SetupFileError(path, exc.msg, exc.lineno or 0) from None
+    except ValueError as exc:
+        raise SetupFileError(path, str(exc)) from None
+    literals = Literals(tree, path.parent)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and _is_setup(node.func):
+            return _keywords(node, literals)
+    return {}
+
+
+def _is_setup(function: ast.expr) -> bool:
+    return getattr(function, "id", getattr(function, "attr", "")) == "setup"
+
+
+def _keywords(call: ast.Call, literals: Any) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    for keyword in call.keywords:
+        value = literals.value(keyword.value)
+        if keyword.arg:
+            found[keyword.arg] = value
+        elif isinstance(value, dict):  # setup(**arguments)
+            found.update(value)
+    return found
+
+
+def _without_extras(target: str) -> str:
+    return target.partition("[")[0].strip()
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        return ""
+    except (OSError, UnicodeDecodeError) as exc:
+        raise SetupFileError(path, str(exc)) from exc
+
+
+def _setup_py_scripts(path: Path) -> list[Any]:
+    groups = setup_arguments(path, "console_scripts").get("entry_points")
+    scripts = groups.get("console_scripts") if isinstance(groups, dict) else None
+    return scripts.splitlines() if isinstance(scripts, str) else list(scripts or ())
+
+
+def _setup_cfg(path: Path, section: str, option: str) -> list[str]:
+    source = _text(path)
+    if option not in source:
+        return []
+    import configparser  # noqa: PLC0415 - few packages declare scripts there
+
+    parser = configparser.ConfigParser(interpolation=None)
+    try:
+        parser.read_string(source)
+    except configparser.Error as exc:
+        raise SetupFileError(path, exc.message.replace("\n", " ")) from None
+    return parser.get(section, option, fallback="").splitlines()
+
+
+def _pyproject(path: Path) -> list[str]:
+    # Python has a TOML parser from 3.11 on; a table of texts needs none.
+    lines, inside = [], False
+    for line in _text(path).splitlines():
+        if line.lstrip().startswith("["):
+            inside = _SECTION.match(line) is not None
+        elif inside and (match := _ENTRY.match(line)):
+            lines.append(f"{match['name']}={match['target']}")
+    return lines
