@@ -34,7 +34,9 @@ def package_share(name: str) -> Path:
         PackageNotFoundError: There is no such package.
         PackageNameError: No package can have this name.
     """
-    return _find(name).folder
+    from zbot.package.view import share_folder  # noqa: PLC0415 - `import zbot` does without
+
+    return share_folder(_find(name))
 
 
 def package_prefix(name: str) -> Path:
@@ -44,13 +46,14 @@ def package_prefix(name: str) -> Path:
         PackageNotFoundError: There is no such package.
         PackageNameError: No package can have this name.
     """
-    package = _find(name)
-    return package.prefix or package.folder
+    from zbot.package.view import prefix_folder  # noqa: PLC0415 - as above
+
+    return prefix_folder(_find(name))
 
 
 def packages() -> dict[str, Package]:
     """Return every package that can be found, by name, sorted."""
-    from zbot.package.places import all_packages  # noqa: PLC0415 - `import zbot` does without
+    from zbot.package.places import all_packages  # noqa: PLC0415 - as above
 
     return all_packages()
 

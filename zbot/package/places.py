@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 _ZBOT = Path(__file__).parents[1]
 _DEFINITIONS = _ZBOT / "interfaces" / "defs"
 _STAND_INS = _ZBOT / "compat" / "packages"
+_SHARE = _ZBOT / "share"
 #: Names that the nodes and launch files of zbot go by.
 BUNDLED_NAMES = ("zbot", "zbot_nodes", "demo_nodes_py", "demo_nodes_cpp")
 _INDEX = Path("share", "ament_index", "resource_index", "packages")
@@ -42,6 +43,7 @@ class Package:
     folder: Path  #: its sources, or what was installed of it for others to use
     origin: Origin
     prefix: Path | None = None  #: where it was installed to; None where nothing was installed
+    only: tuple[str, ...] = ()  #: the folders in it that are the package's; all if there are none
 
 
 def all_packages() -> dict[str, Package]:
@@ -55,7 +57,8 @@ def all_packages() -> dict[str, Package]:
 
 def find_package(name: str) -> Package | None:
     """The package of that name; None if there is none."""
-    for place in (_workspace(), _bundled(), _in_prefixes(), _python_package(name)):
+    places = (_workspace(), _bundled(), _in_prefixes(), _python_package(name), _editable(name))
+    for place in places:
         for package in place:
             if package.name == name:
                 return package
@@ -75,18 +78,12 @@ def _workspace() -> Iterator[Package]:
 
 
 def _bundled() -> Iterator[Package]:
-    share = bundled_share()
-    yield from (Package(name, share, Origin.BUNDLED) for name in BUNDLED_NAMES)
+    share = _SHARE if _SHARE.is_dir() else _ZBOT.parent  # the second in a checkout
+    yield from (Package(name, share, Origin.BUNDLED, None, ("launch",)) for name in BUNDLED_NAMES)
     for parent in (_DEFINITIONS, _STAND_INS):
         if parent.is_dir():
             folders = (entry for entry in parent.iterdir() if entry.name.isidentifier())
             yield from (Package(one.name, one, Origin.BUNDLED) for one in folders if one.is_dir())
-
-
-def bundled_share() -> Path:
-    """The folder with zbot's own `launch` folder: inside zbot, or in a checkout beside it."""
-    inside = _ZBOT / "share"
-    return inside if inside.is_dir() else _ZBOT.parent
 
 
 def prefixes() -> list[Path]:
@@ -98,9 +95,10 @@ def prefixes() -> list[Path]:
 
 def _in_prefixes() -> Iterator[Package]:
     for prefix in prefixes():
-        for entry in sorted(prefix.joinpath(_INDEX).glob("[!.]*")):
-            share = prefix / "share" / entry.name
-            yield Package(entry.name, share, Origin.INSTALLED, prefix)
+        marked = {entry.name for entry in prefix.joinpath(_INDEX).glob("[!.]*")}
+        described = {entry.parent.name for entry in prefix.glob(f"share/*/{MANIFEST}")}
+        for name in sorted(marked | described):
+            yield Package(name, prefix / "share" / name, Origin.INSTALLED, prefix)
 
 
 def _python_package(name: str) -> Iterator[Package]:
@@ -110,3 +108,18 @@ def _python_package(name: str) -> Iterator[Package]:
         folder = Path(location)
         if any((folder / mark).exists() for mark in _MARKS):
             yield Package(name, folder, Origin.INSTALLED)
+
+
+def _editable(name: str) -> Iterator[Package]:
+    """The sources of a package after `pip install -e .`, which installs no shared files."""
+    import json  # noqa: PLC0415 - the last resort
+    from importlib.metadata import PackageNotFoundError, distribution  # noqa: PLC0415 - as above
+    from urllib.parse import urlsplit  # noqa: PLC0415 - as above
+    from urllib.request import url2pathname  # noqa: PLC0415 - as above
+
+    try:
+        origin = json.loads(distribution(name).read_text("direct_url.json") or "{}")
+    except PackageNotFoundError:
+        return
+    if origin.get("dir_info", {}).get("editable"):
+        yield Package(name, Path(url2pathname(urlsplit(origin["url"]).path)), Origin.WORKSPACE)

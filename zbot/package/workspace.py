@@ -22,7 +22,8 @@ _MAX_DEPTH = 5
 _DEPTH_ELSEWHERE = 1  # in a current folder that belongs to no workspace
 _MAX_FOLDERS = 2000
 _MAX_MANIFEST = 65536
-_SKIPPED = {"build", "install", "log", "node_modules", "site-packages", "__pycache__"}
+#: Folders that hold no sources.
+SKIPPED = {"build", "install", "log", "node_modules", "site-packages", "__pycache__"}
 _STOP_FILES = {"COLCON_IGNORE", "pyvenv.cfg"}
 _NAME_TAG = re.compile(r"<name>\s*([a-z][a-z0-9_]*)\s*</name>")
 
@@ -123,6 +124,6 @@ def _entries(folder: str) -> tuple[set[str], list[str]]:
 
 
 def _is_worth_searching(entry: os.DirEntry[str]) -> bool:
-    if entry.name.startswith(".") or entry.name in _SKIPPED:
+    if entry.name.startswith(".") or entry.name in SKIPPED:
         return False
     return entry.is_dir(follow_symlinks=False)

@@ -1,0 +1,284 @@
+"""Where packages are found, and what their share folders look like."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+from zbot.package import (
+    PackageNameError,
+    PackageNotFoundError,
+    package_prefix,
+    package_share,
+    packages,
+)
+from zbot.package.places import Origin, all_packages, find_package
+from zbot.package.view import ViewError, cache_folder
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+MANIFEST = "<package><name>{}</name></package>"
+SETUP = "from glob import glob\nname = 'robot'\nsetup(name=name, data_files=[{}])\n"
+
+
+@pytest.fixture(autouse=True)
+def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    return tmp_path / "cache"
+
+
+@pytest.fixture
+def write(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Callable[..., Path]:
+    """Return a function that writes a package into a workspace around the current folder."""
+    source = tmp_path / "ws" / "src"
+    source.mkdir(parents=True)
+    monkeypatch.chdir(source.parent)
+
+    def make(*files: str, name: str = "robot", setup: str = "", cmake: str = "") -> Path:
+        folder = source / name
+        for file in files:
+            (folder / file).parent.mkdir(parents=True, exist_ok=True)
+            (folder / file).write_text(file)
+        folder.mkdir(exist_ok=True)
+        (folder / "package.xml").write_text(MANIFEST.format(name))
+        if setup:
+            (folder / "setup.py").write_text(SETUP.format(setup))
+        if cmake:
+            (folder / "CMakeLists.txt").write_text(cmake)
+        return folder
+
+    return make
+
+
+# -- finding -------------------------------------------------------------------------------------
+
+
+def test_the_share_folder_of_a_source_package_is_its_folder(write: Callable[..., Path]) -> None:
+    folder = write("launch/a.launch.py")
+    assert package_share("robot") == folder
+
+
+def test_a_package_whose_files_keep_their_names_needs_no_links(
+    write: Callable[..., Path], cache: Path
+) -> None:
+    folder = write(
+        "launch/a.launch.py",
+        "config/b.yaml",
+        setup="('share/ament_index/resource_index/packages', ['resource/robot']),"
+        "('share/robot', ['package.xml']), ('share/' + name + '/launch', glob('launch/*')),"
+        "('share/robot/config', glob('config/*.yaml')), ('lib/robot', glob('scripts/*'))",
+    )
+    assert package_share("robot") == folder
+    assert not cache.exists()
+
+
+def test_the_workspace_hides_what_is_bundled(write: Callable[..., Path]) -> None:
+    folder = write("launch/a.launch.py", name="std_msgs")
+    assert package_share("std_msgs") == folder
+
+
+def test_interface_packages_that_zbot_brings_are_found() -> None:
+    assert (package_share("std_msgs") / "msg" / "String.msg").is_file()
+    assert packages()["std_msgs"].origin is Origin.BUNDLED
+
+
+def test_the_share_folder_of_zbot_has_launch_files_only() -> None:
+    share = package_share("zbot_nodes")
+    assert share == package_share("zbot").parent / "zbot_nodes"
+    assert {entry.name for entry in share.glob("*")} <= {"launch"}
+
+
+def test_a_prefix_of_ros_2_is_searched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    index = tmp_path / "ros" / "share" / "ament_index" / "resource_index" / "packages"
+    index.mkdir(parents=True)
+    (index / "rover").touch()
+    (tmp_path / "ros" / "share" / "rover").mkdir()
+    monkeypatch.setenv("AMENT_PREFIX_PATH", f"{tmp_path / 'nowhere'}{os.pathsep}{tmp_path / 'ros'}")
+    assert package_share("rover") == tmp_path / "ros" / "share" / "rover"
+    assert package_prefix("rover") == tmp_path / "ros"
+
+
+def test_what_pip_installed_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    share = tmp_path / "share" / "robot"
+    share.mkdir(parents=True)
+    (share / "package.xml").touch()
+    monkeypatch.setattr(sys, "prefix", str(tmp_path))
+    assert package_share("robot") == share
+    assert "robot" in all_packages()
+
+
+def test_an_installed_python_package_with_launch_files_is_its_own_share_folder(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "robot" / "launch").mkdir(parents=True)
+    (tmp_path / "robot" / "__init__.py").touch()
+    (tmp_path / "other").mkdir()
+    (tmp_path / "other" / "__init__.py").touch()
+    monkeypatch.syspath_prepend(str(tmp_path))
+    assert package_share("robot") == tmp_path / "robot"
+    assert find_package("other") is None
+
+
+def test_an_editable_package_is_its_sources(
+    write: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = write("launch/a.launch.py")
+    info = tmp_path / "site" / "robot-0.1.dist-info"
+    info.mkdir(parents=True)
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: robot\nVersion: 0.1\n")
+    origin = f'{{"url": "{folder.as_uri()}", "dir_info": {{"editable": true}}}}'
+    (info / "direct_url.json").write_text(origin)
+    monkeypatch.syspath_prepend(str(tmp_path / "site"))
+    monkeypatch.chdir(tmp_path / "site")
+    assert package_share("robot") == folder
+
+
+def test_an_unknown_package_is_told_with_the_nearest_name(write: Callable[..., Path]) -> None:
+    source = write().parent
+    with pytest.raises(PackageNotFoundError) as caught:
+        package_share("robott")
+    assert str(caught.value).startswith(f"package 'robott' not found, searching: ['{source}', ")
+    assert caught.value.hint == "did you mean 'robot'?"
+    with pytest.raises(KeyError):
+        package_prefix("nothing_like_it")
+
+
+@pytest.mark.parametrize("name", ["", "../robot", "a/b", "x", "-robot", "ro bot", "robot\n"])
+def test_what_is_no_name_is_refused(name: str) -> None:
+    with pytest.raises(PackageNameError, match="is not a valid package name"):
+        package_share(name)
+
+
+# -- share folders of links ----------------------------------------------------------------------
+
+
+def _listed(share: Path) -> dict[str, str]:
+    return {
+        file.relative_to(share).as_posix(): file.read_text()
+        for file in share.rglob("*")
+        if file.is_file() and file.name not in {"package.xml", "setup.py", "CMakeLists.txt"}
+    }
+
+
+@pytest.mark.parametrize(
+    ("setup", "shared"),
+    [
+        ("('share/robot', glob('launch/*'))", {"a.launch.py": "launch/a.launch.py"}),
+        ("('share/robot/launch', glob('starts/*'))", {"launch/s.launch.py": "starts/s.launch.py"}),
+        (
+            "('share/robot//launch/', glob('starts/*'))",
+            {"launch/s.launch.py": "starts/s.launch.py"},
+        ),
+        ("('share/robot/../../x', glob('starts/*')), ('/etc', glob('starts/*'))", {}),
+    ],
+)
+def test_files_are_where_setup_py_puts_them(
+    write: Callable[..., Path], setup: str, shared: dict[str, str]
+) -> None:
+    write("launch/a.launch.py", "starts/s.launch.py", "left/out.yaml", setup=setup)
+    whole = {name: name for name in ("launch/a.launch.py", "starts/s.launch.py", "left/out.yaml")}
+    kept = {name: text for name, text in whole.items() if text not in shared.values()}
+    assert _listed(package_share("robot")) == {**kept, **shared}
+
+
+def test_files_are_where_cmake_puts_them(write: Callable[..., Path]) -> None:
+    write(
+        "launch/a.launch.py",
+        "models/box/model.sdf",
+        "old.yaml",
+        "scripts/node.py",
+        cmake="""
+            project(robot)  # install(FILES nothing DESTINATION share/robot)
+            set(WHERE share/${PROJECT_NAME})
+            install(DIRECTORY launch DESTINATION ${WHERE}/)
+            install(DIRECTORY models/ DESTINATION "${WHERE}")
+            install(FILES old.yaml DESTINATION ${WHERE}/config RENAME new.yaml)
+            install(PROGRAMS scripts/node.py DESTINATION lib/${PROJECT_NAME})
+        """,
+    )
+    assert _listed(package_share("robot")) == {
+        "launch/a.launch.py": "launch/a.launch.py",
+        "box/model.sdf": "models/box/model.sdf",
+        "config/new.yaml": "old.yaml",
+        "scripts/node.py": "scripts/node.py",
+    }
+    assert (package_prefix("robot") / "lib" / "robot" / "node.py").read_text() == "scripts/node.py"
+
+
+def test_links_follow_the_sources(write: Callable[..., Path]) -> None:
+    folder = write("launch/a.launch.py", "config/x", setup="('share/robot', glob('launch/*'))")
+    share = package_share("robot")
+    (folder / "launch" / "a.launch.py").write_text("changed")
+    assert (share / "a.launch.py").read_text() == "changed"
+    (folder / "launch" / "a.launch.py").unlink()
+    (folder / "launch" / "b.launch.py").write_text("b")
+    shutil.rmtree(folder / "config")
+    (folder / "config").write_text("a file now")
+    assert _listed(package_share("robot")) == {"b.launch.py": "b", "config": "a file now"}
+    assert (folder / "launch" / "b.launch.py").read_text() == "b"
+
+
+def test_the_sources_outlive_a_change_of_mind(write: Callable[..., Path]) -> None:
+    folder = write("launch/a.launch.py", setup="('share/robot', glob('launch/*'))")
+    assert package_share("robot") != folder
+    write(setup="('share/robot/launch', glob('launch/*'))")
+    assert package_share("robot") == folder
+    assert (folder / "launch" / "a.launch.py").is_file()
+
+
+def test_two_workspaces_have_their_own_links(
+    write: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = write("launch/a.launch.py", setup="('share/robot', glob('launch/*'))")
+    first = package_share("robot")
+    shutil.copytree(folder, tmp_path / "other" / "src" / "robot")
+    monkeypatch.chdir(tmp_path / "other")
+    assert package_share("robot") != first
+
+
+def test_a_prefix_has_the_share_folder(write: Callable[..., Path]) -> None:
+    write("launch/a.launch.py")
+    assert _listed(package_prefix("robot") / "share" / "robot") == {
+        "launch/a.launch.py": "launch/a.launch.py"
+    }
+    assert (package_prefix("std_msgs") / "share" / "std_msgs" / "msg" / "String.msg").is_file()
+
+
+def test_links_need_no_rights_on_windows(
+    write: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: object) -> None:
+        raise OSError
+
+    write("launch/a.launch.py", setup="('share/robot', glob('launch/*'))")
+    monkeypatch.setattr(Path, "symlink_to", refuse)
+    assert (package_share("robot") / "a.launch.py").read_text() == "launch/a.launch.py"
+    monkeypatch.setattr(Path, "hardlink_to", refuse)
+    write("launch/b.launch.py")
+    assert (package_share("robot") / "b.launch.py").read_text() == "launch/b.launch.py"
+
+
+def test_a_cache_that_cannot_be_written_is_told(write: Callable[..., Path], cache: Path) -> None:
+    write("launch/a.launch.py", setup="('share/robot', glob('launch/*'))")
+    cache.write_text("no folder")
+    with pytest.raises(ViewError, match=r"cannot link the files of robot in .*: Not a dir"):
+        package_share("robot")
+
+
+@pytest.mark.parametrize(
+    ("platform", "folder"),
+    [("linux", "cache/zbot"), ("darwin", "Library/Caches/zbot"), ("win32", "local/zbot")],
+)
+def test_each_system_has_its_place_for_caches(
+    platform: str, folder: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "platform", platform)
+    monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setenv("LOCALAPPDATA", str(tmp_path / "local"))
+    assert cache_folder() == tmp_path / folder

@@ -1,0 +1,185 @@
+"""Packages as they would look once installed: `share/<name>`, made of links to their sources.
+
+Most packages install each folder under its own name, and then the source folder itself serves. Only
+where a setup.py or CMakeLists.txt says that files go elsewhere is a folder of links needed. It is
+brought up to date whenever it is asked for, so that nothing ever has to be built.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+import sys
+from pathlib import Path, PurePosixPath
+from typing import TYPE_CHECKING
+
+from zbot.errors import ZbotError
+from zbot.package.cmake_file import read_cmake
+from zbot.package.places import Origin
+from zbot.package.setup_file import data_files
+from zbot.package.workspace import SKIPPED
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from zbot.package.places import Package
+
+
+class ViewError(ZbotError, OSError):
+    """The folder of links to a package's files cannot be written."""
+
+    def __init__(self, package: str, folder: Path, reason: OSError) -> None:
+        self.package, self.folder, self.reason = package, folder, reason
+        super().__init__(f"cannot link the files of {package} in {folder}: {reason.strerror}")
+
+
+def share_folder(package: Package) -> Path:
+    """Return the folder in which a package's shared files are where others look for them.
+
+    Raises:
+        SetupFileError: Its setup.py cannot be read.
+        ViewError: They need a folder of their own, and it cannot be written.
+    """
+    if package.origin is Origin.WORKSPACE and moved_files(package):
+        return prefix_folder(package) / "share" / package.name
+    if package.only:
+        return prefix_folder(package) / "share" / package.name
+    return package.folder
+
+
+def prefix_folder(package: Package) -> Path:
+    """Return the folder with the `share/<name>` and `lib/<name>` of a package.
+
+    Raises:
+        SetupFileError: Its setup.py cannot be read.
+        ViewError: They need a folder of their own, and it cannot be written.
+    """
+    if package.prefix is not None:
+        return package.prefix
+    # One folder for each place that the sources are in: two workspaces may have the same package.
+    place = hashlib.sha256(os.fsencode(package.folder.resolve())).hexdigest()[:16]
+    prefix = cache_folder() / "packages" / place
+    files = {f"share/{package.name}/{target}": file for target, file in _shared(package).items()}
+    if package.origin is Origin.WORKSPACE:
+        programs = read_cmake(package.folder).programs
+        files.update({target: file for target, file in programs.items() if _is_below(target)})
+    try:
+        _bring_up_to_date(prefix, files)
+    except OSError as exc:
+        raise ViewError(package.name, prefix, exc) from exc
+    return prefix
+
+
+def moved_files(package: Package) -> dict[str, Path]:
+    """Return the files that are shared under another path than their own, by that path.
+
+    Raises:
+        SetupFileError: The package's setup.py cannot be read.
+    """
+    return {
+        target: file
+        for target, file in installed_files(package).items()
+        if os.path.normpath(package.folder / target) != os.path.normpath(file)
+    }
+
+
+def installed_files(package: Package) -> dict[str, Path]:
+    """Return the files that a package's build files install below `share/<name>`.
+
+    Raises:
+        SetupFileError: The package's setup.py cannot be read.
+    """
+    listed = [
+        (f"{PurePosixPath(folder.replace(os.sep, '/'))}/{Path(file).name}", package.folder / file)
+        for folder, file in data_files(package.folder)
+    ]
+    listed += read_cmake(package.folder).files.items()
+    start = f"share/{package.name}/"
+    return {
+        target.removeprefix(start): file
+        for target, file in listed
+        if target.startswith(start) and _is_below(target) and file.is_file()
+    }
+
+
+def cache_folder() -> Path:
+    """Return where this user's programs keep what they can make again."""
+    if sys.platform == "win32":
+        base = os.environ.get("LOCALAPPDATA") or "~/AppData/Local"
+    elif sys.platform == "darwin":
+        base = "~/Library/Caches"
+    else:
+        base = os.environ.get("XDG_CACHE_HOME") or "~/.cache"
+    return Path(base).expanduser() / "zbot"
+
+
+def _is_below(target: str) -> bool:
+    return ".." not in PurePosixPath(target).parts and not target.startswith("/")
+
+
+def _shared(package: Package) -> dict[str, Path]:
+    """Every file of a package by its path in the share folder.
+
+    A file that the build files leave out stays where it is: it is found here, and `zbot build` says
+    that ROS 2 would not find it.
+    """
+    if package.only:
+        folders = (package.folder / part for part in package.only)
+        return {_relative(file, package): file for one in folders for file in files_below(one)}
+    files = {_relative(file, package): file for file in files_below(package.folder)}
+    if package.origin is Origin.WORKSPACE:
+        installed = installed_files(package)
+        elsewhere = {_relative(file, package) for file in moved_files(package).values()}
+        kept = {path: file for path, file in files.items() if path not in elsewhere}
+        files = {**kept, **installed}
+    return files
+
+
+def _relative(file: Path, package: Package) -> str:
+    return Path(os.path.relpath(file, package.folder)).as_posix()
+
+
+def files_below(root: Path) -> Iterator[Path]:
+    """Yield the files of a folder and those in it, without what tools leave behind."""
+    for folder, below, names in os.walk(root):
+        below[:] = [one for one in below if not one.startswith(".") and one not in SKIPPED]
+        yield from (Path(folder, name) for name in names)
+
+
+def _bring_up_to_date(prefix: Path, files: dict[str, Path]) -> None:
+    _remove_others(prefix, files)
+    for target, file in files.items():
+        _link(prefix / target, file.resolve())
+
+
+def _remove_others(prefix: Path, files: dict[str, Path]) -> None:
+    """Remove what is in a view and no longer belongs there; links are never followed."""
+    for folder, below, names in os.walk(prefix, topdown=False):
+        for path in (Path(folder, name) for name in (*names, *below)):
+            if path.is_dir() and not path.is_symlink():
+                if not any(path.iterdir()):
+                    path.rmdir()
+            elif path.relative_to(prefix).as_posix() not in files:
+                path.unlink(missing_ok=True)
+
+
+def _link(path: Path, file: Path) -> None:
+    if path.exists() and path.samefile(file):
+        return
+    path.unlink(missing_ok=True)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        path.symlink_to(file)
+    except FileExistsError:
+        return  # another process was quicker
+    except OSError:
+        _link_without_rights(path, file)
+
+
+def _link_without_rights(path: Path, file: Path) -> None:
+    """Windows lets few users make symbolic links, and none make other links between drives."""
+    try:
+        path.hardlink_to(file)
+    except OSError:
+        shutil.copy2(file, path)
