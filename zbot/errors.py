@@ -473,6 +473,39 @@ class InterfaceConflictError(ZbotError, ValueError):
         )
 
 
+class RequestTypeError(ZbotError, TypeError):
+    """A service was called with something else than its request."""
+
+    def __init__(self, service: str, expected: str, value: object) -> None:
+        self.service, self.expected, self.value = service, expected, value
+        super().__init__(f"{service} takes a {expected}, not {_shortened(value)}")
+
+
+class ResponseTypeError(ZbotError, TypeError):
+    """A service's callback returned something else than its response."""
+
+    def __init__(self, service: str, expected: str, value: object) -> None:
+        self.service, self.expected, self.value = service, expected, value
+        hint = ": does it end with `return response`?" if value is None else ""
+        super().__init__(
+            f"the callback of {service} returned {_shortened(value)}, not a {expected}{hint}"
+        )
+
+
+class ServiceError(ZbotError, RuntimeError):
+    """A service call has no answer, or its server could not give one.
+
+    Attributes:
+        service: Full name of the service.
+        kind: `no_server`, `server_gone`, `bad_reply`, or the class of the handler's exception.
+        message: The sentence without the service's name; from the server where it sent one.
+    """
+
+    def __init__(self, service: str, kind: str, message: str) -> None:
+        self.service, self.kind, self.message = service, kind, message
+        super().__init__(f"{service}: {message}")
+
+
 def _did_you_mean(suggestions: tuple[str, ...]) -> str:
     return f"; did you mean {' or '.join(map(repr, suggestions))}?" if suggestions else ""
 

@@ -45,6 +45,21 @@ _LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
 _main_spins = 0
 
 
+class _Inside(threading.local):
+    """The callbacks that a thread is in, the innermost last."""
+
+    def __init__(self) -> None:
+        self.stack: list[tuple[Executor, Entity]] = []
+
+
+_inside = _Inside()
+
+
+def current_executor() -> Executor | None:
+    """Return the executor whose callback the calling thread is in, if any."""
+    return _inside.stack[-1][0] if _inside.stack else None
+
+
 def spinning_in_main_thread() -> bool:
     """Return whether the main thread is inside an executor right now."""
     return _main_spins > 0
@@ -308,6 +323,7 @@ class Executor:
     def _execute(self, entity: Entity, taken: Any) -> None:
         """Run a piece of work and, while nobody else has any, the entity's next ones."""
         outcome = None
+        _inside.stack.append((self, entity))
         try:
             while (outcome := entity.execute(taken)) is None and self._may_go_on():
                 taken = entity.take()
@@ -319,6 +335,7 @@ class Executor:
             # The callback used what another thread, or the end of the program, has just closed.
             raise ExternalShutdownException from exc
         finally:
+            _inside.stack.pop()
             if outcome is None or not hasattr(outcome, "send"):
                 self._finish(entity)
         if outcome is not None and hasattr(outcome, "send"):
@@ -342,6 +359,33 @@ class Executor:
                     self._queue(entity)  # its next piece may begin while this one waits
         if task.done():
             task.result()
+
+    def serve(self, entity: Entity) -> bool:
+        """Run one piece of an entity's work inside the callback that the calling thread is in.
+
+        A callback that waits for a service of its own executor would otherwise wait for itself. A
+        group that this thread holds does not keep the entity out: it is as if the callback called
+        the other.
+
+        Returns:
+            Whether there was any, and the entity's group let it run.
+        """
+        group = entity.callback_group
+        is_held = any(outer.callback_group is group for _, outer in _inside.stack)
+        if not is_held and not group.beginning_execution(entity):
+            return False
+        _inside.stack.append((self, entity))
+        try:
+            taken = entity.take()
+            if taken is not None:
+                outcome = entity.execute(taken)
+                if outcome is not None and hasattr(outcome, "send"):
+                    self.create_task(outcome)
+            return taken is not None
+        finally:
+            _inside.stack.pop()
+            for waiting in () if is_held else group.ending_execution(entity):
+                self._queue(waiting)
 
     def _finish(self, entity: Entity) -> None:
         for waiting in entity.callback_group.ending_execution(entity):
@@ -375,7 +419,7 @@ class Executor:
         self, future: Future[Any], timeout_sec: float | None = None
     ) -> None:
         """Run callbacks until the future is done, at most `timeout_sec` seconds."""
-        future.add_done_callback(lambda _: self._signal.set())
+        future.add_waker(self._signal.set)
         deadline = _deadline_ns(timeout_sec)
         while not future.is_over and self._context.ok() and not self._is_shutdown:
             self._spin_once(deadline, lambda: future.is_over)
@@ -386,7 +430,7 @@ class Executor:
         self, future: Future[Any], timeout_sec: float | None = None
     ) -> None:
         """Run one callback, or return earlier when the future is done."""
-        future.add_done_callback(lambda _: self._signal.set())
+        future.add_waker(self._signal.set)
         self._spin_once(_deadline_ns(timeout_sec), lambda: future.is_over)
 
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:

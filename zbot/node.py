@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, cast
 from zbot.advice import adviser_of
 from zbot.arguments import Arguments
 from zbot.callback_group import CallbackGroup, MutuallyExclusiveCallbackGroup
+from zbot.client import Client
 from zbot.clock import Clock, ROSClock
 from zbot.context import get_default_context
 from zbot.errors import InvalidPeriodError, NodeNameError
@@ -29,8 +30,10 @@ from zbot.qos import (
     as_profile,
     qos_profile_parameter_events,
     qos_profile_rosout_default,
+    qos_profile_services_default,
 )
 from zbot.rosout import Rosout
+from zbot.service import Service
 from zbot.subscription import Subscription
 from zbot.time import S_TO_NS
 from zbot.time_source import TimeSource
@@ -70,6 +73,8 @@ class NodeHandle:
         self.default_callback_group: CallbackGroup = MutuallyExclusiveCallbackGroup()
         self.publishers: list[Publisher[Any]] = []
         self.subscriptions: list[Subscription[Any]] = []
+        self.services: list[Service[Any, Any]] = []
+        self.clients: list[Client[Any, Any]] = []
         self.timers: list[Timer] = []
         self.guards: list[GuardCondition] = []
         self.rates: list[Rate] = []
@@ -125,6 +130,8 @@ class NodeHandle:
         )
         for entity in owned:
             entity.destroy()
+        for served in (*reversed(self.services), *reversed(self.clients)):
+            served.destroy()
         for endpoint in (*reversed(self.subscriptions), *reversed(self.publishers)):
             self.adviser.remove(endpoint.token)
             endpoint.destroy()
@@ -164,6 +171,8 @@ class Node(GraphQueries):
 
     publishers = _Listing("publishers")
     subscriptions = _Listing("subscriptions")
+    services = _Listing("services")
+    clients = _Listing("clients")
     timers = _Listing("timers")
     guards = _Listing("guards")
 
@@ -378,6 +387,81 @@ class Node(GraphQueries):
         subscription.start()
         return subscription
 
+    def create_service(
+        self,
+        srv_type: type[Any],
+        srv_name: str,
+        callback: Callable[[Any, Any], Any],
+        *,
+        qos_profile: QoSProfile | int = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> Service[Any, Any]:
+        """Create a service.
+
+        Args:
+            srv_type: Service class.
+            srv_name: Relative, `~/private` or absolute name.
+            callback: Takes a request and an empty response, and returns a response; may be a
+                coroutine function.
+            qos_profile: A profile, or the depth of the default one; shown in the graph only.
+            callback_group: Decides beside what the callback may run; the node's own if left out.
+
+        Raises:
+            InvalidServiceNameError: The name breaks ROS 2's grammar.
+            NotAMessageTypeError: The class is no service's.
+            InvalidHandleError: The node was destroyed.
+        """
+        handle = self._zbot_alive()
+        name = Node.resolve_service_name(self, srv_name)
+        service: Service[Any, Any] = Service(
+            handle.context,
+            srv_type,
+            callback,
+            handle.endpoint(EntityKind.SERVICE, name, srv_type, as_profile(qos_profile)),
+            mailbox=handle.mailbox,
+            callback_group=callback_group or handle.default_callback_group,
+            logger_name=handle.logger_name,
+        )
+        handle.services.append(service)
+        self._zbot_add(service)
+        return service
+
+    def create_client(
+        self,
+        srv_type: type[Any],
+        srv_name: str,
+        *,
+        qos_profile: QoSProfile | int = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> Client[Any, Any]:
+        """Create a client of a service.
+
+        Args:
+            srv_type: Service class.
+            srv_name: Relative, `~/private` or absolute name.
+            qos_profile: A profile, or the depth of the default one; shown in the graph only.
+            callback_group: Decides beside what the callbacks of its futures may run; the node's own
+                if left out.
+
+        Raises:
+            InvalidServiceNameError: The name breaks ROS 2's grammar.
+            NotAMessageTypeError: The class is no service's.
+            InvalidHandleError: The node was destroyed.
+        """
+        handle = self._zbot_alive()
+        name = Node.resolve_service_name(self, srv_name)
+        client: Client[Any, Any] = Client(
+            handle.context,
+            srv_type,
+            handle.endpoint(EntityKind.CLIENT, name, srv_type, as_profile(qos_profile)),
+            mailbox=handle.mailbox,
+            callback_group=callback_group or handle.default_callback_group,
+            logger_name=handle.logger_name,
+        )
+        handle.clients.append(client)
+        self._zbot_add(client)
+        return client
+
     def create_timer(
         self,
         timer_period_sec: float,
@@ -461,6 +545,14 @@ class Node(GraphQueries):
         """Destroy a subscription; return whether it was this node's."""
         self._zbot_handle.adviser.remove(subscription.token)
         return self._zbot_remove(self._zbot_handle.subscriptions, subscription)
+
+    def destroy_service(self, service: Service[Any, Any]) -> bool:
+        """Destroy a service; return whether it was this node's."""
+        return self._zbot_remove(self._zbot_handle.services, service)
+
+    def destroy_client(self, client: Client[Any, Any]) -> bool:
+        """Destroy a client; return whether it was this node's."""
+        return self._zbot_remove(self._zbot_handle.clients, client)
 
     def destroy_timer(self, timer: Timer) -> bool:
         """Destroy a timer; return whether it was this node's."""

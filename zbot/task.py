@@ -30,6 +30,7 @@ class Future(Generic[T]):
         self._result: T | None = None
         self._exception: BaseException | None = None
         self._callbacks: list[Callable[[Any], Any]] = []
+        self._wakers: list[Callable[[], object]] = []
 
     def __await__(self) -> Generator[Future[T], None, T | None]:
         while not self.is_over:
@@ -79,6 +80,14 @@ class Future(Generic[T]):
                 return
         self._run(callback)
 
+    def add_waker(self, waker: Callable[[], object]) -> None:
+        """Call a quick function when over, at once if it is, in the thread that completes it."""
+        with self._lock:
+            if not self.is_over:
+                self._wakers.append(waker)
+                return
+        waker()
+
     def remove_done_callback(self, callback: Callable[[Self], Any]) -> bool:
         """Take every occurrence of a callback back; return whether there was one."""
         with self._lock:
@@ -99,9 +108,19 @@ class Future(Generic[T]):
             if self.is_over and not again:
                 return
             self._result, self._exception, self._state = result, exception, state
-            callbacks, self._callbacks = self._callbacks, []
-        for callback in callbacks:
+            wakers, self._wakers = self._wakers, []
+        for waker in wakers:
+            waker()
+        self._tell()
+
+    def _tell(self) -> None:
+        for callback in self._pop_callbacks():
             self._run(callback)
+
+    def _pop_callbacks(self) -> list[Callable[[Any], Any]]:
+        with self._lock:
+            callbacks, self._callbacks = self._callbacks, []
+        return callbacks
 
     def _run(self, callback: Callable[[Any], Any]) -> None:
         if self._executor is None:
@@ -175,7 +194,7 @@ class Task(Future[T]):
     def _resume_after(self, awaited: object) -> None:
         if isinstance(awaited, Future):
             # Added without the future's own executor in between: the task decides where it goes on.
-            awaited.add_done_callback(lambda _: self._schedule())
+            awaited.add_waker(self._schedule)
         else:
             self._schedule()
 

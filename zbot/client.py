@@ -1,0 +1,420 @@
+"""Clients: they call a service, and a future or the caller gets its response.
+
+Zenoh's thread decodes a response and completes its future there and then, so that `call` works
+wherever a thread can wait. The future's callbacks are the executor's work like all others.
+"""
+
+from __future__ import annotations
+
+import inspect
+import threading
+import time
+from collections import deque
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
+
+import zenoh
+
+from zbot.errors import (
+    InvalidHandleError,
+    NotInitializedError,
+    RequestTypeError,
+    ServiceError,
+)
+from zbot.executor import Signal, current_executor
+from zbot.interfaces import type_name
+from zbot.memory import LARGE_BYTES, keep_freed_memory
+from zbot.task import Future
+from zbot.wire.attachment import GID_LENGTH, LAYOUT
+from zbot.wire.codec import CodecError
+from zbot.wire.error_reply import unpack_error
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from types import TracebackType
+
+    from typing_extensions import Self
+
+    from zbot.callback_group import CallbackGroup
+    from zbot.context import Context
+    from zbot.executor import Executor
+    from zbot.mailbox import Mailbox
+    from zbot.qos import QoSProfile
+    from zbot.service import Service
+    from zbot.wire.tokens import EndpointToken
+
+RequestT = TypeVar("RequestT")
+ResponseT = TypeVar("ResponseT")
+
+# ROS 2 waits for a response as long as it takes, and Zenoh wants a number: 11 days.
+_NO_TIMEOUT_S = 1e6
+
+
+class _Response(Future[ResponseT]):
+    """One call's future: its callbacks run as work of the client."""
+
+    def __init__(self, client: Client[Any, ResponseT]) -> None:
+        super().__init__()
+        self._client = client
+        self.reply: zenoh.Reply | None = None  #: what came until now
+
+    def on_reply(self, reply: zenoh.Reply) -> None:
+        """Keep the first answer; in Zenoh's thread."""
+        if self.reply is not None or self.is_over:
+            return
+        self.reply = reply
+        # A server of zbot ends the query with its answer; another one when it likes.
+        if reply.ok is None or reply.ok.attachment is None:
+            self.on_end()
+
+    def on_end(self) -> None:
+        """Complete with what came; in Zenoh's thread."""
+        if not self.is_over:
+            self._client.complete(self)
+
+    def _tell(self) -> None:
+        # Even without callbacks: `spin_once` returns when a response has come.
+        self._client.post(self)
+
+    def _run(self, callback: Callable[[Any], Any]) -> None:
+        del callback  # `execute` takes it from the list
+        self._client.post(self)
+
+    def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
+        """Call `callback(self)` in the node's executor when done, soon if it is."""
+        with self._lock:
+            self._callbacks.append(callback)
+            if not self.is_over:
+                return
+        self._client.post(self)
+
+    def pop_callbacks(self) -> list[Callable[[Any], Any]]:
+        """Return the callbacks that are due, and forget them."""
+        return self._pop_callbacks()
+
+
+class Client(Generic[RequestT, ResponseT]):
+    """Calls a service. Made by `Node.create_client`; all methods may be called from any thread.
+
+    Args:
+        context: The session to call through.
+        srv_type: Service class.
+        token: Who and where this client is.
+        mailbox: The node's way to its executor.
+        callback_group: Decides beside what the callbacks of its futures may run.
+        logger_name: The node's logger.
+    """
+
+    due_ns: int | None = None
+
+    def __init__(
+        self,
+        context: Context,
+        srv_type: type[Any],
+        token: EndpointToken,
+        *,
+        mailbox: Mailbox,
+        callback_group: CallbackGroup,
+        logger_name: str,
+    ) -> None:
+        self.srv_type = srv_type
+        self.srv_name = token.name
+        self.callback_group = callback_group
+        self.mailbox = mailbox
+        self.context = context
+        self._token = token
+        self._logger_name = logger_name
+        dialect = context.dialect
+        self._encode: Callable[[Any], Any] = dialect.codec_for(srv_type.Request).encode
+        self._decode: Callable[[Any], ResponseT] = dialect.codec_for(srv_type.Response).decode
+        self._encoding = zenoh.Encoding(dialect.encoding(type_name(srv_type.Request)))
+        self._gid = token.gid
+        self._sent_count = 0
+        self._lock = threading.Lock()
+        self._pending: dict[_Response[ResponseT], int] = {}
+        self._completed: deque[_Response[ResponseT]] = deque()
+        self._arrival = Signal()
+        self._listener: Any = None
+        self._is_matched = False
+        self._querier: Any = context.session.declare_querier(
+            dialect.topic_key(context.get_domain_id(), token.name),
+            consolidation=zenoh.ConsolidationMode.NONE,
+            timeout=_NO_TIMEOUT_S,
+        )
+        self._liveliness = context.graph.announce(token)
+
+    @property
+    def handle(self) -> Any:
+        """The Zenoh querier."""
+        return self._querier
+
+    @property
+    def service_name(self) -> str:
+        """The service's full name."""
+        return self._token.name
+
+    @property
+    def qos_profile(self) -> QoSProfile:
+        """The quality of service it was made with."""
+        return self._token.qos
+
+    @property
+    def token(self) -> EndpointToken:
+        """What the graph shows of it."""
+        return self._token
+
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger."""
+        return self._logger_name
+
+    # -- is there a server? --------------------------------------------------------------------
+
+    def service_is_ready(self) -> bool:
+        """Return whether there is a server that a call would reach."""
+        querier = self._querier
+        return (
+            querier is not None
+            and not self.context.is_closed
+            and bool(querier.matching_status.matching)
+        )
+
+    def wait_for_service(self, timeout_sec: float | None = None) -> bool:
+        """Wait for a server.
+
+        Args:
+            timeout_sec: Seconds; `None` or less than 0 for as long as the context lives.
+
+        Returns:
+            Whether there is one.
+
+        Raises:
+            InvalidHandleError: The client or its node was destroyed.
+        """
+        self._listen()
+        endless = timeout_sec is None or timeout_sec < 0
+        deadline = time.monotonic() + (0 if endless or timeout_sec is None else timeout_sec)
+        while not self.service_is_ready() and self.context.ok():
+            left = threading.TIMEOUT_MAX if endless else deadline - time.monotonic()
+            if left <= 0:
+                return False
+            self._arrival.wait(left)
+        return self.service_is_ready()
+
+    def _listen(self) -> None:
+        with self._lock:
+            if self._querier is None:
+                raise InvalidHandleError(f"the client of {self.service_name}")
+            if self._listener is None:
+                wake = zenoh.handlers.Callback(lambda _: self._arrival.set(), indirect=False)
+                self._listener = self._querier.declare_matching_listener(wake)
+                self.context.add_waker(self._arrival.set)
+
+    # -- calling -------------------------------------------------------------------------------
+
+    def call_async(self, request: RequestT) -> Future[ResponseT]:
+        """Send a request.
+
+        The first call waits, at most 0.5 s and usually 2 ms, until the session has met the servers
+        that are there.
+
+        Returns:
+            A future of the response. It has a `ServiceError` if there is no server, if the server
+            ends before it answers, or if its callback raised.
+
+        Raises:
+            RequestTypeError: It is no request of this service.
+            FieldTypeError: A field of it was given a wrong value behind its checks.
+            InvalidHandleError: The client or its node was destroyed.
+            NotInitializedError: The context was shut down.
+        """
+        expected = self.srv_type.Request
+        if request.__class__ is not expected and not isinstance(request, expected):
+            raise RequestTypeError(self.service_name, type_name(expected), request)
+        payload = self._encode(request)
+        if len(payload) >= LARGE_BYTES:
+            keep_freed_memory()
+        response: _Response[ResponseT] = _Response(self)
+        if not self._is_matched and not self._find_server():
+            response.set_exception(self._no_server())
+            return response
+        with self._lock:
+            self._sent_count += 1
+            self._pending[response] = self._sent_count
+            facts = LAYOUT.pack(self._sent_count, time.time_ns(), GID_LENGTH, self._gid)
+        answer: Any = zenoh.handlers.Callback(
+            response.on_reply, drop=response.on_end, indirect=False
+        )
+        try:
+            self._querier.get(answer, payload=payload, encoding=self._encoding, attachment=facts)
+        except (zenoh.ZError, AttributeError):
+            self.remove_pending_request(response)
+            self._explain()
+            raise
+        return response
+
+    def _find_server(self) -> bool:
+        self._explain()
+        if not self.service_is_ready():
+            self.context.meet()
+        self._is_matched = self.service_is_ready()
+        return self._is_matched
+
+    def _explain(self) -> None:
+        if self._querier is None:
+            raise InvalidHandleError(f"the client of {self.service_name}") from None
+        if self.context.is_closed:
+            raise NotInitializedError("a service call") from None
+
+    def _no_server(self) -> ServiceError:
+        what = "no server is running; start it, or wait for it with wait_for_service()"
+        return ServiceError(self.service_name, "no_server", what)
+
+    def call(self, request: RequestT, timeout_sec: float | None = None) -> ResponseT:
+        """Send a request and wait for the response.
+
+        It may be called anywhere, also in a callback: what it waits for needs no executor, and if
+        the service is served by the very thread that waits, it is served meanwhile.
+
+        Args:
+            request: What to send.
+            timeout_sec: Seconds to wait; `None` for as long as the server lives.
+
+        Raises:
+            ServiceError: See `call_async`.
+            TimeoutError: There was no response in time.
+            NotInitializedError: The context was shut down meanwhile.
+        """
+        future = self.call_async(request)
+        signal = Signal()
+        future.add_waker(signal.set)
+        self.context.add_waker(signal.set)
+        executor = current_executor()
+        own = [] if executor is None else self._served_by(executor)
+        for service in own:
+            service.watchers.append(signal.set)
+        try:
+            self._wait(future, signal, timeout_sec, executor, own)
+        finally:
+            self.context.remove_waker(signal.set)
+            for service in own:
+                service.watchers.remove(signal.set)
+        return cast("ResponseT", future.result())
+
+    def _wait(
+        self,
+        future: Future[ResponseT],
+        signal: Signal,
+        timeout_sec: float | None,
+        executor: Executor | None,
+        own: list[Service[Any, Any]],
+    ) -> None:
+        endless = timeout_sec is None or timeout_sec < 0
+        deadline = time.monotonic() + (timeout_sec or 0)
+        while not future.is_over:
+            if executor is not None and any(executor.serve(service) for service in own):
+                continue
+            left = threading.TIMEOUT_MAX if endless else deadline - time.monotonic()
+            if left <= 0:
+                self.remove_pending_request(future)
+                raise TimeoutError(f"{self.service_name}: no response in {timeout_sec} s")
+            signal.wait(left)
+            if not future.is_over and self.context.is_over:
+                raise NotInitializedError("a service call")
+
+    def _served_by(self, executor: Executor) -> list[Service[Any, Any]]:
+        return [
+            service
+            for node in executor.get_nodes()
+            for service in node.handle.services
+            if service.service_name == self.service_name
+        ]
+
+    def remove_pending_request(self, future: Future[ResponseT]) -> None:
+        """Forget a call: its future is never completed. Nothing happens if it is over."""
+        with self._lock:
+            self._pending.pop(cast("_Response[ResponseT]", future), None)
+
+    def get_pending_request(self, sequence_number: int) -> Future[ResponseT]:
+        """Return the future of a call by the call's number, from 1.
+
+        Raises:
+            KeyError: There is none, or it is over.
+        """
+        with self._lock:
+            for future, number in self._pending.items():
+                if number == sequence_number:
+                    return future
+        raise KeyError(f"no pending request with number {sequence_number}")
+
+    # -- answers -------------------------------------------------------------------------------
+
+    def complete(self, response: _Response[ResponseT]) -> None:
+        """Give a call's future what came for it; in Zenoh's thread."""
+        with self._lock:
+            if self._pending.pop(response, None) is None:
+                return  # nobody waits any more
+        try:
+            response.set_result(self._read(response.reply))
+        except (ServiceError, CodecError) as error:
+            response.set_exception(error)
+
+    def _read(self, reply: zenoh.Reply | None) -> ResponseT:
+        if reply is None:
+            self._is_matched = False  # look again before the next call
+            raise ServiceError(
+                self.service_name, "server_gone", "the server ended before it answered"
+            )
+        if reply.ok is None:
+            error = reply.err
+            payload = b"" if error is None else error.payload.to_bytes()
+            raise ServiceError(self.service_name, *unpack_error(payload))
+        payload = reply.ok.payload.to_bytes()
+        if len(payload) >= LARGE_BYTES:
+            keep_freed_memory()
+        return self._decode(payload)
+
+    def post(self, response: _Response[ResponseT]) -> None:
+        """Let the executor run what waits for a response; from any thread."""
+        self._completed.append(response)
+        self.mailbox.post(self)
+
+    def take(self) -> _Response[ResponseT] | None:
+        """Return a call that is over and whose callbacks have not run."""
+        try:
+            return self._completed.popleft()
+        except IndexError:
+            return None
+
+    def execute(self, response: _Response[ResponseT]) -> None:
+        """Run the callbacks of a call's future."""
+        for callback in response.pop_callbacks():
+            outcome = callback(response)
+            executor: Any = self.mailbox.executor
+            if inspect.iscoroutine(outcome) and executor is not None:
+                executor.create_task(outcome)
+
+    def destroy(self) -> None:
+        """Call no more; calls that wait for an answer are forgotten; may be called twice."""
+        with self._lock:
+            querier, self._querier = self._querier, None
+            self._pending.clear()
+        if querier is None:
+            return
+        self.context.remove_waker(self._arrival.set)
+        self._arrival.set()
+        if not self.context.is_closed:
+            self._liveliness.undeclare()
+            if self._listener is not None:
+                self._listener.undeclare()
+            querier.undeclare()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.destroy()

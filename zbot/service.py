@@ -1,0 +1,210 @@
+"""Services: a function that other processes call by name."""
+
+from __future__ import annotations
+
+import time
+from collections import deque
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+import zenoh
+
+from zbot.errors import ResponseTypeError
+from zbot.interfaces import type_name
+from zbot.log import get_logger
+from zbot.memory import LARGE_BYTES, keep_freed_memory
+from zbot.wire.attachment import GID_LENGTH, LAYOUT
+from zbot.wire.codec import CodecError
+from zbot.wire.error_reply import ENCODING, pack_error
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Coroutine
+    from types import TracebackType
+
+    from typing_extensions import Self
+
+    from zbot.callback_group import CallbackGroup
+    from zbot.context import Context
+    from zbot.mailbox import Mailbox
+    from zbot.qos import QoSProfile
+    from zbot.wire.tokens import EndpointToken
+
+RequestT = TypeVar("RequestT")
+ResponseT = TypeVar("ResponseT")
+
+
+class Service(Generic[RequestT, ResponseT]):
+    """Answers the requests of a service with a function. Made by `Node.create_service`.
+
+    What the function raises reaches the caller as `ServiceError`, and then leaves `spin()` like
+    that of any other callback. Requests wait in the order of arrival until their turn.
+
+    Args:
+        context: The session to serve through.
+        srv_type: Service class.
+        callback: Takes a request and an empty response, and returns a response; may be a coroutine
+            function.
+        token: Who and where this server is.
+        mailbox: The node's way to its executor.
+        callback_group: Decides beside what the callback may run.
+        logger_name: The node's logger.
+    """
+
+    due_ns: int | None = None
+
+    def __init__(
+        self,
+        context: Context,
+        srv_type: type[Any],
+        callback: Callable[[RequestT, ResponseT], Any],
+        token: EndpointToken,
+        *,
+        mailbox: Mailbox,
+        callback_group: CallbackGroup,
+        logger_name: str,
+    ) -> None:
+        self.srv_type = srv_type
+        self.srv_name = token.name
+        self.callback = callback
+        self.callback_group = callback_group
+        self.mailbox = mailbox
+        self.watchers: list[Callable[[], object]] = []  #: called in Zenoh's thread for each request
+        self._context = context
+        self._token = token
+        self._logger_name = logger_name
+        dialect = context.dialect
+        self._decode: Callable[[Any], RequestT] = dialect.codec_for(srv_type.Request).decode
+        self._encode: Callable[[Any], Any] = dialect.codec_for(srv_type.Response).encode
+        self._encoding = zenoh.Encoding(dialect.encoding(type_name(srv_type.Response)))
+        self._key = zenoh.KeyExpr(dialect.topic_key(context.get_domain_id(), token.name))
+        self._queries: deque[zenoh.Query] = deque()
+        self._is_destroyed = False
+        # No thread of its own: a node has half a dozen services that are hardly ever called.
+        receive: Any = zenoh.handlers.Callback(self._receive, indirect=False)
+        self._queryable: Any = context.session.declare_queryable(self._key, receive, complete=True)
+        self._liveliness = context.graph.announce(token)
+
+    @property
+    def handle(self) -> Any:
+        """The Zenoh queryable."""
+        return self._queryable
+
+    @property
+    def service_name(self) -> str:
+        """The service's full name."""
+        return self._token.name
+
+    @property
+    def qos_profile(self) -> QoSProfile:
+        """The quality of service it was made with."""
+        return self._token.qos
+
+    @property
+    def token(self) -> EndpointToken:
+        """What the graph shows of it."""
+        return self._token
+
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger."""
+        return self._logger_name
+
+    def _receive(self, query: zenoh.Query) -> None:
+        # Zenoh's thread: nothing but the hand-over.
+        self._queries.append(query)
+        self.mailbox.post(self)
+        for watcher in list(self.watchers):
+            watcher()
+
+    def take(self) -> zenoh.Query | None:
+        """Return the oldest request that waits, if any."""
+        try:
+            return self._queries.popleft()
+        except IndexError:
+            return None
+
+    def execute(self, query: zenoh.Query) -> Coroutine[Any, Any, None] | None:
+        """Decode a request, call the callback and send what it returns."""
+        payload = b"" if query.payload is None else query.payload.to_bytes()
+        if len(payload) >= LARGE_BYTES:
+            keep_freed_memory()
+        try:
+            request = self._decode(payload)
+        except CodecError as exc:
+            self._refuse(query, exc)
+            get_logger(self._logger_name).error(
+                f"{self.service_name}: cannot read a request: {exc}"
+            )
+            return None
+        try:
+            outcome = self.callback(request, self.srv_type.Response())
+            if outcome is not None and hasattr(outcome, "send"):
+                return self._answer_later(query, outcome)
+            self._answer(query, outcome)
+        except Exception as exc:
+            self._refuse(query, exc)
+            raise
+        return None
+
+    async def _answer_later(self, query: zenoh.Query, outcome: Coroutine[Any, Any, Any]) -> None:
+        try:
+            self._answer(query, await outcome)
+        except Exception as exc:
+            self._refuse(query, exc)
+            raise
+
+    def _answer(self, query: zenoh.Query, response: Any) -> None:
+        expected = self.srv_type.Response
+        if response.__class__ is not expected and not isinstance(response, expected):
+            raise ResponseTypeError(self.service_name, type_name(expected), response)
+        payload = self._encode(response)
+        self._send(
+            query,
+            lambda facts: query.reply(
+                self._key, payload, encoding=self._encoding, attachment=facts
+            ),
+        )
+
+    def _refuse(self, query: zenoh.Query, error: Exception) -> None:
+        self._send(query, lambda _: query.reply_err(pack_error(error), encoding=ENCODING))
+
+    def _send(self, query: zenoh.Query, reply: Callable[[bytes | None], None]) -> None:
+        try:
+            reply(_facts(query))
+        except zenoh.ZError:
+            # Shut down while the callback ran: the caller learns that this server is gone.
+            if not self._context.is_closed:
+                raise
+        finally:
+            query.drop()  # tells the caller that nothing else will come
+
+    def destroy(self) -> None:
+        """Serve no more, and let requests that wait fail; may be called twice."""
+        if self._is_destroyed:
+            return
+        self._is_destroyed = True
+        if not self._context.is_closed:
+            self._liveliness.undeclare()
+            self._queryable.undeclare()
+        while (query := self.take()) is not None:
+            query.drop()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.destroy()
+
+
+def _facts(query: zenoh.Query) -> bytes | None:
+    """The request's number and sender with the present time, as its reply repeats them."""
+    attachment = query.attachment
+    facts = None if attachment is None else attachment.to_bytes()
+    if facts is None or len(facts) != LAYOUT.size:
+        return None
+    sequence, _, _, gid = LAYOUT.unpack(facts)
+    return LAYOUT.pack(sequence, time.time_ns(), GID_LENGTH, gid)
