@@ -19,7 +19,7 @@ from zbot.errors import ParametersFileError, ParameterValueError
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-__all__ = ["load", "matches", "parse_value"]
+__all__ = ["load", "matches", "parse_value", "sections"]
 
 _KEY = "ros__parameters"
 # YAML tries a pattern at the start of a scalar, so each must reach its end.
@@ -56,13 +56,22 @@ def load(path: str, node: str) -> dict[str, Any]:
         ParametersFileError: The file cannot be read or has another form.
     """
     values: dict[str, Any] = {}
+    for pattern, parameters in sections(path):
+        if matches(pattern, node):
+            values.update(parameters)
+    return values
+
+
+def sections(path: str) -> list[tuple[str, dict[str, Any]]]:
+    """Return what a file has: for each pattern of nodes their parameters, joined by dots.
+
+    Raises:
+        ParametersFileError: The file cannot be read or has another form.
+    """
     try:
-        for pattern, parameters in _sections(path):
-            if matches(pattern, node):
-                values.update(_flat(path, "", parameters))
+        return [(pattern, _flat(path, "", parameters)) for pattern, parameters in _sections(path)]
     except RecursionError as error:
         raise ParametersFileError(path, "it is nested too deeply") from error
-    return values
 
 
 def matches(pattern: str, node: str) -> bool:

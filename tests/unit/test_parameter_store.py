@@ -1,0 +1,413 @@
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import pytest
+from hypothesis import settings
+from hypothesis import strategies as st
+from hypothesis.stateful import (
+    RuleBasedStateMachine,
+    initialize,
+    invariant,
+    rule,
+)
+
+from zbot.parameter import Parameter
+from zbot.parameter_errors import (
+    InvalidParameterException,
+    InvalidParameterTypeException,
+    InvalidParameterValueException,
+    ParameterAlreadyDeclaredException,
+    ParameterDeclarationError,
+    ParameterException,
+    ParameterImmutableException,
+    ParameterNotDeclaredException,
+    ParameterUninitializedException,
+)
+from zbot.parameter_rules import Descriptor, Range
+from zbot.parameter_store import Changes, Declaration, ParameterStore, prefixes_of
+
+Type = Parameter.Type
+
+
+def store(**overrides: Any) -> ParameterStore:
+    return ParameterStore(
+        lambda _: None, {name: Parameter(name, value=value) for name, value in overrides.items()}
+    )
+
+
+def declare(where: ParameterStore, name: str, value: Any = None, **rules: Any) -> Any:
+    return where.declare([Declaration(name, value, Descriptor(**rules))])[0].value
+
+
+def set_to(where: ParameterStore, **values: Any) -> str:
+    return where.set([Parameter(name, value=value) for name, value in values.items()])
+
+
+def test_an_override_wins_over_the_default_and_widens() -> None:
+    one = store(rate=2)
+    assert repr(declare(one, "rate", 1.0)) == "2.0"
+    assert one.get("rate").type_ is Type.DOUBLE
+
+
+def test_an_override_may_be_ignored() -> None:
+    found = store(rate=2).declare([Declaration("rate", 1.0)], ignore_override=True)
+    assert found[0].value == 1.0
+
+
+def test_an_override_of_another_type_is_refused() -> None:
+    with pytest.raises(
+        InvalidParameterTypeException,
+        match=r"Trying to set parameter 'rate' to 'fast' of type 'STRING', expecting type 'DOUBLE'",
+    ):
+        declare(store(rate="fast"), "rate", 1.0)
+
+
+def test_an_override_out_of_range_is_refused_and_nothing_is_declared() -> None:
+    one = store(rate=20)
+    with pytest.raises(InvalidParameterValueException, match=r"out of range\. Min: 0, Max: 10"):
+        declare(one, "rate", 1, integer_range=Range(0, 10))
+    assert not one.values
+    assert not one.descriptors
+
+
+def test_a_declaration_is_checked_before_any_is_made() -> None:
+    one = store()
+    with pytest.raises(InvalidParameterException):
+        one.declare([Declaration("a", 1), Declaration("", 1)])
+    with pytest.raises(ParameterDeclarationError, match=r"'b': give it a value, a Parameter\.Type"):
+        one.declare([Declaration("a", 1), Declaration("b")])
+    with pytest.raises(ParameterDeclarationError, match="not both"):
+        declare(one, "c", Type.BOOL, dynamic_typing=True)
+    with pytest.raises(ParameterDeclarationError, match="NOT_SET"):
+        declare(one, "c", Type.NOT_SET)
+    declare(one, "d", 1)
+    with pytest.raises(ParameterAlreadyDeclaredException, match="already declared: 'd'"):
+        one.declare([Declaration("a", 1), Declaration("d", 1)])
+    assert list(one.values) == ["d"]
+
+
+def test_a_parameter_declared_by_type_has_to_be_set_before_it_is_read() -> None:
+    one = store()
+    declare(one, "port", Type.INTEGER)
+    with pytest.raises(ParameterUninitializedException, match="'port' is not initialized"):
+        one.get("port")
+    assert "expected 'integer' got 'string'" in set_to(one, port="usb")
+    assert not set_to(one, port=3)
+    assert one.get("port").value == 3
+
+
+def test_a_read_only_parameter_takes_its_override_and_never_changes() -> None:
+    one = store(port=7)
+    assert declare(one, "port", 1, read_only=True) == 7
+    assert set_to(one, port=8) == "Trying to set a read-only parameter: port."
+    with pytest.raises(ParameterImmutableException):
+        one.undeclare("port")
+
+
+def test_an_unknown_name_gets_a_suggestion() -> None:
+    one = store()
+    declare(one, "speed", 1)
+    with pytest.raises(
+        ParameterNotDeclaredException,
+        match=r"undeclared parameter\(s\): 'sped'; did you mean 'speed'\?",
+    ):
+        one.get("sped")
+    with pytest.raises(ParameterNotDeclaredException):
+        one.undeclare("sped")
+
+
+def test_either_all_are_set_or_none() -> None:
+    one = store()
+    declare(one, "a", 1)
+    declare(one, "b", 1)
+    assert set_to(one, a=2, b="x").startswith("Wrong parameter type")
+    assert one.get("a").value == 1
+    with pytest.raises(ParameterNotDeclaredException):
+        set_to(one, a=2, c=3)
+    assert one.get("a").value == 1
+
+
+def test_callbacks_are_called_last_added_first_and_may_replace_or_refuse() -> None:
+    one = store()
+    declare(one, "speed", 1.0)
+    declare(one, "gear", 1)
+    told: list[str] = []
+    one.pre_set.append(lambda given: [*given, Parameter("gear", value=2)])
+    one.on_set.append(lambda _: told.append("first") or "")  # type: ignore[func-returns-value]
+    one.on_set.insert(0, lambda given: "too fast" if given[0].value > 9 else "")
+    one.post_set.append(lambda given: told.append(f"{[p.name for p in given]}"))
+    assert set_to(one, speed=10) == "too fast"
+    assert told == []
+    assert set_to(one, speed=5) == ""
+    assert told == ["first", "['speed', 'gear']"]
+    assert one.get("gear").value == 2
+
+
+def test_a_pre_set_callback_that_empties_the_list_refuses() -> None:
+    one = store()
+    declare(one, "a", 1)
+    one.pre_set.append(lambda _: [])
+    assert set_to(one, a=2).startswith("parameter list cannot be empty")
+
+
+def test_undeclared_parameters_may_be_allowed() -> None:
+    one = ParameterStore(lambda _: None, allow_undeclared=True)
+    assert one.get("x").type_ is Type.NOT_SET
+    assert one.type_of("x") is Type.NOT_SET
+    assert set_to(one, x=1) == set_to(one, x="now a string") == ""
+    assert one.describe("x") == Descriptor(Type.STRING, dynamic_typing=True)
+    assert one.describe("y") == Descriptor()
+
+
+def test_a_new_descriptor_needs_a_value_that_complies() -> None:
+    one = store()
+    declare(one, "a", 50)
+    limits = Descriptor(integer_range=Range(0, 10))
+    with pytest.raises(InvalidParameterValueException, match="out of range"):
+        one.set_descriptor("a", limits, None)
+    assert one.describe("a").integer_range is None
+    assert one.set_descriptor("a", limits, Parameter("a", value=5)).value == 5
+    assert one.describe("a") == Descriptor(Type.INTEGER, integer_range=Range(0, 10))
+    one.set_descriptor("a", Descriptor(read_only=True), None)
+    with pytest.raises(ParameterImmutableException):
+        one.set_descriptor("a", limits, None)
+
+
+NAMES = ["a", "cam", "cam.fps", "cam.lens.zoom", "camera", "cam.lens.iris"]
+
+
+@pytest.mark.parametrize(
+    ("prefixes", "depth", "expected"),
+    [
+        ([], 0, NAMES),
+        ([], 1, ["a", "cam", "camera"]),
+        ([], 2, ["a", "cam", "cam.fps", "camera"]),
+        (["cam"], 0, ["cam", "cam.fps", "cam.lens.zoom", "cam.lens.iris"]),
+        (["cam"], 1, ["cam", "cam.fps"]),
+        (["cam.lens", "a"], 1, ["a", "cam.lens.zoom", "cam.lens.iris"]),
+        (["lens"], 0, []),
+    ],
+)
+def test_names_are_listed_by_group_and_depth(
+    prefixes: list[str], depth: int, expected: list[str]
+) -> None:
+    one = store()
+    for name in NAMES:
+        declare(one, name, 1)
+    assert one.names(prefixes, depth) == expected
+
+
+def test_groups() -> None:
+    one = store()
+    for name in NAMES:
+        declare(one, name, name)
+    assert list(prefixes_of(NAMES)) == ["cam", "cam.lens"]
+    assert {name: p.value for name, p in one.below("cam.lens").items()} == {
+        "zoom": "cam.lens.zoom",
+        "iris": "cam.lens.iris",
+    }
+    assert list(one.below("")) == NAMES
+
+
+@dataclass
+class Known:
+    """What the documented rules say of one parameter; a range is of integers from 0 to 10."""
+
+    type: Parameter.Type
+    value: Any
+    dynamic: bool
+    read_only: bool
+    limited: bool
+
+
+names = st.sampled_from(["a", "b", "c.d"])
+values = st.one_of(
+    st.booleans(),
+    st.integers(-3, 13),
+    st.floats(-5, 5),
+    st.sampled_from(["x", "y"]),
+    st.lists(st.integers(0, 3), max_size=2),
+    st.lists(st.floats(0, 3), min_size=1, max_size=2),
+)
+maybe = st.one_of(st.none(), values)
+
+
+def model_widened(value: Any, type_: Parameter.Type) -> Any:
+    if type_ is Type.DOUBLE and type(value) is int:
+        return float(value)
+    if type_ is Type.DOUBLE_ARRAY and isinstance(value, list):
+        return [float(one) for one in value]
+    return value
+
+
+def model_type(value: Any) -> Parameter.Type:
+    kinds = {bool: Type.BOOL, int: Type.INTEGER, float: Type.DOUBLE, str: Type.STRING}
+    if value is None:
+        return Type.NOT_SET
+    if not isinstance(value, list):
+        return kinds[type(value)]
+    if not value:
+        return Type.BYTE_ARRAY
+    return Type.INTEGER_ARRAY if type(value[0]) is int else Type.DOUBLE_ARRAY
+
+
+def fits(known: Known, value: Any) -> bool:
+    found = model_type(model_widened(value, known.type))
+    is_empty_array = value == [] and known.type.is_array
+    if not known.dynamic and found is not known.type and not is_empty_array:
+        return False
+    return not (known.limited and found is Type.INTEGER and not 0 <= value <= 10)
+
+
+class ParametersByTheRules(RuleBasedStateMachine):
+    """Does to a node's parameters what it does to a model of the documented rules."""
+
+    @initialize(allow=st.booleans())
+    def begin(self, allow: bool) -> None:
+        self.model: dict[str, Known] = {}
+        self.replayed: dict[str, Any] = {}
+        self.announced: list[list[str]] = []
+        self.vetoed: str | None = None
+        self.allow = allow
+        self.store = ParameterStore(self.replay, allow_undeclared=allow)
+        self.store.on_set.append(self.veto)
+        self.store.post_set.append(lambda given: self.announced.append([p.name for p in given]))
+
+    def replay(self, changes: Changes) -> None:
+        for one in changes.new:
+            assert self.replayed.get(one.name) is None
+        for one in changes.changed:
+            assert self.replayed[one.name] is not None
+        self.replayed |= {one.name: one.value for one in (*changes.new, *changes.changed)}
+        for one in changes.deleted:
+            self.replayed.pop(one.name, None)
+
+    def veto(self, given: list[Parameter[Any]]) -> str:
+        return "no" if any(one.name == self.vetoed for one in given) else ""
+
+    @rule(name=st.one_of(st.none(), names))
+    def a_callback_refuses_from_now_on(self, name: str | None) -> None:
+        self.vetoed = name
+
+    @rule(
+        name=names,
+        value=maybe,
+        dynamic=st.booleans(),
+        read_only=st.booleans(),
+        limited=st.booleans(),
+    )
+    def declare(self, name: str, value: Any, dynamic: bool, read_only: bool, limited: bool) -> None:
+        known = Known(model_type(value), value, dynamic, read_only, limited)
+        descriptor = Descriptor(
+            dynamic_typing=dynamic,
+            read_only=read_only,
+            integer_range=Range(0, 10) if limited else None,
+        )
+        wanted = [Declaration(name, value, descriptor)]
+        if value is None and not dynamic:
+            self.refused(ParameterDeclarationError, lambda: self.store.declare(wanted))
+        elif name in self.model:
+            self.refused(ParameterAlreadyDeclaredException, lambda: self.store.declare(wanted))
+        elif not fits(known, value) or name == self.vetoed:
+            self.refused(InvalidParameterValueException, lambda: self.store.declare(wanted))
+        else:
+            self.store.declare(wanted)
+            self.model[name] = known
+            assert self.announced.pop() == [name]
+
+    @rule(name=names, type_=st.sampled_from([Type.DOUBLE, Type.STRING, Type.DOUBLE_ARRAY]))
+    def declare_by_type(self, name: str, type_: Parameter.Type) -> None:
+        wanted = [Declaration(name, type_)]
+        if name in self.model:
+            self.refused(ParameterAlreadyDeclaredException, lambda: self.store.declare(wanted))
+        elif name == self.vetoed:
+            self.refused(InvalidParameterValueException, lambda: self.store.declare(wanted))
+        else:
+            self.store.declare(wanted)
+            self.model[name] = Known(type_, None, dynamic=False, read_only=False, limited=False)
+            assert self.announced.pop() == [name]
+
+    @rule(given=st.lists(st.tuples(names, maybe), min_size=1, max_size=3))
+    def set_atomically(self, given: list[tuple[str, Any]]) -> None:
+        parameters = [Parameter(name, value=value) for name, value in given]
+        wanted = dict(given)
+        if not self.allow and any(name not in self.model for name in wanted):
+            self.refused(ParameterNotDeclaredException, lambda: self.store.set(parameters))
+        elif any(self.is_refused(name, value) for name, value in wanted.items()):
+            before = dict(self.store.values)
+            assert self.store.set(parameters)
+            assert self.store.values == before
+        else:
+            assert not self.store.set(parameters)
+            for name, value in wanted.items():
+                self.model_set(name, value)
+            assert self.announced.pop() == list(wanted)
+
+    def is_refused(self, name: str, value: Any) -> bool:
+        known = self.model.get(name)
+        if name == self.vetoed:
+            return True
+        if known is None:
+            return False
+        if value is None and not known.read_only:
+            return not known.dynamic
+        return known.read_only or not fits(known, value)
+
+    def model_set(self, name: str, value: Any) -> None:
+        if value is None:
+            self.model.pop(name, None)
+            return
+        known = self.model.setdefault(
+            name, Known(Type.NOT_SET, None, dynamic=True, read_only=False, limited=False)
+        )
+        known.value = value if known.dynamic else model_widened(value, known.type)
+        if known.dynamic:
+            known.type = model_type(value)
+
+    @rule(name=names)
+    def undeclare(self, name: str) -> None:
+        if name not in self.model:
+            self.refused(ParameterNotDeclaredException, lambda: self.store.undeclare(name))
+        elif self.model[name].read_only:
+            self.refused(ParameterImmutableException, lambda: self.store.undeclare(name))
+        else:
+            self.store.undeclare(name)
+            del self.model[name]
+
+    @rule(name=names)
+    def get(self, name: str) -> None:
+        known = self.model.get(name)
+        if known is None and not self.allow:
+            self.refused(ParameterNotDeclaredException, lambda: self.store.get(name))
+        elif known is not None and known.value is None and not known.dynamic:
+            self.refused(ParameterUninitializedException, lambda: self.store.get(name))
+        else:
+            assert self.store.get(name).value == (None if known is None else known.value)
+
+    def refused(self, error: type[Exception], action: Any) -> None:
+        before = dict(self.store.values)
+        with pytest.raises(error) as caught:
+            action()
+        assert isinstance(caught.value, (ParameterException, ParameterDeclarationError))
+        assert self.store.values == before
+
+    @invariant()
+    def the_node_is_what_the_model_says(self) -> None:
+        if not hasattr(self, "model"):
+            return
+        found = {name: one.value for name, one in self.store.values.items()}
+        assert found == {name: known.value for name, known in self.model.items()} == self.replayed
+        assert self.announced == []
+        for name, known in self.model.items():
+            descriptor = self.store.describe(name)
+            assert (descriptor.type, descriptor.read_only) == (known.type, known.read_only)
+            if known.value is not None:
+                assert descriptor.type is self.store.type_of(name)
+
+
+TestParametersByTheRules = ParametersByTheRules.TestCase
+TestParametersByTheRules.settings = settings(
+    max_examples=100, stateful_step_count=30, deadline=None
+)

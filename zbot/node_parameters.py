@@ -1,0 +1,371 @@
+"""A node's parameters, with rclpy's methods."""
+
+from __future__ import annotations
+
+import warnings
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ArgumentTypeError
+from zbot.parameter import Parameter, guessed, parameter_value_to_python
+from zbot.parameter_errors import ParameterListError, UnknownCallbackError
+from zbot.parameter_rules import Descriptor
+from zbot.parameter_store import Changes, Declaration, ParameterStore, prefixes_of
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+
+    from zbot.clock import Clock
+
+    from rcl_interfaces.msg import (
+        ListParametersResult,
+        ParameterDescriptor,
+        ParameterEvent,
+        ParameterValue,
+        SetParametersResult,
+    )
+
+    Parameters = list[Parameter[Any]]
+    PreSet = Callable[[Parameters], Parameters]
+    OnSet = Callable[[Parameters], SetParametersResult]
+    PostSet = Callable[[Parameters], object]
+
+USE_SIM_TIME = "use_sim_time"
+START_TYPE_DESCRIPTION_SERVICE = "start_type_description_service"
+
+_NAME_ONLY = """\
+when declaring parameter named '{name}', declaring a parameter only providing its name is \
+deprecated. You have to either:
+\t- Pass a name and a default value different to "PARAMETER NOT SET" (and optionally a descriptor).
+\t- Pass a name and a parameter type.
+\t- Pass a name and a descriptor with `dynamic_typing=True`"""
+
+
+class NodeParameters:
+    """rclpy's parameter methods, for whoever has a `ParameterStore`."""
+
+    _zbot_parameters: ParameterStore
+
+    # -- declaring -----------------------------------------------------------------------------
+
+    def declare_parameter(
+        self,
+        name: str,
+        value: Any = None,
+        descriptor: ParameterDescriptor | None = None,
+        ignore_override: bool = False,
+    ) -> Parameter[Any]:
+        """Declare a parameter, and return it with the value that it has.
+
+        Args:
+            name: Dots in it make groups.
+            value: The default, or a `Parameter.Type` for a parameter that has none. An override
+                from the command line or a file wins.
+            descriptor: Its description, range and typing; its own name and type do not matter.
+            ignore_override: Take the default in any case.
+
+        Raises:
+            ParameterAlreadyDeclaredException: It is declared already.
+            InvalidParameterError: The name is empty.
+            InvalidParameterTypeException: The override is of another type than the default.
+            InvalidParameterValueException: The range or a callback refuses the value.
+            ParameterDeclarationError: There is neither a value nor a type.
+        """
+        is_bare = value is None and descriptor is None
+        one = _declaration(name, value, descriptor, is_bare=is_bare)
+        return self._zbot_parameters.declare([one], ignore_override=ignore_override)[0]
+
+    def declare_parameters(
+        self, namespace: str, parameters: Sequence[tuple[Any, ...]], ignore_override: bool = False
+    ) -> Parameters:
+        """Declare several parameters, and return them.
+
+        Args:
+            namespace: Their group, put before each name with a dot; may be empty.
+            parameters: Tuples of a name and, as in `declare_parameter`, a value and a descriptor.
+            ignore_override: Take the defaults in any case.
+
+        Raises:
+            ParameterListError: An element is of another form.
+            ParameterError: See `declare_parameter`; those before the refused one stay declared.
+        """
+        declarations = [
+            _declaration_of(namespace, index, item) for index, item in enumerate(parameters)
+        ]
+        return self._zbot_parameters.declare(declarations, ignore_override=ignore_override)
+
+    def undeclare_parameter(self, name: str) -> None:
+        """Forget a parameter; no callback is called.
+
+        Raises:
+            ParameterNotDeclaredException: There is none of that name.
+            ParameterImmutableException: It is read-only.
+        """
+        self._zbot_parameters.undeclare(name)
+
+    # -- asking --------------------------------------------------------------------------------
+
+    def has_parameter(self, name: str) -> bool:
+        """Return whether a parameter is declared."""
+        return name in self._zbot_parameters.values
+
+    def get_parameter(self, name: str) -> Parameter[Any]:
+        """Return a parameter.
+
+        Raises:
+            ParameterNotDeclaredException: It is not declared, and the node asks for that.
+            ParameterUninitializedException: It was declared by its type and has no value yet.
+        """
+        return self._zbot_parameters.get(name)
+
+    def get_parameters(self, names: list[str]) -> Parameters:
+        """Return several parameters; see `get_parameter`."""
+        return [self._zbot_parameters.get(name) for name in _checked_names(names)]
+
+    def get_parameter_or(
+        self, name: str, alternative_value: Parameter[Any] | None = None
+    ) -> Parameter[Any]:
+        """Return a parameter if it is declared and has a value, else the alternative."""
+        found = self._zbot_parameters.values.get(name)
+        if found is not None and found.type_ is not Parameter.Type.NOT_SET:
+            return found
+        return Parameter(name) if alternative_value is None else alternative_value
+
+    def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter[Any]]:
+        """Return the parameters of a group, by their names without it; all for an empty prefix."""
+        return self._zbot_parameters.below(prefix)
+
+    def get_parameter_type(self, name: str) -> Parameter.Type:
+        """Return the type of a parameter's present value.
+
+        Raises:
+            ParameterNotDeclaredException: It is not declared, and the node asks for that.
+        """
+        return self._zbot_parameters.type_of(name)
+
+    def get_parameter_types(self, names: list[str]) -> list[Parameter.Type]:
+        """Return the types of several parameters; see `get_parameter_type`."""
+        return [self._zbot_parameters.type_of(name) for name in _checked_names(names)]
+
+    def list_parameters(self, prefixes: list[str], depth: int) -> ListParametersResult:
+        """Return the names of parameters, and of the groups that they are in.
+
+        Args:
+            prefixes: Only these groups; empty: all parameters.
+            depth: Levels below the prefixes to go down; 0: all.
+
+        Raises:
+            ArgumentTypeError: An argument is of another type.
+            ValueError: The depth is negative.
+        """
+        from rcl_interfaces.msg import ListParametersResult  # noqa: PLC0415 - made at first import
+
+        if not isinstance(prefixes, list):
+            raise ArgumentTypeError("prefixes", "a list of str", prefixes)
+        if not isinstance(depth, int):
+            raise ArgumentTypeError("depth", "an int", depth)
+        if depth < 0:
+            raise ValueError(f"depth must be 0 or more, not {depth}")
+        names = self._zbot_parameters.names(_checked_names(prefixes), depth)
+        return ListParametersResult(names=names, prefixes=list(prefixes_of(names)))
+
+    def describe_parameter(self, name: str) -> ParameterDescriptor:
+        """Return what was declared of a parameter.
+
+        Raises:
+            ParameterNotDeclaredException: It is not declared, and the node asks for that.
+        """
+        found = self._zbot_parameters.describe(name)
+        return found.to_message(name if self.has_parameter(name) else "")
+
+    def describe_parameters(self, names: list[str]) -> list[ParameterDescriptor]:
+        """Return what was declared of several parameters; see `describe_parameter`."""
+        return [NodeParameters.describe_parameter(self, name) for name in _checked_names(names)]
+
+    # -- setting -------------------------------------------------------------------------------
+
+    def set_parameters(self, parameter_list: Parameters) -> list[SetParametersResult]:
+        """Set parameters one after the other, and return the result of each.
+
+        One that has no value is undeclared, if its typing is dynamic.
+
+        Raises:
+            ParameterNotDeclaredException: One is unknown, and that is not allowed; those before it
+                are set.
+            ParameterListError: An element is no `Parameter`.
+        """
+        checked = _checked_parameters(parameter_list)
+        return [_result(self._zbot_parameters.set([one])) for one in checked]
+
+    def set_parameters_atomically(self, parameter_list: Parameters) -> SetParametersResult:
+        """Set all of the parameters or none, and return the result; see `set_parameters`."""
+        return _result(self._zbot_parameters.set(_checked_parameters(parameter_list)))
+
+    def set_descriptor(
+        self,
+        name: str,
+        descriptor: ParameterDescriptor,
+        alternative_value: ParameterValue | None = None,
+    ) -> ParameterValue:
+        """Describe a parameter anew, and return its value.
+
+        Args:
+            name: Which one.
+            descriptor: The new rules; its name does not matter.
+            alternative_value: The new value, if the present one breaks the new rules.
+
+        Raises:
+            ParameterNotDeclaredException: It is not declared, and the node asks for that.
+            ParameterImmutableException: It is read-only.
+            InvalidParameterValueException: Neither value complies.
+        """
+        alternative: Parameter[Any] | None = None
+        if alternative_value is not None:
+            alternative = Parameter(name, value=parameter_value_to_python(alternative_value))
+        store = self._zbot_parameters
+        return store.set_descriptor(
+            name, Descriptor.of(descriptor), alternative
+        ).get_parameter_value()
+
+    # -- callbacks -----------------------------------------------------------------------------
+
+    def add_pre_set_parameters_callback(self, callback: PreSet) -> None:
+        """Call a function before parameters are checked; it returns the list to set instead."""
+        self._zbot_parameters.pre_set.insert(0, _checked_callback(callback))
+
+    def add_on_set_parameters_callback(self, callback: OnSet) -> None:
+        """Call a function before parameters are set; its `SetParametersResult` can refuse them.
+
+        It is called for declarations too. It must change nothing: another callback may refuse what
+        it accepts.
+        """
+        self._zbot_parameters.on_set.insert(0, _Veto(_checked_callback(callback)))
+
+    def add_post_set_parameters_callback(self, callback: PostSet) -> None:
+        """Call a function when parameters have been declared or set."""
+        self._zbot_parameters.post_set.insert(0, _checked_callback(callback))
+
+    def remove_pre_set_parameters_callback(self, callback: PreSet) -> None:
+        """Take a callback back.
+
+        Raises:
+            UnknownCallbackError: It was not added.
+        """
+        _remove(self._zbot_parameters.pre_set, callback)
+
+    def remove_on_set_parameters_callback(self, callback: OnSet) -> None:
+        """Take a callback back.
+
+        Raises:
+            UnknownCallbackError: It was not added.
+        """
+        _remove(self._zbot_parameters.on_set, _Veto(callback))
+
+    def remove_post_set_parameters_callback(self, callback: PostSet) -> None:
+        """Take a callback back.
+
+        Raises:
+            UnknownCallbackError: It was not added.
+        """
+        _remove(self._zbot_parameters.post_set, callback)
+
+
+class _Veto:
+    """Makes an on-set callback say why it refuses, and nothing if it does not."""
+
+    def __init__(self, callback: OnSet) -> None:
+        self._callback = callback
+
+    def __call__(self, parameters: Parameters) -> str:
+        result: Any = self._callback(parameters)
+        if not isinstance(getattr(result, "successful", None), bool):
+            name = getattr(self._callback, "__qualname__", repr(self._callback))
+            warnings.warn(
+                "Callback returned an invalid type, it should return SetParameterResult: "
+                f"{name} returned {result!r}",
+                stacklevel=2,
+            )
+            return f"Callback returned an invalid type: {name} returned {result!r}"
+        return "" if result.successful else result.reason or "a callback of the node refuses it"
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Veto) and other._callback == self._callback
+
+    def __hash__(self) -> int:
+        return hash(self._callback)
+
+
+def _remove(callbacks: list[Any], callback: Any) -> None:
+    if callback not in callbacks:
+        raise UnknownCallbackError(getattr(callback, "_callback", callback))
+    callbacks.remove(callback)
+
+
+def _declaration(name: str, value: Any, descriptor: Any, *, is_bare: bool) -> Declaration:
+    if is_bare:
+        warnings.warn(_NAME_ONLY.format(name=name), stacklevel=3)
+        return Declaration(name, None, Descriptor(dynamic_typing=True))
+    if hasattr(value, "double_array_value"):
+        value = parameter_value_to_python(value)
+    rules = Descriptor() if descriptor is None else Descriptor.of(descriptor)
+    return Declaration(name, value, rules)
+
+
+def _declaration_of(namespace: str, index: int, item: Any) -> Declaration:
+    if not isinstance(item, (tuple, list)) or not 1 <= len(item) <= 3:
+        raise ParameterListError(index, item, "a tuple (name, value, descriptor)")
+    name, value, descriptor = (*item, None, None)[:3]
+    if not isinstance(name, str):
+        raise ParameterListError(index, item, "a tuple that begins with a str")
+    if len(item) == 3 and not hasattr(descriptor, "dynamic_typing"):
+        raise ParameterListError(index, item, "a tuple that ends with a ParameterDescriptor")
+    full = f"{namespace}.{name}" if namespace else name
+    return _declaration(full, value, descriptor, is_bare=len(item) == 1)
+
+
+def _checked_names(names: Iterable[Any]) -> list[str]:
+    checked = list(names)
+    for index, name in enumerate(checked):
+        if not isinstance(name, str):
+            raise ParameterListError(index, name, "a name")
+    return checked
+
+
+def _checked_parameters(parameters: Iterable[Any]) -> Parameters:
+    checked = list(parameters)
+    for index, one in enumerate(checked):
+        if not isinstance(one, Parameter):
+            raise ParameterListError(index, one, "a Parameter")
+    return checked
+
+
+def _checked_callback(callback: Any) -> Any:
+    if not callable(callback):
+        raise ArgumentTypeError("callback", "a function", callback)
+    return callback
+
+
+def _result(reason: str) -> SetParametersResult:
+    from rcl_interfaces.msg import SetParametersResult  # noqa: PLC0415 - made at first import
+
+    return SetParametersResult(successful=not reason, reason=reason)
+
+
+def overrides_of(
+    values: dict[str, Any], parameters: Iterable[Parameter[Any]] | None
+) -> dict[str, Parameter[Any]]:
+    """Return a node's overrides: of the command line, and those its constructor was given."""
+    overrides = {name: guessed(name, value) for name, value in values.items()}
+    return overrides | {one.name: one for one in parameters or ()}
+
+
+def event_of(node: str, changes: Changes, clock: Clock) -> ParameterEvent:
+    """Return what `/parameter_events` says of some changes."""
+    from rcl_interfaces.msg import ParameterEvent  # noqa: PLC0415 - made at first import
+
+    return ParameterEvent(
+        stamp=clock.now().to_msg(),
+        node=node,
+        new_parameters=[one.to_parameter_msg() for one in changes.new],
+        changed_parameters=[one.to_parameter_msg() for one in changes.changed],
+        deleted_parameters=[one.to_parameter_msg() for one in changes.deleted],
+    )

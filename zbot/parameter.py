@@ -1,0 +1,326 @@
+"""Parameters: a name, a type and a value, and their forms as messages and as YAML."""
+
+from __future__ import annotations
+
+import array
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast, overload
+
+from zbot.errors import ArgumentTypeError, ParameterValueError, ZbotError
+from zbot.parameter_file import matches, parse_value, sections
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from rcl_interfaces.msg import Parameter as ParameterMsg
+    from rcl_interfaces.msg import ParameterValue
+
+__all__ = [
+    "PARAMETER_SEPARATOR_STRING",
+    "AllowableParameterValue",
+    "Parameter",
+    "get_parameter_value",
+    "parameter_dict_from_yaml_file",
+    "parameter_value_to_python",
+]
+
+PARAMETER_SEPARATOR_STRING = "."
+
+#: bool, int, float, str, None, or a list, tuple or array of bytes of length 1 or of one of these.
+AllowableParameterValue = Any
+ValueT = TypeVar("ValueT")
+
+_INT64 = range(-(2**63), 2**63)
+
+
+class ParameterTypeError(ZbotError, TypeError):
+    """A value is of a kind that no parameter can have."""
+
+    def __init__(self, value: object) -> None:
+        self.value = value
+        many = isinstance(value, (list, tuple, array.array))
+        kind = "a list of one of the allowed types" if many else "one of the allowed types"
+        super().__init__(
+            f"The given value is not {kind} '{value}': a parameter is a bool, an int, a float, "
+            "a str, or a list of one of these"
+        )
+
+
+class ParameterMismatchError(ZbotError, ValueError):
+    """A parameter is made of a type and a value of another one."""
+
+    def __init__(self, name: str, type_: Parameter.Type, value: object) -> None:
+        self.name, self.type_, self.value = name, type_, value
+        super().__init__(f"parameter {name!r}: type {type_.name} and value {value!r} do not agree")
+
+
+class UnknownParameterTypeError(ZbotError, RuntimeError):
+    """A message has a parameter type that does not exist."""
+
+    def __init__(self, type_: int) -> None:
+        self.type_ = type_
+        super().__init__(f"unexpected parameter type {type_}: there are 0 to {max(Parameter.Type)}")
+
+
+class NoParametersError(ZbotError, RuntimeError):
+    """A parameter file has nothing for the nodes that it was asked for."""
+
+    def __init__(self, path: str, nodes: Sequence[str]) -> None:
+        self.path, self.nodes = path, list(nodes)
+        of = f" for {', '.join(nodes)}" if nodes else ""
+        super().__init__(f"Param file does not contain any valid parameters{of}: {path}")
+
+
+class Parameter(Generic[ValueT]):
+    """A named value with a type, as in rclpy.
+
+    Integers become floats where the type says DOUBLE or DOUBLE_ARRAY.
+
+    Args:
+        name: Dots in it make groups.
+        type_: Taken from the value if left out.
+        value: See `AllowableParameterValue`.
+
+    Raises:
+        ParameterTypeError: No parameter can have such a value.
+        ParameterMismatchError: The value is of another type.
+        ArgumentTypeError: `type_` is no type.
+    """
+
+    class Type(IntEnum):
+        """The types, with the numbers of rcl_interfaces/msg/ParameterType."""
+
+        NOT_SET = 0
+        BOOL = 1
+        INTEGER = 2
+        DOUBLE = 3
+        STRING = 4
+        BYTE_ARRAY = 5
+        BOOL_ARRAY = 6
+        INTEGER_ARRAY = 7
+        DOUBLE_ARRAY = 8
+        STRING_ARRAY = 9
+
+        @classmethod
+        def from_parameter_value(cls, parameter_value: Any) -> Parameter.Type:
+            """Return the type that a value has.
+
+            Raises:
+                ParameterTypeError: No parameter can have such a value.
+            """
+            if parameter_value is None:
+                return cls.NOT_SET
+            for python_type, found in _SCALARS:
+                if isinstance(parameter_value, python_type):
+                    return cls(found)
+            if isinstance(parameter_value, (list, tuple, array.array)):
+                for found in _ARRAYS:
+                    if all(_is_a(one, found) for one in parameter_value):
+                        return cls(found)
+                if all(map(_is_number, parameter_value)):
+                    return cls.DOUBLE_ARRAY
+            raise ParameterTypeError(parameter_value)
+
+        def check(self, parameter_value: Any) -> bool:
+            """Tell whether a value is of this type; an int is no DOUBLE here."""
+            if self is Parameter.Type.NOT_SET:
+                return parameter_value is None
+            if not self.is_array:
+                return _is_a(parameter_value, self)
+            return isinstance(parameter_value, (list, tuple, array.array)) and all(
+                _is_a(one, self) for one in parameter_value
+            )
+
+        @property
+        def is_array(self) -> bool:
+            """Whether the values are lists."""
+            return self >= Parameter.Type.BYTE_ARRAY
+
+        @property
+        def text(self) -> str:
+            """The type in the words of the command line, e.g. `double array`."""
+            words = {"NOT_SET": "not set", "BOOL": "boolean", "BOOL_ARRAY": "boolean array"}
+            return words.get(self.name, self.name.lower().replace("_", " "))
+
+    @overload
+    def __init__(self: Parameter[Any], name: str, type_: Parameter.Type | None = None) -> None: ...
+    @overload
+    def __init__(
+        self, name: str, type_: Parameter.Type | None = None, *, value: ValueT
+    ) -> None: ...
+    @overload
+    def __init__(self, name: str, type_: Parameter.Type | None, value: ValueT) -> None: ...
+    def __init__(self, name: str, type_: Parameter.Type | None = None, value: Any = None) -> None:
+        if type_ is None:
+            type_ = Parameter.Type.from_parameter_value(value)
+        elif not isinstance(type_, Parameter.Type):
+            raise ArgumentTypeError("type_", "a Parameter.Type", type_)
+        value = _widened(type_, value)
+        if not type_.check(value):
+            raise ParameterMismatchError(name, type_, value)
+        self._name = name
+        self._type_ = type_
+        self._value = value
+
+    @classmethod
+    def from_parameter_msg(cls, param_msg: ParameterMsg) -> Parameter[Any]:
+        """Return the parameter that an rcl_interfaces/msg/Parameter describes."""
+        value = parameter_value_to_python(param_msg.value)
+        return Parameter(param_msg.name, Parameter.Type(param_msg.value.type), value)
+
+    @property
+    def name(self) -> str:
+        """The full name within its node."""
+        return self._name
+
+    @property
+    def type_(self) -> Parameter.Type:
+        """The type."""
+        return self._type_
+
+    @property
+    def value(self) -> ValueT:
+        """The value; None if the type is NOT_SET."""
+        return cast("ValueT", self._value)
+
+    def get_parameter_value(self) -> ParameterValue:
+        """Return the value as a message, which has one field for each type."""
+        from rcl_interfaces.msg import ParameterValue  # noqa: PLC0415 - made at first import
+
+        message = ParameterValue(type=int(self._type_))
+        if self._type_ is not Parameter.Type.NOT_SET:
+            value = list(self._value) if self._type_.is_array else self._value
+            setattr(message, _field(self._type_), value)
+        return message
+
+    def to_parameter_msg(self) -> ParameterMsg:
+        """Return the parameter as a message."""
+        from rcl_interfaces.msg import Parameter as Message  # noqa: PLC0415 - as above
+
+        return Message(name=self._name, value=self.get_parameter_value())
+
+    def __repr__(self) -> str:
+        return f"Parameter({self._name!r}, {self._type_!s}, {self._value!r})"
+
+
+# In this order: a bool is an int to Python. An empty list is one of bytes, as in rclpy.
+_SCALARS: tuple[tuple[type[Any], int], ...] = ((bool, 1), (int, 2), (float, 3), (str, 4))
+_ARRAYS = (5, 6, 7, 8, 9)
+_ELEMENTS: dict[int, type[Any]] = {
+    Parameter.Type.BOOL: bool,
+    Parameter.Type.INTEGER: int,
+    Parameter.Type.DOUBLE: float,
+    Parameter.Type.STRING: str,
+    Parameter.Type.BYTE_ARRAY: bytes,
+    Parameter.Type.BOOL_ARRAY: bool,
+    Parameter.Type.INTEGER_ARRAY: int,
+    Parameter.Type.DOUBLE_ARRAY: float,
+    Parameter.Type.STRING_ARRAY: str,
+}
+
+
+def _is_a(value: Any, type_: int) -> bool:
+    """Tell whether a value is a scalar of a type, or an element of an array of it."""
+    if not isinstance(value, _ELEMENTS[type_]):
+        return False
+    if _ELEMENTS[type_] is int:
+        return not isinstance(value, bool) and value in _INT64
+    return len(value) == 1 if isinstance(value, bytes) else True
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def _widened(type_: Parameter.Type, value: Any) -> Any:
+    try:
+        if type_ is Parameter.Type.DOUBLE and type(value) is int:
+            return float(value)
+        if type_ is Parameter.Type.DOUBLE_ARRAY and isinstance(value, (list, tuple)):
+            is_mixed = any(type(one) is int for one in value) and all(map(_is_number, value))
+            return [float(one) for one in value] if is_mixed else value
+    except OverflowError:
+        return value  # an integer beyond every float: it is refused as an integer
+    return value
+
+
+def _field(type_: Parameter.Type) -> str:
+    return f"{type_.name.lower()}_value"
+
+
+def parameter_value_to_python(parameter_value: ParameterValue) -> AllowableParameterValue:
+    """Return the value of an rcl_interfaces/msg/ParameterValue; None if it is not set.
+
+    Raises:
+        UnknownParameterTypeError: The message's type does not exist.
+    """
+    try:
+        type_ = Parameter.Type(parameter_value.type)
+    except ValueError:
+        raise UnknownParameterTypeError(parameter_value.type) from None
+    if type_ is Parameter.Type.NOT_SET:
+        return None
+    value = getattr(parameter_value, _field(type_))
+    return list(value) if type_.is_array else value
+
+
+def get_parameter_value(string_value: str) -> ParameterValue:
+    """Return what a text on the command line means, as a message.
+
+    `true`, `5`, `5.0`, `[1, 2]` and `[a, b]` are what they look like, numbers of both kinds in one
+    list are doubles, and all that is no other value is a string.
+    """
+    try:
+        value = parse_value(string_value)
+    except ParameterValueError:
+        value = string_value
+    return guessed("", value, string_value).get_parameter_value()
+
+
+def guessed(name: str, value: Any, text: str | None = None) -> Parameter[Any]:
+    """Return a parameter of a value that YAML gave; a list of several kinds is its text.
+
+    Args:
+        name: The parameter's name.
+        value: A scalar or a list of scalars.
+        text: How the value was written.
+    """
+    try:
+        return Parameter(name, value=value)
+    except ParameterTypeError:
+        return Parameter(name, value=str(value) if text is None else text)
+
+
+def parameter_dict_from_yaml_file(
+    parameter_file: str,
+    use_wildcard: bool = False,
+    target_nodes: list[str] | None = None,
+    namespace: str = "",
+) -> dict[str, ParameterMsg]:
+    """Return the parameters that a file has for some nodes, by their names.
+
+    Args:
+        parameter_file: Path of the YAML file.
+        use_wildcard: Whether its `/**` applies too; what a node's own name says wins.
+        target_nodes: Names of the nodes; their leading slash may be missing.
+        namespace: Put in front of each parameter's name, as it is.
+
+    Raises:
+        ParametersFileError: The file cannot be read or has another form.
+        NoParametersError: It has nothing for these nodes.
+    """
+    nodes = [name if name.startswith("/") else f"/{name}" for name in target_nodes or ()]
+    found = sections(parameter_file)
+    general = [values for pattern, values in found if use_wildcard and pattern == "/**"]
+    own = [values for pattern, values in found if _is_for(pattern, nodes)]
+    values = {name: value for group in (*general, *own) for name, value in group.items()}
+    if not values:
+        raise NoParametersError(parameter_file, nodes)
+    return {
+        namespace + name: guessed(namespace + name, value).to_parameter_msg()
+        for name, value in values.items()
+    }
+
+
+def _is_for(pattern: str, nodes: Sequence[str]) -> bool:
+    return "*" not in pattern and any(matches(pattern, node) for node in nodes)

@@ -1,0 +1,124 @@
+"""What can go wrong with a node's parameters, under the names that rclpy's programs catch."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import InvalidParameterError, ParameterError, ZbotError, nearest
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from zbot.parameter import Parameter
+
+__all__ = [
+    "InvalidParameterException",
+    "InvalidParameterTypeException",
+    "InvalidParameterValueException",
+    "InvalidQosOverridesError",
+    "ParameterAlreadyDeclaredException",
+    "ParameterDeclarationError",
+    "ParameterException",
+    "ParameterImmutableException",
+    "ParameterListError",
+    "ParameterNotDeclaredException",
+    "ParameterUninitializedException",
+    "UnknownCallbackError",
+]
+
+ParameterException = ParameterError
+InvalidParameterException = InvalidParameterError
+
+
+class ParameterNotDeclaredException(ParameterError, LookupError):
+    """A parameter is used that the node has not declared.
+
+    Attributes:
+        suggestions: Declared names that may have been meant.
+    """
+
+    def __init__(self, parameters: str | list[str], known: Iterable[str] = ()) -> None:
+        super().__init__("Invalid access to undeclared parameter(s)", parameters)
+        self.suggestions = nearest(self.parameters[0], known, 1) if self.parameters else ()
+        if self.suggestions:
+            self.args = (f"{self.args[0]}; did you mean {self.suggestions[0]!r}?",)
+
+
+class ParameterAlreadyDeclaredException(ParameterError, ValueError):
+    """A parameter is declared a second time."""
+
+    def __init__(self, parameters: str | list[str]) -> None:
+        super().__init__("Parameter(s) already declared", parameters)
+
+
+class InvalidParameterTypeException(ParameterError, TypeError):
+    """A parameter is declared as one type and its value, often an override, is of another."""
+
+    def __init__(self, desired_parameter: Parameter[Any], expected_type: str) -> None:
+        self.desired_parameter, self.expected_type = desired_parameter, expected_type
+        super().__init__(
+            f"Trying to set parameter {desired_parameter.name!r} to "
+            f"'{desired_parameter.value}' of type '{desired_parameter.type_.name}', "
+            f"expecting type '{expected_type}'",
+            desired_parameter.name,
+        )
+
+
+class InvalidParameterValueException(ParameterError, ValueError):
+    """A parameter's descriptor, or a callback of the node, refuses a value."""
+
+    def __init__(self, parameter: str, value: object, reason: str) -> None:
+        self.value, self.reason = value, reason
+        super().__init__(
+            f"Invalid parameter value ({value}) for parameter. Reason: {reason}", parameter
+        )
+
+
+class ParameterImmutableException(ParameterError):
+    """A read-only parameter is to be changed or undeclared."""
+
+    def __init__(self, parameter_name: str) -> None:
+        super().__init__("Attempted to modify read-only parameter", parameter_name)
+
+
+class ParameterUninitializedException(ParameterError):
+    """A parameter was declared with a type alone, and nobody has set it yet."""
+
+    def __init__(self, parameter_name: str) -> None:
+        super().__init__(
+            f"The parameter '{parameter_name}' is not initialized: set it, for example with "
+            f"-p {parameter_name}:=..., or ask with get_parameter_or()",
+            parameter_name,
+        )
+
+
+class ParameterDeclarationError(ZbotError, ValueError):
+    """A declaration contradicts itself, e.g. neither value nor type."""
+
+    def __init__(self, parameter: str, reason: str) -> None:
+        self.parameter, self.reason = parameter, reason
+        super().__init__(f"cannot declare the parameter {parameter!r}: {reason}")
+
+
+class ParameterListError(ZbotError, TypeError):
+    """Something in a list of parameters, or of what to declare, is of another form."""
+
+    def __init__(self, index: int, item: object, expected: str) -> None:
+        self.index, self.item, self.expected = index, item, expected
+        super().__init__(f"element {index} of the list must be {expected}, not {item!r}")
+
+
+class UnknownCallbackError(ZbotError, ValueError):
+    """A parameter callback is to be removed that was never added."""
+
+    def __init__(self, callback: object) -> None:
+        self.callback = callback
+        super().__init__(f"{callback!r} is not one of the node's parameter callbacks")
+
+
+class InvalidQosOverridesError(ZbotError):
+    """A quality of service as parameters changed it is refused by the program's own check."""
+
+    def __init__(self, what: str, reason: str) -> None:
+        self.what, self.reason = what, reason
+        super().__init__(f"the QoS overrides of {what} are not valid: {reason}")
