@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import importlib.util
+import os
+import sys
 from dataclasses import dataclass, replace
-from pathlib import Path
+from importlib.machinery import PathFinder
+from pathlib import Path, PurePosixPath
 
+from zbot.package.cmake_file import read_cmake
 from zbot.package.setup_file import SetupFileError, declared_scripts
 from zbot.package.workspace import package_folders, package_name
 
@@ -29,6 +33,11 @@ class Executable:
     name: str
     target: str  #: `module:function`, or the path of a file
     folders: tuple[str, ...] = ()  #: have to be on Python's path for the module to be found
+
+
+def is_file(target: str) -> bool:
+    """Return whether a target is the path of a file rather than `module:function`."""
+    return target.endswith(".py") or os.sep in target
 
 
 @dataclass(frozen=True)
@@ -77,12 +86,49 @@ def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
         for one, target in scripts.items()
         if not target.startswith(_COMMAND)  # in zbot's own sources
     ]
-    files = [Executable(name, path.name, str(path)) for path in _script_files(folder)]
+    files = [
+        Executable(name, one, str(path), folders) for one, path in _program_files(folder).items()
+    ]
     return Package(name, (*declared, *files), folder)
 
 
-def _script_files(folder: Path) -> list[Path]:
-    return sorted((folder / "scripts").glob("*.py"))
+def _program_files(folder: Path) -> dict[str, Path]:
+    """Return the Python files that CMake installs as programs, and what is in `scripts`."""
+    programs = read_cmake(folder).programs
+    found = {PurePosixPath(target).name: path for target, path in programs.items()}
+    scripts = {path.name: path for path in sorted((folder / "scripts").glob("*.py"))}
+    known = {path.resolve() for path in found.values()}
+    found.update({name: path for name, path in scripts.items() if path.resolve() not in known})
+    return {name: path for name, path in found.items() if _is_python(path)}
+
+
+def _is_python(path: Path) -> bool:
+    if path.suffix == ".py":
+        return True
+    try:
+        with path.open("rb") as file:
+            first = file.readline(200)
+    except OSError:  # running it will tell
+        return False
+    return first.startswith(b"#!") and b"python" in first
+
+
+def program_file(executable: Executable) -> str:
+    """Return the file that a program is in; its `module:function` if none can be found."""
+    if is_file(executable.target):
+        return executable.target
+    module = executable.target.partition(":")[0].strip()
+    return str(module_file(module, executable.folders) or executable.target)
+
+
+def module_file(module: str, folders: tuple[str, ...]) -> Path | None:
+    """Return the file of a module in folders, or installed; nothing is imported for it."""
+    spec = PathFinder.find_spec(module.partition(".")[0], [*folders, *sys.path])
+    origin = spec.origin if spec is not None else None
+    for name in module.split(".")[1:]:
+        spec = spec and PathFinder.find_spec(name, list(spec.submodule_search_locations or ()))
+        origin = spec.origin if spec is not None else None
+    return Path(origin) if origin is not None and Path(origin).is_file() else None
 
 
 def bundled_packages() -> list[Package]:

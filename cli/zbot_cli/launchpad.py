@@ -12,6 +12,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from zbot_cli.executables import is_file
+
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from types import TracebackType
@@ -50,11 +52,6 @@ def _run_file(path: str) -> NoReturn:
         from zbot_cli.report import report  # noqa: PLC0415 - only for errors
 
         sys.exit(report(error))
-
-
-def is_file(target: str) -> bool:
-    """Return whether a target is the path of a file rather than `module:function`."""
-    return target.endswith(".py") or os.sep in target
 
 
 def _set_path(executable: Executable) -> None:

@@ -21,6 +21,7 @@ NOUNS = {
     "doctor": "Check what could be wrong",
     "interface": "Look at message, service and action types",
     "node": "Look at nodes",
+    "pkg": "Find packages, and create them",
     "run": "Run a node",
     "topic": "Look at topics, listen and publish",
 }

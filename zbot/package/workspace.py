@@ -25,7 +25,7 @@ _MAX_MANIFEST = 65536
 #: Folders that hold no sources.
 SKIPPED = {"build", "install", "log", "node_modules", "site-packages", "__pycache__"}
 _STOP_FILES = {"COLCON_IGNORE", "pyvenv.cfg"}
-_NAME_TAG = re.compile(r"<name>\s*([a-z][a-z0-9_]*)\s*</name>")
+_NAME_TAG = re.compile(r"<name>\s*([a-zA-Z0-9][a-zA-Z0-9_-]*)\s*</name>")
 
 #: Folders to search, each with the number of levels below it.
 Roots: TypeAlias = "tuple[tuple[Path, int], ...]"

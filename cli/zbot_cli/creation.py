@@ -1,0 +1,272 @@
+"""Writes new packages, telling each step as ROS 2 does."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+from string import Template
+from typing import TYPE_CHECKING
+
+from zbot.errors import ZbotError
+from zbot_cli import templates
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+_LINTERS = ("copyright", "flake8", "pep257")
+_COPYRIGHT_SKIP = """
+# Remove this line once every source file has a copyright header.
+@pytest.mark.skip(reason='The sources have no copyright headers yet.')"""
+_NAME = re.compile(r"[a-zA-Z][a-zA-Z0-9_]*\Z")
+
+
+class PackageNameError(ZbotError):
+    """A package, node or library cannot have this name."""
+
+    def __init__(self, what: str, name: str) -> None:
+        self.name = name
+        good = re.sub(r"\W+", "_", name.removesuffix(".py").lower()).strip("_0123456789")
+        self.hint = f"'{good}' would do" if good else ""
+        super().__init__(
+            f"'{name}' cannot be a {what}'s name: use letters, digits and '_', first a letter"
+        )
+
+
+class PackageExistsError(ZbotError):
+    """There is something in the place of the new package."""
+
+    def __init__(self, folder: str) -> None:
+        self.folder = folder
+        super().__init__(
+            f"\nAborted!\nThe directory already exists: {folder}\nEither remove the directory or "
+            "choose a different destination directory or package name"
+        )
+
+
+class ReservedNameError(ZbotError):
+    """The tests of a package are in a folder of that name."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "Aborted since 'ament_python' packages can't be named 'test'. "
+            "Please choose a different package name."
+        )
+
+
+class FolderError(ZbotError):
+    """A file of the new package cannot be written."""
+
+    def __init__(self, folder: str, error: OSError) -> None:
+        self.folder = folder
+        super().__init__(f"unable to create folder: {folder}: {error.strerror}")
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What a new package is to be."""
+
+    name: str
+    destination: str
+    build_type: str
+    package_format: int
+    description: str
+    license: str
+    maintainer: str
+    email: str
+    dependencies: tuple[str, ...]
+    node: str
+    library: str
+
+    def lines(self) -> Iterator[str]:
+        """Yield what is told before anything is written."""
+        yield "going to create a new package"
+        yield f"package name: {self.name}"
+        yield f"destination directory: {Path(self.destination).absolute()}"
+        yield f"package format: {self.package_format}"
+        yield "version: 0.0.0"
+        yield f"description: {self.description}"
+        yield f"maintainer: {[f'{self.maintainer} <{self.email}>']}"
+        yield f"licenses: {[self.license]}"
+        yield f"build type: {self.build_type}"
+        yield f"dependencies: {list(self.dependencies)}"
+        if self.node:
+            yield f"node_name: {self.node}"
+        if self.library:
+            yield f"library_name: {self.library}"
+
+
+def known_licenses() -> list[str]:
+    """Return the identifiers of the licences whose texts are at hand."""
+    folder = files("zbot_cli") / "licenses"
+    return sorted(entry.name.removesuffix(".txt") for entry in folder.iterdir())
+
+
+def create(plan: Plan) -> None:
+    """Write a package.
+
+    Raises:
+        PackageNameError: One of its names would not work.
+        ReservedNameError: So would the package's.
+        PackageExistsError: Something has its place.
+        FolderError: It cannot be written.
+    """
+    _check(plan)
+    print(*plan.lines(), sep="\n")
+    try:
+        _Writer(plan).write()
+    except OSError as exc:
+        raise FolderError(plan.destination, exc) from exc
+
+
+def _check(plan: Plan) -> None:
+    names = {"package": plan.name, "node": plan.node, "library": plan.library}
+    for what, name in names.items():
+        if (name or what == "package") and not _NAME.match(name):
+            raise PackageNameError(what, name)
+    if plan.build_type == "ament_python" and plan.name == "test":
+        raise ReservedNameError
+    folder = Path(plan.destination, plan.name)
+    if folder.exists():
+        raise PackageExistsError(_shown(plan.destination, plan.name))
+
+
+def _shown(folder: str, *names: str) -> str:
+    """Return a path as ros2 shows it: with the `.` that Path would leave out."""
+    return "/".join((folder.rstrip("/\\") or "/", *names)).replace("//", "/")
+
+
+class _Writer:
+    def __init__(self, plan: Plan) -> None:
+        self._plan = plan
+
+    def write(self) -> None:
+        plan = self._plan
+        self._folder()
+        self._file("package.xml", _manifest(plan))
+        if plan.build_type == "ament_python":
+            self._write_python()
+        else:
+            self._write_cpp()
+        if plan.license in known_licenses():
+            self._path("LICENSE").write_text(_license(plan), encoding="utf-8")
+
+    def _write_python(self) -> None:
+        plan = self._plan
+        print("creating source folder")
+        self._folder(plan.name)
+        self._file("setup.py", _setup_py(plan))
+        self._file("setup.cfg", templates.SETUP_CFG.substitute(name=plan.name))
+        self._folder("resource")
+        self._file(f"resource/{plan.name}", "")
+        self._file(f"{plan.name}/__init__.py", "")
+        self._folder("test")
+        for linter in _LINTERS:
+            before = _COPYRIGHT_SKIP if linter == "copyright" else ""
+            text = templates.LINT_TEST.substitute(linter=linter, before=before)
+            self._file(f"test/test_{linter}.py", text)
+        if plan.node:
+            node = templates.NODE.substitute(name=plan.name)
+            self._file(f"{plan.name}/{plan.node}.py", node)
+        if plan.library:
+            self._folder(f"{plan.name}/{plan.library}")
+            self._file(f"{plan.name}/{plan.library}/__init__.py", "")
+
+    def _write_cpp(self) -> None:
+        plan = self._plan
+        print("creating source and include folder")
+        self._folder("src")
+        self._folder(f"include/{plan.name}")
+        self._file("CMakeLists.txt", _cmake_lists(plan))
+        if plan.node:
+            self._file(f"src/{plan.node}.cpp", templates.CPP_NODE.substitute(name=plan.name))
+        if plan.library:
+            words = {
+                "name": plan.name,
+                "target": plan.library,
+                "class_name": plan.library.replace("_", " ").title().replace(" ", ""),
+                "guard": f"{plan.name}__{plan.library}".upper(),
+            }
+            header = f"include/{plan.name}/{plan.library}.hpp"
+            self._file(header, templates.CPP_HEADER.substitute(words))
+            self._file(f"src/{plan.library}.cpp", templates.CPP_LIBRARY.substitute(words))
+
+    def _path(self, *names: str) -> Path:
+        return Path(self._plan.destination, self._plan.name, *names)
+
+    def _folder(self, *names: str) -> None:
+        print("creating folder", _shown(self._plan.destination, self._plan.name, *names))
+        self._path(*names).mkdir(parents=True)
+
+    def _file(self, name: str, text: str) -> None:
+        print("creating", _shown(self._plan.destination, self._plan.name, name))
+        self._path(name).write_text(text, encoding="utf-8", newline="\n")
+
+
+def _manifest(plan: Plan) -> str:
+    from xml.sax.saxutils import escape  # noqa: PLC0415 - only for a new package
+
+    build_tools: tuple[str, ...] = ()
+    test_tools: tuple[str, ...] = ()
+    if plan.build_type == "ament_python":
+        test_tools = (*(f"ament_{linter}" for linter in _LINTERS), "python3-pytest")
+    elif plan.build_type == "ament_cmake":
+        build_tools = ("ament_cmake_ros",) if plan.library else ("ament_cmake",)
+        test_tools = ("ament_lint_auto", "ament_lint_common")
+    groups = {"buildtool_depend": build_tools, "depend": plan.dependencies}
+    words = {
+        "format": str(plan.package_format),
+        "name": plan.name,
+        "build_type": plan.build_type,
+        "dependencies": "".join(
+            _tags(tag, names) for tag, names in {**groups, "test_depend": test_tools}.items()
+        ),
+    }
+    quoted = {'"': "&quot;"}
+    texts = {
+        "description": plan.description,
+        "email": plan.email,
+        "maintainer": plan.maintainer,
+        "license": plan.license,
+    }
+    words.update({key: escape(text, quoted) for key, text in texts.items()})
+    return templates.MANIFEST.substitute(words)
+
+
+def _tags(tag: str, names: Iterable[str]) -> str:
+    from xml.sax.saxutils import escape  # noqa: PLC0415 - as above
+
+    lines = "".join(f"  <{tag}>{escape(name)}</{tag}>\n" for name in names)
+    return f"\n{lines}" if lines else ""
+
+
+def _setup_py(plan: Plan) -> str:
+    script = f"\n            '{plan.node} = {plan.name}.{plan.node}:main'," if plan.node else ""
+    return templates.SETUP_PY.substitute(
+        name=plan.name,
+        maintainer=repr(plan.maintainer),
+        email=repr(plan.email),
+        description=repr(plan.description),
+        license=repr(plan.license),
+        scripts=script,
+    )
+
+
+def _cmake_lists(plan: Plan) -> str:
+    is_ament = plan.build_type == "ament_cmake"
+    own = ("ament_cmake_ros",) if plan.library else ("ament_cmake",)
+    needed = (*(own if is_ament else ()), *plan.dependencies)
+    library = templates.CMAKE_LIBRARY.substitute(target=plan.library) if plan.library else ""
+    node = templates.CMAKE_NODE.substitute(target=plan.node) if plan.node else ""
+    template = templates.CMAKE_LISTS if is_ament else templates.PLAIN_CMAKE_LISTS
+    packages = "\n".join(f"find_package({name} REQUIRED)" for name in needed)
+    return template.substitute(name=plan.name, packages=packages, targets=library + node)
+
+
+def _license(plan: Plan) -> str:
+    from datetime import datetime, timezone  # noqa: PLC0415 - as above
+
+    text = (files("zbot_cli") / "licenses" / f"{plan.license}.txt").read_text(encoding="utf-8")
+    year = datetime.now(tz=timezone.utc).year
+    return Template(text).safe_substitute(year=year, holder=plan.maintainer)

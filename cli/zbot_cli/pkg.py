@@ -1,0 +1,217 @@
+"""`zbot pkg`: which packages there are, what is in them, and new ones."""
+
+from __future__ import annotations
+
+import sys
+from enum import Enum
+from pathlib import Path
+from typing import Annotated, ClassVar
+
+import typer
+
+from zbot.errors import ZbotError, nearest
+from zbot.package import PackageNotFoundError, package_prefix, package_share, packages
+from zbot.package.places import find_package
+from zbot.package.workspace import MANIFEST
+from zbot_cli import executables
+from zbot_cli.creation import Plan, create, known_licenses
+from zbot_cli.executables import Executable, all_packages, program_file
+from zbot_cli.listing import AsJson, new_app, print_json
+from zbot_cli.many_values import ManyValuesCommand
+from zbot_cli.person import email_address, full_name
+from zbot_cli.run import PackageNotFoundError as UnknownPackageError
+
+app = new_app("Find packages, and create them")
+
+PackageName = Annotated[str, typer.Argument(help="Name of the package")]
+
+
+class NoPackageError(ZbotError):
+    """There is no package of that name."""
+
+    def __init__(self, name: str, hint: str) -> None:
+        self.name, self.hint = name, hint
+        super().__init__("Package not found")
+
+
+class NoManifestError(ZbotError):
+    """A package has no package.xml."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        super().__init__("Package XML manifest not found")
+
+
+class TagNotFoundError(ZbotError):
+    """A manifest has no such tag."""
+
+    def __init__(self, tag: str, known: list[str]) -> None:
+        self.tag = tag
+        self.hint = f"it has {', '.join(known)}"
+        super().__init__("XML tag not found")
+
+
+class BuildType(str, Enum):
+    """How ROS 2 would build a package."""
+
+    AMENT_PYTHON = "ament_python"
+    AMENT_CMAKE = "ament_cmake"
+    CMAKE = "cmake"
+
+
+class _CreateCommand(ManyValuesCommand):
+    many: ClassVar[frozenset[str]] = frozenset({"--dependencies"})
+
+
+@app.command("create", cls=_CreateCommand)
+def create_package(
+    package_name: Annotated[str, typer.Argument(help="Name of the new package")] = "",
+    package_format: Annotated[
+        int, typer.Option("--package-format", "--package_format", min=2, max=3, help="Of the xml")
+    ] = 3,
+    description: Annotated[
+        str, typer.Option("--description", help="What it is")
+    ] = "TODO: Package description",
+    license_name: Annotated[
+        str, typer.Option("--license", help="An SPDX identifier; '?' lists those with a text")
+    ] = "TODO: License declaration",
+    destination_directory: Annotated[
+        str, typer.Option("--destination-directory", help="Folder to create it in")
+    ] = ".",
+    build_type: Annotated[
+        BuildType, typer.Option("--build-type", help="How ROS 2 would build it")
+    ] = BuildType.AMENT_PYTHON,
+    dependencies: Annotated[
+        list[str] | None, typer.Option("--dependencies", help="Packages that it uses")
+    ] = None,
+    maintainer_email: Annotated[
+        str, typer.Option("--maintainer-email", help="Whom to write to")
+    ] = "",
+    maintainer_name: Annotated[
+        str, typer.Option("--maintainer-name", help="Who looks after it")
+    ] = "",
+    node_name: Annotated[str, typer.Option("--node-name", help="Add a program")] = "",
+    library_name: Annotated[str, typer.Option("--library-name", help="Add a library")] = "",
+) -> None:
+    """Create a new package."""
+    if license_name == "?":
+        print("Supported licenses:", *known_licenses(), sep="\n")
+        return
+    if not package_name:
+        raise typer.BadParameter("name the new package", param_hint="'PACKAGE_NAME'")
+    maintainer = maintainer_name or full_name()
+    plan = Plan(
+        name=package_name,
+        destination=destination_directory,
+        build_type=build_type.value,
+        package_format=package_format,
+        description=description,
+        license=license_name,
+        maintainer=maintainer,
+        email=maintainer_email or email_address(maintainer),
+        dependencies=tuple(dependencies or ()),
+        node=_distinct(node_name, library_name),
+        library=library_name,
+    )
+    create(plan)
+    if license_name not in known_licenses():
+        _warn_of_license(license_name)
+    if plan.node and build_type is not BuildType.AMENT_PYTHON:
+        print("\nhint: C++ needs ROS 2's compiler; zbot runs Python programs", file=sys.stderr)
+
+
+def _distinct(node: str, library: str) -> str:
+    if not node or node != library:
+        return node
+    print("[WARNING] node name can not be equal to the library name", file=sys.stderr)
+    print(f"[WARNING] renaming node to {node}_node", file=sys.stderr)
+    return f"{node}_node"
+
+
+def _warn_of_license(name: str) -> None:
+    print(
+        f"\n[WARNING]: Unknown license '{name}'.  This has been set in the package.xml, but no "
+        "LICENSE file has been created.\nIt is recommended to use one of the ament license "
+        "identifiers:",
+        *known_licenses(),
+        sep="\n",
+    )
+
+
+@app.command("list")
+def list_packages(as_json: AsJson = False) -> None:
+    """List all packages."""
+    found = packages()
+    if as_json:
+        keys = ("name", "origin", "folder")
+        rows = [(one.name, one.origin.value, str(one.folder)) for one in found.values()]
+        print_json([dict(zip(keys, row, strict=True)) for row in rows])
+        return
+    print(*found, sep="\n")
+
+
+@app.command("executables")
+def list_executables(
+    package_name: Annotated[str, typer.Argument(help="Only those of this package")] = "",
+    full_path: Annotated[bool, typer.Option("--full-path", help="Print files instead")] = False,
+    as_json: AsJson = False,
+) -> None:
+    """List what packages can run."""
+    found = _executables(package_name)
+    if as_json:
+        rows = [(one.package, one.name, program_file(one)) for one in found]
+        keys = ("package", "executable", "file")
+        print_json([dict(zip(keys, row, strict=True)) for row in rows])
+        return
+    for one in found:
+        print(program_file(one) if full_path else f"{one.package} {one.name}")
+
+
+def _executables(name: str) -> list[Executable]:
+    everywhere = all_packages()
+    inside = [package for package in everywhere if name in {"", package.name}]
+    if not inside and not find_package(name):
+        inside = executables.installed_package(name)
+        if not inside:
+            raise UnknownPackageError(name, sorted({one.name for one in everywhere}))
+    # The first package of a name hides the others.
+    first = {package.name: package for package in reversed(inside)}
+    return sorted(one for package in first.values() for one in package.executables)
+
+
+@app.command("prefix")
+def prefix(
+    package_name: PackageName,
+    share: Annotated[bool, typer.Option("--share", help="Print its share folder")] = False,
+) -> None:
+    """Print the folder that a package is in."""
+    find = package_share if share else package_prefix
+    try:
+        print(find(package_name))
+    except PackageNotFoundError as error:
+        raise NoPackageError(package_name, error.hint) from error
+
+
+@app.command("xml")
+def xml(
+    package_name: PackageName,
+    tag: Annotated[str, typer.Option("-t", "--tag", help="Print only the text of this tag")] = "",
+) -> None:
+    """Print a package's manifest, or one tag of it."""
+    from zbot.package.manifest import read_tree  # noqa: PLC0415 - only this verb
+
+    package = find_package(package_name)
+    if package is None:
+        near = nearest(package_name, packages(), 1)
+        raise NoPackageError(package_name, f"did you mean '{near[0]}'?" if near else "")
+    path = package.folder / MANIFEST
+    if not path.is_file():
+        raise NoManifestError(package.folder)
+    root = read_tree(path)
+    if not tag:
+        print(path.read_text(encoding="utf-8").rstrip("\n"))
+        return
+    texts = ["".join(one.itertext()).strip() for one in root.iter(tag)]
+    if not texts:
+        raise TagNotFoundError(tag, sorted({one.tag for one in root.iter()}))
+    print(*texts, sep="\n")
