@@ -4,17 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
-from zbot.advice import adviser_of
 from zbot.arguments import Arguments
-from zbot.callback_group import CallbackGroup, MutuallyExclusiveCallbackGroup
 from zbot.client import Client
-from zbot.clock import Clock, ROSClock
 from zbot.context import get_default_context
 from zbot.errors import InvalidPeriodError, NodeNameError
 from zbot.guard_condition import GuardCondition
-from zbot.interfaces import type_hash, type_name
-from zbot.log import Logger, get_logger
-from zbot.mailbox import Mailbox
+from zbot.log import get_logger
 from zbot.names import (
     expand_topic_name,
     fully_qualified,
@@ -24,6 +19,9 @@ from zbot.names import (
     validate_topic_name,
 )
 from zbot.node_graph import GraphQueries
+from zbot.node_handle import NodeHandle
+from zbot.node_parameters import NodeParameters, overrides_of
+from zbot.parameter_services import ParameterServices
 from zbot.publisher import Publisher
 from zbot.qos import (
     QoSProfile,
@@ -38,7 +36,7 @@ from zbot.subscription import Subscription
 from zbot.time import S_TO_NS
 from zbot.time_source import TimeSource
 from zbot.timer import Rate, Timer
-from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
+from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -46,98 +44,15 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
+    from zbot.callback_group import CallbackGroup
+    from zbot.clock import Clock
     from zbot.context import Context
     from zbot.executor import Executor
+    from zbot.log import Logger
+    from zbot.parameter import Parameter
 
 MsgT = TypeVar("MsgT")
 EntityT = TypeVar("EntityT")
-
-
-class NodeHandle:
-    """What a node keeps for itself.
-
-    It is one attribute, so that students can call theirs `timer`, `publisher`, `name`, `_state` ...
-
-    Args:
-        context: The context that the node lives in.
-        arguments: The command line that applies to it.
-        name: Its base name, remapped.
-        namespace: Its absolute namespace, remapped.
-    """
-
-    def __init__(self, context: Context, arguments: Arguments, name: str, namespace: str) -> None:
-        self.context = context
-        self.arguments = arguments
-        self.mailbox = Mailbox()
-        self.executor: Executor | None = None
-        self.default_callback_group: CallbackGroup = MutuallyExclusiveCallbackGroup()
-        self.publishers: list[Publisher[Any]] = []
-        self.subscriptions: list[Subscription[Any]] = []
-        self.services: list[Service[Any, Any]] = []
-        self.clients: list[Client[Any, Any]] = []
-        self.timers: list[Timer] = []
-        self.guards: list[GuardCondition] = []
-        self.rates: list[Rate] = []
-        self.clock = ROSClock()
-        self.is_destroyed = False
-        self.token = NodeToken(
-            domain=context.get_domain_id(),
-            zid=context.zid,
-            nid=context.next_entity_id(),
-            namespace=namespace,
-            node=name,
-            enclave=arguments.enclave,
-        )
-        self.liveliness = context.graph.announce(self.token)
-        self.adviser = adviser_of(context)
-        self.adviser.add(self.token, self.logger_name)
-
-    @property
-    def full_name(self) -> str:
-        """The node's fully qualified name."""
-        return fully_qualified(self.token.namespace, self.token.node)
-
-    @property
-    def logger_name(self) -> str:
-        """The full name with dots, as log lines show it."""
-        return self.full_name[1:].replace("/", ".")
-
-    def endpoint(
-        self, kind: EntityKind, name: str, msg_type: type[Any], qos: QoSProfile
-    ) -> EndpointToken:
-        """Return the token of a new endpoint of this node."""
-        return EndpointToken(
-            domain=self.token.domain,
-            zid=self.token.zid,
-            nid=self.token.nid,
-            eid=self.context.next_entity_id(),
-            kind=kind,
-            namespace=self.token.namespace,
-            node=self.token.node,
-            enclave=self.token.enclave,
-            name=name,
-            type_name=type_name(msg_type),
-            type_hash=type_hash(msg_type),
-            qos=qos,
-        )
-
-    def destroy(self) -> None:
-        """Destroy everything the node owns, in the reverse order of creation."""
-        owned: tuple[Timer | Rate | GuardCondition, ...] = (
-            *self.timers,
-            *self.rates,
-            *self.guards,
-        )
-        for entity in owned:
-            entity.destroy()
-        for served in (*reversed(self.services), *reversed(self.clients)):
-            served.destroy()
-        for endpoint in (*reversed(self.subscriptions), *reversed(self.publishers)):
-            self.adviser.remove(endpoint.token)
-            endpoint.destroy()
-        self.adviser.remove(self.token)
-        if not self.context.is_closed:
-            self.liveliness.undeclare()
 
 
 class _Listing:
@@ -150,7 +65,7 @@ class _Listing:
         return iter(list(getattr(node.handle, self._attribute)))
 
 
-class Node(GraphQueries):
+class Node(GraphQueries, NodeParameters):
     """A participant of the graph, as in rclpy.
 
     Args:
@@ -161,12 +76,20 @@ class Node(GraphQueries):
         use_global_arguments: Whether the process's command line applies too.
         enable_rosout: Whether log lines are also published on `/rosout`.
         rosout_qos_profile: Quality of service of `/rosout`.
+        start_parameter_services: Whether other nodes can get and set parameters.
+        parameter_overrides: Win over the defaults of declarations and over the command line.
+        allow_undeclared_parameters: Whether setting an unknown parameter declares it.
+        automatically_declare_parameters_from_overrides: Declare whatever the command line, its
+            files and `parameter_overrides` have.
+        enable_logger_service: Accepted; log levels are set on the command line.
 
     Raises:
         NodeNameError: The name is empty or missing.
         InvalidNodeNameError: The name breaks ROS 2's grammar.
         InvalidNamespaceError: So does the namespace.
         NotInitializedError: `init()` was not called, or `shutdown()` was.
+        ParametersFileError: A parameter file cannot be read.
+        InvalidParameterTypeException: An override is of another type, e.g. that of `use_sim_time`.
     """
 
     publishers = _Listing("publishers")
@@ -186,6 +109,11 @@ class Node(GraphQueries):
         use_global_arguments: bool = True,
         enable_rosout: bool = True,
         rosout_qos_profile: QoSProfile | int = qos_profile_rosout_default,
+        start_parameter_services: bool = True,
+        parameter_overrides: list[Parameter[Any]] | None = None,
+        allow_undeclared_parameters: bool = False,
+        automatically_declare_parameters_from_overrides: bool = False,
+        enable_logger_service: bool = False,  # noqa: ARG002 - levels are set on the command line
     ) -> None:
         if not isinstance(node_name, str) or not node_name:
             raise NodeNameError(node_name)
@@ -197,20 +125,25 @@ class Node(GraphQueries):
         space = arguments.namespace_for(node_name) or namespace or "/"
         space = space if space.startswith("/") else f"/{space}"
         validate_namespace(space)
+        overrides = overrides_of(arguments.parameters_for(fully_qualified(space, name)))
         self._zbot_handle = handle = NodeHandle(context, arguments, name, space)
         context.add_node(self)
         self._zbot_logger = get_logger(handle.logger_name)
         self._zbot_rosout = Rosout(self, as_profile(rosout_qos_profile)) if enable_rosout else None
         self._zbot_time = TimeSource(self, handle.clock)
+        handle.parameters.overrides = overrides | {p.name: p for p in parameter_overrides or ()}
+        handle.parameters.allow_undeclared = allow_undeclared_parameters
         self._zbot_add_parameter_events()
-        self._zbot_time.ros_time_is_active = bool(
-            arguments.parameters_for(handle.full_name).get("use_sim_time", False)
-        )
+        if automatically_declare_parameters_from_overrides:
+            self._zbot_declare_overrides()
+        self._zbot_declare_own(self._zbot_time)
+        if start_parameter_services:
+            self._zbot_parameter_services = ParameterServices(handle, self._zbot_resolve)
 
     def _zbot_add_parameter_events(self) -> None:
         from rcl_interfaces.msg import ParameterEvent  # noqa: PLC0415 - made at first import
 
-        self._zbot_parameter_events = Node.create_publisher(
+        self._zbot_handle.parameter_events = Node.create_publisher(
             self, ParameterEvent, "/parameter_events", qos_profile_parameter_events
         )
 
@@ -381,7 +314,7 @@ class Node(GraphQueries):
         )
         handle.subscriptions.append(subscription)
         handle.adviser.add(subscription.token, handle.logger_name)
-        self._zbot_add(subscription)
+        handle.add(subscription)
         if event_callbacks is not None:
             event_callbacks.attach(subscription, handle.mailbox, handle.context.graph)
         subscription.start()
@@ -423,7 +356,7 @@ class Node(GraphQueries):
             logger_name=handle.logger_name,
         )
         handle.services.append(service)
-        self._zbot_add(service)
+        handle.add(service)
         return service
 
     def create_client(
@@ -459,7 +392,7 @@ class Node(GraphQueries):
             logger_name=handle.logger_name,
         )
         handle.clients.append(client)
-        self._zbot_add(client)
+        handle.add(client)
         return client
 
     def create_timer(
@@ -495,7 +428,7 @@ class Node(GraphQueries):
             autostart=autostart,
         )
         handle.timers.append(timer)
-        self._zbot_add(timer)
+        handle.add(timer)
         return timer
 
     def create_guard_condition(
@@ -506,7 +439,7 @@ class Node(GraphQueries):
         group = callback_group or handle.default_callback_group
         guard = GuardCondition(callback, group, handle.mailbox)
         handle.guards.append(guard)
-        self._zbot_add(guard)
+        handle.add(guard)
         return guard
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
@@ -529,10 +462,6 @@ class Node(GraphQueries):
 
             raise InvalidHandleError(f"the node {handle.full_name}")
         return handle
-
-    def _zbot_add(self, entity: Any) -> None:
-        entity.callback_group.add_entity(entity)
-        self._zbot_handle.mailbox.add(entity)
 
     # -- the end -------------------------------------------------------------------------------
 

@@ -9,17 +9,18 @@ from zbot.errors import ArgumentTypeError
 from zbot.parameter import Parameter, guessed, parameter_value_to_python
 from zbot.parameter_errors import ParameterListError, UnknownCallbackError
 from zbot.parameter_rules import Descriptor
-from zbot.parameter_store import Changes, Declaration, ParameterStore, prefixes_of
+from zbot.parameter_store import Declaration, prefixes_of
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from zbot.clock import Clock
+    from zbot.node_handle import NodeHandle
+    from zbot.parameter_store import ParameterStore
+    from zbot.time_source import TimeSource
 
     from rcl_interfaces.msg import (
         ListParametersResult,
         ParameterDescriptor,
-        ParameterEvent,
         ParameterValue,
         SetParametersResult,
     )
@@ -32,6 +33,7 @@ if TYPE_CHECKING:
 USE_SIM_TIME = "use_sim_time"
 START_TYPE_DESCRIPTION_SERVICE = "start_type_description_service"
 
+_TYPE_SERVICE_TEXT = "Start the ~/get_type_description service for this node."
 _NAME_ONLY = """\
 when declaring parameter named '{name}', declaring a parameter only providing its name is \
 deprecated. You have to either:
@@ -40,10 +42,50 @@ deprecated. You have to either:
 \t- Pass a name and a descriptor with `dynamic_typing=True`"""
 
 
+class _View:
+    """A read-only look into a store, which a subclass may replace by an attribute."""
+
+    def __init__(self, attribute: str) -> None:
+        self._attribute = attribute
+
+    def __get__(self, node: Any, owner: type[Any]) -> Any:
+        return self if node is None else dict(getattr(node.handle.parameters, self._attribute))
+
+
 class NodeParameters:
     """rclpy's parameter methods, for whoever has a `ParameterStore`."""
 
-    _zbot_parameters: ParameterStore
+    _zbot_handle: NodeHandle
+
+    #: Where rclpy keeps them; a subclass may use these names for something else.
+    _parameters = _View("values")
+    _parameter_overrides = _View("overrides")
+
+    @property
+    def _zbot_parameters(self) -> ParameterStore:
+        return self._zbot_handle.parameters
+
+    def _zbot_declare_overrides(self) -> None:
+        """Declare what the command line has, each as the type that it is there."""
+        store = self._zbot_parameters
+        store.declare(Declaration(name, one.value) for name, one in store.overrides.items())
+
+    def _zbot_declare_own(self, time: TimeSource) -> None:
+        """Declare what every node has, and let the clock follow `use_sim_time`."""
+        store = self._zbot_parameters
+        services = Descriptor(description=_TYPE_SERVICE_TEXT, read_only=True)
+        own = [
+            Declaration(USE_SIM_TIME, False),
+            Declaration(START_TYPE_DESCRIPTION_SERVICE, True, services),
+        ]
+        store.declare(one for one in own if one.name not in store.values)
+
+        def follow(_: Parameters) -> None:
+            parameter = store.values.get(USE_SIM_TIME)
+            time.ros_time_is_active = parameter is not None and parameter.value is True
+
+        follow([])
+        store.post_set.append(follow)
 
     # -- declaring -----------------------------------------------------------------------------
 
@@ -350,22 +392,6 @@ def _result(reason: str) -> SetParametersResult:
     return SetParametersResult(successful=not reason, reason=reason)
 
 
-def overrides_of(
-    values: dict[str, Any], parameters: Iterable[Parameter[Any]] | None
-) -> dict[str, Parameter[Any]]:
-    """Return a node's overrides: of the command line, and those its constructor was given."""
-    overrides = {name: guessed(name, value) for name, value in values.items()}
-    return overrides | {one.name: one for one in parameters or ()}
-
-
-def event_of(node: str, changes: Changes, clock: Clock) -> ParameterEvent:
-    """Return what `/parameter_events` says of some changes."""
-    from rcl_interfaces.msg import ParameterEvent  # noqa: PLC0415 - made at first import
-
-    return ParameterEvent(
-        stamp=clock.now().to_msg(),
-        node=node,
-        new_parameters=[one.to_parameter_msg() for one in changes.new],
-        changed_parameters=[one.to_parameter_msg() for one in changes.changed],
-        deleted_parameters=[one.to_parameter_msg() for one in changes.deleted],
-    )
+def overrides_of(values: dict[str, Any]) -> dict[str, Parameter[Any]]:
+    """Return a node's overrides as parameters."""
+    return {name: guessed(name, value) for name, value in values.items()}

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import deque
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
@@ -54,7 +55,7 @@ class Service(Generic[RequestT, ResponseT]):
     def __init__(
         self,
         context: Context,
-        srv_type: type[Any],
+        srv_type: Any,
         callback: Callable[[RequestT, ResponseT], Any],
         token: EndpointToken,
         *,
@@ -72,16 +73,23 @@ class Service(Generic[RequestT, ResponseT]):
         self._token = token
         self._logger_name = logger_name
         dialect = context.dialect
-        self._decode: Callable[[Any], RequestT] = dialect.codec_for(srv_type.Request).decode
-        self._encode: Callable[[Any], Any] = dialect.codec_for(srv_type.Response).encode
-        self._encoding = zenoh.Encoding(dialect.encoding(type_name(srv_type.Response)))
+        self._encoding = zenoh.Encoding(dialect.encoding(f"{token.type_name}_Response"))
         self._key = zenoh.KeyExpr(dialect.topic_key(context.get_domain_id(), token.name))
         self._queries: deque[zenoh.Query] = deque()
         self._is_destroyed = False
-        # No thread of its own: a node has half a dozen services that are hardly ever called.
+        # No thread of its own, for the same reason as below.
         receive: Any = zenoh.handlers.Callback(self._receive, indirect=False)
         self._queryable: Any = context.session.declare_queryable(self._key, receive, complete=True)
         self._liveliness = context.graph.announce(token)
+
+    # Made with the first request: a node has half a dozen services that are hardly ever called.
+    @cached_property
+    def _decode(self) -> Callable[[Any], RequestT]:
+        return self._context.dialect.codec_for(self.srv_type.Request).decode
+
+    @cached_property
+    def _encode(self) -> Callable[[Any], Any]:
+        return self._context.dialect.codec_for(self.srv_type.Response).encode
 
     @property
     def handle(self) -> Any:
@@ -111,9 +119,9 @@ class Service(Generic[RequestT, ResponseT]):
     def _receive(self, query: zenoh.Query) -> None:
         # Zenoh's thread: nothing but the hand-over.
         self._queries.append(query)
-        self.mailbox.post(self)
         for watcher in list(self.watchers):
             watcher()
+        self.mailbox.post(self)
 
     def take(self) -> zenoh.Query | None:
         """Return the oldest request that waits, if any."""

@@ -1,0 +1,142 @@
+"""What a node keeps for itself: its names, its entities, its parameters."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.advice import adviser_of
+from zbot.callback_group import CallbackGroup, MutuallyExclusiveCallbackGroup
+from zbot.clock import ROSClock
+from zbot.interfaces import type_hash, type_name
+from zbot.mailbox import Mailbox
+from zbot.names import fully_qualified
+from zbot.parameter_store import ParameterStore
+from zbot.wire.tokens import EndpointToken, NodeToken
+
+if TYPE_CHECKING:
+    from zbot.arguments import Arguments
+    from zbot.client import Client
+    from zbot.context import Context
+    from zbot.executor import Executor
+    from zbot.guard_condition import GuardCondition
+    from zbot.parameter_store import Changes
+    from zbot.publisher import Publisher
+    from zbot.qos import QoSProfile
+    from zbot.service import Service
+    from zbot.subscription import Subscription
+    from zbot.timer import Rate, Timer
+    from zbot.wire.tokens import EntityKind
+
+
+class NodeHandle:
+    """What a node keeps for itself.
+
+    It is one attribute, so that students can call theirs `timer`, `publisher`, `name`, `_state` ...
+
+    Args:
+        context: The context that the node lives in.
+        arguments: The command line that applies to it.
+        name: Its base name, remapped.
+        namespace: Its absolute namespace, remapped.
+    """
+
+    def __init__(self, context: Context, arguments: Arguments, name: str, namespace: str) -> None:
+        self.context = context
+        self.arguments = arguments
+        self.mailbox = Mailbox()
+        self.executor: Executor | None = None
+        self.default_callback_group: CallbackGroup = MutuallyExclusiveCallbackGroup()
+        self.publishers: list[Publisher[Any]] = []
+        self.subscriptions: list[Subscription[Any]] = []
+        self.services: list[Service[Any, Any]] = []
+        self.clients: list[Client[Any, Any]] = []
+        self.timers: list[Timer] = []
+        self.guards: list[GuardCondition] = []
+        self.rates: list[Rate] = []
+        self.clock = ROSClock()
+        self.parameters = ParameterStore(self._tell)
+        self.parameter_events: Publisher[Any] | None = None
+        self.is_destroyed = False
+        self.token = NodeToken(
+            domain=context.get_domain_id(),
+            zid=context.zid,
+            nid=context.next_entity_id(),
+            namespace=namespace,
+            node=name,
+            enclave=arguments.enclave,
+        )
+        self.liveliness = context.graph.announce(self.token)
+        self.adviser = adviser_of(context)
+        self.adviser.add(self.token, self.logger_name)
+
+    @property
+    def full_name(self) -> str:
+        """The node's fully qualified name."""
+        return fully_qualified(self.token.namespace, self.token.node)
+
+    @property
+    def logger_name(self) -> str:
+        """The full name with dots, as log lines show it."""
+        return self.full_name[1:].replace("/", ".")
+
+    def endpoint(
+        self, kind: EntityKind, name: str, msg_type: type[Any], qos: QoSProfile
+    ) -> EndpointToken:
+        """Return the token of a new endpoint of this node."""
+        return self.named_endpoint(kind, name, (type_name(msg_type), type_hash(msg_type)), qos)
+
+    def named_endpoint(
+        self, kind: EntityKind, name: str, named_type: tuple[str, str], qos: QoSProfile
+    ) -> EndpointToken:
+        """Return the token of a new endpoint whose type is given by its name and hash."""
+        return EndpointToken(
+            domain=self.token.domain,
+            zid=self.token.zid,
+            nid=self.token.nid,
+            eid=self.context.next_entity_id(),
+            kind=kind,
+            namespace=self.token.namespace,
+            node=self.token.node,
+            enclave=self.token.enclave,
+            name=name,
+            type_name=named_type[0],
+            type_hash=named_type[1],
+            qos=qos,
+        )
+
+    def add(self, entity: Any) -> None:
+        """Let the node's executor run what an entity has to do."""
+        entity.callback_group.add_entity(entity)
+        self.mailbox.add(entity)
+
+    def _tell(self, changes: Changes) -> None:
+        """Publish what happened to the parameters on `/parameter_events`."""
+        publisher = self.parameter_events
+        if publisher is not None and publisher.is_open:
+            publisher.publish(
+                publisher.msg_type(
+                    stamp=self.clock.now().to_msg(),
+                    node=self.full_name,
+                    new_parameters=[one.to_parameter_msg() for one in changes.new],
+                    changed_parameters=[one.to_parameter_msg() for one in changes.changed],
+                    deleted_parameters=[one.to_parameter_msg() for one in changes.deleted],
+                )
+            )
+
+    def destroy(self) -> None:
+        """Destroy everything the node owns, in the reverse order of creation."""
+        owned: tuple[Timer | Rate | GuardCondition, ...] = (
+            *self.timers,
+            *self.rates,
+            *self.guards,
+        )
+        for entity in owned:
+            entity.destroy()
+        for served in (*reversed(self.services), *reversed(self.clients)):
+            served.destroy()
+        for endpoint in (*reversed(self.subscriptions), *reversed(self.publishers)):
+            self.adviser.remove(endpoint.token)
+            endpoint.destroy()
+        self.adviser.remove(self.token)
+        if not self.context.is_closed:
+            self.liveliness.undeclare()
