@@ -12,12 +12,12 @@ import time
 import weakref
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 import zenoh
 
 from zbot.errors import InvalidNameError, TokenError
-from zbot.names import fully_qualified, validate_full_topic_name
+from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
 if TYPE_CHECKING:
@@ -81,6 +81,22 @@ class Snapshot:
     def services(self) -> NamesAndTypes:
         """Return every service that has a server, with its types."""
         return self.names_and_types(EntityKind.SERVICE)
+
+    def actions(
+        self,
+        *kinds: Literal[EntityKind.SERVICE, EntityKind.CLIENT],
+        node: str | None = None,
+    ) -> NamesAndTypes:
+        """Return each action with its types, sorted; only those with servers or clients, if given.
+
+        An action is known by the service that takes its goals.
+        """
+        kinds = kinds or (EntityKind.SERVICE, EntityKind.CLIENT)
+        return [
+            (name.removesuffix(SEND_GOAL), [one.removesuffix("_SendGoal") for one in types])
+            for name, types in self.names_and_types(*kinds, node=node)
+            if name.endswith(SEND_GOAL)
+        ]
 
 
 class Announcement:

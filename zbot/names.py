@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
 __all__ = [
+    "SEND_GOAL",
     "expand_topic_name",
     "fully_qualified",
     "is_hidden",
@@ -33,6 +34,9 @@ __all__ = [
     "validate_parameter_name",
     "validate_topic_name",
 ]
+
+#: what follows an action's name in that of the service which takes its goals
+SEND_GOAL = "/_action/send_goal"
 
 MAX_TOPIC_NAME_LENGTH = 247  # ROS 2: 255 less 8 for a middleware's own prefix
 MAX_NODE_NAME_LENGTH = 255

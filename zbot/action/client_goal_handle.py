@@ -1,0 +1,102 @@
+"""A goal as its client sees it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+if TYPE_CHECKING:
+    from zbot.action.client import ActionClient
+    from zbot.task import Future
+
+    from action_msgs.srv import CancelGoal
+    from builtin_interfaces.msg import Time
+    from unique_identifier_msgs.msg import UUID
+
+GoalT = TypeVar("GoalT")
+ResultT = TypeVar("ResultT")
+FeedbackT = TypeVar("FeedbackT")
+
+
+class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
+    """A goal that was sent: ask for its result, or for its end.
+
+    Made by `ActionClient`; all methods may be called from any thread.
+
+    Args:
+        action_client: The client that sent it.
+        goal_id: Its id.
+        goal_response: What the server said.
+    """
+
+    def __init__(
+        self,
+        action_client: ActionClient[GoalT, ResultT, FeedbackT],
+        goal_id: UUID,
+        goal_response: Any,
+    ) -> None:
+        self._action_client = action_client
+        self._goal_id = goal_id
+        self._goal_response = goal_response
+        self.status = 0  #: the number of its state as far as it is known (GoalStatus)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, ClientGoalHandle) and self.key == other.key
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+    def __repr__(self) -> str:
+        return (
+            f"ClientGoalHandle <id={self.key.hex()}, accepted={self.accepted}, "
+            f"status={self.status}>"
+        )
+
+    @property
+    def key(self) -> bytes:
+        """The goal's id, 16 bytes."""
+        return bytes(self._goal_id.uuid)
+
+    @property
+    def goal_id(self) -> UUID:
+        """The goal's id."""
+        return self._goal_id
+
+    @property
+    def stamp(self) -> Time:
+        """When the server accepted it, by the server's clock."""
+        stamp: Time = self._goal_response.stamp
+        return stamp
+
+    @property
+    def accepted(self) -> bool:
+        """Whether the server took it on."""
+        return bool(self._goal_response.accepted)
+
+    def get_result(self) -> Any:
+        """Wait for the goal's end, and return a response with its `status` and `result`.
+
+        Raises:
+            ServiceError: The server ended before the goal did.
+            NotInitializedError: The context was shut down meanwhile.
+        """
+        return self._action_client.get_result(self)
+
+    def get_result_async(self) -> Future[Any]:
+        """Return a future of a response with the goal's `status` and `result`.
+
+        It fails with `ServiceError` when the server ends before the goal does.
+        """
+        return self._action_client.get_result_async(self)
+
+    def cancel_goal(self) -> CancelGoal.Response:
+        """Ask for the goal's end, and wait for the answer: which goals are going to end.
+
+        Raises:
+            ServiceError: There is no server.
+            NotInitializedError: The context was shut down meanwhile.
+        """
+        return self._action_client.cancel_goal(self)
+
+    def cancel_goal_async(self) -> Future[CancelGoal.Response]:
+        """Ask for the goal's end; return a future of which goals are going to end."""
+        return self._action_client.cancel_goal_async(self)

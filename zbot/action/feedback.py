@@ -1,0 +1,131 @@
+"""Feedback as it comes to a client."""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import TYPE_CHECKING, Any, cast
+
+import zenoh
+
+from zbot.log import get_logger
+from zbot.wire.codec import CodecError
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.callback_group import CallbackGroup
+    from zbot.node import Node
+    from zbot.qos import QoSProfile
+    from zbot.wire.tokens import EndpointToken
+
+
+class FeedbackSubscription:
+    """Queues the feedback of all goals of a client.
+
+    In contrast to other subscriptions it queues in Zenoh's own thread, which also brings results:
+    so what was published before a goal's end is here before the result is.
+
+    Args:
+        node: The node that listens.
+        msg_type: The action's feedback message.
+        topic: The topic's full name.
+        callback: Takes each message; may be a coroutine function.
+        qos_profile: Its depth is how many messages wait for each goal that is under way.
+        callback_group: Decides beside what the callback may run.
+        goal_count: Returns how many goals are under way.
+    """
+
+    due_ns: int | None = None
+
+    def __init__(
+        self,
+        node: Node,
+        msg_type: type[Any],
+        topic: str,
+        callback: Callable[[Any], Any],
+        *,
+        qos_profile: QoSProfile,
+        callback_group: CallbackGroup,
+        goal_count: Callable[[], int],
+    ) -> None:
+        handle, context = node.handle, node.context
+        self.msg_type = msg_type
+        self.callback = callback
+        self.callback_group = callback_group
+        self.mailbox = handle.mailbox
+        self.lost_count = 0  #: messages that came faster than the callback took them
+        self._context = context
+        self._goal_count = goal_count
+        self._logger_name = handle.logger_name
+        self._queue: deque[zenoh.Sample] = deque()
+        self._is_destroyed = False
+        name = node.resolve_topic_name(topic)
+        self.token: EndpointToken = handle.endpoint(
+            EntityKind.SUBSCRIPTION, name, msg_type, qos_profile
+        )
+        self._decode = context.dialect.codec_for(msg_type).decode
+        receive: Any = zenoh.handlers.Callback(self._receive, indirect=False)
+        key = context.dialect.topic_key(context.get_domain_id(), name)
+        self._subscriber: Any = context.session.declare_subscriber(key, receive)
+        self._liveliness = context.graph.announce(self.token)
+        callback_group.add_entity(self)
+        handle.subscriptions.append(cast("Any", self))  # it has what a node needs of one
+        handle.adviser.add(self.token, handle.logger_name)
+        self.mailbox.add(self)
+
+    @property
+    def handle(self) -> Any:
+        """The Zenoh subscriber."""
+        return self._subscriber
+
+    @property
+    def topic_name(self) -> str:
+        """The topic's full name."""
+        return self.token.name
+
+    @property
+    def qos_profile(self) -> QoSProfile:
+        """The quality of service it was made with."""
+        return self.token.qos
+
+    def _receive(self, sample: zenoh.Sample) -> None:
+        if len(self._queue) >= self.token.qos.depth * max(1, self._goal_count()):
+            self._queue.popleft()
+            self.lost_count += 1
+        self._queue.append(sample)
+        self.mailbox.post(self)
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether all that came was taken."""
+        return not self._queue
+
+    def take(self) -> zenoh.Sample | None:
+        """Return the oldest sample, if any."""
+        try:
+            return self._queue.popleft()
+        except IndexError:
+            return None
+
+    def execute(self, sample: zenoh.Sample) -> Any:
+        """Decode a sample and call the callback."""
+        try:
+            message = self._decode(sample.payload.to_bytes())
+        except CodecError as error:
+            get_logger(self._logger_name).error(
+                f"{self.topic_name}: cannot read feedback: {error}",
+                throttle_duration_sec=10,
+            )
+            return None
+        return None if self._is_destroyed else self.callback(message)
+
+    def destroy(self) -> None:
+        """Stop listening; may be called twice."""
+        if self._is_destroyed:
+            return
+        self._is_destroyed = True
+        self._queue.clear()
+        if not self._context.is_closed:
+            self._liveliness.undeclare()
+            self._subscriber.undeclare()

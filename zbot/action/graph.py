@@ -1,0 +1,54 @@
+"""Which actions there are, and whose (rclpy's functions)."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Literal
+
+from zbot.errors import UnknownNodeError
+from zbot.graph import full_names
+from zbot.names import fully_qualified
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from zbot.graph import NamesAndTypes
+    from zbot.node import Node
+
+
+def get_action_names_and_types(node: Node) -> NamesAndTypes:
+    """Return every action that has a server or a client, with its types."""
+    return node.context.graph.snapshot().actions()
+
+
+def get_action_server_names_and_types_by_node(
+    node: Node, remote_node_name: str, remote_node_namespace: str
+) -> NamesAndTypes:
+    """Return the actions that a node serves.
+
+    Raises:
+        UnknownNodeError: There is no such node.
+    """
+    return _of_node(node, EntityKind.SERVICE, remote_node_name, remote_node_namespace)
+
+
+def get_action_client_names_and_types_by_node(
+    node: Node, remote_node_name: str, remote_node_namespace: str
+) -> NamesAndTypes:
+    """Return the actions that a node is a client of.
+
+    Raises:
+        UnknownNodeError: There is no such node.
+    """
+    return _of_node(node, EntityKind.CLIENT, remote_node_name, remote_node_namespace)
+
+
+def _of_node(
+    node: Node,
+    kind: Literal[EntityKind.SERVICE, EntityKind.CLIENT],
+    name: str,
+    namespace: str,
+) -> NamesAndTypes:
+    snapshot = node.context.graph.snapshot()
+    full = fully_qualified(namespace, name)
+    if full not in full_names(snapshot.nodes):
+        raise UnknownNodeError(full, full_names(snapshot.nodes))
+    return snapshot.actions(kind, node=full)

@@ -1,0 +1,428 @@
+"""Action servers: they reach goals that take time, tell how it goes, and can be stopped."""
+
+from __future__ import annotations
+
+import threading
+import time
+import traceback
+from collections import deque
+from enum import Enum
+from functools import partial
+from typing import TYPE_CHECKING, Any, Generic, cast
+
+from zbot.action.agenda import Agenda
+from zbot.action.cancellation import ERROR_REJECTED, CancelQuery
+from zbot.action.errors import ActionMessageError, ExecuteCallbackError, NotAnActionTypeError
+from zbot.action.goal_state import GoalEvent, GoalState, GoalTransitionError
+from zbot.action.server_goal_handle import FeedbackT, GoalT, ResultT, ServerGoalHandle
+from zbot.action.service import Reply, call, create_action_service
+from zbot.callback_group import ReentrantCallbackGroup
+from zbot.clock import Clock
+from zbot.interfaces import type_name
+from zbot.qos import (
+    QoSProfile,
+    qos_profile_action_status_default,
+    qos_profile_services_default,
+)
+from zbot.signals import user_part
+from zbot.time import S_TO_NS, ClockType
+from zbot.timer import Timer
+
+from action_msgs.msg import GoalInfo
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from types import TracebackType
+
+    from typing_extensions import Self
+
+    from zbot.callback_group import CallbackGroup
+    from zbot.node import Node
+
+
+qos_profile_action_feedback = QoSProfile(depth=10)
+
+
+class GoalResponse(Enum):
+    """Whether a goal is taken on."""
+
+    REJECT = 1
+    ACCEPT = 2
+
+
+class CancelResponse(Enum):
+    """Whether a goal is going to be canceled."""
+
+    REJECT = 1
+    ACCEPT = 2
+
+
+def default_handle_accepted_callback(goal_handle: ServerGoalHandle[Any, Any, Any]) -> None:
+    """Execute the goal at once."""
+    goal_handle.execute()
+
+
+def default_goal_callback(goal_request: Any) -> GoalResponse:  # noqa: ARG001 - rclpy's signature
+    """Accept every goal."""
+    return GoalResponse.ACCEPT
+
+
+def default_cancel_callback(cancel_request: Any) -> CancelResponse:  # noqa: ARG001 - as above
+    """Cancel nothing."""
+    return CancelResponse.REJECT
+
+
+class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
+    """Reaches goals: three services and two topics of a node, below one name.
+
+    All callbacks may be coroutine functions. Goals are executed outside of every callback group, as
+    in rclpy: with several threads, or as coroutines, many can be under way at once.
+
+    Args:
+        node: The node that serves.
+        action_type: Action class.
+        action_name: Relative, `~/private` or absolute name.
+        execute_callback: Takes a `ServerGoalHandle`, and returns the action's `Result`. A goal that
+            it leaves without an end, or with an exception, is aborted.
+        callback_group: Decides beside what the other callbacks may run; the node's if left out.
+        goal_callback: Takes the `Goal`; returns a `GoalResponse`. Accepts everything if left out.
+        handle_accepted_callback: Takes the `ServerGoalHandle` of a goal whose client has been told
+            that it is accepted; calls `execute()` on it, now or later.
+        cancel_callback: Takes a `ServerGoalHandle`, returns a `CancelResponse`. Refuses
+            if left out.
+        goal_service_qos_profile: Of the service that takes goals.
+        result_service_qos_profile: Of the service that gives results.
+        cancel_service_qos_profile: Of the service that cancels goals.
+        feedback_pub_qos_profile: Of the topic that tells how it goes.
+        status_pub_qos_profile: Of the topic that tells where each goal stands.
+        result_timeout: Seconds to keep a result after its goal's end; below 0: for ever.
+
+    Raises:
+        NotAnActionTypeError: The class is no action's.
+        ExecuteCallbackError: The callback cannot be called.
+        InvalidServiceNameError: The name breaks ROS 2's grammar.
+        InvalidHandleError: The node was destroyed.
+    """
+
+    def __init__(
+        self,
+        node: Node,
+        action_type: type[Any],
+        action_name: str,
+        execute_callback: Callable[[ServerGoalHandle[GoalT, ResultT, FeedbackT]], Any],
+        *,
+        callback_group: CallbackGroup | None = None,
+        goal_callback: Callable[[Any], Any] | None = default_goal_callback,
+        handle_accepted_callback: Callable[[Any], Any] | None = default_handle_accepted_callback,
+        cancel_callback: Callable[[Any], Any] | None = default_cancel_callback,
+        goal_service_qos_profile: QoSProfile = qos_profile_services_default,
+        result_service_qos_profile: QoSProfile = qos_profile_services_default,
+        cancel_service_qos_profile: QoSProfile = qos_profile_services_default,
+        feedback_pub_qos_profile: QoSProfile = qos_profile_action_feedback,
+        status_pub_qos_profile: QoSProfile = qos_profile_action_status_default,
+        result_timeout: float = 10,
+    ) -> None:
+        if not hasattr(action_type, "Impl"):
+            raise NotAnActionTypeError(action_type)
+        self.register_execute_callback(execute_callback)
+        self.register_goal_callback(goal_callback)
+        self.register_handle_accepted_callback(handle_accepted_callback)
+        self.register_cancel_callback(cancel_callback)
+        self.lock = threading.RLock()  #: held while a goal's state changes and is published
+        self._node = node
+        self._action_type = action_type
+        self._action_name = node.resolve_service_name(action_name)
+        self._logger = node.get_logger().get_child("action_server")
+        self._goals: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
+        self._result_timeout_ns = int(result_timeout * S_TO_NS)
+        self._ended: deque[tuple[int, bytes]] = deque()  # when (monotonic) and which goal
+        group = callback_group or node.default_callback_group
+        free = ReentrantCallbackGroup()  # here run no callbacks that a group could protect
+        self._accepted = Agenda(node.handle.mailbox, group)
+        self._executions = Agenda(node.handle.mailbox, free)
+        self._expiry = self._make_timer(free)
+        impl, name = action_type.Impl, f"{self._action_name}/_action"
+        self._feedback = node.create_publisher(
+            impl.FeedbackMessage, f"{name}/feedback", feedback_pub_qos_profile
+        )
+        self._status = node.create_publisher(
+            impl.GoalStatusMessage, f"{name}/status", status_pub_qos_profile
+        )
+        serve = partial(create_action_service, node)
+        self._services = [
+            serve(
+                impl.CancelGoalService,
+                f"{name}/cancel_goal",
+                self._on_cancel_request,
+                qos_profile=cancel_service_qos_profile,
+                callback_group=group,
+            ),
+            serve(
+                impl.GetResultService,
+                f"{name}/get_result",
+                self._on_result_request,
+                qos_profile=result_service_qos_profile,
+                callback_group=free,
+            ),
+            # Last, because a server is there for its clients when all of it is.
+            serve(
+                impl.SendGoalService,
+                f"{name}/send_goal",
+                self._on_goal_request,
+                qos_profile=goal_service_qos_profile,
+                callback_group=group,
+            ),
+        ]
+
+    def _make_timer(self, group: CallbackGroup) -> Timer:
+        mailbox = self._node.handle.mailbox
+        steady = Clock(clock_type=ClockType.STEADY_TIME)
+        timer = Timer(
+            self._expire, group, max(self._result_timeout_ns, 0), steady, mailbox, autostart=False
+        )
+        mailbox.add(timer)
+        return timer
+
+    @property
+    def action_type(self) -> type[Any]:
+        """The action class."""
+        return self._action_type
+
+    @property
+    def action_name(self) -> str:
+        """The action's full name."""
+        return self._action_name
+
+    @property
+    def is_over(self) -> bool:
+        """Whether nobody can be told anything any more."""
+        return self._node.handle.is_destroyed or not self._node.context.ok()
+
+    # -- callbacks -----------------------------------------------------------------------------
+
+    def register_execute_callback(
+        self, execute_callback: Callable[[ServerGoalHandle[GoalT, ResultT, FeedbackT]], Any]
+    ) -> None:
+        """Replace the callback that executes goals.
+
+        Raises:
+            ExecuteCallbackError: It cannot be called.
+        """
+        if not callable(execute_callback):
+            raise ExecuteCallbackError(execute_callback)
+        self._execute_callback = execute_callback
+
+    def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
+        """Replace the callback that decides about new goals; `None` accepts all."""
+        self._goal_callback = goal_callback or default_goal_callback
+
+    def register_handle_accepted_callback(
+        self, handle_accepted_callback: Callable[[Any], Any] | None
+    ) -> None:
+        """Replace the callback that gets accepted goals; `None` executes them at once."""
+        self._handle_accepted_callback = (
+            handle_accepted_callback or default_handle_accepted_callback
+        )
+
+    def register_cancel_callback(self, cancel_callback: Callable[[Any], Any] | None) -> None:
+        """Replace the callback that decides about canceling; `None` refuses."""
+        self._cancel_callback = cancel_callback or default_cancel_callback
+
+    # -- requests ------------------------------------------------------------------------------
+
+    async def _on_goal_request(self, request: Any, response: Any) -> Reply | Any:
+        key = bytes(request.goal_id.uuid)
+        if key not in self._goals and await self._wants(request.goal):
+            info = GoalInfo(goal_id=request.goal_id, stamp=self._node.get_clock().now().to_msg())
+            handle = ServerGoalHandle(self, info, request.goal)
+            if self._goals.setdefault(key, handle) is handle:
+                response.accepted, response.stamp = True, info.stamp
+                return Reply(response, partial(self._accepted.add, partial(self._accept, handle)))
+        self._logger.debug(f"New goal rejected: {key.hex()}")
+        return response
+
+    async def _wants(self, goal: Any) -> bool:
+        decision = await call(self._goal_callback, goal)
+        if isinstance(decision, GoalResponse):
+            return decision is GoalResponse.ACCEPT
+        self._logger.warning(
+            f"{self._action_name}: the goal callback returned {decision!r}, not a GoalResponse: "
+            "rejecting the goal"
+        )
+        return False
+
+    def _accept(self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT]) -> Any:
+        self._logger.debug(f"New goal accepted: {handle.key.hex()}")
+        self.publish_status()
+        return self._handle_accepted_callback(handle)
+
+    async def _on_cancel_request(self, request: Any, response: Any) -> Any:
+        info = request.goal_info
+        stamp_ns = info.stamp.sec * S_TO_NS + info.stamp.nanosec
+        query = CancelQuery(bytes(info.goal_id.uuid), stamp_ns)
+        with self.lock:
+            chosen, code = query.choose(list(self._goals.values()))
+        canceling = [handle for handle in chosen if await self._cancels(handle)]
+        response.goals_canceling = [handle.goal_info for handle in canceling]
+        response.return_code = ERROR_REJECTED if chosen and not canceling else code
+        return response
+
+    async def _cancels(self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT]) -> bool:
+        if await call(self._cancel_callback, handle) is not CancelResponse.ACCEPT:
+            return False
+        try:
+            handle.update(GoalEvent.CANCEL_GOAL)
+        except GoalTransitionError as error:  # it ended while the callback was deciding
+            self._logger.debug(f"Failed to cancel goal {handle.key.hex()}: {error}")
+            return False
+        return True
+
+    async def _on_result_request(self, request: Any, response: Any) -> Any:
+        key = bytes(request.goal_id.uuid)
+        handle = self._goals.get(key)
+        if handle is None:
+            self._logger.warning(
+                f"{self._action_name}: somebody asks for the result of a goal that is unknown or "
+                f"expired: {key.hex()}"
+            )
+            response.status = GoalState.UNKNOWN.value
+            return response
+        return handle.result_future
+
+    # -- execution -----------------------------------------------------------------------------
+
+    def notify_execute(
+        self,
+        goal_handle: ServerGoalHandle[GoalT, ResultT, FeedbackT],
+        execute_callback: Callable[[ServerGoalHandle[GoalT, ResultT, FeedbackT]], Any] | None,
+    ) -> None:
+        """Let the executor run a goal; see `ServerGoalHandle.execute`."""
+        callback = execute_callback or self._execute_callback
+        self._executions.add(partial(self._execute, goal_handle, callback))
+
+    async def _execute(
+        self,
+        handle: ServerGoalHandle[GoalT, ResultT, FeedbackT],
+        callback: Callable[[ServerGoalHandle[GoalT, ResultT, FeedbackT]], Any],
+    ) -> None:
+        self._logger.debug(f"Executing goal with ID {handle.key.hex()}")
+        result = None
+        try:
+            result = self._checked(handle, await call(callback, handle))
+        except Exception as error:  # noqa: BLE001 - one goal fails, and the server goes on
+            if self.is_over:
+                return  # the program ends, and with it the goal: clients see that
+            self._report(error)
+        else:
+            if handle.is_active:
+                self._logger.warning(
+                    f"Goal state not set, assuming aborted. Goal ID: {handle.key.hex()}"
+                )
+        with self.lock:
+            if handle.is_active:
+                handle.update(GoalEvent.ABORT)
+        handle.deliver(result)
+
+    def _checked(
+        self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT], result: Any
+    ) -> ResultT | None:
+        if result is not None:
+            self.check_result(result)
+        elif not handle.result_future.is_over:
+            self._logger.warning(
+                f"{self._action_name}: the execute callback returned no result (does it end with "
+                "`return result`?): sending an empty one"
+            )
+        return cast("ResultT | None", result)
+
+    def _report(self, error: Exception) -> None:
+        lines = traceback.format_exception(type(error), error, user_part(error.__traceback__))
+        self._logger.error(f"Error raised in execute callback: {error}\n{''.join(lines).rstrip()}")
+
+    def check_result(self, result: object) -> None:
+        """Refuse what is no result of this action.
+
+        Raises:
+            ActionMessageError: It is not the action's `Result`.
+        """
+        expected = self._action_type.Result
+        if not isinstance(result, expected):
+            raise ActionMessageError(self._action_name, type_name(expected), result)
+
+    def deliver(
+        self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT], result: ResultT | None
+    ) -> None:
+        """Answer all who wait for a goal's result, and keep it for those who come later."""
+        response = self._action_type.Impl.GetResultService.Response()
+        response.status = handle.status
+        response.result = self._action_type.Result() if result is None else result
+        with self.lock:
+            if handle.result_future.is_over:
+                return
+            handle.result_future.set_result(response)
+            self._ended.append((time.monotonic_ns() + self._result_timeout_ns, handle.key))
+            if len(self._ended) == 1:
+                self._schedule_expiry()
+
+    def _schedule_expiry(self) -> None:
+        if self._ended and self._result_timeout_ns >= 0:
+            self._expiry.timer_period_ns = max(0, self._ended[0][0] - time.monotonic_ns())
+            self._expiry.reset()
+        else:
+            self._expiry.cancel()
+
+    def _expire(self) -> None:
+        now = time.monotonic_ns()
+        with self.lock:
+            while self._ended and self._ended[0][0] <= now:
+                _, key = self._ended.popleft()
+                self._goals.pop(key).destroy()
+            self._schedule_expiry()
+
+    # -- what is published ---------------------------------------------------------------------
+
+    def publish_status(self) -> None:
+        """Tell where each known goal stands."""
+        message = self._action_type.Impl.GoalStatusMessage()
+        with self.lock:
+            message.status_list = [handle.status_message for handle in self._goals.values()]
+            self._status.publish(message)
+
+    def publish_feedback(
+        self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT], feedback: FeedbackT
+    ) -> None:
+        """Tell how a goal goes; see `ServerGoalHandle.publish_feedback`."""
+        expected = self._action_type.Feedback
+        if not isinstance(feedback, expected):
+            raise ActionMessageError(self._action_name, type_name(expected), feedback)
+        message = self._action_type.Impl.FeedbackMessage(goal_id=handle.goal_id, feedback=feedback)
+        self._feedback.publish(message)
+
+    # -- the end -------------------------------------------------------------------------------
+
+    def destroy(self) -> None:
+        """Serve no more; whoever waits for a result gets an error. May be called twice."""
+        for service in self._services:
+            self._node.destroy_service(service)
+        with self.lock:
+            for handle in self._goals.values():
+                handle.destroy()
+            self._goals.clear()
+            self._ended.clear()
+        self._node.destroy_publisher(self._feedback)
+        self._node.destroy_publisher(self._status)
+        self._expiry.destroy()
+        self._node.handle.mailbox.remove(self._expiry)
+        self._accepted.destroy()
+        self._executions.destroy()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.destroy()
