@@ -6,10 +6,13 @@ wherever a thread can wait. The future's callbacks are the executor's work like 
 
 from __future__ import annotations
 
+import contextlib
 import inspect
 import threading
 import time
 from collections import deque
+from functools import partial
+from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 import zenoh
@@ -20,7 +23,7 @@ from zbot.errors import (
     RequestTypeError,
     ServiceError,
 )
-from zbot.executor import Signal, current_executor
+from zbot.executor import LONGEST_WAIT_S, Signal, current_executor
 from zbot.interfaces import type_name
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.task import Future
@@ -29,7 +32,7 @@ from zbot.wire.codec import CodecError
 from zbot.wire.error_reply import unpack_error
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from types import TracebackType
 
     from typing_extensions import Self
@@ -47,36 +50,27 @@ ResponseT = TypeVar("ResponseT")
 
 # ROS 2 waits for a response as long as it takes, and Zenoh wants a number: 11 days.
 _NO_TIMEOUT_S = 1e6
+_WOKEN = object()  # stands for "look around" among the replies
 
 
 class _Response(Future[ResponseT]):
-    """One call's future: its callbacks run as work of the client."""
+    """A call's future: its callbacks run as work of the client."""
 
     def __init__(self, client: Client[Any, ResponseT]) -> None:
         super().__init__()
         self._client = client
-        self.reply: zenoh.Reply | None = None  #: what came until now
 
     def on_reply(self, reply: zenoh.Reply) -> None:
-        """Keep the first answer; in Zenoh's thread."""
-        if self.reply is not None or self.is_over:
-            return
-        self.reply = reply
-        # A server of zbot ends the query with its answer; another one when it likes.
-        if reply.ok is None or reply.ok.attachment is None:
-            self.on_end()
+        """Complete with the first reply; in Zenoh's thread."""
+        self._client.complete(self, reply)
 
     def on_end(self) -> None:
-        """Complete with what came; in Zenoh's thread."""
+        """Fail if there was no reply; in Zenoh's thread."""
         if not self.is_over:
-            self._client.complete(self)
+            self._client.complete(self, None)
 
     def _tell(self) -> None:
         # Even without callbacks: `spin_once` returns when a response has come.
-        self._client.post(self)
-
-    def _run(self, callback: Callable[[Any], Any]) -> None:
-        del callback  # `execute` takes it from the list
         self._client.post(self)
 
     def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
@@ -134,7 +128,6 @@ class Client(Generic[RequestT, ResponseT]):
         self._completed: deque[_Response[ResponseT]] = deque()
         self._arrival = Signal()
         self._listener: Any = None
-        self._is_matched = False
         self._querier: Any = context.session.declare_querier(
             dialect.topic_key(context.get_domain_id(), token.name),
             consolidation=zenoh.ConsolidationMode.NONE,
@@ -227,47 +220,17 @@ class Client(Generic[RequestT, ResponseT]):
             InvalidHandleError: The client or its node was destroyed.
             NotInitializedError: The context was shut down.
         """
-        expected = self.srv_type.Request
-        if request.__class__ is not expected and not isinstance(request, expected):
-            raise RequestTypeError(self.service_name, type_name(expected), request)
-        payload = self._encode(request)
-        if len(payload) >= LARGE_BYTES:
-            keep_freed_memory()
         response: _Response[ResponseT] = _Response(self)
-        if not self._is_matched and not self._find_server():
-            response.set_exception(self._no_server())
+        payload = self._prepare(request)
+        try:
+            self._check_server()
+        except ServiceError as error:
+            response.set_exception(error)
             return response
         with self._lock:
-            self._sent_count += 1
-            self._pending[response] = self._sent_count
-            facts = LAYOUT.pack(self._sent_count, time.time_ns(), GID_LENGTH, self._gid)
-        answer: Any = zenoh.handlers.Callback(
-            response.on_reply, drop=response.on_end, indirect=False
-        )
-        try:
-            self._querier.get(answer, payload=payload, encoding=self._encoding, attachment=facts)
-        except (zenoh.ZError, AttributeError):
-            self.remove_pending_request(response)
-            self._explain()
-            raise
+            self._pending[response] = self._sent_count + 1
+        self._send(payload, response.on_reply, response.on_end)
         return response
-
-    def _find_server(self) -> bool:
-        self._explain()
-        if not self.service_is_ready():
-            self.context.meet()
-        self._is_matched = self.service_is_ready()
-        return self._is_matched
-
-    def _explain(self) -> None:
-        if self._querier is None:
-            raise InvalidHandleError(f"the client of {self.service_name}") from None
-        if self.context.is_closed:
-            raise NotInitializedError("a service call") from None
-
-    def _no_server(self) -> ServiceError:
-        what = "no server is running; start it, or wait for it with wait_for_service()"
-        return ServiceError(self.service_name, "no_server", what)
 
     def call(self, request: RequestT, timeout_sec: float | None = None) -> ResponseT:
         """Send a request and wait for the response.
@@ -284,41 +247,50 @@ class Client(Generic[RequestT, ResponseT]):
             TimeoutError: There was no response in time.
             NotInitializedError: The context was shut down meanwhile.
         """
-        future = self.call_async(request)
-        signal = Signal()
-        future.add_waker(signal.set)
-        self.context.add_waker(signal.set)
+        payload = self._prepare(request)
+        self._check_server()
+        # Zenoh's thread puts a reply, and None at the end: a function of Python's own would cost
+        # it 20 us each time, because the interpreter has to make room for a frame there.
+        arrivals: SimpleQueue[Any] = SimpleQueue()
+        wake = partial(arrivals.put, _WOKEN)
         executor = current_executor()
         own = [] if executor is None else self._served_by(executor)
+        with self._waking(wake, own):
+            self._send(payload, arrivals.put, partial(arrivals.put, None))
+            reply = self._wait(arrivals, timeout_sec, lambda: self._serve(executor, own))
+        return self._read(reply)
+
+    @contextlib.contextmanager
+    def _waking(self, wake: Callable[[], None], own: list[Service[Any, Any]]) -> Iterator[None]:
+        self.context.add_waker(wake)
         for service in own:
-            service.watchers.append(signal.set)
+            service.watchers.append(wake)
         try:
-            self._wait(future, signal, timeout_sec, executor, own)
+            yield
         finally:
-            self.context.remove_waker(signal.set)
+            self.context.remove_waker(wake)
             for service in own:
-                service.watchers.remove(signal.set)
-        return cast("ResponseT", future.result())
+                service.watchers.remove(wake)
 
     def _wait(
-        self,
-        future: Future[ResponseT],
-        signal: Signal,
-        timeout_sec: float | None,
-        executor: Executor | None,
-        own: list[Service[Any, Any]],
-    ) -> None:
+        self, arrivals: SimpleQueue[Any], timeout_sec: float | None, serve: Callable[[], bool]
+    ) -> zenoh.Reply | None:
         endless = timeout_sec is None or timeout_sec < 0
         deadline = time.monotonic() + (timeout_sec or 0)
-        while not future.is_over:
-            if executor is not None and any(executor.serve(service) for service in own):
+        while True:
+            while serve():
+                pass
+            left = LONGEST_WAIT_S if endless else deadline - time.monotonic()
+            try:
+                arrived = arrivals.get(timeout=max(0.0, min(left, LONGEST_WAIT_S)))
+            except Empty:
+                if left <= 0:
+                    sentence = f"{self.service_name}: no response in {timeout_sec} s"
+                    raise TimeoutError(sentence) from None
                 continue
-            left = threading.TIMEOUT_MAX if endless else deadline - time.monotonic()
-            if left <= 0:
-                self.remove_pending_request(future)
-                raise TimeoutError(f"{self.service_name}: no response in {timeout_sec} s")
-            signal.wait(left)
-            if not future.is_over and self.context.is_over:
+            if arrived is not _WOKEN:
+                return cast("zenoh.Reply | None", arrived)
+            if self.context.is_over:
                 raise NotInitializedError("a service call")
 
     def _served_by(self, executor: Executor) -> list[Service[Any, Any]]:
@@ -328,6 +300,46 @@ class Client(Generic[RequestT, ResponseT]):
             for service in node.handle.services
             if service.service_name == self.service_name
         ]
+
+    @staticmethod
+    def _serve(executor: Executor | None, own: list[Service[Any, Any]]) -> bool:
+        """Run a request that waits for this very thread; return whether there was one."""
+        if executor is None:
+            return False
+        # What a callback raises reaches its caller in the reply, and its caller is this one.
+        with contextlib.suppress(Exception):
+            return any(executor.serve(service) for service in own)
+        return True
+
+    def _prepare(self, request: RequestT) -> Any:
+        expected = self.srv_type.Request
+        if request.__class__ is not expected and not isinstance(request, expected):
+            raise RequestTypeError(self.service_name, type_name(expected), request)
+        payload = self._encode(request)
+        if len(payload) >= LARGE_BYTES:
+            keep_freed_memory()
+        return payload
+
+    def _check_server(self) -> None:
+        if self.service_is_ready():
+            return
+        if self._querier is None:
+            raise InvalidHandleError(f"the client of {self.service_name}")
+        if self.context.is_closed:
+            raise NotInitializedError("a service call")
+        self.context.meet()
+        if not self.service_is_ready():
+            what = "no server is running; start it, or wait for it with wait_for_service()"
+            raise ServiceError(self.service_name, "no_server", what)
+
+    def _send(
+        self, payload: Any, on_reply: Callable[[Any], object], on_end: Callable[[], object]
+    ) -> None:
+        answer: Any = zenoh.handlers.Callback(on_reply, drop=on_end, indirect=False)
+        with self._lock:
+            self._sent_count += 1
+            facts = LAYOUT.pack(self._sent_count, time.time_ns(), GID_LENGTH, self._gid)
+            self._querier.get(answer, payload=payload, encoding=self._encoding, attachment=facts)
 
     def remove_pending_request(self, future: Future[ResponseT]) -> None:
         """Forget a call: its future is never completed. Nothing happens if it is over."""
@@ -348,19 +360,18 @@ class Client(Generic[RequestT, ResponseT]):
 
     # -- answers -------------------------------------------------------------------------------
 
-    def complete(self, response: _Response[ResponseT]) -> None:
+    def complete(self, response: _Response[ResponseT], reply: zenoh.Reply | None) -> None:
         """Give a call's future what came for it; in Zenoh's thread."""
         with self._lock:
             if self._pending.pop(response, None) is None:
                 return  # nobody waits any more
         try:
-            response.set_result(self._read(response.reply))
+            response.set_result(self._read(reply))
         except (ServiceError, CodecError) as error:
             response.set_exception(error)
 
     def _read(self, reply: zenoh.Reply | None) -> ResponseT:
         if reply is None:
-            self._is_matched = False  # look again before the next call
             raise ServiceError(
                 self.service_name, "server_gone", "the server ended before it answered"
             )

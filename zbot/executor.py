@@ -39,7 +39,8 @@ if TYPE_CHECKING:
 
 # Ctrl-C does not interrupt a lock's acquire() on Windows, and elsewhere not if it comes just before
 # Python goes to sleep: wait in slices.
-_LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
+#: Seconds.
+LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
 
 
 _main_spins = 0
@@ -81,7 +82,7 @@ class Signal:
 
     def wait(self, timeout_s: float) -> bool:
         """Wait until set, at most `timeout_s` seconds; return whether it was set."""
-        return self._lock.acquire(timeout=min(timeout_s, _LONGEST_WAIT_S))
+        return self._lock.acquire(timeout=min(timeout_s, LONGEST_WAIT_S))
 
 
 class _Step:

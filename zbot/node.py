@@ -31,7 +31,7 @@ from zbot.qos import (
     qos_profile_services_default,
 )
 from zbot.rosout import Rosout
-from zbot.service import Service
+from zbot.service import Service, check_service_type
 from zbot.subscription import Subscription
 from zbot.time import S_TO_NS
 from zbot.time_source import TimeSource
@@ -345,6 +345,7 @@ class Node(GraphQueries, NodeParameters):
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
+        check_service_type(srv_type)
         name = Node.resolve_service_name(self, srv_name)
         service: Service[Any, Any] = Service(
             handle.context,
@@ -382,6 +383,7 @@ class Node(GraphQueries, NodeParameters):
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
+        check_service_type(srv_type)
         name = Node.resolve_service_name(self, srv_name)
         client: Client[Any, Any] = Client(
             handle.context,

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
 
-from zbot.errors import ResponseTypeError
+from zbot.errors import NotAMessageTypeError, ResponseTypeError
 from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
@@ -206,6 +206,17 @@ class Service(Generic[RequestT, ResponseT]):
         exc_tb: TracebackType | None,
     ) -> None:
         self.destroy()
+
+
+def check_service_type(srv_type: object) -> None:
+    """Check that a class is a service's.
+
+    Raises:
+        NotAMessageTypeError: It has no classes `Request` and `Response`.
+    """
+    parts = (getattr(srv_type, "Request", None), getattr(srv_type, "Response", None))
+    if not all(isinstance(part, type) for part in parts):
+        raise NotAMessageTypeError(srv_type, "it is no service, like std_srvs.srv.Trigger")
 
 
 def _facts(query: zenoh.Query) -> bytes | None:
