@@ -62,11 +62,12 @@ def all_packages() -> list[Package]:
 def workspace_packages() -> list[Package]:
     """Return the packages around the current folder, or below those of `$ZBOT_WORKSPACE`."""
     folders = list(package_folders())
-    paths = tuple(dict.fromkeys(path for folder in folders for path in _import_paths(folder)))
+    paths = tuple(dict.fromkeys(path for folder in folders for path in import_paths(folder)))
     return [_of_sources(folder, paths) for folder in folders]
 
 
-def _import_paths(folder: Path) -> list[str]:
+def import_paths(folder: Path) -> list[str]:
+    """Return the folders that a package's modules are found in."""
     inner = folder / "src"
     has_inner = inner.is_dir() and any(inner.glob("*/__init__.py"))
     return [str(inner), str(folder)] if has_inner else [str(folder)]
@@ -74,7 +75,7 @@ def _import_paths(folder: Path) -> list[str]:
 
 def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
     name = package_name(folder)
-    own = _import_paths(folder)
+    own = import_paths(folder)
     # As after sourcing a ROS 2 workspace: every package can import every other.
     folders = (*own, *(path for path in paths if path not in own))
     try:
@@ -87,12 +88,12 @@ def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
         if not target.startswith(_COMMAND)  # in zbot's own sources
     ]
     files = [
-        Executable(name, one, str(path), folders) for one, path in _program_files(folder).items()
+        Executable(name, one, str(path), folders) for one, path in program_files(folder).items()
     ]
     return Package(name, (*declared, *files), folder)
 
 
-def _program_files(folder: Path) -> dict[str, Path]:
+def program_files(folder: Path) -> dict[str, Path]:
     """Return the Python files that CMake installs as programs, and what is in `scripts`."""
     programs = read_cmake(folder).programs
     found = {PurePosixPath(target).name: path for target, path in programs.items()}

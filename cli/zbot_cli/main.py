@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
 #: Every noun, with the line that `zbot --help` shows.
 NOUNS = {
+    "build": "Check packages; nothing needs building",
     "completion": "Complete words in your shell with Tab",
     "daemon": "Say that no daemon is needed",
     "doctor": "Check what could be wrong",

@@ -29,6 +29,7 @@ class Installation:
     programs: dict[str, Path] = field(default_factory=dict)
     files: dict[str, Path] = field(default_factory=dict)
     interfaces: dict[str, int] = field(default_factory=dict)  #: file -> line that names it
+    missing: dict[str, int] = field(default_factory=dict)  #: what is named, but not there -> line
 
 
 def read_cmake(folder: Path) -> Installation:
@@ -64,17 +65,21 @@ class _Reader:
     def _words(self, text: str) -> Iterator[str]:
         for quoted, plain in _WORD.findall(text):
             if (only := _VARIABLE.fullmatch(plain)) is not None:
-                yield from self._variables.get(only[1], ())
+                yield from self._variables.get(only[1], (plain,))
             else:
                 yield self._expanded(quoted or plain)
 
     def _expanded(self, word: str) -> str:
         for _ in range(_MAX_EXPANSIONS):
-            replaced = _VARIABLE.sub(lambda one: ";".join(self._variables.get(one[1], ())), word)
+            replaced = _VARIABLE.sub(self._value, word)
             if replaced == word:
                 break
             word = replaced
         return word
+
+    def _value(self, found: re.Match[str]) -> str:
+        # What only CMake knows stays as it is written, and is told by that.
+        return ";".join(self._variables[found[1]]) if found[1] in self._variables else found[0]
 
     def _read_project(self, words: list[str], _line: int) -> None:
         self._variables["PROJECT_NAME"] = words[:1]
@@ -105,13 +110,17 @@ class _Reader:
             inside = path.relative_to(self._folder) if path.is_relative_to(self._folder) else path
             self.installation.interfaces[inside.as_posix()] = line
 
-    def _read_install(self, words: list[str], _line: int) -> None:
+    def _read_install(self, words: list[str], line: int) -> None:
         kind, options = words[0], words[1:]
         if "DESTINATION" not in options[:-1] or kind not in {"PROGRAMS", "FILES", "DIRECTORY"}:
             return
         target = options[options.index("DESTINATION") + 1].strip("/")
         for name in options[: next(i for i, word in enumerate(options) if word in _ENDS)]:
-            if kind == "DIRECTORY":
+            if "${" in name or "$<" in name:
+                continue
+            if not (self._folder / name).exists():
+                self.installation.missing[name] = line
+            elif kind == "DIRECTORY":
                 self._add_folder(name, target)
             else:
                 new = options[options.index("RENAME") + 1] if "RENAME" in options[:-1] else ""

@@ -49,6 +49,7 @@ class Manifest:
     name: str
     build_type: str
     depends: dict[str, tuple[str, ...]] = field(default_factory=dict)  #: tag -> packages
+    groups: tuple[str, ...] = ()  #: that it is a member of
 
     def named(self, *tags: str) -> set[str]:
         """Return the packages that are named under these tags, or under any."""
@@ -75,7 +76,7 @@ def read_manifest(path: Path) -> Manifest:
         raise ManifestError(path, _line(path, "version"), reason)
     depends = {tag: tuple(_texts(root, tag)) for tag in _TAGS}
     build_type = _text(root, "export/build_type") or "catkin"
-    return Manifest(name, build_type, depends)
+    return Manifest(name, build_type, depends, tuple(_texts(root, "member_of_group")))
 
 
 def read_tree(path: Path) -> Element:

@@ -37,13 +37,23 @@ def declared_scripts(folder: Path) -> dict[str, str]:
     Raises:
         SetupFileError: A file of it is not what it should be.
     """
-    lines = (
-        *_setup_py_scripts(folder / "setup.py"),
-        *_setup_cfg(folder / "setup.cfg", "options.entry_points", "console_scripts"),
-        *_pyproject(folder / "pyproject.toml"),
-    )
-    pairs = (line.partition("=") for line in lines if isinstance(line, str))
+    pairs = (text.partition("=") for _, text in script_lines(folder))
     return {name.strip(): _without_extras(target) for name, _, target in pairs if target.strip()}
+
+
+def script_lines(folder: Path) -> list[tuple[Path, str]]:
+    """Return the console scripts of a package as they are written, with the file that has each.
+
+    Raises:
+        SetupFileError: A file of it is not what it should be.
+    """
+    python, config, project = (folder / one for one in ("setup.py", "setup.cfg", "pyproject.toml"))
+    lines = [
+        *((python, text) for text in _setup_py_scripts(python)),
+        *((config, text) for text in _setup_cfg(config, "options.entry_points", "console_scripts")),
+        *((project, text) for text in _pyproject(project)),
+    ]
+    return [(path, text) for path, text in lines if isinstance(text, str) and text.strip()]
 
 
 def data_files(folder: Path) -> Iterator[tuple[str, str]]:

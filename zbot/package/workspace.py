@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, TypeAlias
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
 #: Files that make a folder a package; the first is ROS 2's.
 MANIFEST = "package.xml"
@@ -24,7 +24,7 @@ _MAX_FOLDERS = 2000
 _MAX_MANIFEST = 65536
 #: Folders that hold no sources.
 SKIPPED = {"build", "install", "log", "node_modules", "site-packages", "__pycache__"}
-_STOP_FILES = {"COLCON_IGNORE", "pyvenv.cfg"}
+_STOP_FILES = {"AMENT_IGNORE", "COLCON_IGNORE", "pyvenv.cfg"}
 _NAME_TAG = re.compile(r"<name>\s*([a-zA-Z0-9][a-zA-Z0-9_-]*)\s*</name>")
 
 #: Folders to search, each with the number of levels below it.
@@ -44,9 +44,14 @@ def search_roots() -> Roots:
     return _roots_around(current)
 
 
-def package_folders() -> Iterator[Path]:
-    """The folder of every package of the workspace: each has a package.xml or a setup file."""
-    for root, depth in search_roots():
+def package_folders(bases: Iterable[Path] | None = None) -> Iterator[Path]:
+    """The folder of every package of the workspace: each has a package.xml or a setup file.
+
+    Args:
+        bases: Where to look instead.
+    """
+    roots = [(base, _MAX_DEPTH) for base in bases] if bases else search_roots()
+    for root, depth in roots:
         for folder, names, below in walk(root, depth):
             if MANIFEST in names or names & SETUP_FILES:
                 yield folder

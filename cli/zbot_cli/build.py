@@ -1,0 +1,216 @@
+"""`zbot build`: nothing is built; packages are checked for what would fail when they run."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
+
+import typer
+
+from zbot.errors import ZbotError, nearest
+from zbot.package import packages
+from zbot.package.manifest import ManifestError, read_manifest
+from zbot.package.places import BUNDLED_NAMES
+from zbot.package.workspace import MANIFEST, package_folders, package_name
+from zbot_cli.check.package import check_package
+from zbot_cli.listing import new_app
+from zbot_cli.many_values import ManyValuesCommand
+from zbot_cli.status import Status
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from zbot_cli.check.problem import Problem
+
+app = new_app("Check packages; nothing needs building", has_verbs=False)
+
+#: Options of colcon that concern what is not done here, by the number of words that follow them.
+_FLAGS = frozenset({
+    "--symlink-install", "--merge-install", "--continue-on-error", "--cmake-clean-cache",
+    "--cmake-clean-first", "--cmake-force-configure", "--cmake-target-skip-unavailable",
+    "--packages-skip-build-finished", "--packages-skip-test-passed", "--test-result-ignore",
+})  # fmt: skip
+_WITH_WORD = frozenset({
+    "--build-base", "--install-base", "--test-result-base", "--parallel-workers", "--executor",
+    "--cmake-target", "--log-level", "--log-base",
+})  # fmt: skip
+_WITH_WORDS = frozenset({
+    "--cmake-args", "--ament-cmake-args", "--catkin-cmake-args", "--event-handlers",
+    "--allow-overriding", "--metas", "--mixin",
+})  # fmt: skip
+
+
+class UnknownPackagesError(ZbotError):
+    """An option names packages that are not in the workspace."""
+
+    def __init__(self, option: str, names: list[str], known: Iterable[str]) -> None:
+        self.names = names
+        near = [nearest(name, known, 1) for name in names]
+        guesses = ", ".join(f"'{one[0]}'" for one in near if one)
+        there = ", ".join(sorted(known)) or "none"
+        self.hint = f"did you mean {guesses}?" if guesses else f"the packages here are: {there}"
+        quoted = ", ".join(f"'{name}'" for name in names)
+        super().__init__(f"unknown package{'s' * (len(names) > 1)} {quoted} in {option}")
+
+
+class DuplicatePackagesError(ZbotError):
+    """Several folders hold a package of the same name."""
+
+    def __init__(self, found: dict[str, list[Path]]) -> None:
+        self.found = found
+        lines = "".join(
+            f"\n- {name}:" + "".join(f"\n  - {folder}" for folder in folders)
+            for name, folders in sorted(found.items())
+        )
+        super().__init__(f"Duplicate package names not supported:{lines}")
+
+
+class DependencyCycleError(ZbotError):
+    """Packages need each other in a circle."""
+
+    def __init__(self, names: list[str]) -> None:
+        self.names = names
+        super().__init__(f"packages depend on each other in a circle: {' -> '.join(names)}")
+
+
+class _BuildCommand(ManyValuesCommand):
+    many: ClassVar[frozenset[str]] = frozenset(
+        {"--packages-select", "--packages-up-to", "--packages-skip", "--packages-ignore",
+         "--base-paths"}
+    )  # fmt: skip
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Read the words, without those that only concern a real build."""
+        own = {text for parameter in self.params for text in parameter.opts}
+        known = own | self.many | _FLAGS | _WITH_WORD | _WITH_WORDS
+        kept: list[str] = []
+        skipped = 0.0  # how many of the next words belong to an option that changes nothing
+        for word in args:
+            option = word.partition("=")[0]
+            if word in known:
+                skipped = 0
+            if option in _FLAGS | _WITH_WORD | _WITH_WORDS:
+                skipped = float("inf") if option in _WITH_WORDS else option in _WITH_WORD
+                skipped = 0 if "=" in word else skipped
+            elif skipped:
+                skipped -= 1
+            else:
+                kept.append(word)
+        return super().parse_args(ctx, kept)
+
+
+@app.command("build", cls=_BuildCommand)
+def build(
+    select: Annotated[
+        list[str] | None, typer.Option("--packages-select", help="Only these packages")
+    ] = None,
+    up_to: Annotated[
+        list[str] | None, typer.Option("--packages-up-to", help="These, and what they need")
+    ] = None,
+    skip: Annotated[
+        list[str] | None, typer.Option("--packages-skip", "--packages-ignore", help="Not these")
+    ] = None,
+    base_paths: Annotated[
+        list[Path] | None, typer.Option("--base-paths", help="Folders to search for packages")
+    ] = None,
+) -> int:
+    """Check the packages of the workspace; nothing needs building.
+
+    Other options of colcon build are accepted, and change nothing.
+    """
+    started = time.monotonic()
+    folders = _by_name(list(package_folders(base_paths)))
+    chosen = _chosen(folders, select, up_to, skip)
+    known = {*packages(), *folders}.difference(BUNDLED_NAMES)
+    failed, noisy = [], []
+    for name in chosen:
+        problems = _check(name, folders[name], known)
+        if any(problem.is_error for problem in problems):
+            failed.append(name)
+        if problems:
+            noisy.append(name)
+    _summarize(len(chosen), failed, noisy, time.monotonic() - started)
+    if not folders:
+        print("\nhint: a workspace has its packages in src", file=sys.stderr)
+    return Status.ERROR if failed else Status.OK
+
+
+def _by_name(folders: list[Path]) -> dict[str, Path]:
+    found: dict[str, list[Path]] = {}
+    for folder in folders:
+        found.setdefault(package_name(folder), []).append(folder)
+    twice = {name: places for name, places in found.items() if len(places) > 1}
+    if twice:
+        raise DuplicatePackagesError(twice)
+    return {name: places[0] for name, places in found.items()}
+
+
+def _chosen(
+    folders: dict[str, Path],
+    select: list[str] | None,
+    up_to: list[str] | None,
+    skip: list[str] | None,
+) -> list[str]:
+    for option, names in {"--packages-select": select, "--packages-up-to": up_to}.items():
+        unknown = [name for name in names or () if name not in folders]
+        if unknown:
+            raise UnknownPackagesError(option, unknown, folders)
+    needs = {name: _needs(folder, folders) for name, folder in folders.items()}
+    ordered = _in_order(needs, up_to or sorted(folders))
+    return [name for name in ordered if name in (select or folders) and name not in (skip or ())]
+
+
+def _needs(folder: Path, folders: Iterable[str]) -> list[str]:
+    try:
+        named = read_manifest(folder / MANIFEST).named()
+    except ManifestError:  # told when the package is checked
+        return []
+    return sorted(named.intersection(folders))
+
+
+def _in_order(needs: dict[str, list[str]], wanted: Iterable[str]) -> list[str]:
+    """Return packages after those that they need."""
+    done: list[str] = []
+
+    def add(name: str, path: list[str]) -> None:
+        if name in path:
+            raise DependencyCycleError([*path[path.index(name) :], name])
+        if name not in done:
+            for one in needs[name]:
+                add(one, [*path, name])
+            done.append(name)
+
+    for name in wanted:
+        add(name, [])
+    return done
+
+
+def _check(name: str, folder: Path, known: set[str]) -> list[Problem]:
+    print(f"Starting >>> {name}")
+    started = time.monotonic()
+    problems = check_package(folder, known - {name})
+    took = f"[{time.monotonic() - started:.2f}s"
+    if problems:
+        sys.stdout.flush()
+        print(f"--- stderr: {name}", *problems, "---", sep="\n", file=sys.stderr)
+    if any(problem.is_error for problem in problems):
+        print(f"Failed   <<< {name} {took}, exited with code 1]")
+    else:
+        print(f"Finished <<< {name} {took}]")
+    return problems
+
+
+def _summarize(count: int, failed: list[str], noisy: list[str], took_s: float) -> None:
+    print(f"\nSummary: {_packages(count - len(failed))} finished [{took_s:.2f}s]")
+    if failed:
+        print(f"  {_packages(len(failed))} failed: {' '.join(failed)}")
+    if noisy:
+        print(f"  {_packages(len(noisy))} had stderr output: {' '.join(noisy)}")
+    if count and not failed:
+        print("\nNothing needs building: zbot runs packages as they are in their folders.")
+
+
+def _packages(count: int) -> str:
+    return f"{count} package" if count == 1 else f"{count} packages"

@@ -1,0 +1,58 @@
+"""Packages that the sources import, and package.xml does not name."""
+
+from __future__ import annotations
+
+import ast
+from typing import TYPE_CHECKING
+
+from zbot.package.workspace import MANIFEST
+from zbot_cli.check.problem import Problem
+
+if TYPE_CHECKING:
+    from collections.abc import Container, Iterator
+    from pathlib import Path
+
+    from zbot_cli.check.subject import Subject
+
+#: What launch files import comes with the `ros2 launch` that runs them.
+_OF_LAUNCH = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")
+
+
+def check_dependencies(subject: Subject, known: Container[str]) -> Iterator[Problem]:
+    """Yield a warning for each package that is imported, and not declared.
+
+    Args:
+        subject: What to check.
+        known: The packages of ROS 2 and of the workspace: others are none of package.xml's.
+    """
+    if subject.manifest is None:
+        return
+    declared = {*subject.manifest.named(), subject.name}
+    for path, tree in subject.modules.items():
+        own = {path.stem, *(_OF_LAUNCH if _is_launch_file(path, subject.folder) else ())}
+        for name, line in _imports(tree):
+            if name in known and name not in declared | own:
+                declared.add(name)
+                text = f"imports {name}: add <depend>{name}</depend> to {MANIFEST}"
+                yield Problem(path, line, text, is_error=False)
+
+
+def _is_launch_file(path: Path, folder: Path) -> bool:
+    return "launch" in path.name or "launch" in path.relative_to(folder).parts
+
+
+def _imports(tree: ast.Module) -> Iterator[tuple[str, int]]:
+    optional = {
+        inner
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Try)
+        for statement in node.body
+        for inner in ast.walk(statement)
+    }
+    for node in ast.walk(tree):
+        if node in optional:
+            continue
+        if isinstance(node, ast.Import):
+            yield from ((alias.name.partition(".")[0], node.lineno) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
+            yield node.module.partition(".")[0], node.lineno

@@ -1,0 +1,90 @@
+"""Programs that setup files declare: is there such a module, and such a function in it."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from zbot.errors import nearest
+from zbot.package.setup_file import SetupFileError, script_lines
+from zbot_cli.check.problem import Problem
+from zbot_cli.check.subject import line_of
+from zbot_cli.executables import import_paths, module_file
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+
+    from zbot_cli.check.subject import Subject
+
+
+def check_entry_points(subject: Subject) -> Iterator[Problem]:
+    """Yield what is wrong with the programs that a package declares; nothing is imported."""
+    try:
+        declared = script_lines(subject.folder)
+    except SetupFileError as error:
+        yield Problem(error.path, error.line, error.reason)
+        return
+    for path, text in declared:
+        reason = _fault(subject, text)
+        if reason:
+            yield Problem(path, line_of(path, *text.split("=")), reason)
+
+
+def _fault(subject: Subject, text: str) -> str:
+    name, equals, target = (part.strip() for part in text.partition("="))
+    module, colon, function = (part.strip() for part in target.partition("[")[0].partition(":"))
+    if not (name and equals and module and colon and function):
+        return f"'{text.strip()}' must have the form 'name = package.module:function'"
+    path = module_file(module, tuple(import_paths(subject.folder)))
+    if path is None:
+        return f"'{name}' names the module {module}, which is not there{_hint(subject, module)}"
+    if path not in subject.modules:
+        return ""  # it cannot be parsed, which is told elsewhere, or belongs to another package
+    names = set(_names(subject.modules[path].body))
+    first = function.partition(".")[0]
+    if "*" in names or first in names:
+        return ""
+    near = nearest(first, names, 1)
+    hint = f"; did you mean '{near[0]}'?" if near else ""
+    return f"'{name}' names {first}() in {path.name}, which has none{hint}"
+
+
+def _hint(subject: Subject, module: str) -> str:
+    folders = import_paths(subject.folder)
+    known = [
+        ".".join(path.relative_to(folder).with_suffix("").parts)
+        for path in subject.modules
+        for folder in map(Path, folders)
+        if path.is_relative_to(folder)
+    ]
+    near = nearest(module, known, 1)
+    return f"; did you mean {near[0]}?" if near else ""
+
+
+def _names(statements: Iterable[ast.stmt]) -> Iterator[str]:
+    """Yield the names that a module has once it was imported, whichever way conditions go."""
+    for statement in statements:
+        match statement:
+            case (
+                ast.FunctionDef(name=name)
+                | ast.AsyncFunctionDef(name=name)
+                | ast.ClassDef(name=name)
+            ):
+                yield name
+            case ast.Import(names=aliases) | ast.ImportFrom(names=aliases):
+                yield from ((alias.asname or alias.name).partition(".")[0] for alias in aliases)
+            case ast.Assign(targets=targets):
+                for target in targets:
+                    yield from (one.id for one in ast.walk(target) if isinstance(one, ast.Name))
+            case ast.AnnAssign(target=ast.Name(id=name)):
+                yield name
+            case ast.If() | ast.Try() | ast.With() | ast.For() | ast.While():
+                yield from _names(_inner(statement))
+
+
+def _inner(statement: ast.stmt) -> Iterator[ast.stmt]:
+    for part in ("body", "orelse", "finalbody"):
+        yield from getattr(statement, part, ())
+    for handler in getattr(statement, "handlers", ()):
+        yield from handler.body

@@ -1,0 +1,83 @@
+"""What setup.py and CMakeLists.txt install: is it there, and is nothing left out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from zbot.package.cmake_file import read_cmake
+from zbot.package.places import Origin, Package
+from zbot.package.setup_file import SetupFileError, setup_arguments
+from zbot.package.view import files_below, installed_files
+from zbot.package.workspace import MANIFEST
+from zbot_cli.check.problem import Problem
+from zbot_cli.check.subject import line_of
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from zbot_cli.check.subject import Subject
+
+_BUILD_FILES = {
+    "ament_python": "setup.py",
+    "ament_cmake": "CMakeLists.txt",
+    "cmake": "CMakeLists.txt",
+}
+
+
+def check_installation(subject: Subject) -> Iterator[Problem]:
+    """Yield what the build would not find, or leave out."""
+    file = _BUILD_FILES.get(subject.build_type)
+    if file and not (subject.folder / file).is_file():
+        text = f"the build type is {subject.build_type}, but there is no {file}"
+        yield Problem(
+            subject.folder / MANIFEST, line_of(subject.folder / MANIFEST, "build_type"), text
+        )
+        return
+    setup, cmake = subject.folder / "setup.py", subject.folder / "CMakeLists.txt"
+    try:
+        yield from _check_setup(subject, setup)
+        yield from _check_left_out(subject)
+    except SetupFileError:
+        return  # told with the entry points
+    for name, line in read_cmake(subject.folder).missing.items():
+        yield Problem(cmake, line, f"install() names {name}, which is not there")
+
+
+def _check_setup(subject: Subject, path: Path) -> Iterator[Problem]:
+    arguments = setup_arguments(path)
+    for text, name in _missing(subject, arguments):
+        yield Problem(path, line_of(path, name) or line_of(path, Path(name).name), text)
+    named = arguments.get("name")
+    if isinstance(named, str) and subject.manifest and named != subject.name:
+        text = f"the package is '{named}' here, but '{subject.name}' in {MANIFEST}"
+        yield Problem(path, line_of(path, named), text)
+    if subject.build_type == "ament_python" and not (subject.folder / "setup.cfg").is_file():
+        text = "there is no setup.cfg: `ros2 run` would not find the programs"
+        yield Problem(path, 0, text, is_error=False)
+
+
+def _missing(subject: Subject, arguments: dict[str, object]) -> Iterator[tuple[str, str]]:
+    folders = arguments.get("packages")
+    places = arguments.get("package_dir")
+    for name in folders if isinstance(folders, list) and not places else ():
+        if isinstance(name, str) and not (subject.folder / Path(*name.split("."))).is_dir():
+            yield f"packages names {name}, but there is no such folder", name
+    listed = arguments.get("data_files")
+    for entry in listed if isinstance(listed, list) else ():
+        files = entry[1] if isinstance(entry, tuple) and len(entry) == 2 else None
+        for name in files if isinstance(files, (list, tuple)) else ():
+            if isinstance(name, str) and not (subject.folder / name).is_file():
+                yield f"data_files names {name}, which is not there", name
+
+
+def _check_left_out(subject: Subject) -> Iterator[Problem]:
+    if subject.build_type not in _BUILD_FILES:
+        return
+    installed = installed_files(Package(subject.name, subject.folder, Origin.WORKSPACE)).values()
+    known = {path.resolve() for path in installed}
+    file = _BUILD_FILES[subject.build_type]
+    for path in sorted(files_below(subject.folder / "launch")):
+        if path.resolve() not in known and path.suffix in {".py", ".xml", ".yaml", ".yml"}:
+            text = f"{file} does not install it: `ros2 launch` would not find it"
+            yield Problem(path, 0, text, is_error=False)

@@ -1,0 +1,103 @@
+"""The message, service and action definitions of a package."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from zbot.errors import InterfaceSyntaxError, nearest
+from zbot.interfaces import interface_names
+from zbot.interfaces.parser import parse
+from zbot.interfaces.spec import ActionSpec, MessageSpec, ServiceSpec
+from zbot.interfaces.workspace import KINDS
+from zbot.package.cmake_file import read_cmake
+from zbot.package.workspace import MANIFEST
+from zbot_cli.check.problem import Problem
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+    from zbot.interfaces.spec import Field, InterfaceSpec
+    from zbot_cli.check.subject import Subject
+
+_GROUP = "rosidl_interface_packages"
+
+
+def check_interfaces(subject: Subject) -> Iterator[Problem]:
+    """Yield what is wrong with a package's definitions, and with what is said about them."""
+    files = [path for kind in KINDS for path in sorted((subject.folder / kind).glob(f"*.{kind}"))]
+    own = {_name(subject, path) for path in files}
+    for path in files:
+        yield from _check_file(subject, path, own)
+    yield from _check_cmake(subject, files)
+    if files:
+        yield from _check_manifest(subject)
+
+
+def _name(subject: Subject, path: Path) -> str:
+    return f"{subject.name}/{path.parent.name}/{path.stem}"
+
+
+def _check_file(subject: Subject, path: Path, own: set[str]) -> Iterator[Problem]:
+    try:
+        spec = parse(_name(subject, path), path.read_text(encoding="utf-8"), str(path))
+    except InterfaceSyntaxError as error:
+        yield Problem(path, error.line, error.reason)
+        return
+    except (OSError, UnicodeDecodeError) as error:
+        yield Problem(path, 0, f"cannot be read: {error}")
+        return
+    for field in _fields(spec):
+        if field.type.is_message and field.line:
+            yield from _check_type(subject, path, field, own)
+
+
+def _fields(spec: InterfaceSpec) -> Iterator[Field]:
+    parts: tuple[MessageSpec, ...] = ()
+    if isinstance(spec, MessageSpec):
+        parts = (spec,)
+    elif isinstance(spec, ServiceSpec):
+        parts = (spec.request, spec.response)
+    elif isinstance(spec, ActionSpec):
+        parts = (spec.goal, spec.result, spec.feedback)
+    for part in parts:
+        yield from part.fields
+
+
+def _check_type(subject: Subject, path: Path, field: Field, own: set[str]) -> Iterator[Problem]:
+    package = field.type.base.partition("/")[0]
+    if package == subject.name:
+        known = sorted(own)
+    else:
+        known = interface_names(package)
+    if field.type.base not in known:
+        near = nearest(field.type.base, known, 1)
+        hint = f"; did you mean {near[0]}?" if near else ""
+        yield Problem(path, field.line, f"there is no type {field.type.base}{hint}")
+    elif package != subject.name and subject.manifest and package not in subject.manifest.named():
+        text = f"{field.type.base} is used: add <depend>{package}</depend> to {MANIFEST}"
+        yield Problem(path, field.line, text)
+
+
+def _check_cmake(subject: Subject, files: list[Path]) -> Iterator[Problem]:
+    path = subject.folder / "CMakeLists.txt"
+    named = read_cmake(subject.folder).interfaces
+    for name, line in named.items():
+        if not (subject.folder / name).is_file():
+            yield Problem(
+                path, line, f"rosidl_generate_interfaces names {name}, which is not there"
+            )
+    for file in files:
+        name = file.relative_to(subject.folder).as_posix()
+        if path.is_file() and name not in named:
+            text = f"rosidl_generate_interfaces lacks {name}: ROS 2 would not make it"
+            yield Problem(path, 0, text, is_error=False)
+
+
+def _check_manifest(subject: Subject) -> Iterator[Problem]:
+    path = subject.folder / MANIFEST
+    if subject.build_type == "ament_python":
+        text = "ROS 2 makes messages in ament_cmake packages only; zbot makes them in any"
+        yield Problem(path, 0, text, is_error=False)
+    elif subject.manifest is not None and _GROUP not in subject.manifest.groups:
+        yield Problem(path, 0, f"add <member_of_group>{_GROUP}</member_of_group> for the messages")

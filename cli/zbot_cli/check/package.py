@@ -1,0 +1,42 @@
+"""Everything that is looked at in one package."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from zbot.package.manifest import ManifestError, read_manifest
+from zbot.package.workspace import MANIFEST, package_name
+from zbot_cli.check.dependencies import check_dependencies
+from zbot_cli.check.entry_points import check_entry_points
+from zbot_cli.check.installation import check_installation
+from zbot_cli.check.interfaces import check_interfaces
+from zbot_cli.check.problem import Problem
+from zbot_cli.check.subject import Subject
+
+if TYPE_CHECKING:
+    from collections.abc import Container
+    from pathlib import Path
+
+
+def check_package(folder: Path, known: Container[str]) -> list[Problem]:
+    """Return what is wrong with a package, errors first.
+
+    Args:
+        folder: Where it is.
+        known: The names of packages that it would have to declare.
+    """
+    problems: list[Problem] = []
+    manifest = None
+    if (folder / MANIFEST).is_file():
+        try:
+            manifest = read_manifest(folder / MANIFEST)
+        except ManifestError as error:
+            problems.append(Problem(error.path, error.line, error.reason))
+    subject = Subject(package_name(folder), folder, manifest)
+    subject.read_sources()
+    problems += subject.problems
+    problems += check_entry_points(subject)
+    problems += check_interfaces(subject)
+    problems += check_installation(subject)
+    problems += check_dependencies(subject, known)
+    return sorted(dict.fromkeys(problems), key=lambda one: (not one.is_error, one))

@@ -1,0 +1,61 @@
+"""A package that is checked, with its Python files read once."""
+
+from __future__ import annotations
+
+import ast
+import warnings
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from zbot.package.view import files_below
+from zbot_cli.check.problem import Problem
+from zbot_cli.executables import program_files
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from zbot.package.manifest import Manifest
+
+
+@dataclass
+class Subject:
+    """A package, as far as it could be read."""
+
+    name: str
+    folder: Path
+    manifest: Manifest | None
+    modules: dict[Path, ast.Module] = field(default_factory=dict)
+    problems: list[Problem] = field(default_factory=list)
+
+    def read_sources(self) -> None:
+        """Parse every Python file, and note those that are none."""
+        files = {path for path in files_below(self.folder) if path.suffix == ".py"}
+        for path in sorted(files | set(program_files(self.folder).values())):
+            tree = _parsed(path)
+            if isinstance(tree, Problem):
+                self.problems.append(tree)
+            else:
+                self.modules[path] = tree
+
+    @property
+    def build_type(self) -> str:
+        """How ROS 2 would build it; empty if its package.xml does not tell."""
+        return self.manifest.build_type if self.manifest else ""
+
+
+def _parsed(path: Path) -> ast.Module | Problem:
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of strange escapes: Python tells when it runs them
+            return ast.parse(path.read_bytes(), str(path))
+    except SyntaxError as exc:
+        return Problem(path, exc.lineno or 0, f"{type(exc).__name__}: {exc.msg}")
+    except (OSError, ValueError, RecursionError, MemoryError) as exc:
+        return Problem(path, 0, f"cannot be read: {exc}")
+
+
+def line_of(path: Path, *texts: str) -> int:
+    """Return the first line of a file with all of these texts; 0 if there is none."""
+    lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
+    found = (number for number, line in enumerate(lines, 1) if all(one in line for one in texts))
+    return next(found, 0)

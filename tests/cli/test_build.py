@@ -1,0 +1,463 @@
+"""`zbot build`: what it finds wrong, and how it tells."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import pytest
+
+from zbot_cli.check.package import check_package
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from tests.cli.conftest import Command
+
+    Write = Callable[..., Path]
+
+MANIFEST = """\
+<package format="3">
+  <name>{name}</name>
+  <version>0.0.0</version>
+  <description>x</description>
+  <maintainer email="a@x.org">a</maintainer>
+  <license>MIT</license>
+{more}  <export><build_type>{build_type}</build_type></export>
+</package>
+"""
+SETUP = """\
+from glob import glob
+from setuptools import setup
+name = '{name}'
+setup(
+    name=name,
+    packages=[name],
+    data_files=[
+        ('share/' + name, ['package.xml']),
+        ('share/' + name + '/launch', glob('launch/*')),
+        {data}
+    ],
+    entry_points={{'console_scripts': [
+        {scripts}
+    ]}},
+)
+"""
+NOT_FOUND = "`ros2 launch` would not find it"
+NOT_MADE = "ROS 2 would not make it"
+KNOWN = {"rclpy", "std_msgs", "geometry_msgs", "my_msgs"}
+
+
+@pytest.fixture
+def write(workspace: Path) -> Write:
+    """Return a function that writes a package that is fine, but for the files it is given."""
+
+    def make(
+        name: str = "robot",
+        *,
+        scripts: str = "",
+        data: str = "",
+        more: str = "",
+        build_type: str = "ament_python",
+        **files: str,
+    ) -> Path:
+        folder = workspace / name
+        whole = {"package.xml": MANIFEST.format(name=name, more=more, build_type=build_type)}
+        if build_type == "ament_python":
+            whole["setup.py"] = SETUP.format(name=name, scripts=scripts, data=data)
+            whole["setup.cfg"] = ""
+            whole[f"{name}/__init__.py"] = ""
+        for path, text in {**whole, **files}.items():
+            (folder / path).parent.mkdir(parents=True, exist_ok=True)
+            (folder / path).write_text(text)
+        return folder
+
+    return make
+
+
+def problems(folder: Path) -> list[str]:
+    start = f"src/{folder.name}/"
+    return [str(one).removeprefix(start) for one in check_package(folder, KNOWN)]
+
+
+# -- the command ---------------------------------------------------------------------------------
+
+
+def test_a_good_workspace(write: Write, zbot_command: Command) -> None:
+    write("robot", scripts="'drive = robot.drive:main',", **{"robot/drive.py": "def main(): ..."})
+    write("arm", more="<depend>robot</depend>")
+    result = zbot_command("build")
+    assert (result.code, result.err) == (0, "")
+    assert re.sub(r"\d\.\d\d", "0.10", result.out) == (
+        "Starting >>> robot\nFinished <<< robot [0.10s]\n"
+        "Starting >>> arm\nFinished <<< arm [0.10s]\n\n"
+        "Summary: 2 packages finished [0.10s]\n\n"
+        "Nothing needs building: zbot runs packages as they are in their folders.\n"
+    )
+
+
+def test_a_bad_package_fails(write: Write, zbot_command: Command) -> None:
+    write("robot", scripts="'drive = robot.drive:main',")
+    write("arm", **{"arm/lift.py": "import std_msgs"})
+    result = zbot_command("build")
+    assert result.code == 1
+    assert "Failed   <<< robot [0." in result.out
+    assert "s, exited with code 1]\n" in result.out
+    assert result.out.endswith(
+        "  1 package failed: robot\n  2 packages had stderr output: arm robot\n"
+    )
+    assert result.err == (
+        "--- stderr: arm\n"
+        "src/arm/arm/lift.py:1: warning: imports std_msgs: add <depend>std_msgs</depend> to "
+        "package.xml\n"
+        "---\n"
+        "--- stderr: robot\n"
+        "src/robot/setup.py:13: 'drive' names the module robot.drive, which is not there\n"
+        "---\n"
+    )
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["--packages-select", "robot"],
+        ["--symlink-install", "--packages-select", "robot"],
+        ["--packages-select", "robot", "--symlink-install", "--merge-install"],
+        ["--packages-select=robot", "--parallel-workers", "2", "--event-handlers", "a+", "b-"],
+        ["--cmake-args", "-DCMAKE_BUILD_TYPE=Release", "-G", "Ninja", "--packages-select", "robot"],
+        ["--packages-skip", "arm", "other"],
+        ["--packages-up-to", "robot"],
+        ["--base-paths", "src/robot", "--install-base=/tmp/x", "--executor", "sequential"],
+    ],
+)
+def test_options_of_colcon_are_accepted(
+    write: Write, zbot_command: Command, words: list[str]
+) -> None:
+    for name in ("robot", "arm", "other"):
+        write(name)
+    result = zbot_command("build", *words)
+    assert (result.code, result.err) == (0, "")
+    assert re.findall(">>> (.*)", result.out) == ["robot"]
+
+
+def test_needed_packages_are_first(write: Write, zbot_command: Command) -> None:
+    write("a", more="<depend>c</depend><exec_depend>std_msgs</exec_depend>")
+    write("b")
+    write("c", more="<test_depend>d</test_depend>")
+    write("d")
+    result = zbot_command("build", "--packages-up-to", "a", "b", "--packages-skip", "b")
+    assert re.findall(">>> (.*)", result.out) == ["d", "c", "a"]
+
+
+def test_an_empty_workspace(workspace: Path, zbot_command: Command) -> None:
+    result = zbot_command("build")
+    assert result.code == 0
+    assert result.out.startswith("\nSummary: 0 packages finished [0.")
+    assert result.err == "\nhint: a workspace has its packages in src\n"
+    assert list(workspace.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "text"),
+    [
+        (["--packages-select", "nope"], 1, "unknown package 'nope' in --packages-select\n"),
+        (["--packages-up-to", "robt", "x"], 1, "unknown packages 'robt', 'x' in --packages-up-to"),
+        (["--packages-select", "robt"], 1, "hint: did you mean 'robot'?"),
+        (["--packages-selct", "robot"], 2, "No such option: --packages-selct"),
+        (["robot"], 2, "unexpected extra argument"),
+    ],
+)
+def test_mistakes(
+    write: Write, zbot_command: Command, words: list[str], code: int, text: str
+) -> None:
+    write()
+    result = zbot_command("build", *words)
+    assert (result.code, result.out) == (code, "")
+    assert text in result.err
+
+
+def test_packages_of_the_same_name(write: Write, zbot_command: Command) -> None:
+    first = write()
+    second = write("copy", **{"package.xml": (first / "package.xml").read_text()})
+    result = zbot_command("build")
+    assert (result.code, result.out) == (1, "")
+    assert result.err == (
+        f"Duplicate package names not supported:\n- robot:\n  - {second}\n  - {first}\n"
+    )
+
+
+def test_packages_that_need_each_other(write: Write, zbot_command: Command) -> None:
+    write("a", more="<depend>b</depend>")
+    write("b", more="<depend>a</depend>")
+    result = zbot_command("build")
+    assert result.code == 1
+    assert result.err == "packages depend on each other in a circle: a -> b -> a\n"
+
+
+def test_ignored_folders_are_not_looked_at(write: Write, zbot_command: Command) -> None:
+    (write("a") / "COLCON_IGNORE").touch()
+    (write("b") / "AMENT_IGNORE").touch()
+    assert "Summary: 0 packages" in zbot_command("build").out
+
+
+# -- entry points --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("script", "text"),
+    [
+        (
+            "'a = robot.drve:main'",
+            "names the module robot.drve, which is not there; did you mean rob",
+        ),
+        ("'a = nowhere.at:all'", "'a' names the module nowhere.at, which is not there"),
+        (
+            "'a = robot.drive:mian'",
+            "'a' names mian() in drive.py, which has none; did you mean 'main",
+        ),
+        ("'a = robot.drive:x'", "'a' names x() in drive.py, which has none"),
+        (
+            "'a = robot.drive'",
+            "'a = robot.drive' must have the form 'name = package.module:function'",
+        ),
+        ("'a robot.drive:main'", "'a robot.drive:main' must have the form"),
+    ],
+)
+def test_an_entry_point_that_leads_nowhere(write: Write, script: str, text: str) -> None:
+    folder = write(
+        scripts=f"'fine = robot.drive:main',\n{script}", **{"robot/drive.py": "main = 1"}
+    )
+    (found,) = problems(folder)
+    assert found.startswith("setup.py:14: ")
+    assert text in found
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "def main(): ...",
+        "async def main(): ...",
+        "class main: ...",
+        "from .other import main",
+        "from .other import run as main",
+        "from .other import *",
+        "a, main = 1, 2",
+        "main: int = 1",
+        "try:\n    import x\nexcept ImportError:\n    def main(): ...",
+        "if 1:\n    pass\nelse:\n    def main(): ...",
+        "def main(:",  # told once, as a syntax error
+    ],
+)
+def test_a_function_may_come_about_in_many_ways(write: Write, source: str) -> None:
+    folder = write(scripts="'a = robot.drive:main'", **{"robot/drive.py": source})
+    assert not [line for line in problems(folder) if "names" in line]
+
+
+def test_entry_points_of_a_layout_with_src(write: Write) -> None:
+    folder = write(
+        build_type="other",
+        **{
+            "pyproject.toml": '[project.scripts]\na = "robot.drive:main"\nb = "robot:run"\n',
+            "src/robot/__init__.py": "",
+            "src/robot/drive.py": "def main(): ...",
+        },
+    )
+    assert problems(folder) == ["pyproject.toml:3: 'b' names run() in __init__.py, which has none"]
+
+
+# -- sources and manifests -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("source", "text"),
+    [
+        (b"x = 1\ndef f(:\n", "robot/bad.py:2: SyntaxError: invalid syntax"),
+        (b"if 1:\nx = 1\n", "robot/bad.py:2: IndentationError: expected an indented block"),
+        (b"x = '\xff'\n", "robot/bad.py:"),
+        (b"x = 1\0\n", "robot/bad.py:"),
+        (b"(" * 5000, "robot/bad.py:"),
+        (b"x = " + b"-" * 100000 + b"1\n", "robot/bad.py:"),
+    ],
+)
+def test_a_file_that_is_no_python(write: Write, source: bytes, text: str) -> None:
+    folder = write()
+    (folder / "robot" / "bad.py").write_bytes(source)
+    (found,) = problems(folder)
+    assert found.startswith(text)
+    assert "\n" not in found
+
+
+def test_strange_escapes_are_no_error(write: Write) -> None:
+    assert problems(write(**{"robot/fine.py": "x = '\\d'"})) == []
+
+
+@pytest.mark.parametrize(
+    ("manifest", "text"),
+    [
+        ("<package>\n<name>robot</name>\n</pakage>", "package.xml:3: no valid XML: mismatched tag"),
+        ("", "package.xml:1: no valid XML: no element found"),
+        ("<pkg/>", "package.xml:1: the outermost tag is <pkg>, but must be <package>"),
+        (
+            "<package>\n  <name>robot</name>\n</package>",
+            "package.xml:3: <version> is missing or em",
+        ),
+        (MANIFEST.replace("0.0.0", "1.0"), "package.xml:3: the version is '1.0', but must be thre"),
+        (MANIFEST.replace("{name}", "a b"), "package.xml:2: 'a b' cannot be a package's name"),
+        (MANIFEST.replace("{name}", " "), "package.xml:2: <name> is missing or empty"),
+        ("<!DOCTYPE x [<!ENTITY a 'b'>]><package/>", "package.xml: a package.xml may not define"),
+    ],
+)
+def test_a_bad_manifest(write: Write, manifest: str, text: str) -> None:
+    folder = write()
+    (folder / "package.xml").write_text(
+        manifest.format(name="robot", more="", build_type="ament_python")
+    )
+    assert problems(folder)[0].startswith(text)
+
+
+def test_a_setup_py_that_does_not_parse(write: Write) -> None:
+    folder = write(**{"setup.py": "from setuptools import setup\nsetup(entry_points={\n"})
+    assert len(problems(folder)) == 1
+    assert problems(folder)[0].startswith("setup.py:2: ")
+
+
+def test_imports_that_are_not_declared(write: Write) -> None:
+    folder = write(
+        more="<exec_depend>rclpy</exec_depend>\n",
+        **{
+            "robot/a.py": "import os, numpy\nimport rclpy\nfrom std_msgs.msg import String\n",
+            "robot/b.py": "from std_msgs.msg import Int32\nfrom . import my_msgs\n",
+            "robot/c.py": "def f():\n    import geometry_msgs.msg as g\n",
+            "robot/d.py": "try:\n    import my_msgs\nexcept ImportError:\n    my_msgs = None\n",
+            "robot/e.py": "import robot.a\n",
+        },
+    )
+    text = "warning: imports {0}: add <depend>{0}</depend> to package.xml"
+    assert problems(folder) == [
+        f"robot/a.py:3: {text.format('std_msgs')}",
+        f"robot/c.py:2: {text.format('geometry_msgs')}",
+    ]
+
+
+# -- what is installed ---------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("data", "text"),
+    [
+        (
+            "('share/x', ['resource/robt'])",
+            "setup.py:10: data_files names resource/robt, which is ",
+        ),
+        ("('share/x', ['a/' + name])", "setup.py:3: data_files names a/robot, which is not there"),
+    ],
+)
+def test_data_files_that_are_not_there(write: Write, data: str, text: str) -> None:
+    (found,) = problems(write(data=data))
+    assert found.startswith(text)
+
+
+def test_a_package_folder_that_is_not_there(write: Write) -> None:
+    folder = write()
+    (folder / "robot" / "__init__.py").unlink()
+    (folder / "robot").rmdir()
+    assert problems(folder) == ["setup.py:3: packages names robot, but there is no such folder"]
+
+
+def test_two_names_for_one_package(write: Write) -> None:
+    folder = write(
+        **{"package.xml": MANIFEST.format(name="rob", more="", build_type="ament_python")}
+    )
+    assert problems(folder) == ["setup.py:3: the package is 'robot' here, but 'rob' in package.xml"]
+
+
+@pytest.mark.parametrize(
+    ("build_type", "file"), [("ament_python", "setup.py"), ("ament_cmake", "CMakeLists.txt")]
+)
+def test_a_build_type_without_its_file(write: Write, build_type: str, file: str) -> None:
+    folder = write(build_type=build_type)
+    (folder / file).unlink(missing_ok=True)
+    assert problems(folder) == [
+        f"package.xml:7: the build type is {build_type}, but there is no {file}"
+    ]
+
+
+def test_what_ros_2_would_not_find_is_a_warning(write: Write) -> None:
+    folder = write(**{"launch/a.launch.py": "", "launch/notes.txt": ""})
+    (folder / "setup.py").write_text("from setuptools import setup\nsetup(name='robot')\n")
+    (folder / "setup.cfg").unlink()
+    assert problems(folder) == [
+        f"launch/a.launch.py: warning: setup.py does not install it: {NOT_FOUND}",
+        "setup.py: warning: there is no setup.cfg: `ros2 run` would not find the programs",
+    ]
+
+
+def test_what_cmake_installs(write: Write) -> None:
+    cmake = """\
+project(robot)
+install(PROGRAMS scripts/a.py scripts/gone.py
+  DESTINATION lib/${PROJECT_NAME})
+install(DIRECTORY launch nowhere DESTINATION share/${PROJECT_NAME})
+install(PROGRAMS ${UNKNOWN}/x.py $<TARGET_FILE:x> DESTINATION lib/${PROJECT_NAME})
+"""
+    files = {"CMakeLists.txt": cmake, "scripts/a.py": "x = (", "launch/a.launch.py": ""}
+    assert problems(write(build_type="ament_cmake", **files)) == [
+        "CMakeLists.txt:2: install() names scripts/gone.py, which is not there",
+        "CMakeLists.txt:4: install() names nowhere, which is not there",
+        "scripts/a.py:1: SyntaxError: '(' was never closed",
+    ]
+
+
+# -- interfaces ----------------------------------------------------------------------------------
+
+GENERATE = """\
+project(my_msgs)
+rosidl_generate_interfaces(${PROJECT_NAME}
+  "msg/A.msg"
+  "srv/Gone.srv"
+  DEPENDENCIES std_msgs
+)
+"""
+PARTS = "goal, result and feedback of an action"
+ADD = "add <depend>geometry_msgs</depend> to package.xml"
+GROUP = "<member_of_group>rosidl_interface_packages</member_of_group>\n"
+
+
+def test_definitions_are_parsed(write: Write) -> None:
+    folder = write(
+        "my_msgs",
+        build_type="ament_cmake",
+        more=f"<depend>std_msgs</depend>{GROUP}",
+        **{
+            "CMakeLists.txt": GENERATE,
+            "msg/A.msg": "# fine\nint32 a\nflot64 x\n",
+            "msg/B.msg": "std_msgs/Strng s\ngeometry_msgs/Point p\nC c\nD d\n",
+            "msg/C.msg": "std_msgs/Header header\n",
+            "action/Go.action": "int32 a\n---\n",
+        },
+    )
+    assert problems(folder) == [
+        "CMakeLists.txt:2: rosidl_generate_interfaces names srv/Gone.srv, which is not there",
+        f"action/Go.action: 2 lines '---' are needed between {PARTS}, but there is one",
+        "msg/A.msg:3: there is no type 'flot64': did you mean 'float64'?",
+        "msg/B.msg:1: there is no type std_msgs/msg/Strng; did you mean std_msgs/msg/String?",
+        f"msg/B.msg:2: geometry_msgs/msg/Point is used: {ADD}",
+        "msg/B.msg:4: there is no type my_msgs/msg/D; did you mean my_msgs/msg/C?",
+        f"CMakeLists.txt: warning: rosidl_generate_interfaces lacks action/Go.action: {NOT_MADE}",
+        f"CMakeLists.txt: warning: rosidl_generate_interfaces lacks msg/B.msg: {NOT_MADE}",
+        f"CMakeLists.txt: warning: rosidl_generate_interfaces lacks msg/C.msg: {NOT_MADE}",
+    ]
+
+
+def test_messages_need_their_group(write: Write) -> None:
+    cmake = GENERATE.replace('  "srv/Gone.srv"\n', "")
+    folder = write(
+        "my_msgs", build_type="ament_cmake", **{"CMakeLists.txt": cmake, "msg/A.msg": "int32 a"}
+    )
+    assert problems(folder) == [f"package.xml: add {GROUP.strip()} for the messages"]
+
+
+def test_messages_in_a_python_package_work_here(write: Write) -> None:
+    (found,) = problems(write(**{"msg/A.msg": "int32 a"}))
+    assert found.startswith("package.xml: warning: ROS 2 makes messages in ament_cmake packages")
