@@ -53,19 +53,27 @@ def snapshot() -> Snapshot:
 
 @contextlib.contextmanager
 def hidden_node(
-    verb: str, name: str | None = None, *, use_sim_time: bool = False
+    verb: str, name: str | None = None, *, use_sim_time: bool = False, survives_ctrl_c: bool = False
 ) -> Iterator[Node]:
-    """Yield a node for a command that publishes or listens; hidden unless it is given a name."""
+    """Yield a node for a command that publishes or listens; hidden unless it is given a name.
+
+    Args:
+        verb: What the command does; part of the hidden name.
+        name: A visible name.
+        use_sim_time: Whether the node follows `/clock`.
+        survives_ctrl_c: Whether Ctrl-C leaves it open, for a command that has to tidy up.
+    """
     from zbot.node import Node  # noqa: PLC0415 - lists do without
     from zbot.signals import SignalHandlerOptions, install  # noqa: PLC0415 - lists do without
 
-    install(SignalHandlerOptions.ALL)
+    install(SignalHandlerOptions.SIGTERM if survives_ctrl_c else SignalHandlerOptions.ALL)
     with client(wait=True) as context:
         node = Node(
             name or f"_zbot_cli_{verb}_{os.getpid()}",
             context=context,
             cli_args=["--ros-args", "-p", "use_sim_time:=true"] if use_sim_time else None,
             enable_rosout=False,
+            start_parameter_services=False,
         )
         try:
             yield node

@@ -16,12 +16,14 @@ if TYPE_CHECKING:
 
 #: Every noun, with the line that `zbot --help` shows.
 NOUNS = {
+    "action": "Look at actions, and send goals",
     "build": "Check packages; nothing needs building",
     "completion": "Complete words in your shell with Tab",
     "daemon": "Say that no daemon is needed",
     "doctor": "Check what could be wrong",
     "interface": "Look at message, service and action types",
     "node": "Look at nodes",
+    "param": "Look at parameters and set them",
     "pkg": "Find packages, and create them",
     "run": "Run a node",
     "topic": "Look at topics, listen and publish",

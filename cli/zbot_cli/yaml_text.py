@@ -13,6 +13,7 @@ __all__ = [
     "Flow",
     "MappingNode",
     "Node",
+    "Quoted",
     "ScalarNode",
     "SequenceNode",
     "YAMLError",
@@ -31,6 +32,16 @@ _UNUSUAL_BREAKS = frozenset("\x85\u2028\u2029")
 
 class Flow(list[Any]):
     """A list that is written on one line."""
+
+
+class Quoted(str):
+    """A text in quotes, which no reader can take for something else."""
+
+    __slots__ = ()
+
+
+def _represent_quoted(dumper: Any, data: Quoted) -> Any:
+    return dumper.represent_scalar("tag:yaml.org,2002:str", str(data), style="'")
 
 
 def _represent_flow(dumper: Any, data: Flow) -> Any:
@@ -53,6 +64,8 @@ class _WideDumper(yaml.SafeDumper):
 
 _Dumper.add_representer(Flow, _represent_flow)
 _WideDumper.add_representer(Flow, _represent_flow)
+_Dumper.add_representer(Quoted, _represent_quoted)
+_WideDumper.add_representer(Quoted, _represent_quoted)
 
 
 def dump(value: Any) -> str:

@@ -1,0 +1,379 @@
+"""`zbot param`: what nodes can be told, and telling them."""
+
+from __future__ import annotations
+
+import re
+import sys
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
+
+import typer
+
+from zbot.errors import ZbotError
+from zbot.parameter import NoParametersError, Parameter
+from zbot.parameter_file import sections
+from zbot_cli.listing import AsJson, NoDaemon, SpinTime, UseSimTime, new_app, print_json
+from zbot_cli.looking import hidden_node
+from zbot_cli.many_values import ManyValuesCommand
+from zbot_cli.parameter_text import (
+    description,
+    description_lines,
+    file_text,
+    message_of,
+    plain_values,
+    shown,
+    values_for,
+)
+from zbot_cli.parameters import ParameterNotSetError, RemoteParameters
+from zbot_cli.status import Status
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+app = new_app("Look at parameters and set them")
+
+IncludeHidden = Annotated[
+    bool, typer.Option("--include-hidden-nodes", help="Consider hidden nodes too")
+]
+Timeout = Annotated[float, typer.Option("--timeout", help="Seconds to wait for the node")]
+
+
+class ListCommand(ManyValuesCommand):
+    """`zbot param list --param-prefixes A B`."""
+
+    many: ClassVar = frozenset({"--param-prefixes"})
+
+
+class ParameterFilterError(ZbotError):
+    """A filter is no regular expression."""
+
+
+@contextmanager
+def _remote(timeout: float) -> Iterator[RemoteParameters]:
+    with hidden_node("param") as node:
+        yield RemoteParameters(node, timeout)
+
+
+def _fail(error: object) -> None:
+    print(error, file=sys.stderr)
+
+
+def _end(failures: int) -> None:
+    if failures:
+        raise typer.Exit(Status.ERROR)
+
+
+# -- list --------------------------------------------------------------------------------------
+
+
+@app.command("list", cls=ListCommand)
+def list_parameters(
+    node_name: Annotated[str | None, typer.Argument(help="Only this node")] = None,
+    pattern: Annotated[
+        str | None, typer.Option("--filter", help="Only names that begin with this REGEX")
+    ] = None,
+    prefixes: Annotated[
+        list[str] | None, typer.Option("--param-prefixes", help="Only these groups")
+    ] = None,
+    show_types: Annotated[bool, typer.Option("--param-type", help="Add the types")] = False,
+    as_json: AsJson = False,
+    include_hidden: IncludeHidden = False,
+    timeout: Timeout = 1.0,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """List the parameters of all nodes, or of one."""
+    wanted = _compiled(pattern)
+    with _remote(timeout) as remote:
+        one = None if node_name is None else remote.find(node_name)
+        nodes = remote.nodes(include_hidden=include_hidden) if one is None else [one]
+        answers = remote.ask_all(
+            nodes, "ListParameters", lambda request, _: request(prefixes=prefixes or [])
+        )
+        found = {
+            node: sorted(filter(wanted.match, answer.result.names))
+            for node, answer in answers.found.items()
+        }
+        typed = {
+            node: remote.types(node, names) if show_types or as_json else dict.fromkeys(names)
+            for node, names in found.items()
+        }
+    for error in answers.errors.values():
+        _fail(error)
+    _print_names(typed, as_json=as_json, is_one=one is not None)
+    _end(len(answers.errors))
+
+
+def _compiled(pattern: str | None) -> re.Pattern[str]:
+    try:
+        return re.compile(pattern or "")
+    except re.error as error:
+        raise ParameterFilterError(f"--filter is no regular expression: {error}") from error
+
+
+def _print_names(typed: dict[str, dict[str, Any]], *, as_json: bool, is_one: bool) -> None:
+    if as_json:
+        lines = {
+            node: [{"name": name, "type": type_.text} for name, type_ in sorted(names.items())]
+            for node, names in typed.items()
+        }
+        print_json([{"node": node, "parameters": names} for node, names in lines.items()])
+        return
+    for node, names in typed.items():
+        if names and not is_one:
+            print(f"{node}:")
+        for name, type_ in names.items():
+            print(f"  {name}" + (f" (type: {type_.text})" if type_ is not None else ""))
+
+
+# -- get ---------------------------------------------------------------------------------------
+
+
+@app.command("get")
+def get(
+    words: Annotated[list[str], typer.Argument(metavar="[NODE] PARAM...")],
+    hide_type: Annotated[bool, typer.Option("--hide-type", help="Print the value alone")] = False,
+    as_json: AsJson = False,
+    include_hidden: IncludeHidden = False,
+    timeout: Timeout = 1.0,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Print the values of parameters; without a node, of every node that has it."""
+    with _remote(timeout) as remote:
+        nodes, names = _targets(remote, words, include_hidden=include_hidden)
+        values = {node: remote.values(node, names) for node in nodes}
+    if as_json:
+        print_json({node: plain_values(found) for node, found in values.items()})
+        return
+    for node, found in values.items():
+        with _heading(node, is_shown=len(words) == 1) as indent:
+            for name, parameter in found.items():
+                if len(found) > 1:
+                    print(f"{name}:\n  {shown(parameter, hide_type=hide_type)}")
+                else:
+                    print(indent + shown(parameter, hide_type=hide_type))
+
+
+@contextmanager
+def _heading(node: str, *, is_shown: bool) -> Iterator[str]:
+    """Print a node's name if it was not given; yield what stands before each line below it."""
+    if is_shown:
+        print(f"{node}:")
+    yield "  " if is_shown else ""
+
+
+def _targets(
+    remote: RemoteParameters, words: Sequence[str], *, include_hidden: bool
+) -> tuple[list[str], list[str]]:
+    """Return nodes and parameters of `NODE PARAM...`, or of `PARAM` for each node that has it."""
+    if len(words) > 1:
+        return [remote.find(words[0])], list(words[1:])
+    return _nodes_with(remote, words, include_hidden=include_hidden), list(words)
+
+
+def _nodes_with(
+    remote: RemoteParameters, names: Sequence[str], *, include_hidden: bool
+) -> list[str]:
+    """Return the nodes that have all of some parameters."""
+    nodes = remote.nodes(include_hidden=include_hidden)
+    answers = remote.ask_all(nodes, "ListParameters", lambda request, _: request())
+    for error in answers.errors.values():
+        _fail(error)
+    has = {node: set(answer.result.names) for node, answer in answers.found.items()}
+    found = [node for node, known in has.items() if known.issuperset(names)]
+    if not found:
+        raise ParameterNotSetError(
+            "no node", " and ".join(names), sorted(set().union(*has.values()))
+        )
+    return found
+
+
+# -- set and delete ----------------------------------------------------------------------------
+
+
+@app.command("set", context_settings={"ignore_unknown_options": True})
+def set_parameters(
+    words: Annotated[list[str], typer.Argument(metavar="[NODE] PARAM VALUE...")],
+    atomic: Annotated[bool, typer.Option("--atomic", help="Set all of them or none")] = False,
+    include_hidden: IncludeHidden = False,
+    timeout: Timeout = 1.0,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Set parameters; without a node, of every node that has them."""
+    _refuse_options(words)
+    has_node = len(words) % 2 == 1
+    if len(words) < 2:
+        raise typer.BadParameter("needs the name of a parameter and its value")
+    pairs = words[1:] if has_node else words
+    values = dict(zip(pairs[::2], pairs[1::2], strict=True))
+    messages = [message_of(name, text) for name, text in values.items()]
+    failures = 0
+    with _remote(timeout) as remote:
+        nodes = (
+            [remote.find(words[0])]
+            if has_node
+            else _nodes_with(remote, list(values), include_hidden=include_hidden)
+        )
+        for node in nodes:
+            results = _send(remote, node, messages, atomic=atomic)
+            with _heading(node, is_shown=not has_node) as indent:
+                for name, result in zip(values, results, strict=True):
+                    label = f"{indent}{name}: " if len(values) > 1 else indent
+                    failures += _report(label, result, "Set parameter successful", "Setting")
+    _end(failures)
+
+
+def _refuse_options(words: Sequence[str]) -> None:
+    # Any word with a dash may be a value, for -5 is one.
+    for word in words:
+        if word.startswith("--"):
+            raise typer.BadParameter(f"there is no option {word}")
+
+
+def _send(
+    remote: RemoteParameters, node: str, messages: list[Any], *, atomic: bool = False
+) -> list[Any]:
+    if atomic:
+        answer = remote.ask(node, "SetParametersAtomically", parameters=messages)
+        return [answer.result] * len(messages)
+    results: list[Any] = remote.ask(node, "SetParameters", parameters=messages).results
+    return results
+
+
+def _report(label: str, result: Any, success: str, doing: str) -> bool:
+    """Print how one setting went; return whether it failed."""
+    if result.successful:
+        print(f"{label}{success}" + (f": {result.reason}" if result.reason else ""))
+        return False
+    _fail(f"{label}{doing} parameter failed: {result.reason}")
+    if result.reason.startswith("Wrong parameter type, expected 'string' "):
+        _fail("\nhint: quote a text twice that looks like something else: \"'5'\"")
+    return True
+
+
+@app.command("delete")
+def delete(
+    words: Annotated[list[str], typer.Argument(metavar="[NODE] PARAM...")],
+    include_hidden: IncludeHidden = False,
+    timeout: Timeout = 1.0,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Delete parameters; without a node, of every node that has it."""
+    failures = 0
+    with _remote(timeout) as remote:
+        nodes, names = _targets(remote, words, include_hidden=include_hidden)
+        for node in nodes:
+            messages = [Parameter(name).to_parameter_msg() for name in names]
+            results = _send(remote, node, messages)
+            with _heading(node, is_shown=len(words) == 1) as indent:
+                for name, result in zip(names, results, strict=True):
+                    label = f"{indent}{name}: " if len(names) > 1 else indent
+                    success = "Deleted parameter successfully"
+                    failures += _report(label, result, success, "Deleting")
+    _end(failures)
+
+
+# -- describe, dump and load -------------------------------------------------------------------
+
+
+@app.command("describe")
+def describe(
+    words: Annotated[list[str], typer.Argument(metavar="[NODE] PARAM...")],
+    as_json: AsJson = False,
+    include_hidden: IncludeHidden = False,
+    timeout: Timeout = 1.0,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Show the type, the range and the purpose of parameters."""
+    with _remote(timeout) as remote:
+        nodes, names = _targets(remote, words, include_hidden=include_hidden)
+        found = {node: remote.descriptors(node, names) for node in nodes}
+    if as_json:
+        print_json({node: list(map(description, many)) for node, many in found.items()})
+        return
+    for node, descriptors in found.items():
+        with _heading(node, is_shown=len(words) == 1) as indent:
+            for descriptor in descriptors:
+                for line in description_lines(descriptor):
+                    print(indent + line)
+
+
+@app.command("dump")
+def dump(
+    node_name: Annotated[
+        str | None, typer.Argument(help="Name of the node; all if left out")
+    ] = None,
+    as_json: AsJson = False,
+    include_hidden: IncludeHidden = False,
+    timeout: Timeout = 1.0,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Print parameters as a file that `load` and `--params-file` read."""
+    with _remote(timeout) as remote:
+        one = None if node_name is None else [remote.find(node_name)]
+        nodes = remote.nodes(include_hidden=include_hidden) if one is None else one
+        values = {node: remote.values(node, remote.names(node)) for node in nodes}
+    if as_json:
+        print_json({node: plain_values(found) for node, found in values.items()})
+    elif values:
+        print(file_text(values))
+
+
+@app.command("load")
+def load(
+    words: Annotated[list[str], typer.Argument(metavar="[NODE] FILE")],
+    no_use_wildcard: Annotated[
+        bool, typer.Option("--no-use-wildcard", help="Leave out what a file has for `/**`")
+    ] = False,
+    include_hidden: IncludeHidden = False,
+    timeout: Timeout = 1.0,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Set parameters from a file; without a node, of every node that it names."""
+    if len(words) > 2:
+        raise typer.BadParameter("takes a node and a file, or a file alone")
+    path = words[-1]
+    content = sections(path)
+    failures = 0
+    with _remote(timeout) as remote:
+        has_node = len(words) == 2
+        nodes = [remote.find(words[0])] if has_node else remote.nodes(include_hidden=include_hidden)
+        wanted = {
+            node: values_for(content, node, use_wildcards=not no_use_wildcard) for node in nodes
+        }
+        if not any(wanted.values()):
+            raise NoParametersError(path, nodes)
+        for node, values in wanted.items():
+            if values:
+                with _heading(node, is_shown=not has_node) as indent:
+                    failures += _load(remote, node, values, indent)
+    _end(failures)
+
+
+def _load(remote: RemoteParameters, node: str, values: dict[str, Any], indent: str) -> int:
+    """Set what a file has for one node; return how many of it the node does not have now."""
+    parameters = remote.typed(node, values)
+    results = _send(remote, node, [one.to_parameter_msg() for one in parameters])
+    refused = []
+    for parameter, result in zip(parameters, results, strict=True):
+        if result.successful:
+            print(f"{indent}Set parameter {parameter.name} successful")
+        else:
+            _fail(f"{indent}Set parameter {parameter.name} failed: {result.reason}")
+            refused.append(parameter)
+    # What is read-only cannot be set, but a dump has it, and its value is the one that is wanted.
+    present = remote.values_or_none(node, [one.name for one in refused])
+    return sum(present.get(one.name) != one.value for one in refused)

@@ -1,0 +1,147 @@
+"""Parameters as `zbot param` shows them, and as a file has them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ParameterValueError
+from zbot.parameter import PARAMETER_SEPARATOR_STRING, Parameter, get_parameter_value
+from zbot.parameter_file import matches, parse_value
+from zbot_cli import yaml_text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+
+
+def message_of(name: str, text: str) -> Any:
+    """Return a parameter's message, its type guessed from the text of its value."""
+    from rcl_interfaces.msg import Parameter as Message  # noqa: PLC0415 - made at first import
+
+    return Message(name=name, value=get_parameter_value(text))
+
+
+def shown(parameter: Parameter[Any], *, hide_type: bool) -> str:
+    """Return a value with its type in front, as ros2 writes it."""
+    kind = parameter.type_
+    if kind is Parameter.Type.NOT_SET:
+        return "Parameter not set."
+    if hide_type:
+        return str(parameter.value)
+    word = kind.text.split()[0].capitalize()
+    return f"{word} {'values are' if kind.is_array else 'value is'}: {parameter.value}"
+
+
+def plain_values(found: Mapping[str, Parameter[Any]]) -> dict[str, Any]:
+    """Return values that JSON and YAML have: bytes as integers."""
+    return {name: _plain(parameter) for name, parameter in found.items()}
+
+
+def _plain(parameter: Parameter[Any]) -> Any:
+    if parameter.type_ is Parameter.Type.BYTE_ARRAY:
+        return [one[0] for one in parameter.value]
+    return parameter.value
+
+
+# -- describing --------------------------------------------------------------------------------
+
+
+def description(descriptor: Any) -> dict[str, Any]:
+    """Return what a descriptor's message says, without what it leaves open."""
+    limits = (*descriptor.integer_range, *descriptor.floating_point_range)
+    facts = {
+        "name": descriptor.name,
+        "type": Parameter.Type(descriptor.type).text,
+        "description": descriptor.description,
+        "additional_constraints": descriptor.additional_constraints,
+        "read_only": descriptor.read_only,
+        "dynamic_typing": descriptor.dynamic_typing,
+    }
+    for one in limits[:1]:
+        facts |= {"min": one.from_value, "max": one.to_value, "step": one.step}
+    return {key: value for key, value in facts.items() if value != ""}
+
+
+def description_lines(descriptor: Any) -> Iterator[str]:
+    """Yield a descriptor's lines, as ros2 writes them."""
+    yield f"Parameter name: {descriptor.name}"
+    yield f"  Type: {Parameter.Type(descriptor.type).text}"
+    if descriptor.description:
+        yield f"  Description: {descriptor.description}"
+    yield "  Constraints:"
+    if descriptor.read_only:
+        yield "    Read only: true"
+    for limits in (*descriptor.integer_range, *descriptor.floating_point_range):
+        yield f"    Min value: {limits.from_value}"
+        yield f"    Max value: {limits.to_value}"
+        if limits.step:
+            yield f"    Step: {limits.step}"
+    if descriptor.additional_constraints:
+        yield f"    Additional constraints: {descriptor.additional_constraints}"
+
+
+# -- files -------------------------------------------------------------------------------------
+
+
+def file_text(values: Mapping[str, Mapping[str, Parameter[Any]]]) -> str:
+    """Return a parameter file of some nodes' values; what has no value is left out."""
+    return yaml_text.dump(
+        {
+            node: {
+                "ros__parameters": _tree(
+                    {
+                        name: _safe(_plain(one))
+                        for name, one in sorted(found.items())
+                        if one.type_ is not Parameter.Type.NOT_SET
+                    }
+                )
+            }
+            for node, found in values.items()
+        }
+    )
+
+
+def _safe(value: Any) -> Any:
+    """Return a value so that it is read back as what it is: `1e3` is a text only in quotes."""
+    if isinstance(value, list):
+        return [_safe(one) for one in value]
+    if not isinstance(value, str):
+        return value
+    try:
+        is_plain = parse_value(value) == value
+    except ParameterValueError:
+        is_plain = False
+    return value if is_plain else yaml_text.Quoted(value)
+
+
+def _tree(values: dict[str, Any]) -> dict[str, Any]:
+    """Return dotted names as nested groups; beside a value of the same name, with their dots."""
+    tree: dict[str, Any] = {}
+    for name, value in values.items():
+        *groups, last = name.split(PARAMETER_SEPARATOR_STRING)
+        branch = tree
+        for group in groups:
+            below = branch.setdefault(group, {})
+            if not isinstance(below, dict):
+                branch, last = tree, name
+                break
+            branch = below
+        branch[last] = value
+    return dict(_sorted(tree))
+
+
+def _sorted(tree: dict[str, Any]) -> Iterator[tuple[str, Any]]:
+    for name, value in sorted(tree.items()):
+        yield name, dict(_sorted(value)) if isinstance(value, dict) else value
+
+
+def values_for(
+    content: Sequence[tuple[str, dict[str, Any]]], node: str, *, use_wildcards: bool
+) -> dict[str, Any]:
+    """Return what a file has for a node; what its own name says wins over `/**` and the like."""
+    groups = [
+        (pattern, values)
+        for pattern, values in content
+        if matches(pattern, node) and (use_wildcards or "*" not in pattern)
+    ]
+    groups.sort(key=lambda group: "*" not in group[0])
+    return {name: value for _, values in groups for name, value in values.items()}

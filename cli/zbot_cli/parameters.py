@@ -1,0 +1,237 @@
+"""Asking the nodes of the domain about their parameters, several of them at once."""
+
+from __future__ import annotations
+
+import threading
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+from zbot.graph import full_names
+from zbot.interfaces import get_service
+from zbot.names import fully_qualified, is_hidden, nearest
+from zbot.parameter import Parameter, guessed, parameter_value_to_python
+from zbot_cli.looking import full_name
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+
+    from zbot.graph import Snapshot
+    from zbot.node import Node
+
+ANSWER_TIMEOUT_S = 5.0  #: for each answer; that of ros2
+
+
+class NodeNotFoundError(ZbotError):
+    """No node of that name came in time; the hint says what may have been meant."""
+
+    def __init__(self, name: str, known: Sequence[str]) -> None:
+        self.name = name
+        guess = nearest(name, known)
+        self.hint = f"there is no {name}; " + (
+            f"did you mean {guess}?" if guess else _others(known)
+        )
+        super().__init__("Node not found")
+
+
+class NoParameterServicesError(ZbotError):
+    """A node does not offer its parameters, or nobody answers there."""
+
+    def __init__(self, node: str, hint: str) -> None:
+        self.node, self.hint = node, hint
+        super().__init__(
+            f"Wait for service timed out waiting for parameter services for node {node}"
+        )
+
+
+class ParameterNotSetError(ZbotError):
+    """A node has no parameter of that name."""
+
+    def __init__(self, node: str, name: str, known: Sequence[str]) -> None:
+        self.node, self.name = node, name
+        guess = nearest(name, known)
+        self.hint = f"{node} has no parameter {name}" + (
+            f"; did you mean {guess}?" if guess else ""
+        )
+        super().__init__("Parameter not set")
+
+
+def _others(known: Sequence[str]) -> str:
+    return f"there are {', '.join(known)}" if known else "no node is running"
+
+
+@dataclass(slots=True)
+class Answers:
+    """What several nodes said, and what went wrong with the others."""
+
+    found: dict[str, Any] = field(default_factory=dict)
+    errors: dict[str, ZbotError] = field(default_factory=dict)
+
+
+class RemoteParameters:
+    """The parameters of other nodes, as a node of the command line sees them.
+
+    Args:
+        node: Sends the requests.
+        timeout_s: Seconds to wait for a node that is not there yet.
+    """
+
+    def __init__(self, node: Node, timeout_s: float) -> None:
+        self._node = node
+        self._timeout_s = timeout_s
+
+    def find(self, name: str) -> str:
+        """Return a node's full name once it is there.
+
+        Raises:
+            NodeNotFoundError: It does not come in time.
+        """
+        full = full_name(name)
+        if not self._node.wait_for_node(full, self._timeout_s):
+            raise NodeNotFoundError(full, visible_nodes(self._snapshot()))
+        return full
+
+    def nodes(self, *, include_hidden: bool) -> list[str]:
+        """Return the nodes that offer their parameters."""
+        graph = self._snapshot()
+        services = {name for name, _ in graph.services()}
+        found = full_names(graph.nodes) if include_hidden else visible_nodes(graph)
+        return sorted({name for name in found if f"{name}/list_parameters" in services})
+
+    def _snapshot(self) -> Snapshot:
+        return self._node.context.graph.snapshot()
+
+    def ask_all(
+        self, nodes: Iterable[str], service: str, make: Callable[[type[Any], str], Any]
+    ) -> Answers:
+        """Ask nodes at the same time, and return what each answered.
+
+        Args:
+            nodes: Their full names.
+            service: The type of the service, e.g. `GetParameters`.
+            make: Makes a request for a node from the request's class.
+        """
+        answers = Answers()
+        pending = {}
+        srv_type: Any = get_service(f"rcl_interfaces/srv/{service}")
+        for node in nodes:
+            try:
+                pending[node] = self._send(node, srv_type, make(srv_type.Request, node))
+            except ZbotError as error:
+                answers.errors[node] = error
+        for node, future in pending.items():
+            over = threading.Event()
+            future.add_waker(over.set)
+            try:
+                if not over.wait(ANSWER_TIMEOUT_S):
+                    raise NoParameterServicesError(node, f"{node} does not answer: does it spin?")
+                answers.found[node] = future.result()
+            except ZbotError as error:
+                answers.errors[node] = error
+        return answers
+
+    def _send(self, node: str, srv_type: Any, request: Any) -> Any:
+        name = f"{node}/{_snake(srv_type.__name__)}"
+        client = self._node.create_client(srv_type, name)
+        is_offered = any(name == one for one, _ in self._snapshot().services())
+        if not is_offered or not client.wait_for_service(ANSWER_TIMEOUT_S):
+            raise NoParameterServicesError(node, f"{node} has no {name}")
+        return client.call_async(request)
+
+    def ask(self, node: str, service: str, **fields: Any) -> Any:
+        """Ask one node, and return its response.
+
+        Raises:
+            NoParameterServicesError: It does not offer the service, or does not answer in time.
+            ServiceError: It ended before it answered, or a callback of it failed.
+        """
+        answers = self.ask_all([node], service, lambda request, _: request(**fields))
+        for error in answers.errors.values():
+            raise error
+        return answers.found[node]
+
+    def names(self, node: str) -> list[str]:
+        """Return the names of a node's parameters, sorted."""
+        return sorted(self.ask(node, "ListParameters").result.names)
+
+    def values(self, node: str, names: Sequence[str]) -> dict[str, Parameter[Any]]:
+        """Return parameters of a node; one that was declared by its type alone has no value.
+
+        Raises:
+            ParameterNotSetError: The node has none of that name.
+        """
+        answer = self.ask(node, "GetParameters", names=list(names)).values
+        if len(answer) == len(names):
+            return {name: _parameter(name, one) for name, one in zip(names, answer, strict=True)}
+        return {name: self._value(node, name) for name in self.require(node, names)}
+
+    def _value(self, node: str, name: str) -> Parameter[Any]:
+        answer = self.ask(node, "GetParameters", names=[name]).values
+        return _parameter(name, answer[0]) if answer else Parameter(name)
+
+    def require(self, node: str, names: Sequence[str]) -> Sequence[str]:
+        """Return the names if the node has them all.
+
+        Raises:
+            ParameterNotSetError: It lacks one.
+        """
+        known = self.names(node)
+        for name in names:
+            if name not in known:
+                raise ParameterNotSetError(node, name, known)
+        return names
+
+    def values_or_none(self, node: str, names: Sequence[str]) -> dict[str, Any]:
+        """Return the values of those of some parameters that the node has."""
+        known = set(self.names(node)) if names else set()
+        found = self.values(node, [name for name in names if name in known]) if known else {}
+        return {name: parameter.value for name, parameter in found.items()}
+
+    def descriptors(self, node: str, names: Sequence[str]) -> list[Any]:
+        """Return the descriptors of parameters, as messages.
+
+        Raises:
+            ParameterNotSetError: The node has none of that name.
+        """
+        answer: list[Any] = self.ask(node, "DescribeParameters", names=list(names)).descriptors
+        if len(answer) < len(names) or not all(one.name for one in answer):
+            self.require(node, names)
+        return answer
+
+    def types(self, node: str, names: Sequence[str]) -> dict[str, Parameter.Type]:
+        """Return the declared types of parameters that the node has."""
+        answer = self.ask(node, "DescribeParameters", names=list(names)).descriptors
+        return {one.name: Parameter.Type(one.type) for one in answer}
+
+    def typed(self, node: str, values: dict[str, Any]) -> list[Parameter[Any]]:
+        """Return values of a file as parameters; YAML has no bytes, so they are integers there."""
+        lists = [name for name, one in values.items() if is_octets(one)]
+        known = set(self.names(node)) if lists else set()
+        types = self.types(node, [name for name in lists if name in known]) if known else {}
+        return [
+            Parameter(name, Parameter.Type.BYTE_ARRAY, [bytes([one]) for one in value])
+            if types.get(name) is Parameter.Type.BYTE_ARRAY
+            else guessed(name, value)
+            for name, value in values.items()
+        ]
+
+
+def visible_nodes(graph: Snapshot) -> list[str]:
+    """Return the full names of the nodes that are not hidden."""
+    nodes = [node for node in graph.nodes if not is_hidden(fully_qualified("/", node.node))]
+    return full_names(nodes)
+
+
+def is_octets(value: Any) -> bool:
+    """Tell whether a value may mean bytes: a list of integers from 0 to 255."""
+    return isinstance(value, list) and all(
+        isinstance(one, int) and not isinstance(one, bool) and 0 <= one < 256 for one in value
+    )
+
+
+def _parameter(name: str, value: Any) -> Parameter[Any]:
+    return Parameter(name, Parameter.Type(value.type), parameter_value_to_python(value))
+
+
+def _snake(name: str) -> str:
+    return "".join(f"_{one.lower()}" if one.isupper() else one for one in name).lstrip("_")
