@@ -20,6 +20,8 @@ _PROJECT = "zbot"
 _COMMAND = "zbot_cli."
 #: Names of packages that also stand for nodes that zbot bundles; the empty set: for all of them.
 _ALIASES: dict[str, frozenset[str]] = {
+    "action_tutorials_cpp": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
+    "action_tutorials_py": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
     "demo_nodes_cpp": frozenset({"listener", "talker"}),
     "demo_nodes_py": frozenset({"listener", "talker"}),
 }

@@ -158,7 +158,7 @@ class Pub:
         from zbot_cli.values import Template, split_documents  # noqa: PLC0415 - as above
 
         if self._yaml_file is not None:
-            documents = split_documents(_read(self._yaml_file))
+            documents = split_documents(read_values(self._yaml_file))
             if not documents:
                 raise ValuesFileError(self._yaml_file, "there is no message in it")
             return [Template(message_type, document) for document in documents]
@@ -208,7 +208,12 @@ class Pub:
             pause.wait(max(0.0, begun + sent / self._pace.rate_hz - time.monotonic()))
 
 
-def _read(path: str) -> str:
+def read_values(path: str) -> str:
+    """Return the text of a file of values.
+
+    Raises:
+        ValuesFileError: It cannot be read.
+    """
     try:
         return Path(path).read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as exc:

@@ -1,0 +1,206 @@
+"""`zbot action`: which actions there are, who serves them, and sending goals."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from zbot.names import fully_qualified, validate_topic_name
+from zbot.wire.tokens import EntityKind
+from zbot_cli.action_type import UnknownActionError, suggestion
+from zbot_cli.listing import AsJson, ShowTypes, new_app, print_json
+from zbot_cli.looking import full_name, snapshot
+
+if TYPE_CHECKING:
+    from zbot.graph import Snapshot
+
+app = new_app("Look at actions, and send goals")
+
+ActionName = Annotated[str, typer.Argument(help="Name of the action, e.g. /fibonacci")]
+Count = Annotated[bool, typer.Option("-c", "--count", help="Print the number")]
+
+
+@app.command("list")
+def list_actions(
+    show_types: ShowTypes = False,
+    count: Annotated[
+        bool, typer.Option("-c", "--count-actions", "--count", help="Print the number")
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """List the actions that somebody uses."""
+    graph = snapshot()
+    actions = graph.actions()
+    if count:
+        print(len(actions))
+    elif as_json:
+        print_json(
+            [
+                {
+                    "name": name,
+                    "types": types,
+                    "servers": len(_nodes(graph, name, EntityKind.SERVICE)),
+                    "clients": len(_nodes(graph, name, EntityKind.CLIENT)),
+                }
+                for name, types in actions
+            ]
+        )
+    else:
+        for name, types in actions:
+            print(f"{name} [{', '.join(types)}]" if show_types else name)
+
+
+def _nodes(graph: Snapshot, name: str, kind: EntityKind) -> dict[str, list[str]]:
+    """Return the nodes that serve an action or are its clients, with the types they use."""
+    found: dict[str, list[str]] = {}
+    for node in graph.nodes:
+        full = fully_qualified(node.namespace, node.node)
+        types = dict(graph.actions(kind, node=full)).get(name)  # type: ignore[arg-type]
+        if types is not None:
+            found[full] = types
+    return found
+
+
+@app.command("info")
+def info(
+    action_name: ActionName,
+    show_types: ShowTypes = False,
+    count: Annotated[bool, typer.Option("-c", "--count", help="Print the numbers only")] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Show an action's servers and clients."""
+    graph, name = snapshot(), _checked(action_name)
+    sides = {
+        side: _nodes(graph, name, kind)
+        for side, kind in (("clients", EntityKind.CLIENT), ("servers", EntityKind.SERVICE))
+    }
+    if as_json:
+        print_json({"name": name, **sides})
+        return
+    print(f"Action: {name}")
+    for side, nodes in sides.items():
+        print(f"Action {side}: {len(nodes)}")
+        for node, types in () if count else nodes.items():
+            print(f"    {node} [{', '.join(types)}]" if show_types else f"    {node}")
+    hint = None if any(sides.values()) else suggestion(name, graph)
+    if hint is not None:
+        print(f"\nhint: {hint}", file=sys.stderr)
+
+
+def _checked(action_name: str) -> str:
+    validate_topic_name(action_name)
+    return full_name(action_name)
+
+
+@app.command("type")
+def type_of(action_name: ActionName) -> None:
+    """Print an action's type."""
+    graph, name = snapshot(), _checked(action_name)
+    types = dict(graph.actions()).get(name)
+    if types is None:
+        raise UnknownActionError(name, graph)
+    print("\n".join(types))
+
+
+@app.command("find")
+def find(
+    action_type: Annotated[
+        str, typer.Argument(help="Type of the action, e.g. example_interfaces/action/Fibonacci")
+    ],
+    count: Annotated[
+        bool, typer.Option("-c", "--count-actions", "--count", help="Print the number")
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """List the actions that have a type."""
+    short = action_type.count("/") == 1
+    wanted = action_type.replace("/", "/action/", 1) if short else action_type
+    found = [name for name, types in snapshot().actions() if wanted in types]
+    if count:
+        print(len(found))
+    elif as_json:
+        print_json(found)
+    else:
+        for name in found:
+            print(name)
+
+
+@app.command("send_goal")
+def send_goal(
+    action_name: ActionName,
+    words: Annotated[
+        list[str] | None,
+        typer.Argument(help="Type and goal; both may be left out", metavar="[TYPE] [GOAL]"),
+    ] = None,
+    feedback: Annotated[
+        bool, typer.Option("-f", "--feedback", help="Print how it goes, too")
+    ] = False,
+    timeout: Annotated[
+        float | None, typer.Option("-t", "--timeout", help="Seconds to wait for a server")
+    ] = None,
+    stdin: Annotated[
+        bool, typer.Option("--stdin", help="Read the goal from standard input")
+    ] = False,
+    goal_file: Annotated[
+        str | None, typer.Option("--goal-file", help="Read the goal from a YAML file")
+    ] = None,
+    as_json: AsJson = False,
+) -> None:
+    """Send a goal; Ctrl-C cancels it."""
+    from zbot_cli.send_goal import SendGoal  # noqa: PLC0415 - lists do without
+
+    code = SendGoal(
+        _checked(action_name),
+        words or [],
+        with_feedback=feedback,
+        timeout_s=timeout,
+        stdin=stdin,
+        goal_file=goal_file,
+        as_json=as_json,
+    ).run()
+    raise typer.Exit(code)
+
+
+@app.command("echo")
+def echo(
+    action_name: ActionName,
+    action_type: Annotated[
+        str | None, typer.Argument(help="Type of the action, if nobody uses it yet")
+    ] = None,
+    interfaces: Annotated[
+        str | None,
+        typer.Option("-i", "--interfaces", help="Only these, e.g. 'FEEDBACK_TOPIC|STATUS_TOPIC'"),
+    ] = None,
+    csv: Annotated[bool, typer.Option("--csv", help="Print fields separated by commas")] = False,
+    full_length: Annotated[
+        bool, typer.Option("-f", "--full-length", help="Show everything")
+    ] = False,
+    truncate_length: Annotated[
+        int, typer.Option("-l", "--truncate-length", help="Elements and characters to show")
+    ] = 128,
+    no_arr: Annotated[
+        bool, typer.Option("--no-arr", help="Leave out the content of arrays")
+    ] = False,
+    no_str: Annotated[
+        bool, typer.Option("--no-str", help="Leave out the content of strings")
+    ] = False,
+    flow_style: Annotated[
+        bool, typer.Option("--flow-style", help="Print collections on one line")
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Print what a server and its clients say to each other."""
+    from zbot_cli.action_echo import ActionEcho  # noqa: PLC0415 - lists do without
+    from zbot_cli.message_text import Form  # noqa: PLC0415 - as above
+
+    form = Form(
+        csv=csv,
+        length=None if full_length else truncate_length,
+        no_arr=no_arr,
+        no_str=no_str,
+        flow_style=flow_style,
+        json=as_json,
+    )
+    ActionEcho(_checked(action_name), action_type, interfaces, form).run()

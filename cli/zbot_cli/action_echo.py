@@ -1,0 +1,119 @@
+"""`zbot action echo`: what an action's server and its clients say to each other."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+from zbot.qos import QoSProfile, qos_profile_action_status_default
+from zbot_cli.action_type import only_action_type, resolve_action_type, suggestion
+from zbot_cli.listing import print_json
+from zbot_cli.looking import hidden_node
+
+if TYPE_CHECKING:
+    from zbot.node import Node
+    from zbot_cli.message_text import Form, Formatter
+
+_DEPTH = QoSProfile(depth=100)
+_STEP_S = 0.5  # a signal does not end waiting for the graph
+
+#: ros2's word for each part: topic, type, quality of service. `{}` is the action's type.
+_PARTS: dict[str, tuple[str, str, QoSProfile]] = {
+    "GOAL_SERVICE": ("send_goal/_service_event", "{}_SendGoal_Event", _DEPTH),
+    "CANCEL_SERVICE": ("cancel_goal/_service_event", "action_msgs/srv/CancelGoal_Event", _DEPTH),
+    "RESULT_SERVICE": ("get_result/_service_event", "{}_GetResult_Event", _DEPTH),
+    "FEEDBACK_TOPIC": ("feedback", "{}_FeedbackMessage", _DEPTH),
+    "STATUS_TOPIC": (
+        "status",
+        "action_msgs/msg/GoalStatusArray",
+        qos_profile_action_status_default,
+    ),
+}
+
+
+class ActionInterfaceError(ZbotError):
+    """A word is not the name of one of an action's five parts."""
+
+    def __init__(self, word: str) -> None:
+        self.word = word
+        self.hint = f"choose from {', '.join(_PARTS)}"
+        super().__init__(f'"{word}" is incorrect interface name.')
+
+
+class ActionEcho:
+    """Prints an action's feedback and status, and its services' events if they are switched on.
+
+    Args:
+        name: The action's full name.
+        type_word: Its type; `None` to ask the graph.
+        interfaces: Names of parts, separated by `|`; `None` for all.
+        form: How to show messages.
+
+    Raises:
+        ActionInterfaceError: There is no part of such a name.
+        InvalidActionTypeError: There is no such type.
+    """
+
+    def __init__(
+        self, name: str, type_word: str | None, interfaces: str | None, form: Form
+    ) -> None:
+        from zbot_cli.message_text import Formatter  # noqa: PLC0415 - only echo formats messages
+
+        self._name = name
+        self._type = None if type_word is None else resolve_action_type(type_word)
+        self._parts = list(_PARTS) if interfaces is None else interfaces.split("|")
+        for part in self._parts:
+            if part not in _PARTS:
+                raise ActionInterfaceError(part)
+        self._form = form
+        self._format: Formatter = Formatter(form)
+
+    def run(self) -> None:
+        """Listen and print until Ctrl-C."""
+        from zbot.runtime import spin  # noqa: PLC0415 - lists do without
+
+        with hidden_node("action_echo") as node:
+            type_name = self._type or self._wait_for_type(node)
+            for part in self._parts:
+                self._subscribe(node, part, type_name)
+            spin(node)
+
+    def _wait_for_type(self, node: Node) -> str:
+        graph = node.context.graph
+        found = only_action_type(graph.snapshot(), self._name)
+        if found is None:
+            hint = suggestion(self._name, graph.snapshot())
+            text = f"waiting for {self._name} to appear" + (f"; {hint}" if hint else "")
+            print(text, file=sys.stderr, flush=True)
+        while found is None:
+            graph.wait_for(
+                lambda snapshot: only_action_type(snapshot, self._name) is not None, _STEP_S
+            )
+            found = only_action_type(graph.snapshot(), self._name)
+        return found
+
+    def _subscribe(self, node: Node, part: str, type_name: str) -> None:
+        from zbot.interfaces import get_message  # noqa: PLC0415 - lists do without
+
+        topic, message_type, qos = _PARTS[part]
+        subscription = node.create_subscription(
+            get_message(message_type.format(type_name)),
+            f"{self._name}/_action/{topic}",
+            lambda message, info: self._show(part, message, info),
+            qos,
+        )
+        subscription.report_losses_to(_take_no_notice)
+
+    def _show(self, part: str, message: Any, info: Any) -> None:
+        if self._form.json:
+            from zbot_cli.message_text import json_value  # noqa: PLC0415 - seldom used
+
+            print_json({"interface": part, "message": json_value(message)})
+        else:
+            sys.stdout.write(f"interface: {part}\n{self._format.text(self._name, message, info)}")
+        sys.stdout.flush()
+
+
+def _take_no_notice(missing: int) -> None:  # noqa: ARG001 - what a subscription calls
+    return

@@ -1,0 +1,87 @@
+"""Actions and their types, as users name them and as the graph knows them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+from zbot.names import nearest
+from zbot_cli.types import all_types, find_types, type_hint
+
+if TYPE_CHECKING:
+    from zbot.graph import Snapshot
+
+
+class InvalidActionTypeError(ZbotError):
+    """A word names no action type."""
+
+    def __init__(self, word: str, hint: str) -> None:
+        self.word, self.hint = word, hint
+        super().__init__("The passed action type is invalid")
+
+
+class UnknownActionError(ZbotError):
+    """Nobody serves an action of that name, nor is a client of it."""
+
+    def __init__(self, name: str, graph: Snapshot) -> None:
+        self.name = name
+        self.hint = suggestion(name, graph)
+        super().__init__(f"Unknown action '{name}'")
+
+
+class SeveralActionTypesError(ZbotError):
+    """An action has more than one type, and none was named."""
+
+    def __init__(self, name: str, types: list[str]) -> None:
+        self.name, self.types = name, types
+        self.hint = f"name the one you mean: {types[0]}"
+        super().__init__(f"Action '{name}' has more than one type: [{', '.join(types)}]")
+
+
+def suggestion(name: str, graph: Snapshot) -> str | None:
+    """Return a question that names the action which may have been meant."""
+    guess = nearest(name, [known for known, _ in graph.actions()])
+    return f"did you mean {guess}?" if guess else None
+
+
+def resolve_action_type(word: str) -> str:
+    """Return the full name of an action type.
+
+    Raises:
+        InvalidActionTypeError: There is none of that name, or several of a short one.
+    """
+    found = [name for name in find_types(word) if _is_action(name)]
+    if len(found) != 1:
+        raise InvalidActionTypeError(word, type_hint(word, found, filter(_is_action, all_types())))
+    return found[0]
+
+
+def _is_action(name: str) -> bool:
+    return "/action/" in name
+
+
+def action_class(type_name: str) -> type[Any]:
+    """Return an action class.
+
+    Raises:
+        InvalidActionTypeError: There is no definition of the type here.
+    """
+    from zbot.interfaces import get_action  # noqa: PLC0415 - lists do without
+
+    try:
+        return get_action(type_name)
+    except LookupError:
+        hint = "put its .action file into a package of your workspace"
+        raise InvalidActionTypeError(type_name, hint) from None
+
+
+def only_action_type(graph: Snapshot, name: str) -> str | None:
+    """Return the type of an action, `None` if nobody uses it.
+
+    Raises:
+        SeveralActionTypesError: It has several.
+    """
+    types = dict(graph.actions()).get(name)
+    if types is not None and len(types) > 1:
+        raise SeveralActionTypesError(name, types)
+    return None if types is None else types[0]

@@ -1,0 +1,231 @@
+"""`zbot action send_goal`: one goal, from its values to its result."""
+
+from __future__ import annotations
+
+import sys
+import time
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+from zbot_cli.action_type import (
+    action_class,
+    only_action_type,
+    resolve_action_type,
+    suggestion,
+)
+from zbot_cli.listing import print_json
+from zbot_cli.looking import hidden_node
+from zbot_cli.status import Status
+from zbot_cli.values import PopulateError, Template
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from zbot.action import ActionClient, ClientGoalHandle
+    from zbot.node import Node
+    from zbot.task import Future
+
+_STEP_S = 0.5  # between two looks whether a signal came while the graph stays as it is
+_REPR_OF = {True: "AttributeError", False: "ValueError"}
+
+
+class NoActionServerError(ZbotError):
+    """No server came in time."""
+
+    def __init__(self, name: str, timeout_s: float, hint: str | None) -> None:
+        self.name, self.timeout_s, self.hint = name, timeout_s, hint
+        super().__init__(
+            f"The action server {name} is not available after waiting {timeout_s:g} seconds"
+        )
+
+
+class GoalValuesError(ZbotError):
+    """The values on the command line do not fit the goal."""
+
+    def __init__(self, error: PopulateError) -> None:
+        self.hint = error.hint
+        reason = str(error).removeprefix("Failed to populate field: ")
+        kind = _REPR_OF["has no attribute" in reason]
+        super().__init__(f"Failed to populate message fields: {kind}({reason!r})")
+
+
+class CancelError(ZbotError):
+    """The server did not agree to end the goal."""
+
+    def __init__(self) -> None:
+        self.hint = "its server has no cancel_callback that accepts, or the goal has just ended"
+        super().__init__("Failed to cancel goal")
+
+
+class SendGoal:
+    """Waits for a server, sends a goal, and follows it to its end.
+
+    Args:
+        name: The action's full name.
+        words: A type and values; the type may be left out if somebody serves the action.
+        with_feedback: Print feedback.
+        timeout_s: How long to wait for a server; `None` for ever.
+        stdin: Read the values from standard input.
+        goal_file: Read the values from a file.
+        as_json: Print one JSON document for each event.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        words: Sequence[str],
+        *,
+        with_feedback: bool,
+        timeout_s: float | None,
+        stdin: bool,
+        goal_file: str | None,
+        as_json: bool,
+    ) -> None:
+        self._name = name
+        self._type, self._values = _split(words)
+        self._with_feedback = with_feedback
+        self._timeout_s = timeout_s
+        self._as_json = as_json
+        if stdin:
+            self._values = [sys.stdin.read()]
+        elif goal_file is not None:
+            from zbot_cli.pub import read_values  # noqa: PLC0415 - seldom used
+
+            self._values = [read_values(goal_file)]
+
+    def run(self) -> Status:
+        """Send the goal and return how the command ends.
+
+        Raises:
+            NoActionServerError: No server came in time.
+            GoalValuesError: The values do not fit the goal.
+            CancelError: The goal was to be canceled, and was not.
+            ServiceError: The server ended before the goal did.
+        """
+        import zbot  # noqa: F401, PLC0415 - makes the message packages importable
+
+        template = None if self._type is None else self._template(self._type)
+        deadline = None if self._timeout_s is None else time.monotonic() + self._timeout_s
+        with hidden_node("send_goal", survives_ctrl_c=True) as node:
+            self._node = node
+            self._say("Waiting for an action server to become available...")
+            if template is None:
+                self._type = self._wait_for_type(deadline)
+                template = self._template(self._type)
+            client = self._client(node)
+            if not client.wait_for_server(_left(deadline)):
+                raise self._no_server()
+            return self._follow(client, template.make(lambda: node.get_clock().now().nanoseconds))
+
+    def _template(self, type_name: str) -> Template:
+        try:
+            return Template(action_class(type_name).Goal, self._values)
+        except PopulateError as error:
+            raise GoalValuesError(error) from None
+
+    def _client(self, node: Node) -> ActionClient[Any, Any, Any]:
+        from zbot.action import ActionClient  # noqa: PLC0415 - lists do without
+
+        return ActionClient(node, action_class(self._type or ""), self._name)
+
+    def _wait_for_type(self, deadline: float | None) -> str:
+        graph = self._node.context.graph
+        while (found := only_action_type(graph.snapshot(), self._name)) is None:
+            left = _left(deadline)
+            if left == 0:
+                raise self._no_server()
+            graph.wait_for(
+                lambda snapshot: only_action_type(snapshot, self._name) is not None,
+                _STEP_S if left is None else min(left, _STEP_S),
+            )
+        return found
+
+    def _no_server(self) -> NoActionServerError:
+        hint = suggestion(self._name, self._node.context.graph.snapshot())
+        return NoActionServerError(self._name, self._timeout_s or 0, hint)
+
+    # -- the goal ------------------------------------------------------------------------------
+
+    def _follow(self, client: ActionClient[Any, Any, Any], goal: Any) -> Status:
+        self._say(f"Sending goal:\n     {_text(goal)}")
+        callback = self._show_feedback if self._with_feedback else None
+        handle = self._wait(client.send_goal_async(goal, callback))
+        if not handle.accepted:
+            self._show("Goal was rejected.", {"accepted": False})
+            return Status.ERROR
+        goal_id = handle.key.hex()
+        self._show(f"Goal accepted with ID: {goal_id}\n", {"accepted": True, "goal_id": goal_id})
+        result = handle.get_result_async()
+        try:
+            return self._end(self._wait(result))
+        except KeyboardInterrupt:
+            self._cancel(handle)
+            self._end(self._wait(result))
+            return Status.INTERRUPTED
+
+    def _cancel(self, handle: ClientGoalHandle[Any, Any, Any]) -> None:
+        self._say("Canceling goal...")
+        response = self._wait(handle.cancel_goal_async())
+        if not response.goals_canceling:
+            raise CancelError
+        self._say("Goal canceled.")
+
+    def _end(self, response: Any) -> Status:
+        from zbot.action import GoalState  # noqa: PLC0415 - lists do without
+
+        state = GoalState(response.status)
+        self._show(
+            f"Result:\n    {_text(response.result)}\nGoal finished with status: {state.name}",
+            {"result": response.result, "status": state.name},
+        )
+        return Status.OK if state is GoalState.SUCCEEDED else Status.ERROR
+
+    def _wait(self, future: Future[Any]) -> Any:
+        from zbot.runtime import spin_until_future_complete  # noqa: PLC0415 - lists do without
+
+        spin_until_future_complete(self._node, future)
+        return future.result()
+
+    # -- output --------------------------------------------------------------------------------
+
+    def _show_feedback(self, message: Any) -> None:
+        self._show(f"Feedback:\n    {_text(message.feedback)}", {"feedback": message.feedback})
+
+    def _say(self, text: str) -> None:
+        if not self._as_json:
+            print(text, flush=True)
+
+    def _show(self, text: str, facts: dict[str, Any]) -> None:
+        if self._as_json:
+            from zbot_cli.message_text import json_value  # noqa: PLC0415 - seldom used
+
+            print_json({name: json_value(value) for name, value in facts.items()})
+            sys.stdout.flush()
+        else:
+            print(text, flush=True)
+
+
+def _split(words: Sequence[str]) -> tuple[str | None, list[str]]:
+    from zbot_cli.types import looks_like_type  # noqa: PLC0415 - only here
+
+    if words and looks_like_type(words[0]):
+        return resolve_action_type(words[0]), list(words[1:])
+    return None, list(words)
+
+
+def _left(deadline: float | None) -> float | None:
+    return None if deadline is None else max(0.0, deadline - time.monotonic())
+
+
+def _text(message: Any) -> str:
+    from zbot_cli.message_text import Form, plain  # noqa: PLC0415 - only goals are printed
+    from zbot_cli.yaml_text import dump  # noqa: PLC0415 - as above
+
+    return dump(_unfolded(plain(message, Form(length=None))))
+
+
+def _unfolded(value: Any) -> Any:
+    """Return values without the lists that stand on one line: ros2 writes each item on its own."""
+    if isinstance(value, dict):
+        return {name: _unfolded(item) for name, item in value.items()}
+    return [_unfolded(item) for item in value] if isinstance(value, list) else value
