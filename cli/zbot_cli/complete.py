@@ -101,6 +101,39 @@ def _topic_type(done: Sequence[str], unfinished: str) -> Iterable[str]:
     return found or _message_types(done, unfinished)
 
 
+def _actions(_: Sequence[str], unfinished: str) -> Iterable[str]:
+    from zbot_cli.looking import snapshot  # noqa: PLC0415 - only live names ask
+
+    names = [name for name, _ in snapshot().actions()]
+    return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
+
+
+def _action_type(done: Sequence[str], _: str) -> Iterable[str]:
+    from zbot_cli.looking import full_name, snapshot  # noqa: PLC0415 - as above
+
+    found = dict(snapshot().actions()).get(full_name(done[0])) if done else None
+    return found or _action_types(done, "")
+
+
+def _action_types(_: Sequence[str], __: str) -> Iterable[str]:
+    from zbot_cli.types import all_types  # noqa: PLC0415 - only types ask
+
+    return (name for name in all_types() if "/action/" in name)
+
+
+def _goal(done: Sequence[str], _: str) -> Iterable[str]:
+    from zbot.interfaces import get_action  # noqa: PLC0415 - only `send_goal` asks
+    from zbot_cli.message_text import json_value  # noqa: PLC0415 - as above
+
+    try:
+        goal = get_action(done[1]).Goal()
+    except (ZbotError, IndexError):
+        return []
+    import json  # noqa: PLC0415 - as above
+
+    return [f"'{json.dumps(json_value(goal))}'"]
+
+
 def _message_types(_: Sequence[str], __: str) -> Iterable[str]:
     from zbot_cli.types import all_messages  # noqa: PLC0415 - only types ask
 
@@ -111,6 +144,18 @@ def _all_types(_: Sequence[str], __: str) -> Iterable[str]:
     from zbot_cli.types import all_types  # noqa: PLC0415 - only types ask
 
     return all_types()
+
+
+def _all_packages(_: Sequence[str], __: str) -> Iterable[str]:
+    from zbot.package import packages  # noqa: PLC0415 - as above
+
+    return packages()
+
+
+def _workspace_packages(_: Sequence[str], __: str) -> Iterable[str]:
+    from zbot.package.workspace import package_folders, package_name  # noqa: PLC0415 - as above
+
+    return map(package_name, package_folders())
 
 
 def _packages(_: Sequence[str], __: str) -> Iterable[str]:
@@ -138,6 +183,11 @@ def _shells(_: Sequence[str], __: str) -> Iterable[str]:
 
 #: What the words of each verb can be, the last source serving all further words.
 _VALUES: dict[tuple[str, str], tuple[Any, ...]] = {
+    ("build", "--packages-select"): (_workspace_packages,),
+    ("build", "--packages-up-to"): (_workspace_packages,),
+    ("pkg", "executables"): (_all_packages,),
+    ("pkg", "prefix"): (_all_packages,),
+    ("pkg", "xml"): (_all_packages,),
     ("topic", "echo"): (_topics, _topic_type),
     ("topic", "pub"): (_topics, _topic_type, _prototype),
     ("topic", "info"): (_topics,),

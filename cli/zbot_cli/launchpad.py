@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from zbot.package.workspace import stay_in_workspace
 from zbot_cli.executables import is_file
 
 if TYPE_CHECKING:
@@ -35,12 +36,20 @@ def become(executable: Executable, arguments: Sequence[str]) -> NoReturn:
 
     signals.install(signals.SignalHandlerOptions.SIGINT)
     _leave_out_own_frames()
+    stay_in_workspace(_place(executable))
     _set_path(executable)
     if is_file(executable.target):
         sys.argv = [executable.target, *arguments]
         _run_file(executable.target)
     sys.argv = [executable.name, *arguments]
     sys.exit(_function(executable.target)())
+
+
+def _place(executable: Executable) -> Path:
+    """Return a folder in the workspace that a program is from, if it is from any."""
+    if is_file(executable.target):
+        return Path(executable.target).parent
+    return Path(next(iter(executable.folders), "."))
 
 
 def _run_file(path: str) -> NoReturn:

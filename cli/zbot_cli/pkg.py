@@ -142,12 +142,13 @@ def _warn_of_license(name: str) -> None:
 def list_packages(as_json: AsJson = False) -> None:
     """List all packages."""
     found = packages()
+    bundled = [package.name for package in executables.bundled_packages()]
     if as_json:
         keys = ("name", "origin", "folder")
         rows = [(one.name, one.origin.value, str(one.folder)) for one in found.values()]
         print_json([dict(zip(keys, row, strict=True)) for row in rows])
         return
-    print(*found, sep="\n")
+    print(*sorted({*found, *bundled}), sep="\n")
 
 
 @app.command("executables")

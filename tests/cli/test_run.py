@@ -129,3 +129,22 @@ def test_malformed_ros_args_are_told(start: Start) -> None:
     talker = start("zbot", "run", "talker", "--ros-args", "-r", "chatter=words")
     assert talker.wait() == 1
     assert "chatter=words" in talker.output
+
+
+SHARE = """
+import os
+from ament_index_python.packages import get_package_share_directory
+from my_robot.msg import Beep
+os.chdir('/')
+print(get_package_share_directory('my_robot'), Beep(times=2))
+"""
+
+
+def test_a_program_finds_its_package_wherever_it_goes(workspace: Path, tmp_path: Path) -> None:
+    folder = workspace / "src" / "my_robot"
+    (folder / "msg").mkdir()
+    (folder / "msg" / "Beep.msg").write_text("int32 times\n")
+    (folder / "my_robot" / "share.py").write_text(SHARE)
+    expected = f"{folder} my_robot.msg.Beep(times=2)\n"
+    # By its path, from a folder outside of the workspace.
+    assert zbot("run", str(folder / "my_robot" / "share.py"), cwd=tmp_path).out == expected

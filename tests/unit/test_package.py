@@ -19,6 +19,7 @@ from zbot.package import (
 )
 from zbot.package.places import Origin, all_packages, find_package
 from zbot.package.view import ViewError, cache_folder
+from zbot.package.workspace import package_folders, stay_in_workspace
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -282,3 +283,46 @@ def test_each_system_has_its_place_for_caches(
     monkeypatch.setenv("HOME", str(tmp_path))
     monkeypatch.setenv("LOCALAPPDATA", str(tmp_path / "local"))
     assert cache_folder() == tmp_path / folder
+
+
+# -- workspaces ----------------------------------------------------------------------------------
+
+
+def test_a_process_can_stay_in_its_workspace(
+    write: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = write()
+    monkeypatch.setenv("ZBOT_WORKSPACE", "")
+    stay_in_workspace(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    assert package_share("robot") == folder
+
+
+def test_the_workspace_of_a_file_counts_from_elsewhere(
+    write: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = write("robot/drive.py")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("ZBOT_WORKSPACE", "")
+    stay_in_workspace(folder / "robot")
+    assert os.environ["ZBOT_WORKSPACE"] == str(folder.parent)
+
+
+def test_a_named_workspace_stays_the_only_one(
+    write: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("ZBOT_WORKSPACE", "/named")
+    stay_in_workspace(write())
+    assert os.environ["ZBOT_WORKSPACE"] == "/named"
+
+
+def test_a_package_around_its_workspace_is_found_once(
+    write: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    inner = write()
+    outer = inner.parents[1]
+    (outer / "package.xml").write_text(MANIFEST.format("outer"))
+    assert sorted(package_folders()) == [outer, inner]
+    monkeypatch.setenv("ZBOT_WORKSPACE", "")
+    stay_in_workspace(outer)
+    assert sorted(package_folders()) == [outer, inner]

@@ -44,6 +44,22 @@ def search_roots() -> Roots:
     return _roots_around(current)
 
 
+def stay_in_workspace(start: Path) -> None:
+    """Keep to the workspaces of the current folder and of another, wherever this process goes.
+
+    The processes that it starts keep to them too: a program may change its folder, and its packages
+    are still found. Where ZBOT_WORKSPACE is set already, nothing changes.
+    """
+    if os.environ.get("ZBOT_WORKSPACE"):
+        return
+    folders: dict[str, None] = {}
+    for root, depth in (*search_roots(), *_roots_around(start.absolute())):
+        if depth == _MAX_DEPTH or (root / MANIFEST).is_file():
+            folders[str(root)] = None
+    if folders:
+        os.environ["ZBOT_WORKSPACE"] = os.pathsep.join(folders)
+
+
 def package_folders(bases: Iterable[Path] | None = None) -> Iterator[Path]:
     """The folder of every package of the workspace: each has a package.xml or a setup file.
 
@@ -51,9 +67,11 @@ def package_folders(bases: Iterable[Path] | None = None) -> Iterator[Path]:
         bases: Where to look instead.
     """
     roots = [(base, _MAX_DEPTH) for base in bases] if bases else search_roots()
+    seen = set()
     for root, depth in roots:
         for folder, names, below in walk(root, depth):
-            if MANIFEST in names or names & SETUP_FILES:
+            if folder not in seen and (MANIFEST in names or names & SETUP_FILES):
+                seen.add(folder)
                 yield folder
                 # The root may be a package and the workspace of others too.
                 if folder != root:
