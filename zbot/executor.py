@@ -176,7 +176,9 @@ class Executor:
         self._agenda = _Agenda()
         self._signal = Signal()
         self._is_shutdown = False
-        self._is_disturbed = True  # whether somebody wants to be looked at before the next callback
+        # Whether somebody wants to be looked at before the same entity's next callback.
+        self._is_disturbed = True
+        self._due_ns: int | None = None  # when the first timer wants to run
         self._spinning = threading.Lock()
         self._spinner: int | None = None
         context.add_waker(self.wake)
@@ -324,10 +326,15 @@ class Executor:
     def _execute(self, entity: Entity, taken: Any) -> None:
         """Run a piece of work and, while nobody else has any, the entity's next ones."""
         outcome = None
+        execute, take = entity.execute, entity.take
         _inside.stack.append((self, entity))
         try:
-            while (outcome := entity.execute(taken)) is None and self._may_go_on():
-                taken = entity.take()
+            # The common case of a busy topic: without a turn of the queue a message costs half.
+            while (outcome := execute(taken)) is None and not self._is_disturbed:
+                due = self._due_ns
+                if due is not None and due <= time.monotonic_ns():
+                    break
+                taken = take()
                 if taken is None:
                     break
         except NotInitializedError as exc:
@@ -341,9 +348,6 @@ class Executor:
                 self._finish(entity)
         if outcome is not None and hasattr(outcome, "send"):
             self._follow(entity, outcome)
-
-    def _may_go_on(self) -> bool:
-        return False
 
     def _follow(self, entity: Entity, coroutine: Coroutine[Any, Any, Any]) -> None:
         """Run an `async def` callback; its group stays taken until it ends."""
@@ -493,13 +497,6 @@ class Executor:
 
 class SingleThreadedExecutor(Executor):
     """Runs every callback in the thread that spins."""
-
-    _due_ns: int | None = None  # when the first timer wants to run
-
-    def _may_go_on(self) -> bool:
-        # The common case of a busy topic: without a turn of the queue a message costs half as much.
-        due = self._due_ns
-        return not self._is_disturbed and (due is None or due > time.monotonic_ns())
 
     def spin(self) -> None:
         """Run callbacks until the context or this executor is shut down.

@@ -15,6 +15,7 @@ import threading
 import time
 from collections import deque
 from enum import Enum
+from itertools import islice
 from typing import TYPE_CHECKING, Any, Generic, TypedDict, TypeVar
 
 import zenoh
@@ -46,7 +47,7 @@ _KEEP_ALL_QUEUE = 2048
 _MOST_SOURCES = 1024
 
 
-_unpack = LAYOUT.unpack
+_unpack, _FACTS_LENGTH = LAYOUT.unpack, LAYOUT.size
 
 
 class MessageInfo(TypedDict):
@@ -203,12 +204,9 @@ class Subscription(Generic[MsgT]):
             # queue is emptied before it takes more: refilling a channel that is full costs its
             # writer a wake-up.
             if not (queue and self._keep_all):
-                try_recv = self._try_recv
                 try:
-                    while (sample := try_recv()) is not None:
-                        queue.append(sample)
-                        if self._keep_all and len(queue) >= _KEEP_ALL_QUEUE:
-                            break
+                    # The loop is C's; a publisher that never pauses does not make it endless.
+                    queue.extend(islice(iter(self._try_recv, None), _KEEP_ALL_QUEUE))
                 except zenoh.ZError:
                     return None  # another thread undeclared it or closed the session just now
             if queue:
@@ -225,7 +223,7 @@ class Subscription(Generic[MsgT]):
         """Decode a sample and call the callback; one that cannot be read is counted and told."""
         attachment = sample.attachment
         facts = None if attachment is None else attachment.to_bytes()
-        if facts is not None and len(facts) == LAYOUT.size:
+        if facts is not None and len(facts) == _FACTS_LENGTH:
             sequence, stamp_ns, _, gid = _unpack(facts)
             source = self._sources.get(gid)
             if source is None or source.next_sequence != sequence or source.is_special:
