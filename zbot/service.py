@@ -119,6 +119,8 @@ class Service(Generic[RequestT, ResponseT]):
     def _receive(self, query: zenoh.Query) -> None:
         # Zenoh's thread: nothing but the hand-over.
         self._queries.append(query)
+        if self._is_destroyed:
+            self._drop_queries()
         for watcher in list(self.watchers):
             watcher()
         self.mailbox.post(self)
@@ -193,8 +195,11 @@ class Service(Generic[RequestT, ResponseT]):
         if not self._context.is_closed:
             self._liveliness.undeclare()
             self._queryable.undeclare()
+        self._drop_queries()
+
+    def _drop_queries(self) -> None:
         while (query := self.take()) is not None:
-            query.drop()
+            query.drop()  # its caller learns that there is no answer
 
     def __enter__(self) -> Self:
         return self
