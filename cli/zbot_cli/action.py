@@ -191,7 +191,7 @@ def echo(
     ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Print what a server and its clients say to each other."""
+    """Print an action's feedback, status and service events."""
     from zbot_cli.action_echo import ActionEcho  # noqa: PLC0415 - lists do without
     from zbot_cli.message_text import Form  # noqa: PLC0415 - as above
 

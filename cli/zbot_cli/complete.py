@@ -126,7 +126,8 @@ def _goal(done: Sequence[str], _: str) -> Iterable[str]:
     from zbot_cli.message_text import json_value  # noqa: PLC0415 - as above
 
     try:
-        goal = get_action(done[1]).Goal()
+        action: Any = get_action(done[1])
+        goal = action.Goal()
     except (ZbotError, IndexError):
         return []
     import json  # noqa: PLC0415 - as above
@@ -183,6 +184,11 @@ def _shells(_: Sequence[str], __: str) -> Iterable[str]:
 
 #: What the words of each verb can be, the last source serving all further words.
 _VALUES: dict[tuple[str, str], tuple[Any, ...]] = {
+    ("action", "echo"): (_actions, _action_type),
+    ("action", "find"): (_action_types,),
+    ("action", "info"): (_actions,),
+    ("action", "send_goal"): (_actions, _action_type, _goal),
+    ("action", "type"): (_actions,),
     ("build", "--packages-select"): (_workspace_packages,),
     ("build", "--packages-up-to"): (_workspace_packages,),
     ("pkg", "executables"): (_all_packages,),
