@@ -34,6 +34,7 @@ if TYPE_CHECKING:
     from zbot.log import LoggingSeverity as LoggingSeverity
     from zbot.log import get_logger as get_logger
     from zbot.node import Node as Node
+    from zbot.parameter import Parameter as Parameter
     from zbot.publisher import Publisher as Publisher
     from zbot.qos import DurabilityPolicy as DurabilityPolicy
     from zbot.qos import HistoryPolicy as HistoryPolicy
@@ -79,6 +80,7 @@ _HOMES = {
     "LoggingSeverity": "zbot.log",
     "get_logger": "zbot.log",
     "Node": "zbot.node",
+    "Parameter": "zbot.parameter",
     "Publisher": "zbot.publisher",
     "DurabilityPolicy": "zbot.qos",
     "HistoryPolicy": "zbot.qos",

@@ -50,6 +50,7 @@ if TYPE_CHECKING:
     from zbot.executor import Executor
     from zbot.log import Logger
     from zbot.parameter import Parameter
+    from zbot.qos_overriding_options import QoSOverridingOptions
 
 MsgT = TypeVar("MsgT")
 EntityT = TypeVar("EntityT")
@@ -235,7 +236,7 @@ class Node(GraphQueries, NodeParameters):
         *,
         callback_group: CallbackGroup | None = None,
         event_callbacks: Any = None,
-        qos_overriding_options: Any = None,  # noqa: ARG002 - needs parameters
+        qos_overriding_options: QoSOverridingOptions | None = None,
         publisher_class: type[Publisher[Any]] = Publisher,
     ) -> Publisher[MsgT]:
         """Create a publisher.
@@ -255,7 +256,8 @@ class Node(GraphQueries, NodeParameters):
         """
         handle = self._zbot_alive()
         name = Node.resolve_topic_name(self, topic)
-        token = handle.endpoint(EntityKind.PUBLISHER, name, msg_type, as_profile(qos_profile))
+        qos = self._zbot_overridden("publisher", name, qos_profile, qos_overriding_options)
+        token = handle.endpoint(EntityKind.PUBLISHER, name, msg_type, qos)
         publisher = publisher_class(
             handle.context,
             msg_type,
@@ -278,7 +280,7 @@ class Node(GraphQueries, NodeParameters):
         *,
         callback_group: CallbackGroup | None = None,
         event_callbacks: Any = None,
-        qos_overriding_options: Any = None,  # noqa: ARG002 - needs parameters
+        qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
         content_filter_options: Any = None,  # noqa: ARG002 - no middleware of Zenoh's filters content
     ) -> Subscription[MsgT]:
@@ -302,11 +304,12 @@ class Node(GraphQueries, NodeParameters):
         """
         handle = self._zbot_alive()
         name = Node.resolve_topic_name(self, topic)
+        qos = self._zbot_overridden("subscription", name, qos_profile, qos_overriding_options)
         subscription = Subscription(
             handle.context,
             msg_type,
             callback,
-            handle.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, as_profile(qos_profile)),
+            handle.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, qos),
             mailbox=handle.mailbox,
             callback_group=callback_group or handle.default_callback_group,
             raw=raw,
@@ -456,6 +459,21 @@ class Node(GraphQueries, NodeParameters):
         rate = Rate(int(S_TO_NS / frequency), clock or handle.clock, handle.context)
         handle.rates.append(rate)
         return rate
+
+    def _zbot_overridden(
+        self,
+        entity: str,
+        topic: str,
+        qos: QoSProfile | int,
+        options: QoSOverridingOptions | None,
+    ) -> QoSProfile:
+        """Return a profile as the node's parameters change it, if the options allow that."""
+        profile = as_profile(qos)
+        if options is None:
+            return profile
+        from zbot.qos_overriding_options import overridden  # noqa: PLC0415 - few nodes have options
+
+        return overridden(self._zbot_handle.parameters, entity, topic, profile, options)
 
     def _zbot_alive(self) -> NodeHandle:
         handle = self._zbot_handle

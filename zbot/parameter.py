@@ -28,7 +28,7 @@ PARAMETER_SEPARATOR_STRING = "."
 
 #: bool, int, float, str, None, or a list, tuple or array of bytes of length 1 or of one of these.
 AllowableParameterValue = Any
-ValueT = TypeVar("ValueT")
+ValueT_co = TypeVar("ValueT_co", covariant=True)
 
 _INT64 = range(-(2**63), 2**63)
 
@@ -71,7 +71,7 @@ class NoParametersError(ZbotError, RuntimeError):
         super().__init__(f"Param file does not contain any valid parameters{of}: {path}")
 
 
-class Parameter(Generic[ValueT]):
+class Parameter(Generic[ValueT_co]):
     """A named value with a type, as in rclpy.
 
     Integers become floats where the type says DOUBLE or DOUBLE_ARRAY.
@@ -146,10 +146,10 @@ class Parameter(Generic[ValueT]):
     def __init__(self: Parameter[Any], name: str, type_: Parameter.Type | None = None) -> None: ...
     @overload
     def __init__(
-        self, name: str, type_: Parameter.Type | None = None, *, value: ValueT
+        self, name: str, type_: Parameter.Type | None = None, *, value: ValueT_co
     ) -> None: ...
     @overload
-    def __init__(self, name: str, type_: Parameter.Type | None, value: ValueT) -> None: ...
+    def __init__(self, name: str, type_: Parameter.Type | None, value: ValueT_co) -> None: ...
     def __init__(self, name: str, type_: Parameter.Type | None = None, value: Any = None) -> None:
         if type_ is None:
             type_ = Parameter.Type.from_parameter_value(value)
@@ -179,9 +179,9 @@ class Parameter(Generic[ValueT]):
         return self._type_
 
     @property
-    def value(self) -> ValueT:
+    def value(self) -> ValueT_co:
         """The value; None if the type is NOT_SET."""
-        return cast("ValueT", self._value)
+        return cast("ValueT_co", self._value)
 
     def get_parameter_value(self) -> ParameterValue:
         """Return the value as a message, which has one field for each type."""

@@ -108,7 +108,7 @@ class ParameterListError(ZbotError, TypeError):
         super().__init__(f"element {index} of the list must be {expected}, not {item!r}")
 
 
-class UnknownCallbackError(ZbotError, ValueError):
+class UnknownCallbackError(ZbotError, ValueError, RuntimeError):
     """A parameter callback is to be removed that was never added."""
 
     def __init__(self, callback: object) -> None:

@@ -10,7 +10,6 @@ Parameters: speed (double, 0 to 2 m/s), laps (integer), driver (string), wheel.r
 from typing import Any
 
 import zbot
-from zbot.parameter import Parameter
 
 from rcl_interfaces.msg import (
     FloatingPointRange,
@@ -45,14 +44,14 @@ class ParameterDemo(zbot.Node):
         self.add_post_set_parameters_callback(self.tell)
         self.timer = self.create_timer(1.0, self.drive)
 
-    def check(self, parameters: list[Parameter[Any]]) -> SetParametersResult:
+    def check(self, parameters: list[zbot.Parameter[Any]]) -> SetParametersResult:
         """Refuse a driver without a name."""
         for parameter in parameters:
             if parameter.name == "driver" and not parameter.value:
                 return SetParametersResult(successful=False, reason="a driver needs a name")
         return SetParametersResult(successful=True)
 
-    def tell(self, parameters: list[Parameter[Any]]) -> None:
+    def tell(self, parameters: list[zbot.Parameter[Any]]) -> None:
         """Say what has changed."""
         for parameter in parameters:
             self.get_logger().info(f"{parameter.name} is now {parameter.value}")

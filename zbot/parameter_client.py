@@ -1,0 +1,198 @@
+"""Asking another node about its parameters, and setting them."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING, Any
+
+from zbot.parameter import Parameter, parameter_dict_from_yaml_file
+from zbot.qos import qos_profile_parameter_events, qos_profile_services_default
+
+from rcl_interfaces.msg import ParameterEvent
+from rcl_interfaces.srv import (
+    DescribeParameters,
+    GetParameters,
+    GetParameterTypes,
+    ListParameters,
+    SetParameters,
+    SetParametersAtomically,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from zbot.callback_group import CallbackGroup
+    from zbot.client import Client
+    from zbot.node import Node
+    from zbot.qos import QoSProfile
+    from zbot.subscription import Subscription
+    from zbot.task import Future
+
+    from rcl_interfaces.msg import Parameter as ParameterMsg
+
+    Callback = Callable[[Future[Any]], Any] | None
+
+
+class AsyncParameterClient:
+    """The parameters of another node, as in rclpy: every method returns a future of a response.
+
+    Args:
+        node: Sends the requests.
+        remote_node_name: Whose parameters they are; relative to the node's namespace, or absolute.
+        qos_profile: Of the six clients; shown in the graph only.
+        callback_group: Decides beside what the callbacks may run; the node's own if left out.
+    """
+
+    def __init__(
+        self,
+        node: Node,
+        remote_node_name: str,
+        qos_profile: QoSProfile = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> None:
+        self.node = node
+        self.remote_node_name = remote_node_name
+
+        def client(srv_type: type[Any], name: str) -> Client[Any, Any]:
+            return node.create_client(
+                srv_type,
+                f"{remote_node_name}/{name}",
+                qos_profile=qos_profile,
+                callback_group=callback_group,
+            )
+
+        self._list = client(ListParameters, "list_parameters")
+        self._get = client(GetParameters, "get_parameters")
+        self._get_types = client(GetParameterTypes, "get_parameter_types")
+        self._describe = client(DescribeParameters, "describe_parameters")
+        self._set = client(SetParameters, "set_parameters")
+        self._set_atomically = client(SetParametersAtomically, "set_parameters_atomically")
+
+    @property
+    def _clients(self) -> list[Client[Any, Any]]:
+        return [
+            self._list,
+            self._get,
+            self._get_types,
+            self._describe,
+            self._set,
+            self._set_atomically,
+        ]
+
+    def services_are_ready(self) -> bool:
+        """Return whether the other node offers all of its services."""
+        return all(client.service_is_ready() for client in self._clients)
+
+    def wait_for_services(self, timeout_sec: float | None = None) -> bool:
+        """Wait until the other node offers all of its services.
+
+        Args:
+            timeout_sec: Seconds; for ever if left out.
+
+        Returns:
+            Whether it does.
+        """
+        deadline = None if timeout_sec is None else time.monotonic() + max(timeout_sec, 0.0)
+        for client in self._clients:
+            left = None if deadline is None else max(deadline - time.monotonic(), 0.0)
+            if not client.wait_for_service(left):
+                return False
+        return self.services_are_ready()
+
+    def list_parameters(
+        self,
+        prefixes: list[str] | None = None,
+        depth: int | None = None,
+        callback: Callback = None,
+    ) -> Future[Any]:
+        """Ask for the names of parameters, of all groups and levels if they are left out."""
+        request = ListParameters.Request(prefixes=prefixes or [], depth=depth or 0)
+        return _sent(self._list, request, callback)
+
+    def get_parameters(self, names: list[str], callback: Callback = None) -> Future[Any]:
+        """Ask for values; there are none in the response if one of the names is unknown."""
+        return _sent(self._get, GetParameters.Request(names=names), callback)
+
+    def get_parameter_types(self, names: list[str], callback: Callback = None) -> Future[Any]:
+        """Ask for the types of the present values, as numbers of `Parameter.Type`."""
+        return _sent(self._get_types, GetParameterTypes.Request(names=names), callback)
+
+    def describe_parameters(self, names: list[str], callback: Callback = None) -> Future[Any]:
+        """Ask for descriptors."""
+        return _sent(self._describe, DescribeParameters.Request(names=names), callback)
+
+    def set_parameters(
+        self, parameters: Sequence[Parameter[Any] | ParameterMsg], callback: Callback = None
+    ) -> Future[Any]:
+        """Set parameters one after the other; the response has a result for each."""
+        return _sent(self._set, SetParameters.Request(parameters=_messages(parameters)), callback)
+
+    def set_parameters_atomically(
+        self, parameters: Sequence[Parameter[Any] | ParameterMsg], callback: Callback = None
+    ) -> Future[Any]:
+        """Set all of the parameters or none; the response has one result."""
+        request = SetParametersAtomically.Request(parameters=_messages(parameters))
+        return _sent(self._set_atomically, request, callback)
+
+    def delete_parameters(self, names: list[str], callback: Callback = None) -> Future[Any]:
+        """Undeclare parameters, which only those allow that are dynamically typed."""
+        return self.set_parameters([Parameter(name) for name in names], callback)
+
+    def load_parameter_file(
+        self, parameter_file: str, use_wildcard: bool = False, callback: Callback = None
+    ) -> Future[Any]:
+        """Set the parameters that a file has for the other node, one after the other.
+
+        Args:
+            parameter_file: Path of the YAML file.
+            use_wildcard: Whether its `/**` applies too.
+            callback: Called when the future is done.
+
+        Raises:
+            ParametersFileError: The file cannot be read or has another form.
+            NoParametersError: It has nothing for the other node.
+        """
+        return self.set_parameters(self._loaded(parameter_file, use_wildcard), callback)
+
+    def load_parameter_file_atomically(
+        self, parameter_file: str, use_wildcard: bool = False, callback: Callback = None
+    ) -> Future[Any]:
+        """Set all of the parameters that a file has for the other node, or none of them."""
+        return self.set_parameters_atomically(self._loaded(parameter_file, use_wildcard), callback)
+
+    def _loaded(self, path: str, use_wildcard: bool) -> list[ParameterMsg]:
+        nodes = [self.remote_node_name]
+        return list(parameter_dict_from_yaml_file(path, use_wildcard, target_nodes=nodes).values())
+
+    def on_parameter_event(
+        self,
+        callback: Callable[..., Any],
+        qos_profile: QoSProfile = qos_profile_parameter_events,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: Any = None,
+        qos_overriding_options: Any = None,
+        raw: bool = False,
+    ) -> Subscription[ParameterEvent]:
+        """Subscribe to `/parameter_events`, where every node says what has changed."""
+        return self.node.create_subscription(
+            ParameterEvent,
+            "/parameter_events",
+            callback,
+            qos_profile,
+            callback_group=callback_group,
+            event_callbacks=event_callbacks,
+            qos_overriding_options=qos_overriding_options,
+            raw=raw,
+        )
+
+
+def _messages(parameters: Sequence[Parameter[Any] | ParameterMsg]) -> list[ParameterMsg]:
+    return [one.to_parameter_msg() if isinstance(one, Parameter) else one for one in parameters]
+
+
+def _sent(client: Client[Any, Any], request: Any, callback: Callback) -> Future[Any]:
+    future = client.call_async(request)
+    if callback is not None:
+        future.add_done_callback(callback)
+    return future

@@ -1,0 +1,100 @@
+"""Quality of service that parameters override: `-p qos_overrides./scan.subscription.depth:=1`."""
+
+from __future__ import annotations
+
+import copy
+from typing import TYPE_CHECKING, Any
+
+from zbot.parameter_errors import InvalidQosOverridesError
+from zbot.parameter_rules import Descriptor
+from zbot.parameter_store import Declaration
+from zbot.qos import QoSPolicyEnum, QoSPolicyKind, QoSProfile
+from zbot.time import Duration
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from typing_extensions import Self
+
+    from zbot.parameter_store import ParameterStore
+
+
+class QoSOverridingOptions:
+    """Which policies of a publisher or subscription may be overridden.
+
+    Args:
+        policy_kinds: These policies become read-only parameters.
+        callback: Takes the profile with the overrides and returns a `SetParametersResult`.
+        entity_id: Tells two publishers or subscriptions of one topic apart.
+    """
+
+    def __init__(
+        self,
+        policy_kinds: Iterable[QoSPolicyKind],
+        *,
+        callback: Callable[[QoSProfile], Any] | None = None,
+        entity_id: str | None = None,
+    ) -> None:
+        self.policy_kinds = tuple(policy_kinds)
+        self.callback = callback
+        self.entity_id = entity_id
+
+    @classmethod
+    def with_default_policies(
+        cls,
+        *,
+        callback: Callable[[QoSProfile], Any] | None = None,
+        entity_id: str | None = None,
+    ) -> Self:
+        """Return options for history, depth and reliability."""
+        kinds = (QoSPolicyKind.HISTORY, QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY)
+        return cls(kinds, callback=callback, entity_id=entity_id)
+
+
+def overridden(
+    store: ParameterStore, entity: str, topic: str, qos: QoSProfile, options: QoSOverridingOptions
+) -> QoSProfile:
+    """Declare the policies as parameters, and return the profile as these change it.
+
+    Args:
+        store: The node's parameters.
+        entity: `publisher` or `subscription`.
+        topic: Its topic's full name.
+        qos: What the program asked for; the defaults of the parameters.
+        options: Which policies, and who checks the result.
+
+    Raises:
+        UnknownQoSKeyError: An override is no value of its policy.
+        InvalidParameterTypeException: An override has another type.
+        InvalidQosOverridesError: The options' callback refuses the result.
+    """
+    profile = copy.copy(qos)
+    suffix = "" if options.entity_id is None else f"_{options.entity_id}"
+    for kind in options.policy_kinds:
+        if kind is QoSPolicyKind.LIFESPAN and entity == "subscription":
+            continue  # it is the publisher who knows how long its messages live
+        policy = kind.name.lower()
+        name = f"qos_overrides.{topic}.{entity}{suffix}.{policy}"
+        if name not in store.values:
+            about = Descriptor(description=f"{policy} of the {entity} of {topic}", read_only=True)
+            store.declare([Declaration(name, _as_parameter(getattr(profile, policy)), about)])
+        _override(profile, policy, store.get(name).value)
+    result = None if options.callback is None else options.callback(profile)
+    if result is not None and not result.successful:
+        raise InvalidQosOverridesError(f"the {entity} of {topic}", result.reason)
+    return profile
+
+
+def _as_parameter(value: Any) -> Any:
+    if isinstance(value, QoSPolicyEnum):
+        return value.short_key
+    return value.nanoseconds if isinstance(value, Duration) else value
+
+
+def _override(profile: QoSProfile, policy: str, value: Any) -> None:
+    present = getattr(profile, policy)
+    if isinstance(present, QoSPolicyEnum):
+        value = type(present).get_from_short_key(value)
+    elif isinstance(present, Duration):
+        value = Duration(nanoseconds=value)
+    setattr(profile, policy, value)
