@@ -1,0 +1,38 @@
+"""What the author of a managed node can do wrong."""
+
+from __future__ import annotations
+
+from zbot.errors import ZbotError
+
+
+class NotANodeError(ZbotError, RuntimeError):
+    """`LifecycleNodeMixin` was used without `Node`."""
+
+    def __init__(self, kind: type) -> None:
+        self.kind = kind
+        super().__init__(
+            f"{kind.__name__} is no node: LifecycleNodeMixin needs Node beside it among the base "
+            "classes, and Node's constructor called first"
+        )
+
+
+class NotAManagedEntityError(ZbotError, TypeError):
+    """Something was to be managed that does not know of transitions."""
+
+    def __init__(self, entity: object) -> None:
+        self.entity = entity
+        super().__init__(
+            f"{entity!r} cannot be managed: it must be a zbot.lifecycle.ManagedEntity, such as a "
+            "publisher made by create_lifecycle_publisher()"
+        )
+
+
+class CallbackReturnError(ZbotError, TypeError):
+    """A callback of a managed node returned something else than an outcome."""
+
+    def __init__(self, owner: object, callback: str, outcome: object) -> None:
+        self.owner, self.callback, self.outcome = owner, callback, outcome
+        super().__init__(
+            f"{type(owner).__name__}.{callback}() must return TransitionCallbackReturn.SUCCESS, "
+            f"FAILURE or ERROR, not {outcome!r}"
+        )

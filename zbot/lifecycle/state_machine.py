@@ -1,0 +1,169 @@
+"""The life of a managed node: its states, and the transitions between them (pure).
+
+unconfigured --configure--> inactive --activate--> active
+             <---cleanup---          <-deactivate-
+each of the three --shutdown--> finalized
+
+Between two such states lies one in which the node's callback runs (`configuring`, `activating`
+...); its return value chooses how to go on. An error leads to `errorprocessing`, and from there to
+`unconfigured` if `on_error` succeeds, else to `finalized`.
+"""
+
+from __future__ import annotations
+
+import threading
+from enum import Enum
+from typing import NamedTuple
+
+from zbot.errors import ZbotError
+
+
+class LifecycleState(NamedTuple):
+    """A state, with the numbers and labels of `lifecycle_msgs/msg/State`."""
+
+    label: str
+    state_id: int
+
+
+class Transition(NamedTuple):
+    """A way from one state to another, numbered as in `lifecycle_msgs/msg/Transition`."""
+
+    transition_id: int
+    label: str
+    start: LifecycleState
+    goal: LifecycleState
+
+
+class TransitionCallbackReturn(Enum):
+    """What a callback of a managed node says of its work."""
+
+    SUCCESS = 97
+    FAILURE = 98  #: back to where the transition began
+    ERROR = 99  #: on to `on_error`
+
+    def __int__(self) -> int:
+        return self.value
+
+    def to_label(self) -> str:
+        """Return the label of the transition that it leads to."""
+        return f"transition_{self.name.lower()}"
+
+
+UNKNOWN = LifecycleState("unknown", 0)
+UNCONFIGURED = LifecycleState("unconfigured", 1)
+INACTIVE = LifecycleState("inactive", 2)
+ACTIVE = LifecycleState("active", 3)
+FINALIZED = LifecycleState("finalized", 4)
+CONFIGURING = LifecycleState("configuring", 10)
+CLEANING_UP = LifecycleState("cleaningup", 11)
+SHUTTING_DOWN = LifecycleState("shuttingdown", 12)
+ACTIVATING = LifecycleState("activating", 13)
+DEACTIVATING = LifecycleState("deactivating", 14)
+ERROR_PROCESSING = LifecycleState("errorprocessing", 15)
+
+#: Every state, in the order of the numbers.
+STATES = (
+    UNKNOWN,
+    UNCONFIGURED,
+    INACTIVE,
+    ACTIVE,
+    FINALIZED,
+    CONFIGURING,
+    CLEANING_UP,
+    SHUTTING_DOWN,
+    ACTIVATING,
+    DEACTIVATING,
+    ERROR_PROCESSING,
+)
+
+
+def _outcomes(
+    first_id: int,
+    start: LifecycleState,
+    success: LifecycleState,
+    failure: LifecycleState,
+    error: LifecycleState = ERROR_PROCESSING,
+) -> tuple[Transition, ...]:
+    goals = zip(TransitionCallbackReturn, (success, failure, error), strict=True)
+    return tuple(
+        Transition(first_id + offset, how.to_label(), start, goal)
+        for offset, (how, goal) in enumerate(goals)
+    )
+
+
+#: Every transition, in the order in which ROS 2 lists them (rcl_lifecycle's default machine).
+TRANSITIONS = (
+    Transition(1, "configure", UNCONFIGURED, CONFIGURING),
+    *_outcomes(10, CONFIGURING, INACTIVE, UNCONFIGURED),
+    Transition(2, "cleanup", INACTIVE, CLEANING_UP),
+    *_outcomes(20, CLEANING_UP, UNCONFIGURED, INACTIVE),
+    Transition(3, "activate", INACTIVE, ACTIVATING),
+    *_outcomes(30, ACTIVATING, ACTIVE, INACTIVE),
+    Transition(4, "deactivate", ACTIVE, DEACTIVATING),
+    *_outcomes(40, DEACTIVATING, INACTIVE, ACTIVE),
+    Transition(5, "shutdown", UNCONFIGURED, SHUTTING_DOWN),
+    Transition(6, "shutdown", INACTIVE, SHUTTING_DOWN),
+    Transition(7, "shutdown", ACTIVE, SHUTTING_DOWN),
+    *_outcomes(50, SHUTTING_DOWN, FINALIZED, FINALIZED),
+    *_outcomes(60, ERROR_PROCESSING, UNCONFIGURED, FINALIZED, FINALIZED),
+)
+
+
+def transitions_from(state: LifecycleState) -> tuple[Transition, ...]:
+    """Return the transitions that are possible in a state."""
+    return tuple(one for one in TRANSITIONS if one.start == state)
+
+
+class TransitionNotPossibleError(ZbotError, RuntimeError):
+    """A managed node was asked for a transition that its state does not allow."""
+
+    def __init__(self, wanted: str | int, state: LifecycleState) -> None:
+        self.wanted, self.state = wanted, state
+        possible = ", ".join(
+            f"{one.label} [{one.transition_id}]" for one in transitions_from(state)
+        )
+        super().__init__(
+            f"no transition {wanted!r} from the state {state.label}: "
+            + (f"possible are {possible}" if possible else "the node's life is over")
+        )
+
+
+class StateMachine:
+    """Where one node is in its life. Any thread may ask and change."""
+
+    def __init__(self) -> None:
+        self._state = UNCONFIGURED
+        self._lock = threading.Lock()
+
+    @property
+    def state(self) -> LifecycleState:
+        """The present state."""
+        return self._state
+
+    @property
+    def current_state(self) -> tuple[int, str]:
+        """Number and label of the present state, as rclpy's state machine tells them."""
+        return self._state.state_id, self._state.label
+
+    def find(self, wanted: str | int) -> Transition:
+        """Return the transition from the present state that has a label or a number.
+
+        Raises:
+            TransitionNotPossibleError: There is none.
+        """
+        state = self._state
+        for one in transitions_from(state):
+            if wanted in {one.label, one.transition_id}:
+                return one
+        raise TransitionNotPossibleError(wanted, state)
+
+    def trigger(self, wanted: str | int) -> Transition:
+        """Make a transition, given by label or number, and return it.
+
+        Raises:
+            TransitionNotPossibleError: The present state does not allow it.
+        """
+        with self._lock:  # of two threads that want to leave a state, one is refused
+            transition = self.find(wanted)
+            self._state = transition.goal
+        return transition
