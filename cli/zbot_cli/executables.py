@@ -10,20 +10,21 @@ from importlib.machinery import PathFinder
 from pathlib import Path, PurePosixPath
 
 from zbot.package.cmake_file import read_cmake
-from zbot.package.setup_file import SetupFileError, declared_scripts
-from zbot.package.workspace import package_folders, package_name
+from zbot.package.setup_file import SetupFileError, data_files, declared_scripts
+from zbot.package.workspace import package_folders, package_name, read_text
 
 #: Entry point group of nodes: an installed package may add its own.
 GROUP = "zbot.nodes"
 BUNDLED = "zbot_nodes"
 _PROJECT = "zbot"
 _COMMAND = "zbot_cli."
+_DEMO_NODES = frozenset({"add_two_ints_client", "add_two_ints_server", "listener", "talker"})
 #: Names of packages that also stand for nodes that zbot bundles; the empty set: for all of them.
 _ALIASES: dict[str, frozenset[str]] = {
     "action_tutorials_cpp": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
     "action_tutorials_py": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
-    "demo_nodes_cpp": frozenset({"listener", "talker"}),
-    "demo_nodes_py": frozenset({"listener", "talker"}),
+    "demo_nodes_cpp": _DEMO_NODES,
+    "demo_nodes_py": _DEMO_NODES,
 }
 
 
@@ -50,6 +51,7 @@ class Package:
     executables: tuple[Executable, ...] = ()
     folder: Path | None = None  #: where its sources are; None if it is installed
     fault: str = ""  #: why its executables are not known
+    compiled: frozenset[str] = frozenset()  #: the C++ programs that it has too
 
     def has_module(self, name: str) -> bool:
         """Return whether it has a module of that name, which setup.py does not mention."""
@@ -92,17 +94,28 @@ def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
     files = [
         Executable(name, one, str(path), folders) for one, path in program_files(folder).items()
     ]
-    return Package(name, (*declared, *files), folder)
+    compiled = frozenset(read_cmake(folder).compiled)
+    return Package(name, (*declared, *files), folder, "", compiled)
 
 
 def program_files(folder: Path) -> dict[str, Path]:
     """Return the Python files that CMake installs as programs, and what is in `scripts`."""
     programs = read_cmake(folder).programs
     found = {PurePosixPath(target).name: path for target, path in programs.items()}
+    found.update(_data_programs(folder))
     scripts = {path.name: path for path in sorted((folder / "scripts").glob("*.py"))}
     known = {path.resolve() for path in found.values()}
     found.update({name: path for name, path in scripts.items() if path.resolve() not in known})
     return {name: path for name, path in found.items() if _is_python(path)}
+
+
+def _data_programs(folder: Path) -> dict[str, Path]:
+    """Return the files that a setup.py puts where ROS 2 looks for programs."""
+    if "lib/" not in read_text(folder / "setup.py"):
+        return {}
+    place = PurePosixPath("lib", package_name(folder))
+    files = (file for target, file in data_files(folder) if PurePosixPath(target) == place)
+    return {Path(file).name: folder / file for file in files if (folder / file).is_file()}
 
 
 def _is_python(path: Path) -> bool:

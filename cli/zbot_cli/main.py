@@ -26,6 +26,7 @@ NOUNS = {
     "param": "Look at parameters and set them",
     "pkg": "Find packages, and create them",
     "run": "Run a node",
+    "service": "Look at services, and call them",
     "topic": "Look at topics, listen and publish",
 }
 _ALIASES = {"wtf": "doctor"}

@@ -1,0 +1,252 @@
+"""`zbot service`: which services there are, calling them, and listening to others' calls."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from zbot.names import is_hidden
+from zbot.wire.tokens import EntityKind
+from zbot_cli.listing import (
+    AsJson,
+    NoDaemon,
+    ShowTypes,
+    SpinTime,
+    UseSimTime,
+    new_app,
+    print_json,
+)
+from zbot_cli.looking import full_name, snapshot
+from zbot_cli.qos_options import (
+    Depth,
+    Durability,
+    History,
+    LeaseDuration,
+    Liveliness,
+    Profile,
+    Reliability,
+)
+from zbot_cli.service_type import NODE_SERVICE_TYPES, UnknownServiceError, known_services
+
+if TYPE_CHECKING:
+    from zbot.graph import NamesAndTypes, Snapshot
+    from zbot.wire.tokens import EndpointToken
+
+app = new_app("Look at services, and call them")
+
+IncludeHidden = Annotated[
+    bool,
+    typer.Option(
+        "-a", "--include-hidden-services", help="Those that every node has, and hidden ones, too"
+    ),
+]
+Count = Annotated[bool, typer.Option("-c", "--count-services", "--count", help="Print the number")]
+ServiceName = Annotated[str, typer.Argument(help="Name of the service, e.g. /add_two_ints")]
+
+_state = {"include_hidden": False}
+
+
+@app.callback()
+def options(
+    include_hidden_services: Annotated[
+        bool, typer.Option("--include-hidden-services", help="Consider hidden services too")
+    ] = False,
+) -> None:
+    """Look at services, and call them."""
+    _state["include_hidden"] = include_hidden_services
+
+
+def _shown(services: NamesAndTypes, include_hidden: bool) -> NamesAndTypes:
+    everything = include_hidden or _state["include_hidden"]
+    return [entry for entry in services if everything or not is_hidden(entry[0])]
+
+
+@app.command("list")
+def list_services(
+    show_types: ShowTypes = False,
+    count: Count = False,
+    include_hidden_services: IncludeHidden = False,
+    as_json: AsJson = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """List the services that somebody serves."""
+    graph = snapshot()
+    everything = include_hidden_services or _state["include_hidden"]
+    services = [
+        (name, types)
+        for name, types in _shown(graph.services(), everything)
+        if everything or not NODE_SERVICE_TYPES.issuperset(types)
+    ]
+    if count:
+        print(len(services))
+    elif as_json:
+        print_json([_as_dict(graph, name, types) for name, types in services])
+    else:
+        for name, types in services:
+            print(f"{name} [{', '.join(types)}]" if show_types else name)
+
+
+def _as_dict(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
+    return {
+        "name": name,
+        "types": types,
+        "servers": len(graph.on(name, EntityKind.SERVICE)),
+        "clients": len(graph.on(name, EntityKind.CLIENT)),
+    }
+
+
+@app.command("type")
+def type_of(
+    service_name: ServiceName,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Print a service's type."""
+    print("\n".join(_types(snapshot(), full_name(service_name))))
+
+
+def _types(graph: Snapshot, name: str) -> list[str]:
+    types = dict(known_services(graph)).get(name)
+    if types is None:
+        raise UnknownServiceError(name, graph)
+    return types
+
+
+@app.command("info")
+def info(
+    service_name: ServiceName,
+    verbose: Annotated[
+        bool, typer.Option("-v", "--verbose", help="Show every server and client")
+    ] = False,
+    as_json: AsJson = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Show a service's type, clients and servers."""
+    graph, name = snapshot(), full_name(service_name)
+    types = _types(graph, name)
+    clients, servers = (graph.on(name, one) for one in (EntityKind.CLIENT, EntityKind.SERVICE))
+    if as_json:
+        sides = {"clients": clients, "servers": servers}
+        ends = {side: [_endpoint_dict(end) for end in found] for side, found in sides.items()}
+        print_json({"name": name, "types": types, **ends})
+        return
+    print(f"Type: {types[0] if len(types) == 1 else types}")
+    print(f"Clients count: {len(clients)}")
+    print(f"Services count: {len(servers)}")
+    if verbose:
+        for end in (*clients, *servers):
+            print(_endpoint_text(end) + "\n")
+
+
+def _endpoint_dict(end: EndpointToken) -> dict[str, object]:
+    return {
+        "node": end.node,
+        "namespace": end.namespace,
+        "type": end.type_name,
+        "type_hash": end.type_hash,
+        "gid": end.gid.hex(),
+    }
+
+
+def _endpoint_text(end: EndpointToken) -> str:
+    from zbot_cli.qos_options import profile_lines  # noqa: PLC0415 - only -v shows profiles
+
+    gid = ".".join(f"{byte:02x}" for byte in end.gid)
+    return "\n".join(
+        (
+            f"Node name: {end.node}",
+            f"Node namespace: {end.namespace}",
+            f"Service type: {end.type_name}",
+            f"Service type hash: {end.type_hash}",
+            f"Endpoint type: {'CLIENT' if end.kind is EntityKind.CLIENT else 'SERVER'}",
+            "Endpoint count: 1",
+            f"GID: {gid}",
+            "QoS profile:",
+            *profile_lines(end.qos),
+        )
+    )
+
+
+@app.command("find")
+def find(
+    service_type: Annotated[
+        str, typer.Argument(help="Type of the service, e.g. std_srvs/srv/SetBool")
+    ],
+    count: Count = False,
+    include_hidden_services: IncludeHidden = False,
+    as_json: AsJson = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """List the services that have a type."""
+    short = service_type.count("/") == 1
+    wanted = service_type.replace("/", "/srv/", 1) if short else service_type
+    found = [
+        name
+        for name, types in _shown(snapshot().services(), include_hidden_services)
+        if wanted in types
+    ]
+    if count:
+        print(len(found))
+    elif as_json:
+        print_json(found)
+    else:
+        for name in found:
+            print(name)
+
+
+@app.command("call")
+def call(
+    service_name: ServiceName,
+    words: Annotated[
+        list[str] | None,
+        typer.Argument(help="Type and request; both may be left out", metavar="[TYPE] [REQUEST]"),
+    ] = None,
+    rate: Annotated[
+        float | None, typer.Option("-r", "--rate", metavar="N", help="Repeat this often a second")
+    ] = None,
+    timeout: Annotated[
+        float | None,
+        typer.Option("--timeout", help="Seconds to wait for the server and its response"),
+    ] = None,
+    stdin: Annotated[
+        bool, typer.Option("--stdin", help="Read the request from standard input")
+    ] = False,
+    qos_profile: Profile = None,
+    qos_depth: Depth = None,
+    qos_history: History = None,
+    qos_reliability: Reliability = None,
+    qos_durability: Durability = None,
+    qos_liveliness: Liveliness = None,
+    qos_liveliness_lease_duration_seconds: LeaseDuration = None,
+    as_json: AsJson = False,
+) -> None:
+    """Call a service."""
+    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
+    from zbot_cli.service_call import ServiceCall  # noqa: PLC0415 - lists do without
+
+    choice = Choice(
+        qos_profile,
+        qos_depth,
+        qos_history,
+        qos_reliability,
+        qos_durability,
+        qos_liveliness,
+        qos_liveliness_lease_duration_seconds,
+    )
+    ServiceCall(
+        full_name(service_name),
+        words or [],
+        choice,
+        rate_hz=rate,
+        timeout_s=timeout,
+        stdin=stdin,
+        as_json=as_json,
+    ).run()

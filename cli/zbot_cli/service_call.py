@@ -1,0 +1,195 @@
+"""`zbot service call`: a request from the command line, once or at a rate, and its response."""
+
+from __future__ import annotations
+
+import sys
+import time
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+from zbot.executor import Signal
+from zbot_cli.listing import print_json
+from zbot_cli.looking import hidden_node
+from zbot_cli.service_type import (
+    check_served,
+    resolve_service_type,
+    served_type,
+    service_class,
+    suggestion,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from zbot.client import Client
+    from zbot.graph import Snapshot
+    from zbot.node import Node
+    from zbot_cli.qos_options import Choice
+    from zbot_cli.values import Template
+
+_STEP_S = 0.5  # between two looks whether a signal came while the graph stays as it is
+
+
+class CallRateError(ZbotError):
+    """A rate is not above 0."""
+
+    def __init__(self) -> None:
+        super().__init__("rate must be greater than zero")
+
+
+class NoServerError(ZbotError):
+    """No server came in time."""
+
+    def __init__(self, name: str, timeout_s: float, hint: str | None) -> None:
+        self.name, self.timeout_s, self.hint = name, timeout_s, hint
+        super().__init__(f"Service '{name}' is not available after waiting {timeout_s:g} seconds")
+
+
+class NoResponseError(ZbotError):
+    """The server did not answer in time."""
+
+    def __init__(self, name: str, timeout_s: float) -> None:
+        self.name, self.timeout_s = name, timeout_s
+        super().__init__(f"Service '{name}' did not respond within {timeout_s:g} seconds")
+
+
+class ServiceCall:
+    """Waits for a server, and calls it once or until Ctrl-C.
+
+    Args:
+        name: The service's full name.
+        words: A type and values; the type may be left out if somebody serves the service.
+        choice: Quality of service options.
+        rate_hz: Calls a second; `None` for a single one.
+        timeout_s: How long to wait for the server and for each response; `None` for ever.
+        stdin: Read the values from standard input.
+        as_json: Print one JSON document for each call.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        words: Sequence[str],
+        choice: Choice,
+        *,
+        rate_hz: float | None,
+        timeout_s: float | None,
+        stdin: bool,
+        as_json: bool,
+    ) -> None:
+        if rate_hz is not None and not rate_hz > 0:
+            raise CallRateError
+        self._name = name
+        self._type, self._values = _split(words)
+        self._choice = choice
+        self._rate_hz = rate_hz
+        self._timeout_s = timeout_s
+        self._as_json = as_json
+        if stdin:
+            self._values = [sys.stdin.read()]
+
+    def run(self) -> None:
+        """Check everything, wait for the server, and call.
+
+        Raises:
+            NoServerError: No server came in time.
+            NoResponseError: The server did not answer in time.
+            ServiceError: Its callback raised, or it ended before it answered.
+            OtherServiceTypeError: The servers have another type.
+        """
+        import zbot  # noqa: F401, PLC0415 - makes the message packages importable
+
+        template = None if self._type is None else self._template(self._type)
+        deadline = None if self._timeout_s is None else time.monotonic() + self._timeout_s
+        with hidden_node("service_call") as node:
+            if not self._as_json:
+                print("waiting for service to become available...", flush=True)
+            type_name = self._wait_for_server(node, deadline)
+            template = template or self._template(type_name)
+            client = node.create_client(
+                service_class(type_name), self._name, qos_profile=self._choice.to_publish()
+            )
+            if not client.wait_for_service(_left(deadline)):
+                raise self._no_server(node.context.graph.snapshot())
+            self._call(node, client, template)
+
+    def _template(self, type_name: str) -> Template:
+        from zbot_cli.values import Template  # noqa: PLC0415 - lists do without
+
+        return Template(service_class(type_name).Request, self._values)
+
+    def _wait_for_server(self, node: Node, deadline: float | None) -> str:
+        """Return the type to call with, once there is a server."""
+        graph = node.context.graph
+        while (found := served_type_of(graph.snapshot(), self._name, self._type)) is None:
+            left = _left(deadline)
+            if left == 0:
+                raise self._no_server(graph.snapshot())
+            graph.wait_for(
+                lambda snapshot: self._name in dict(snapshot.services()),
+                _STEP_S if left is None else min(left, _STEP_S),
+            )
+        return found
+
+    def _no_server(self, graph: Snapshot) -> NoServerError:
+        return NoServerError(self._name, self._timeout_s or 0, suggestion(self._name, graph))
+
+    # -- calling -------------------------------------------------------------------------------
+
+    def _call(self, node: Node, client: Client[Any, Any], template: Template) -> None:
+        now_ns = lambda: node.get_clock().now().nanoseconds  # noqa: E731 - one expression
+        pause = Signal()  # a signal handler sets it: an Event could wait for itself
+        node.context.add_waker(pause.set)
+        begun, count = time.monotonic(), 0
+        while node.context.ok():
+            self._call_once(client, template.make(now_ns))
+            count += 1
+            if self._rate_hz is None:
+                return
+            # Reckoned from the beginning, so that the mean rate is exact.
+            pause.wait(max(0.0, begun + count / self._rate_hz - time.monotonic()))
+
+    def _call_once(self, client: Client[Any, Any], request: Any) -> None:
+        if not self._as_json:
+            print(f"requester: making request: {request!r}\n", flush=True)
+        try:
+            response = client.call(request, self._timeout_s)
+        except TimeoutError:
+            raise NoResponseError(self._name, self._timeout_s or 0) from None
+        if self._as_json:
+            from zbot_cli.message_text import json_value  # noqa: PLC0415 - seldom used
+
+            print_json({"request": json_value(request), "response": json_value(response)})
+            sys.stdout.flush()
+        else:
+            print(f"response:\n{response!r}\n", flush=True)
+
+
+def served_type_of(graph: Snapshot, name: str, wanted: str | None) -> str | None:
+    """Return the type to call a service with; `None` while nobody serves it.
+
+    Args:
+        graph: Who serves what.
+        name: The service.
+        wanted: The type that was named on the command line, if any.
+
+    Raises:
+        OtherServiceTypeError: Another one was named.
+        SeveralServiceTypesError: None was named, and there are several.
+    """
+    if wanted is None:
+        return served_type(graph, name)
+    check_served(graph, name, wanted)
+    return wanted if name in dict(graph.services()) else None
+
+
+def _split(words: Sequence[str]) -> tuple[str | None, list[str]]:
+    from zbot_cli.types import looks_like_type  # noqa: PLC0415 - only here
+
+    if words and looks_like_type(words[0]):
+        return resolve_service_type(words[0]), list(words[1:])
+    return None, list(words)
+
+
+def _left(deadline: float | None) -> float | None:
+    return None if deadline is None else max(0.0, deadline - time.monotonic())
