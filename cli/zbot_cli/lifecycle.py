@@ -1,0 +1,144 @@
+"""`zbot lifecycle`: which nodes are managed, where each is in its life, and leading it on."""
+
+from __future__ import annotations
+
+import sys
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from zbot_cli.listing import AsJson, NoDaemon, SpinTime, UseSimTime, new_app, print_json
+from zbot_cli.looking import hidden_node, snapshot
+from zbot_cli.managed_nodes import ManagedNodes, NodeSilentError, managed_nodes
+from zbot_cli.status import Status
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from lifecycle_msgs.msg import State, TransitionDescription
+
+app = new_app("Lead managed nodes through their lives")
+
+IncludeHidden = Annotated[
+    bool, typer.Option("--include-hidden-nodes", help="Consider hidden nodes too")
+]
+Timeout = Annotated[float, typer.Option("--timeout", help="Seconds to wait for the node")]
+NodeName = Annotated[str, typer.Argument(help="Name of the node, e.g. /lc_talker")]
+
+
+@contextmanager
+def _managed(timeout: float) -> Iterator[ManagedNodes]:
+    with hidden_node("lifecycle") as node:
+        yield ManagedNodes(node, timeout)
+
+
+@app.command("nodes")
+def nodes(
+    show_all: Annotated[bool, typer.Option("-a", "--all", help="Show hidden nodes too")] = False,
+    count: Annotated[
+        bool, typer.Option("-c", "--count-nodes", "--count", help="Print the number")
+    ] = False,
+    as_json: AsJson = False,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """List the managed nodes that are running."""
+    names = managed_nodes(snapshot(), include_hidden=show_all)
+    if count:
+        print(len(names))
+    elif as_json:
+        print_json(names)
+    else:
+        for name in names:
+            print(name)
+
+
+@app.command("get")
+def get(
+    node_name: Annotated[str | None, typer.Argument(help="Every managed node if left out")] = None,
+    as_json: AsJson = False,
+    include_hidden: IncludeHidden = False,
+    timeout: Timeout = 1.0,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Print the states of managed nodes."""
+    with _managed(timeout) as remote:
+        if node_name is not None:
+            state = remote.state(remote.find(node_name))
+            if as_json:
+                print_json(_plain(state))
+            else:
+                print(f"{state.label} [{state.id}]")
+            return
+        answers = remote.states(remote.all(include_hidden=include_hidden))
+    silent = [one for one in answers.values() if isinstance(one, NodeSilentError)]
+    states = {name: one for name, one in answers.items() if not isinstance(one, NodeSilentError)}
+    if as_json:
+        print_json({name: _plain(state) for name, state in states.items()})
+    else:
+        for name, state in states.items():
+            print(f"{name}: {state.label} [{state.id}]")
+    for error in silent:
+        print(error, file=sys.stderr)
+    if silent:
+        raise typer.Exit(Status.ERROR)
+
+
+def _plain(state: State) -> dict[str, Any]:
+    return {"id": state.id, "label": state.label}
+
+
+@app.command("list")
+def list_transitions(
+    node_name: NodeName,
+    show_all: Annotated[
+        bool, typer.Option("-a", "--all", help="Also those that are not possible now")
+    ] = False,
+    as_json: AsJson = False,
+    include_hidden: IncludeHidden = False,
+    timeout: Timeout = 1.0,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """List the transitions that a node can make now."""
+    with _managed(timeout) as remote:
+        found = remote.transitions(remote.find(node_name), show_all=show_all)
+    if as_json:
+        print_json([_plain_transition(one) for one in found])
+        return
+    for one in found:
+        print(f"- {one.transition.label} [{one.transition.id}]")
+        print(f"\tStart: {one.start_state.label}\n\tGoal: {one.goal_state.label}")
+
+
+def _plain_transition(one: TransitionDescription) -> dict[str, Any]:
+    return {
+        "id": one.transition.id,
+        "label": one.transition.label,
+        "start": one.start_state.label,
+        "goal": one.goal_state.label,
+    }
+
+
+@app.command("set")
+def set_state(
+    node_name: NodeName,
+    transition: Annotated[str, typer.Argument(help="Label or number, e.g. configure or 1")],
+    include_hidden: IncludeHidden = False,
+    timeout: Timeout = 1.0,
+    spin_time: SpinTime = 0.5,
+    use_sim_time: UseSimTime = False,
+    no_daemon: NoDaemon = False,
+) -> None:
+    """Make a transition of a node."""
+    with _managed(timeout) as remote:
+        is_done = remote.change(remote.find(node_name), transition)
+    if not is_done:
+        print("Transitioning failed", file=sys.stderr)
+        raise typer.Exit(Status.ERROR)
+    print("Transitioning successful")

@@ -1,0 +1,203 @@
+"""Asking managed nodes for their state, and changing it."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+from zbot.names import fully_qualified, is_hidden, nearest
+from zbot_cli.looking import full_name
+
+from lifecycle_msgs.msg import Transition
+from lifecycle_msgs.srv import ChangeState, GetAvailableTransitions, GetState
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from zbot.client import Client
+    from zbot.graph import Snapshot
+    from zbot.node import Node
+    from zbot.task import Future
+
+    from lifecycle_msgs.msg import State, TransitionDescription
+
+ANSWER_TIMEOUT_S = 5.0  #: for everything but the work of a transition's callback
+_GET_STATE = "lifecycle_msgs/srv/GetState"
+
+
+class NodeNotFoundError(ZbotError):
+    """No managed node of that name came in time; the hint says what may have been meant."""
+
+    def __init__(self, name: str, graph: Snapshot) -> None:
+        self.name = name
+        known = managed_nodes(graph, include_hidden=True)
+        guess = nearest(name, known)
+        if any(_name(node.namespace, node.node) == name for node in graph.nodes):
+            self.hint = f"{name} is there, but it is no managed node"
+        elif guess:
+            self.hint = f"there is no {name}; did you mean {guess}?"
+        else:
+            others = ", ".join(known)
+            self.hint = f"there is no {name}; " + (
+                f"managed nodes are {others}" if others else "no managed node is running"
+            )
+        super().__init__("Node not found")
+
+
+class NodeSilentError(ZbotError):
+    """A managed node does not answer, or ended before it did."""
+
+    def __init__(self, node: str, reason: object) -> None:
+        self.node, self.reason = node, reason
+        super().__init__(f"Exception while calling service of node '{node}': {reason}")
+
+
+class UnknownTransitionError(ZbotError):
+    """A node's present state has no such transition."""
+
+    def __init__(self, wanted: str, possible: Sequence[TransitionDescription]) -> None:
+        self.wanted = wanted
+        labels = [one.transition.label for one in possible]
+        guess = nearest(wanted, labels)
+        self.hint = f"did you mean {guess}?" if guess else None
+        rows = [f"- {one.transition.label} [{one.transition.id}]" for one in possible]
+        super().__init__("\n".join(("Unknown transition requested, available ones are:", *rows)))
+
+
+def managed_nodes(graph: Snapshot, *, include_hidden: bool) -> list[str]:
+    """Return the full names of the managed nodes, sorted."""
+    offered = {name for name, types in graph.services() if _GET_STATE in types}
+    return sorted(
+        {
+            name
+            for node in graph.nodes
+            if f"{(name := _name(node.namespace, node.node))}/get_state" in offered
+            and (include_hidden or not is_hidden(fully_qualified("/", node.node)))
+        }
+    )
+
+
+def _name(namespace: str, node: str) -> str:
+    return fully_qualified(namespace, node)
+
+
+class ManagedNodes:
+    """The managed nodes of the domain, as a node of the command line sees them.
+
+    Args:
+        node: Sends the requests.
+        timeout_s: Seconds to wait for a node that is not there yet.
+    """
+
+    def __init__(self, node: Node, timeout_s: float) -> None:
+        self._node = node
+        self._timeout_s = timeout_s
+
+    def all(self, *, include_hidden: bool) -> list[str]:
+        """Return the full names of those that are running."""
+        return managed_nodes(self._node.context.graph.snapshot(), include_hidden=include_hidden)
+
+    def find(self, name: str) -> str:
+        """Return a node's full name once it is there.
+
+        Raises:
+            NodeNotFoundError: It does not come in time.
+        """
+        full = full_name(name)
+        graph = self._node.context.graph
+        if not graph.wait_for(
+            lambda now: full in managed_nodes(now, include_hidden=True), self._timeout_s
+        ):
+            raise NodeNotFoundError(full, graph.snapshot())
+        return full
+
+    def states(self, nodes: Iterable[str]) -> dict[str, State | NodeSilentError]:
+        """Ask nodes at the same time for their states; errors stand in the place of answers."""
+        pending = {}
+        states: dict[str, State | NodeSilentError] = {}
+        for name in nodes:
+            try:
+                client = self._client(name, GetState, "get_state")
+                pending[name] = client.call_async(GetState.Request())
+            except NodeSilentError as error:
+                states[name] = error
+        for name, future in pending.items():
+            states[name] = _state(name, future)
+        return states
+
+    def state(self, name: str) -> State:
+        """Ask a node for its state.
+
+        Raises:
+            NodeSilentError: It does not answer.
+        """
+        answer = self.states([name])[name]
+        if isinstance(answer, NodeSilentError):
+            raise answer
+        return answer
+
+    def transitions(self, name: str, *, show_all: bool) -> list[TransitionDescription]:
+        """Ask a node which transitions are possible now, or which there are at all.
+
+        Raises:
+            NodeSilentError: It does not answer.
+        """
+        service = "get_transition_graph" if show_all else "get_available_transitions"
+        request = GetAvailableTransitions.Request()
+        answer = self._ask(name, GetAvailableTransitions, service, request, ANSWER_TIMEOUT_S)
+        found: list[TransitionDescription] = answer.available_transitions
+        return found
+
+    def change(self, name: str, wanted: str) -> bool:
+        """Make a transition, given by label or number, and return whether the node made it.
+
+        Its callback may take as long as it takes.
+
+        Raises:
+            UnknownTransitionError: It is not possible now.
+            NodeSilentError: The node does not answer, or ended before it did.
+        """
+        possible = self.transitions(name, show_all=False)
+        for one in possible:
+            if wanted in {one.transition.label, str(one.transition.id)}:
+                break
+        else:
+            raise UnknownTransitionError(wanted, possible)
+        transition = Transition(id=one.transition.id, label=one.transition.label)
+        request = ChangeState.Request(transition=transition)
+        return bool(self._ask(name, ChangeState, "change_state", request, None).success)
+
+    def _ask(
+        self, node: str, srv_type: type[Any], service: str, request: Any, timeout_s: float | None
+    ) -> Any:
+        client = self._client(node, srv_type, service)
+        try:
+            return client.call(request, timeout_sec=timeout_s)
+        except TimeoutError:
+            raise _silent(node) from None
+        except ZbotError as error:
+            raise NodeSilentError(node, error) from error
+
+    def _client(self, node: str, srv_type: type[Any], service: str) -> Client[Any, Any]:
+        client = self._node.create_client(srv_type, f"{node}/{service}")
+        if not client.wait_for_service(ANSWER_TIMEOUT_S):
+            raise NodeSilentError(node, f"it has no {node}/{service}")
+        return client
+
+
+def _silent(node: str) -> NodeSilentError:
+    return NodeSilentError(node, f"no answer in {ANSWER_TIMEOUT_S:g} s; does it spin?")
+
+
+def _state(node: str, future: Future[Any]) -> State | NodeSilentError:
+    over = threading.Event()
+    future.add_waker(over.set)
+    if not over.wait(ANSWER_TIMEOUT_S):
+        return _silent(node)
+    try:
+        response: Any = future.result()
+    except ZbotError as error:
+        return NodeSilentError(node, error)
+    state: State = response.current_state
+    return state

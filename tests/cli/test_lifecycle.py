@@ -1,0 +1,235 @@
+"""`zbot lifecycle` beside managed nodes."""
+
+from __future__ import annotations
+
+import json
+import signal
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot as library
+from tests.cli.command import zbot
+from tests.conftest import wait_until
+from zbot.lifecycle import LifecycleNode, LifecycleState, TransitionCallbackReturn
+from zbot_cli import managed_nodes
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.cli.conftest import Command
+    from tests.conftest import Program, Spinner
+
+    Start = Callable[..., Program]
+    Spin = Callable[..., Spinner]
+    MakeContext = Callable[[], library.Context]
+
+
+class Robot(LifecycleNode):
+    """Does in its configuration what a test plans."""
+
+    def __init__(self, name: str, context: library.Context) -> None:
+        super().__init__(name, context=context)
+        self.configuration: Callable[[], TransitionCallbackReturn] | None = None
+
+    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
+        return self.configuration() if self.configuration else super().on_configure(state)
+
+
+@pytest.fixture
+def robot(make_context: MakeContext, spin: Spin) -> Robot:
+    """A managed node, and one that is not."""
+    context = make_context()
+    robot = Robot("lc_talker", context)
+    spin(robot, library.Node("plain", context=context))
+    return robot
+
+
+@pytest.fixture
+def silent(make_context: MakeContext) -> Robot:
+    """A managed node that does not spin."""
+    return Robot("silent", make_context())
+
+
+@pytest.mark.usefixtures("robot")
+def test_nodes_lists_managed_nodes(make_context: MakeContext) -> None:
+    assert zbot("lifecycle", "nodes").out == "/lc_talker\n"
+    hidden = Robot("_hidden", make_context())
+    assert zbot("lifecycle", "nodes").out == "/lc_talker\n"
+    assert zbot("lifecycle", "nodes", "-a").out == "/_hidden\n/lc_talker\n"
+    assert zbot("lifecycle", "nodes", "-c").out == "1\n"
+    assert json.loads(zbot("lifecycle", "nodes", "--all", "--json").out) == [
+        "/_hidden",
+        "/lc_talker",
+    ]
+    hidden.destroy_node()
+
+
+@pytest.mark.usefixtures("domain")
+def test_without_managed_nodes_lists_are_empty() -> None:
+    for words in (["nodes"], ["get"]):
+        done = zbot("lifecycle", *words)
+        assert (done.code, done.out, done.err) == (0, "", "")
+    done = zbot("lifecycle", "get", "/lc_talker", "--timeout", "0.1")
+    assert (done.code, done.out) == (1, "")
+    assert done.err == (
+        "Node not found\n\nhint: there is no /lc_talker; no managed node is running\n"
+    )
+
+
+@pytest.mark.usefixtures("robot")
+def test_get_shows_the_state() -> None:
+    done = zbot("lifecycle", "get", "/lc_talker")
+    assert (done.code, done.out, done.err) == (0, "unconfigured [1]\n", "")
+    assert zbot("lifecycle", "get", "lc_talker").out == "unconfigured [1]\n"
+    assert zbot("lifecycle", "get").out == "/lc_talker: unconfigured [1]\n"
+    assert json.loads(zbot("lifecycle", "get", "--json").out) == {
+        "/lc_talker": {"id": 1, "label": "unconfigured"}
+    }
+    assert json.loads(zbot("lifecycle", "get", "/lc_talker", "--json").out) == {
+        "id": 1,
+        "label": "unconfigured",
+    }
+
+
+@pytest.mark.usefixtures("robot")
+@pytest.mark.parametrize(
+    ("name", "hint"),
+    [
+        ("/lc_talkr", "there is no /lc_talkr; did you mean /lc_talker?"),
+        ("/zzz", "there is no /zzz; managed nodes are /lc_talker"),
+        ("/plain", "/plain is there, but it is no managed node"),
+    ],
+)
+@pytest.mark.parametrize("words", [("get",), ("list",), ("set", "configure")])
+def test_a_node_that_is_not_there_is_refused(words: tuple[str, ...], name: str, hint: str) -> None:
+    done = zbot("lifecycle", words[0], name, *words[1:], "--timeout", "0.1")
+    assert (done.code, done.out, done.err) == (1, "", f"Node not found\n\nhint: {hint}\n")
+
+
+@pytest.mark.usefixtures("robot")
+def test_list_shows_what_is_possible_now_or_ever() -> None:
+    done = zbot("lifecycle", "list", "/lc_talker")
+    assert (done.code, done.err) == (0, "")
+    assert done.out == (
+        "- configure [1]\n\tStart: unconfigured\n\tGoal: configuring\n"
+        "- shutdown [5]\n\tStart: unconfigured\n\tGoal: shuttingdown\n"
+    )
+    every = zbot("lifecycle", "list", "/lc_talker", "--all").out
+    assert every.count("- ") == 25
+    assert "- transition_error [62]\n\tStart: errorprocessing\n\tGoal: finalized\n" in every
+    assert json.loads(zbot("lifecycle", "list", "/lc_talker", "--json").out)[0] == {
+        "id": 1,
+        "label": "configure",
+        "start": "unconfigured",
+        "goal": "configuring",
+    }
+
+
+@pytest.mark.usefixtures("robot")
+def test_set_takes_labels_and_numbers() -> None:
+    for transition, state in (("configure", "inactive [2]"), ("3", "active [3]")):
+        done = zbot("lifecycle", "set", "/lc_talker", transition)
+        assert (done.code, done.out, done.err) == (0, "Transitioning successful\n", "")
+        assert zbot("lifecycle", "get", "/lc_talker").out == f"{state}\n"
+    assert zbot("lifecycle", "set", "/lc_talker", "shutdown").code == 0
+    assert zbot("lifecycle", "get", "/lc_talker").out == "finalized [4]\n"
+
+
+def test_set_refuses_what_is_not_possible(robot: Robot) -> None:
+    robot.trigger_configure()
+    done = zbot("lifecycle", "set", "/lc_talker", "bogus")
+    assert (done.code, done.out) == (1, "")
+    assert done.err == (
+        "Unknown transition requested, available ones are:\n"
+        "- cleanup [2]\n- activate [3]\n- shutdown [6]\n"
+    )
+    near = zbot("lifecycle", "set", "/lc_talker", "actvate").err
+    assert near.endswith("- shutdown [6]\n\nhint: did you mean activate?\n")
+    assert zbot("lifecycle", "set", "/lc_talker", "1").code == 1
+
+
+def test_set_tells_that_a_callback_did_not_succeed(robot: Robot) -> None:
+    robot.configuration = lambda: TransitionCallbackReturn.FAILURE
+    done = zbot("lifecycle", "set", "/lc_talker", "configure")
+    assert (done.code, done.out, done.err) == (1, "", "Transitioning failed\n")
+
+
+@pytest.mark.usefixtures("robot", "silent")
+def test_a_node_that_does_not_answer_is_named(
+    zbot_command: Command, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(managed_nodes, "ANSWER_TIMEOUT_S", 0.5)
+    done = zbot_command("lifecycle", "get")
+    assert (done.code, done.out) == (1, "/lc_talker: unconfigured [1]\n")
+    sentence = (
+        "Exception while calling service of node '/silent': no answer in 0.5 s; does it spin?\n"
+    )
+    assert done.err == sentence
+    done = zbot_command("lifecycle", "set", "/silent", "configure")
+    assert (done.code, done.out, done.err) == (1, "", sentence)
+
+
+DYING = """
+import os
+import zbot
+from zbot.lifecycle import LifecycleNode
+
+
+class Dying(LifecycleNode):
+    def on_configure(self, state):
+        os.kill(os.getpid(), 9)
+
+
+with zbot.init():
+    node = Dying("dying")
+    print("ready", flush=True)
+    zbot.spin(node)
+"""
+
+
+def test_a_node_that_dies_in_its_transition_is_named(start: Start) -> None:
+    start(source=DYING).wait_for("ready")
+    done = zbot("lifecycle", "set", "/dying", "configure")
+    assert (done.code, done.out) == (1, "")
+    assert done.err == (
+        "Exception while calling service of node '/dying': "
+        "/dying/change_state: the server ended before it answered\n"
+    )
+
+
+def test_ctrl_c_leaves_a_long_transition(robot: Robot, start: Start) -> None:
+    begun: list[Any] = []
+
+    def wait() -> TransitionCallbackReturn:
+        begun.append(True)
+        wait_until(lambda: len(begun) == 2, 20)
+        return TransitionCallbackReturn.SUCCESS
+
+    robot.configuration = wait
+    command = start("zbot", "lifecycle", "set", "/lc_talker", "configure")
+    assert wait_until(lambda: bool(begun), 10)
+    code = command.stop(signal.SIGINT)
+    begun.append(True)
+    assert (code, command.output) == (130, "")
+
+
+def test_the_bundled_talker_publishes_while_it_is_active(start: Start) -> None:
+    talker = start("zbot", "run", "lifecycle_talker")
+    assert zbot("lifecycle", "set", "/lc_talker", "configure", "--timeout", "10").code == 0
+    talker.wait_for("on_configure() is called.")
+    talker.wait_for("currently inactive")
+    talker.wait_for("/lifecycle_chatter was dropped")
+    events = start("zbot", "topic", "echo", "/lc_talker/transition_event", "--once")
+    chatter = start("zbot", "topic", "echo", "/lifecycle_chatter", "--once")
+    assert wait_until(
+        lambda: "Subscription count: 1" in zbot("topic", "info", "/lc_talker/transition_event").out
+    )
+    assert zbot("lifecycle", "set", "/lc_talker", "activate").code == 0
+    events.wait_for("label: activate")
+    talker.wait_for("Lifecycle publisher is active. Publishing: [Lifecycle HelloWorld #")
+    chatter.wait_for("data: 'Lifecycle HelloWorld #")
+    for transition in ("deactivate", "cleanup", "configure", "shutdown"):
+        assert zbot("lifecycle", "set", "/lc_talker", transition).code == 0
+    assert zbot("topic", "list").out.count("lifecycle_chatter") == 0
+    assert talker.stop() == -signal.SIGINT
