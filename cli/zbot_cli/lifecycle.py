@@ -105,7 +105,7 @@ def list_transitions(
     use_sim_time: UseSimTime = False,
     no_daemon: NoDaemon = False,
 ) -> None:
-    """List the transitions that a node can make now."""
+    """List the transitions possible for a node now."""
     with _managed(timeout) as remote:
         found = remote.transitions(remote.find(node_name), show_all=show_all)
     if as_json:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import pytest
 
@@ -53,8 +53,7 @@ class Robot(LifecycleNode):
         planned = self.plan.get(name, Outcome.SUCCESS)
         if isinstance(planned, Exception):
             raise planned
-        outcome: Outcome = planned() if callable(planned) else planned
-        return outcome
+        return cast("Outcome", planned() if callable(planned) else planned)
 
     def on_configure(self, state: LifecycleState) -> Outcome:
         super().on_configure(state)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import traceback
+from collections.abc import Coroutine
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from zbot.errors import ExternalShutdownException
@@ -261,8 +262,8 @@ def _call(entity: ManagedEntity, callback: str, state: LifecycleState) -> Transi
     function: Callable[[LifecycleState], object] = getattr(entity, callback)
     outcome = function(state)
     if not isinstance(outcome, TransitionCallbackReturn):
-        if hasattr(outcome, "close"):  # a coroutine, which nobody is going to await
-            outcome.close()
+        if isinstance(outcome, Coroutine):
+            outcome.close()  # nobody is going to await it
         raise CallbackReturnError(entity, callback, outcome)
     return outcome
 
