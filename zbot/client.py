@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import contextlib
 import inspect
+import itertools
 import threading
 import time
 from collections import deque
@@ -48,25 +49,63 @@ if TYPE_CHECKING:
 RequestT = TypeVar("RequestT")
 ResponseT = TypeVar("ResponseT")
 
-# ROS 2 waits for a response as long as it takes, and Zenoh wants a number: 11 days.
-_NO_TIMEOUT_S = 1e6
+# Zenoh keeps 0.8 kB for each query until its time is over, however soon it was answered: so its
+# time is short, and a request that takes longer is repeated, at growing intervals (docs/wire.md).
+_FIRST_PATIENCE_S = 2.0
+_LONGEST_PATIENCE_S = 60.0
+_TIME_IS_OVER = b"Timeout"  # what Zenoh itself puts in the place of a reply
 _WOKEN = object()  # stands for "look around" among the replies
+
+
+class _Exchange:
+    """One request, as often as it has to be sent.
+
+    Args:
+        payload: The encoded request.
+        facts: The attachment; a repeated request has the same, so that it is served once.
+    """
+
+    __slots__ = ("facts", "patience_s", "payload")
+
+    def __init__(self, payload: Any, facts: bytes) -> None:
+        self.payload = payload
+        self.facts = facts
+        self.patience_s = _FIRST_PATIENCE_S
+
+    def is_to_be_repeated(self, reply: zenoh.Reply) -> bool:
+        """Return whether a reply only says that the query's time is over."""
+        if reply.ok is not None or reply.err is None:
+            return False
+        if reply.err.payload.to_bytes() != _TIME_IS_OVER:
+            return False
+        self.patience_s = min(2 * self.patience_s, _LONGEST_PATIENCE_S)
+        return True
 
 
 class _Response(Future[ResponseT]):
     """A call's future: its callbacks run as work of the client."""
 
-    def __init__(self, client: Client[Any, ResponseT]) -> None:
+    def __init__(self, client: Client[Any, ResponseT], exchange: _Exchange) -> None:
         super().__init__()
         self._client = client
+        self._exchange = exchange
+        self._attempt = 0
 
-    def on_reply(self, reply: zenoh.Reply) -> None:
-        """Complete with the first reply; in Zenoh's thread."""
-        self._client.complete(self, reply)
+    def send(self) -> None:
+        """Send the request, for the first time or again."""
+        self._attempt += 1
+        ended = partial(self._on_end, self._attempt)
+        self._client.send(self._exchange, self._on_reply, ended)
 
-    def on_end(self) -> None:
-        """Fail if there was no reply; in Zenoh's thread."""
-        if not self.is_over:
+    def _on_reply(self, reply: zenoh.Reply) -> None:
+        # Zenoh's thread, as below.
+        if not self._exchange.is_to_be_repeated(reply):
+            self._client.complete(self, reply)
+        elif self._client.is_pending(self):
+            self.send()
+
+    def _on_end(self, attempt: int) -> None:
+        if attempt == self._attempt and not self.is_over:
             self._client.complete(self, None)
 
     def _tell(self) -> None:
@@ -129,9 +168,7 @@ class Client(Generic[RequestT, ResponseT]):
         self._arrival = Signal()
         self._listener: Any = None
         self._querier: Any = context.session.declare_querier(
-            dialect.topic_key(context.get_domain_id(), token.name),
-            consolidation=zenoh.ConsolidationMode.NONE,
-            timeout=_NO_TIMEOUT_S,
+            dialect.topic_key(context.get_domain_id(), token.name)
         )
         self._liveliness = context.graph.announce(token)
 
@@ -220,16 +257,15 @@ class Client(Generic[RequestT, ResponseT]):
             InvalidHandleError: The client or its node was destroyed.
             NotInitializedError: The context was shut down.
         """
-        response: _Response[ResponseT] = _Response(self)
-        payload = self._prepare(request)
+        response: _Response[ResponseT] = _Response(self, self._prepare(request))
         try:
             self._check_server()
         except ServiceError as error:
             response.set_exception(error)
             return response
         with self._lock:
-            self._pending[response] = self._sent_count + 1
-        self._send(payload, response.on_reply, response.on_end)
+            self._pending[response] = self._sent_count
+        response.send()
         return response
 
     def call(self, request: RequestT, timeout_sec: float | None = None) -> ResponseT:
@@ -247,17 +283,22 @@ class Client(Generic[RequestT, ResponseT]):
             TimeoutError: There was no response in time.
             NotInitializedError: The context was shut down meanwhile.
         """
-        payload = self._prepare(request)
+        exchange = self._prepare(request)
         self._check_server()
-        # Zenoh's thread puts a reply, and None at the end: a function of Python's own would cost
-        # it 20 us each time, because the interpreter has to make room for a frame there.
+        # Zenoh's thread puts each reply, and the attempt's number at its end: a function written in
+        # Python would cost it 20 us each time, to make room for a frame in that thread.
         arrivals: SimpleQueue[Any] = SimpleQueue()
-        wake = partial(arrivals.put, _WOKEN)
         executor = current_executor()
         own = [] if executor is None else self._served_by(executor)
-        with self._waking(wake, own):
-            self._send(payload, arrivals.put, partial(arrivals.put, None))
-            reply = self._wait(arrivals, timeout_sec, lambda: self._serve(executor, own))
+        deadline = (
+            None if timeout_sec is None or timeout_sec < 0 else time.monotonic() + timeout_sec
+        )
+        with self._waking(partial(arrivals.put, _WOKEN), own):
+            for attempt in itertools.count():
+                self.send(exchange, arrivals.put, partial(arrivals.put, attempt))
+                reply = self._wait(arrivals, attempt, deadline, lambda: self._serve(executor, own))
+                if reply is None or not exchange.is_to_be_repeated(reply):
+                    break
         return self._read(reply)
 
     @contextlib.contextmanager
@@ -273,25 +314,30 @@ class Client(Generic[RequestT, ResponseT]):
                 service.watchers.remove(wake)
 
     def _wait(
-        self, arrivals: SimpleQueue[Any], timeout_sec: float | None, serve: Callable[[], bool]
+        self,
+        arrivals: SimpleQueue[Any],
+        attempt: int,
+        deadline: float | None,
+        serve: Callable[[], bool],
     ) -> zenoh.Reply | None:
-        endless = timeout_sec is None or timeout_sec < 0
-        deadline = time.monotonic() + (timeout_sec or 0)
         while True:
             while serve():
                 pass
-            left = LONGEST_WAIT_S if endless else deadline - time.monotonic()
+            left = LONGEST_WAIT_S if deadline is None else deadline - time.monotonic()
             try:
                 arrived = arrivals.get(timeout=max(0.0, min(left, LONGEST_WAIT_S)))
             except Empty:
                 if left <= 0:
-                    sentence = f"{self.service_name}: no response in {timeout_sec} s"
+                    sentence = f"{self.service_name}: there was no response in time"
                     raise TimeoutError(sentence) from None
                 continue
-            if arrived is not _WOKEN:
-                return cast("zenoh.Reply | None", arrived)
-            if self.context.is_over:
-                raise NotInitializedError("a service call")
+            if arrived == attempt:
+                return None
+            if arrived is _WOKEN:
+                if self.context.is_over:
+                    raise NotInitializedError("a service call")
+            elif not isinstance(arrived, int):
+                return cast("zenoh.Reply", arrived)
 
     def _served_by(self, executor: Executor) -> list[Service[Any, Any]]:
         return [
@@ -311,14 +357,17 @@ class Client(Generic[RequestT, ResponseT]):
             return any(executor.serve(service) for service in own)
         return True
 
-    def _prepare(self, request: RequestT) -> Any:
+    def _prepare(self, request: RequestT) -> _Exchange:
         expected = self.srv_type.Request
         if request.__class__ is not expected and not isinstance(request, expected):
             raise RequestTypeError(self.service_name, type_name(expected), request)
         payload = self._encode(request)
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
-        return payload
+        with self._lock:
+            self._sent_count += 1
+            facts = LAYOUT.pack(self._sent_count, time.time_ns(), GID_LENGTH, self._gid)
+        return _Exchange(payload, facts)
 
     def _check_server(self) -> None:
         if self.service_is_ready():
@@ -332,14 +381,27 @@ class Client(Generic[RequestT, ResponseT]):
             what = "no server is running; start it, or wait for it with wait_for_service()"
             raise ServiceError(self.service_name, "no_server", what)
 
-    def _send(
-        self, payload: Any, on_reply: Callable[[Any], object], on_end: Callable[[], object]
+    def send(
+        self,
+        exchange: _Exchange,
+        on_reply: Callable[[zenoh.Reply], object],
+        on_end: Callable[[], object],
     ) -> None:
+        """Send a request; Zenoh's thread calls `on_reply` for each reply, and `on_end` last."""
         answer: Any = zenoh.handlers.Callback(on_reply, drop=on_end, indirect=False)
-        with self._lock:
-            self._sent_count += 1
-            facts = LAYOUT.pack(self._sent_count, time.time_ns(), GID_LENGTH, self._gid)
-            self._querier.get(answer, payload=payload, encoding=self._encoding, attachment=facts)
+        self.context.session.get(
+            self._querier.key_expr,
+            answer,
+            payload=exchange.payload,
+            encoding=self._encoding,
+            attachment=exchange.facts,
+            consolidation=zenoh.ConsolidationMode.NONE,
+            timeout=exchange.patience_s,
+        )
+
+    def is_pending(self, response: _Response[ResponseT]) -> bool:
+        """Return whether somebody still waits for a response."""
+        return response in self._pending and not self.context.is_closed
 
     def remove_pending_request(self, future: Future[ResponseT]) -> None:
         """Forget a call: its future is never completed. Nothing happens if it is over."""

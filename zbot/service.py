@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections import deque
 from functools import cached_property
+from struct import Struct
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
@@ -13,6 +14,7 @@ from zbot.errors import NotAMessageTypeError, ResponseTypeError
 from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
+from zbot.repetition import Repetitions
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.codec import CodecError
 from zbot.wire.error_reply import ENCODING, pack_error
@@ -31,6 +33,8 @@ if TYPE_CHECKING:
 
 RequestT = TypeVar("RequestT")
 ResponseT = TypeVar("ResponseT")
+
+_NUMBER = Struct("<q")  # how an attachment begins
 
 
 class Service(Generic[RequestT, ResponseT]):
@@ -75,7 +79,8 @@ class Service(Generic[RequestT, ResponseT]):
         dialect = context.dialect
         self._encoding = zenoh.Encoding(dialect.encoding(f"{token.type_name}_Response"))
         self._key = zenoh.KeyExpr(dialect.topic_key(context.get_domain_id(), token.name))
-        self._queries: deque[zenoh.Query] = deque()
+        self._queries: deque[tuple[zenoh.Query, float]] = deque()
+        self._repetitions = Repetitions()
         self._is_destroyed = False
         # No thread of its own, for the same reason as below.
         receive: Any = zenoh.handlers.Callback(self._receive, indirect=False)
@@ -118,29 +123,33 @@ class Service(Generic[RequestT, ResponseT]):
 
     def _receive(self, query: zenoh.Query) -> None:
         # Zenoh's thread: nothing but the hand-over.
-        self._queries.append(query)
+        self._queries.append((query, time.monotonic()))
         if self._is_destroyed:
             self._drop_queries()
         for watcher in list(self.watchers):
             watcher()
         self.mailbox.post(self)
 
-    def take(self) -> zenoh.Query | None:
-        """Return the oldest request that waits, if any."""
+    def take(self) -> tuple[zenoh.Query, float] | None:
+        """Return the oldest request that waits, and when it came (monotonic clock), if any."""
         try:
             return self._queries.popleft()
         except IndexError:
             return None
 
-    def execute(self, query: zenoh.Query) -> Coroutine[Any, Any, None] | None:
+    def execute(self, taken: tuple[zenoh.Query, float]) -> Coroutine[Any, Any, None] | None:
         """Decode a request, call the callback and send what it returns."""
+        query, arrived_s = taken
+        who = _sender(query)
+        if who and not self._repetitions.is_new(who, query, arrived_s):
+            return None
         payload = b"" if query.payload is None else query.payload.to_bytes()
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
         try:
             request = self._decode(payload)
         except CodecError as exc:
-            self._refuse(query, exc)
+            self._refuse(who, query, exc)
             get_logger(self._logger_name).error(
                 f"{self.service_name}: cannot read a request: {exc}"
             )
@@ -148,44 +157,52 @@ class Service(Generic[RequestT, ResponseT]):
         try:
             outcome = self.callback(request, self.srv_type.Response())
             if outcome is not None and hasattr(outcome, "send"):
-                return self._answer_later(query, outcome)
-            self._answer(query, outcome)
+                return self._answer_later(who, query, outcome)
+            self._answer(who, query, outcome)
         except Exception as exc:
-            self._refuse(query, exc)
+            self._refuse(who, query, exc)
             raise
         return None
 
-    async def _answer_later(self, query: zenoh.Query, outcome: Coroutine[Any, Any, Any]) -> None:
+    async def _answer_later(
+        self, who: bytes, query: zenoh.Query, outcome: Coroutine[Any, Any, Any]
+    ) -> None:
         try:
-            self._answer(query, await outcome)
+            self._answer(who, query, await outcome)
         except Exception as exc:
-            self._refuse(query, exc)
+            self._refuse(who, query, exc)
             raise
 
-    def _answer(self, query: zenoh.Query, response: Any) -> None:
+    def _answer(self, who: bytes, query: zenoh.Query, response: Any) -> None:
         expected = self.srv_type.Response
         if response.__class__ is not expected and not isinstance(response, expected):
             raise ResponseTypeError(self.service_name, type_name(expected), response)
         payload = self._encode(response)
-        self._send(
+        facts = who and LAYOUT.pack(_number(who), time.time_ns(), GID_LENGTH, who[_NUMBER.size :])
+        self._end(
+            who,
             query,
-            lambda facts: query.reply(
-                self._key, payload, encoding=self._encoding, attachment=facts
+            lambda latest: latest.reply(
+                self._key, payload, encoding=self._encoding, attachment=facts or None
             ),
         )
 
-    def _refuse(self, query: zenoh.Query, error: Exception) -> None:
-        self._send(query, lambda _: query.reply_err(pack_error(error), encoding=ENCODING))
+    def _refuse(self, who: bytes, query: zenoh.Query, error: Exception) -> None:
+        payload = pack_error(error)
+        self._end(who, query, lambda latest: latest.reply_err(payload, encoding=ENCODING))
 
-    def _send(self, query: zenoh.Query, reply: Callable[[bytes | None], None]) -> None:
-        try:
-            reply(_facts(query))
-        except zenoh.ZError:
-            # Shut down while the callback ran: the caller learns that this server is gone.
-            if not self._context.is_closed:
-                raise
-        finally:
-            query.drop()  # tells the caller that nothing else will come
+    def _end(self, who: bytes, query: zenoh.Query, send: Callable[[zenoh.Query], None]) -> None:
+        def reply(query: zenoh.Query) -> None:
+            try:
+                send(query)
+            except zenoh.ZError:
+                # Shut down while the callback ran: the caller learns that this server is gone.
+                if not self._context.is_closed:
+                    raise
+            finally:
+                query.drop()  # tells the caller that nothing else will come
+
+        reply(self._repetitions.end(who, query, reply) if who else query)
 
     def destroy(self) -> None:
         """Serve no more, and let requests that wait fail; may be called twice."""
@@ -198,8 +215,8 @@ class Service(Generic[RequestT, ResponseT]):
         self._drop_queries()
 
     def _drop_queries(self) -> None:
-        while (query := self.take()) is not None:
-            query.drop()  # its caller learns that there is no answer
+        while (taken := self.take()) is not None:
+            taken[0].drop()  # its caller learns that there is no answer
 
     def __enter__(self) -> Self:
         return self
@@ -224,11 +241,13 @@ def check_service_type(srv_type: object) -> None:
         raise NotAMessageTypeError(srv_type, "it is no service, like std_srvs.srv.Trigger")
 
 
-def _facts(query: zenoh.Query) -> bytes | None:
-    """The request's number and sender with the present time, as its reply repeats them."""
+def _sender(query: zenoh.Query) -> bytes:
+    """A request's number and its client's gid, or nothing if they were not sent."""
     attachment = query.attachment
-    facts = None if attachment is None else attachment.to_bytes()
-    if facts is None or len(facts) != LAYOUT.size:
-        return None
-    sequence, _, _, gid = LAYOUT.unpack(facts)
-    return LAYOUT.pack(sequence, time.time_ns(), GID_LENGTH, gid)
+    facts = b"" if attachment is None else attachment.to_bytes()
+    return facts[: _NUMBER.size] + facts[-GID_LENGTH:] if len(facts) == LAYOUT.size else b""
+
+
+def _number(sender: bytes) -> int:
+    number: int = _NUMBER.unpack_from(sender)[0]
+    return number

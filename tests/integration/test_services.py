@@ -195,9 +195,8 @@ class TestAnswers:
     ) -> None:
         server.create_service(AddTwoInts, "add", add)
         client_of(caller)
-        assert ("/add", ["example_interfaces/srv/AddTwoInts"]) in (
-            caller.get_service_names_and_types()
-        )
+        known = ("/add", ["example_interfaces/srv/AddTwoInts"])
+        assert wait_until(lambda: known in caller.get_service_names_and_types())
         assert caller.count_services("add") == 1
         assert caller.count_clients("add") == 1
 
@@ -279,6 +278,7 @@ class TestErrors:
         server = zbot.Node("server", context=make_context())  # never spins
         service = server.create_service(AddTwoInts, "add", add)
         future = client_of(caller).call_async(Request())
+        assert wait_until(lambda: bool(service._queries))
         server.destroy_service(service)
         assert wait_until(future.done)
         assert isinstance(future.exception(), ServiceError)
@@ -287,7 +287,7 @@ class TestErrors:
         server = zbot.Node("server", context=make_context())  # never spins
         server.create_service(AddTwoInts, "add", add)
         client = client_of(caller)
-        with pytest.raises(TimeoutError, match=r"no response in 0\.05 s"):
+        with pytest.raises(TimeoutError, match="no response in time"):
             client.call(Request(), timeout_sec=0.05)
 
     def test_a_request_that_cannot_be_read_is_refused(
@@ -352,6 +352,84 @@ class TestErrors:
             client.get_pending_request(1)
 
 
+class TestPatience:
+    """A request that takes longer than Zenoh's query may is sent again, and served once."""
+
+    @pytest.fixture(autouse=True)
+    def short_time(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        monkeypatch.setattr("zbot.client._FIRST_PATIENCE_S", 0.1)
+        monkeypatch.setattr("zbot.repetition._LATE_S", 0.02)
+
+    @pytest.mark.parametrize("kind", ["call", "call_async"])
+    @pytest.mark.parametrize("is_coroutine", [False, True])
+    def test_a_handler_may_take_its_time(
+        self, kind: str, is_coroutine: bool, server: zbot.Node, caller: zbot.Node
+    ) -> None:
+        served: list[int] = []
+        gate: zbot.Future[None] = zbot.Future()
+        opened = threading.Event()
+
+        def open_gate() -> None:
+            gate.set_result(None)
+            opened.set()
+
+        threading.Timer(0.5, open_gate).start()
+
+        def slow(request: Any, response: Any) -> Any:
+            served.append(request.a)
+            assert opened.wait(5)
+            return add(request, response)
+
+        async def slow_coroutine(request: Any, response: Any) -> Any:
+            served.append(request.a)
+            await gate
+            return add(request, response)
+
+        server.create_service(AddTwoInts, "add", slow_coroutine if is_coroutine else slow)
+        client = client_of(caller)
+        if kind == "call":
+            assert client.call(Request(a=1, b=2), timeout_sec=10).sum == 3
+        else:
+            future = client.call_async(Request(a=1, b=2))
+            assert wait_until(future.done, 10)
+            assert future.result().sum == 3
+        assert served == [1]
+
+    def test_an_error_that_comes_late_is_not_lost(
+        self, make_context: MakeContext, caller: zbot.Node
+    ) -> None:
+        opened = threading.Event()
+        threading.Timer(0.3, opened.set).start()
+
+        async def refuse(_request: Any, _response: Any) -> Any:
+            assert opened.wait(5)
+            raise ValueError("too late")
+
+        server = zbot.Node("server", context=make_context())
+        server.create_service(AddTwoInts, "add", refuse)
+        executor = zbot.MultiThreadedExecutor(2, context=server.context)
+        executor.add_node(server)
+
+        def serve() -> None:
+            while server.context.ok():
+                try:
+                    executor.spin()
+                except ValueError:
+                    continue
+                except zbot.ExternalShutdownException:
+                    return
+
+        thread = threading.Thread(target=serve)
+        thread.start()
+        try:
+            with pytest.raises(ServiceError, match="too late"):
+                client_of(caller).call(Request(), timeout_sec=10)
+        finally:
+            executor.shutdown()
+            server.context.shutdown()
+            thread.join(5)
+
+
 class TestProcesses:
     def test_a_server_that_is_killed_fails_the_call_at_once(
         self, caller: zbot.Node, start: Start
@@ -397,14 +475,16 @@ class TestManyCalls:
     ) -> None:
         server.create_service(AddTwoInts, "add", add)
         client = client_of(caller)
-        for turn in range(2_000):
+        sizes = []
+        for turn in range(10_000):
             assert client.call(Request(a=turn, b=1)).sum == turn + 1
-        gc.collect()
-        before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-        for turn in range(8_000):
-            assert client.call(Request(a=turn, b=1)).sum == turn + 1
-        gc.collect()
-        assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 2_000  # KiB
+            if turn % 1000 == 999:
+                gc.collect()
+                sizes.append(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
+        # Zenoh keeps 0.8 kB a query for 2 s: a plateau, after which nothing grows.
+        assert sizes[-1] - sizes[0] < 0.8 * 9_000  # KiB
+        assert not client._pending
+        assert not client._completed
 
     def test_a_hundred_at_once_from_four_clients_get_their_own(
         self, server: zbot.Node, make_context: MakeContext
