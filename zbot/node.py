@@ -20,7 +20,7 @@ from zbot.names import (
 )
 from zbot.node_graph import GraphQueries
 from zbot.node_handle import NodeHandle
-from zbot.node_parameters import NodeParameters, overrides_of
+from zbot.node_parameters import START_TYPE_DESCRIPTION_SERVICE, NodeParameters, overrides_of
 from zbot.parameter_services import ParameterServices
 from zbot.publisher import Publisher
 from zbot.qos import (
@@ -36,6 +36,7 @@ from zbot.subscription import Subscription
 from zbot.time import S_TO_NS
 from zbot.time_source import TimeSource
 from zbot.timer import Rate, Timer
+from zbot.type_description import serve_type_descriptions
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -140,6 +141,8 @@ class Node(GraphQueries, NodeParameters):
         self._zbot_declare_own(self._zbot_time)
         if start_parameter_services:
             self._zbot_parameter_services = ParameterServices(handle, self._zbot_resolve)
+        if handle.parameters.get(START_TYPE_DESCRIPTION_SERVICE).value is True:
+            serve_type_descriptions(handle, self._zbot_resolve)
 
     def _zbot_add_parameter_events(self) -> None:
         from rcl_interfaces.msg import ParameterEvent  # noqa: PLC0415 - made at first import

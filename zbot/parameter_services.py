@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from functools import cached_property
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.interfaces import get_service
+from zbot.interfaces.late import LateService
 from zbot.parameter import Parameter
 from zbot.parameter_errors import ParameterException
 from zbot.parameter_store import prefixes_of
@@ -49,23 +48,6 @@ SERVICES = {
 }
 
 
-class _LateType:
-    """A service class that is made when the first request comes."""
-
-    def __init__(self, name: str) -> None:
-        self._name = name
-
-    @cached_property
-    def Request(self) -> Any:  # noqa: N802 - as in a service class
-        """The request's class."""
-        return cast("Any", get_service(self._name)).Request
-
-    @cached_property
-    def Response(self) -> Any:  # noqa: N802 - as in a service class
-        """The response's class."""
-        return cast("Any", get_service(self._name)).Response
-
-
 class ParameterServices:
     """Answers requests about a node's parameters.
 
@@ -81,7 +63,7 @@ class ParameterServices:
             named_type = (type_name, type_hash)
             service: Service[Any, Any] = Service(
                 handle.context,
-                _LateType(type_name),
+                LateService(type_name),
                 getattr(self, f"_{name}"),
                 handle.named_endpoint(EntityKind.SERVICE, full, named_type, qos_profile_parameters),
                 mailbox=handle.mailbox,

@@ -1,0 +1,145 @@
+"""The service by which a node tells others what the types that it uses look like."""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import UnknownInterfaceError, UnknownPackageError
+from zbot.interfaces import MessageSpec, get_spec, type_description, type_hash
+from zbot.interfaces.late import LateService
+from zbot.qos import qos_profile_services_default
+from zbot.service import Service
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    import zenoh
+
+    from zbot.interfaces import InterfaceSpec
+    from zbot.node_handle import NodeHandle
+
+#: The service's type and its hash, which a ROS 2 type never changes; a node that nobody asks needs
+#: neither the class nor its definition.
+SERVICE_TYPE = (
+    "type_description_interfaces/srv/GetTypeDescription",
+    "RIHS01_69b9c19c1021405984cc60dbbb1edceb147a6538b411d812ba6afabeed962cd5",
+)
+
+
+class _UnspunService(Service[Any, Any]):
+    """Answers in a thread of its own, so that a node that never spins answers too."""
+
+    def _receive(self, query: zenoh.Query) -> None:
+        threading.Thread(
+            target=self.execute,
+            args=((query, time.monotonic()),),
+            name="zbot type description",
+            daemon=True,
+        ).start()
+
+
+def serve_type_descriptions(handle: NodeHandle, resolve: Callable[..., str]) -> None:
+    """Add the service `~/get_type_description` to a node.
+
+    Args:
+        handle: The node's state.
+        resolve: Turns the name of a service into its full name, remapped.
+    """
+    name = resolve(f"{handle.full_name}/get_type_description", only_expand=False, is_service=True)
+    handle.services.append(
+        _UnspunService(
+            handle.context,
+            LateService(SERVICE_TYPE[0]),
+            _describe,
+            handle.named_endpoint(
+                EntityKind.SERVICE, name, SERVICE_TYPE, qos_profile_services_default
+            ),
+            mailbox=handle.mailbox,
+            callback_group=handle.default_callback_group,
+            logger_name=handle.logger_name,
+        )
+    )
+
+
+def _describe(request: Any, response: Any) -> Any:
+    name = request.type_name
+    try:
+        spec = get_spec(name)
+    except (UnknownPackageError, UnknownInterfaceError) as error:
+        response.failure_reason = str(error)
+        return response
+    found = type_hash(spec.name)
+    if request.type_hash not in {"", found}:
+        response.failure_reason = f"{name} has the hash {found} here, not {request.type_hash}"
+        return response
+    described = type_description(spec.name)
+    response.type_description = _description_message(described)
+    if request.include_type_sources:
+        response.type_sources = list(map(_source_message, _specs(described)))
+    response.successful = True
+    return response
+
+
+def _specs(described: dict[str, Any]) -> Iterator[InterfaceSpec]:
+    for one in (described["type_description"], *described["referenced_type_descriptions"]):
+        yield get_spec(one["type_name"])
+
+
+# -- from dictionaries to messages ---------------------------------------------------------------
+
+
+def _description_message(described: dict[str, Any]) -> Any:
+    from type_description_interfaces.msg import (  # noqa: PLC0415 - made at first import
+        TypeDescription,
+    )
+
+    return TypeDescription(
+        type_description=_individual(described["type_description"]),
+        referenced_type_descriptions=list(
+            map(_individual, described["referenced_type_descriptions"])
+        ),
+    )
+
+
+def _individual(one: dict[str, Any]) -> Any:
+    from type_description_interfaces.msg import (  # noqa: PLC0415 - made at first import
+        Field,
+        FieldType,
+        IndividualTypeDescription,
+    )
+
+    defaults = _defaults(get_spec(one["type_name"]))
+    fields = [
+        Field(
+            name=field["name"],
+            type=FieldType(**field["type"]),
+            default_value=defaults.get(field["name"], ""),
+        )
+        for field in one["fields"]
+    ]
+    return IndividualTypeDescription(type_name=one["type_name"], fields=fields)
+
+
+def _defaults(spec: InterfaceSpec) -> dict[str, str]:
+    fields = spec.fields if isinstance(spec, MessageSpec) else ()
+    return {field.name: str(field.default) for field in fields if field.default is not None}
+
+
+def _source_message(spec: InterfaceSpec) -> Any:
+    from type_description_interfaces.msg import TypeSource  # noqa: PLC0415 - made at first import
+
+    encoding = _encoding(spec)
+    text = "" if encoding == "implicit" else spec.text
+    return TypeSource(type_name=spec.name, encoding=encoding, raw_file_contents=text)
+
+
+def _encoding(spec: InterfaceSpec) -> str:
+    """Where a definition is from; only what has a file of its own has a text."""
+    if "_" in spec.name.rpartition("/")[2]:
+        return "implicit"  # a part of a service or an action: no other name has this character
+    if isinstance(spec, MessageSpec) and spec.fields and not spec.text:
+        return "dynamic"
+    return spec.name.split("/")[1]
