@@ -20,8 +20,11 @@ from importlib.metadata import version
 from pathlib import Path
 
 import zbot
-from benchmarks.contestants import SOURCES
+from benchmarks.contestants import SERVICES, SOURCES
 from zbot.config import MEETING_PORT
+from zbot.wire.codec import codec_for
+
+from example_interfaces.srv import AddTwoInts
 
 SIZES = ((64, "64 B"), (4096, "4 KiB"), (1_000_000, "1 MB"))
 ROS2_PYTHON = os.environ.get("ZBOT_ROS2_PYTHON", "")
@@ -110,6 +113,23 @@ def latency_table(report: Report, rounds: int) -> None:
             p50 = statistics.median(statistics.median(run) for run in runs)
             p99 = statistics.median(run[int(len(run) * 0.99)] for run in runs)
             report.say(f"| {label} | {name} | {p50:.0f} | {p99:.0f} | {p50 / raw:.2f} |")
+
+
+def service_table(report: Report, rounds: int) -> None:
+    report.say("\n## Service call, two processes (microseconds)\n")
+    report.say("| contestant | p50 | p99 | p50 / raw |\n|---|---|---|---|")
+    request = codec_for(AddTwoInts.Request).encode(AddTwoInts.Request(a=1, b=2))
+    trips: dict[str, list[list[float]]] = {name: [] for name in contestants()}
+    for _ in range(rounds):
+        for name in trips:
+            server, caller = SERVICES[name]
+            told = run_pair(name, server, caller, len(request), 2000)
+            trips[name].append(sorted(trip / 1000 for trip in json.loads(told)))
+    raw = statistics.median(statistics.median(run) for run in trips["raw"])
+    for name, runs in trips.items():
+        p50 = statistics.median(statistics.median(run) for run in runs)
+        p99 = statistics.median(run[int(len(run) * 0.99)] for run in runs)
+        report.say(f"| {name} | {p50:.0f} | {p99:.0f} | {p50 / raw:.2f} |")
 
 
 def throughput_table(report: Report, rounds: int) -> None:
@@ -258,6 +278,7 @@ def main() -> None:
         f"eclipse-zenoh {version('eclipse-zenoh')}; medians of {rounds} interleaved runs."
     )
     latency_table(report, rounds)
+    service_table(report, rounds)
     throughput_table(report, rounds)
     start_table(report, rounds)
     if platform.system() == "Linux":

@@ -231,8 +231,101 @@ while time.perf_counter() < end: publisher.publish(sample)
 """
 )
 
+# Services: AddTwoInts, whose request is SIZE bytes with zbot.
+ZBOT_SERVER = """
+import zbot
+from example_interfaces.srv import AddTwoInts
+def add(request, response):
+    response.sum = request.a + request.b
+    return response
+with zbot.init():
+    node = zbot.Node('server')
+    node.create_service(AddTwoInts, 'add', add)
+    zbot.spin(node)
+"""
+
+ZBOT_CALLER = """
+import sys, time, json, zbot
+from example_interfaces.srv import AddTwoInts
+COUNT, trips = int(sys.argv[2]), []
+with zbot.init():
+    node = zbot.Node('caller')
+    client = node.create_client(AddTwoInts, 'add'); request = AddTwoInts.Request(a=1, b=2)
+    client.wait_for_service()
+    for _ in range(COUNT):
+        begun = time.perf_counter_ns()
+        client.call(request)
+        trips.append(time.perf_counter_ns() - begun)
+print(json.dumps(trips[COUNT // 10:]))
+"""
+
+RAW_SERVER = (
+    RAW_HEAD
+    + """
+session = session(False)
+def answer(query):
+    query.payload.to_bytes()
+    query.reply('add', bytes(SIZE))
+queryable = session.declare_queryable('add', answer, complete=True)
+try:
+    time.sleep(600)
+finally:
+    session.close()
+"""
+)
+
+RAW_CALLER = (
+    RAW_HEAD
+    + """
+trips = []
+session = session(True)
+querier = session.declare_querier('add'); sample = bytes(SIZE)
+matched(querier)
+for _ in range(COUNT):
+    begun = time.perf_counter_ns()
+    for reply in querier.get(payload=sample):
+        reply.ok.payload.to_bytes()
+    trips.append(time.perf_counter_ns() - begun)
+print(json.dumps(trips[COUNT // 10:])); session.close()
+"""
+)
+
+RCLPY_SERVER = """
+import rclpy
+from rclpy.node import Node
+from example_interfaces.srv import AddTwoInts
+def add(request, response):
+    response.sum = request.a + request.b
+    return response
+rclpy.init()
+node = Node('server')
+node.create_service(AddTwoInts, 'add', add)
+rclpy.spin(node)
+"""
+
+RCLPY_CALLER = """
+import sys, time, json, rclpy
+from rclpy.node import Node
+from example_interfaces.srv import AddTwoInts
+COUNT, trips = int(sys.argv[2]), []
+rclpy.init()
+node = Node('caller')
+client = node.create_client(AddTwoInts, 'add'); request = AddTwoInts.Request(a=1, b=2)
+client.wait_for_service()
+for _ in range(COUNT):
+    begun = time.perf_counter_ns()
+    rclpy.spin_until_future_complete(node, client.call_async(request))
+    trips.append(time.perf_counter_ns() - begun)
+print(json.dumps(trips[COUNT // 10:]))
+"""
+
 SOURCES = {
     "zbot": (ZBOT_ECHO, ZBOT_PING, ZBOT_SINK, ZBOT_FLOOD),
     "raw": (RAW_ECHO, RAW_PING, RAW_SINK, RAW_FLOOD),
     "rclpy": (RCLPY_ECHO, RCLPY_PING, RCLPY_SINK, RCLPY_FLOOD),
+}
+SERVICES = {
+    "zbot": (ZBOT_SERVER, ZBOT_CALLER),
+    "raw": (RAW_SERVER, RAW_CALLER),
+    "rclpy": (RCLPY_SERVER, RCLPY_CALLER),
 }
