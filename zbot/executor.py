@@ -8,8 +8,6 @@ lock until the next post or the next timer.
 from __future__ import annotations
 
 import contextlib
-import heapq
-import itertools
 import os
 import sys
 import threading
@@ -18,6 +16,7 @@ from collections import deque
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
+from zbot.agenda import Agenda
 from zbot.callback_group import CallbackGroup, ReentrantCallbackGroup
 from zbot.errors import (
     ExecutorBusyError,
@@ -28,7 +27,7 @@ from zbot.errors import (
 from zbot.task import Future, Task
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Coroutine, Iterable, Iterator
+    from collections.abc import Callable, Coroutine, Iterator
     from types import TracebackType
 
     from typing_extensions import Self
@@ -114,49 +113,6 @@ def _deadline_ns(timeout_sec: float | None) -> int | None:
     return time.monotonic_ns() + int(timeout_sec * 1e9)
 
 
-class _Agenda:
-    """Entities that want to run later, each at one time, the earliest first.
-
-    For the spinning thread alone, but for `forget`.
-    """
-
-    def __init__(self) -> None:
-        self._heap: list[tuple[int, int, Entity]] = []
-        self._due: dict[Entity, int] = {}
-        self._tie = itertools.count()  # equal times are served in order, entities not compared
-
-    def put(self, entity: Entity, due_ns: int) -> None:
-        """Note when an entity wants to run, in place of what it wanted before."""
-        if self._due.get(entity) == due_ns:
-            return
-        self._due[entity] = due_ns
-        heapq.heappush(self._heap, (due_ns, next(self._tie), entity))
-        # A timer that is reset with every message leaves an outdated entry each time.
-        if len(self._heap) > 2 * len(self._due) + 64:
-            self._heap = [(due, next(self._tie), entity) for entity, due in list(self._due.items())]
-            heapq.heapify(self._heap)
-
-    def earliest_ns(self) -> int | None:
-        """Return when the first entity wants to run."""
-        while self._heap and self._due.get(self._heap[0][2]) != self._heap[0][0]:
-            heapq.heappop(self._heap)
-        return self._heap[0][0] if self._heap else None
-
-    def pop_due(self, now_ns: int) -> Entity | None:
-        """Take out an entity whose time has come."""
-        earliest = self.earliest_ns()
-        if earliest is None or earliest > now_ns:
-            return None
-        entity = heapq.heappop(self._heap)[2]
-        self._due.pop(entity, None)
-        return entity
-
-    def forget(self, entities: Iterable[Entity]) -> None:
-        """Forget entities; from any thread."""
-        for entity in entities:
-            self._due.pop(entity, None)
-
-
 class Executor:
     """The base of both executors: nodes, the queue of work, and waiting.
 
@@ -173,7 +129,7 @@ class Executor:
         self._nodes: list[Node] = []
         self._ready: deque[Entity] = deque()
         self._queued: set[Entity] = set()
-        self._agenda = _Agenda()
+        self._agenda = Agenda()
         self._signal = Signal()
         self._is_shutdown = False
         # Whether somebody wants to be looked at before the same entity's next callback.
