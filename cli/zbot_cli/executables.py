@@ -25,6 +25,8 @@ _ALIASES: dict[str, frozenset[str]] = {
     "action_tutorials_py": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
     "demo_nodes_cpp": _DEMO_NODES,
     "demo_nodes_py": _DEMO_NODES,
+    "lifecycle": frozenset({"lifecycle_talker"}),
+    "lifecycle_py": frozenset({"lifecycle_talker"}),
 }
 
 

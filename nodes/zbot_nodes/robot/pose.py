@@ -1,0 +1,44 @@
+"""Where the robot is, and how messages say it."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+from geometry_msgs.msg import Quaternion
+
+if TYPE_CHECKING:
+    from nav_msgs.msg import Odometry
+
+#: The topic by which simulated sensors learn where the robot is. A real sensor needs no telling;
+#: its name begins with `_`, so that lists and graphs do not show it.
+TRUTH = "_ground_truth"
+
+
+class Pose(NamedTuple):
+    """A place on the floor and a heading."""
+
+    x: float = 0.0  #: metres
+    y: float = 0.0  #: metres
+    yaw: float = 0.0  #: radians, counter-clockwise from the x axis
+
+
+def pose_of(msg: Odometry) -> Pose:
+    """Return the pose in an odometry message."""
+    position = msg.pose.pose.position
+    return Pose(position.x, position.y, to_yaw(msg.pose.pose.orientation))
+
+
+def to_quaternion(yaw: float) -> Quaternion:
+    """Return a turn about the vertical axis as a quaternion."""
+    return Quaternion(z=math.sin(yaw / 2), w=math.cos(yaw / 2))
+
+
+def to_yaw(q: Quaternion) -> float:
+    """Return the part of a turn that is about the vertical axis, from -pi to pi."""
+    return math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z))
+
+
+def turn_to(angle: float) -> float:
+    """Return the same direction as an angle from -pi to pi: the shorter way to turn."""
+    return math.atan2(math.sin(angle), math.cos(angle))

@@ -1,0 +1,132 @@
+"""Drive a simulated robot on two wheels, and tell where it is.
+
+Run:        zbot run robot_base
+Subscribes: cmd_vel (geometry_msgs/Twist); without a command for a second, the robot stops
+Publishes:  odom (nav_msgs/Odometry), joint_states (sensor_msgs/JointState),
+            tf, tf_static (tf2_msgs/TFMessage); all but the last 50 times a second
+Try:        zbot topic pub --rate 5 /cmd_vel geometry_msgs/msg/Twist "{linear: {x: 0.3}}"
+"""
+
+import math
+
+import zbot
+from zbot.qos import DurabilityPolicy, QoSProfile
+from zbot_nodes.robot.pose import TRUTH, Pose, to_quaternion, turn_to
+from zbot_nodes.robot.world import is_free
+
+from geometry_msgs.msg import Quaternion, TransformStamped, Twist, Vector3
+from nav_msgs.msg import Odometry
+from sensor_msgs.msg import JointState
+from tf2_msgs.msg import TFMessage
+
+PERIOD_S = 0.02
+COMMAND_LASTS_S = 1.0
+MAX_SPEED_M_S = 1.0
+MAX_TURN_RAD_S = 2.0
+WHEEL_RADIUS_M = 0.05
+WHEEL_DISTANCE_M = 0.3
+#: Where the sensors are mounted, in metres before and above the robot's middle.
+MOUNTS = {"laser": (0.0, 0.2), "imu_link": (0.0, 0.1), "camera_link": (0.15, 0.3)}
+
+
+class Base(zbot.Node):
+    """Moves as it is told, except through walls."""
+
+    def __init__(self) -> None:
+        super().__init__("base_controller")
+        self.pose = Pose()
+        self.speed = 0.0
+        self.turn = 0.0
+        self.wheels = [0.0, 0.0]
+        self.is_blocked = False
+        self.last_command = self.get_clock().now()
+        self.odom_publisher = self.create_publisher(Odometry, "odom", 10)
+        self.truth_publisher = self.create_publisher(Odometry, TRUTH, 10)
+        self.joint_publisher = self.create_publisher(JointState, "joint_states", 10)
+        self.tf_publisher = self.create_publisher(TFMessage, "/tf", 100)
+        latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        self.mount_publisher = self.create_publisher(TFMessage, "/tf_static", latched)
+        self.mount_publisher.publish(TFMessage(transforms=[*map(self.mount, MOUNTS)]))
+        self.subscription = self.create_subscription(Twist, "cmd_vel", self.obey, 10)
+        self.timer = self.create_timer(PERIOD_S, self.step)
+        self.get_logger().info("Base ready: it drives as /cmd_vel says")
+
+    def obey(self, msg: Twist) -> None:
+        """Take a command, as fast as the motors allow."""
+        self.speed = max(-MAX_SPEED_M_S, min(MAX_SPEED_M_S, msg.linear.x))
+        self.turn = max(-MAX_TURN_RAD_S, min(MAX_TURN_RAD_S, msg.angular.z))
+        self.last_command = self.get_clock().now()
+
+    def step(self) -> None:
+        """Move for one period, and tell everybody."""
+        age = self.get_clock().now() - self.last_command
+        if age.nanoseconds > COMMAND_LASTS_S * 1e9:
+            self.speed = self.turn = 0.0
+        speed = self.move()
+        self.tell(speed)
+        self.tell_wheels(speed)
+
+    def move(self) -> float:
+        """Turn, and go ahead unless a wall is there; return the speed."""
+        x, y, yaw = self.pose
+        yaw = turn_to(yaw + self.turn * PERIOD_S)
+        ahead_x = x + self.speed * PERIOD_S * math.cos(yaw)
+        ahead_y = y + self.speed * PERIOD_S * math.sin(yaw)
+        blocked = not is_free(ahead_x, ahead_y)
+        if blocked and not self.is_blocked:
+            self.get_logger().warn(f"Bump: something is in the way at ({x:.2f}, {y:.2f})")
+        self.is_blocked = blocked
+        self.pose = Pose(x, y, yaw) if blocked else Pose(ahead_x, ahead_y, yaw)
+        return 0.0 if blocked else self.speed
+
+    def tell(self, speed: float) -> None:
+        """Publish the pose, the speed and the transform."""
+        odom = Odometry(child_frame_id="base_link")
+        odom.header.stamp = self.get_clock().now().to_msg()
+        odom.header.frame_id = "odom"
+        odom.pose.pose.position.x, odom.pose.pose.position.y, yaw = self.pose
+        odom.pose.pose.orientation = to_quaternion(yaw)
+        odom.twist.twist.linear.x = speed
+        odom.twist.twist.angular.z = self.turn
+        self.odom_publisher.publish(odom)
+        self.truth_publisher.publish(odom)
+        at = Vector3(x=self.pose.x, y=self.pose.y)
+        moved = self.transform("odom", "base_link", at, odom.pose.pose.orientation)
+        self.tf_publisher.publish(TFMessage(transforms=[moved]))
+
+    def tell_wheels(self, speed: float) -> None:
+        """Publish how far each wheel has turned, and how fast it does."""
+        msg = JointState(name=["wheel_left_joint", "wheel_right_joint"])
+        msg.header.stamp = self.get_clock().now().to_msg()
+        for wheel, side in enumerate((-1, 1)):
+            velocity = (speed + side * self.turn * WHEEL_DISTANCE_M / 2) / WHEEL_RADIUS_M
+            self.wheels[wheel] += velocity * PERIOD_S
+            msg.velocity.append(velocity)
+        msg.position = self.wheels
+        self.joint_publisher.publish(msg)
+
+    def mount(self, sensor: str) -> TransformStamped:
+        """Return where a sensor is on the robot."""
+        before, above = MOUNTS[sensor]
+        return self.transform("base_link", sensor, Vector3(x=before, z=above), Quaternion())
+
+    def transform(
+        self, parent: str, child: str, at: Vector3, turned: Quaternion
+    ) -> TransformStamped:
+        """Return where one frame is in another, now."""
+        msg = TransformStamped(child_frame_id=child)
+        msg.header.stamp = self.get_clock().now().to_msg()
+        msg.header.frame_id = parent
+        msg.transform.translation = at
+        msg.transform.rotation = turned
+        return msg
+
+
+def main() -> None:
+    """Run until Ctrl-C."""
+    with zbot.init():
+        zbot.spin(Base())
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,62 @@
+"""Feel how the robot turns and speeds up, as a simulated inertial sensor.
+
+Run:       zbot run robot_imu        (beside zbot run robot_base)
+Publishes: imu (sensor_msgs/Imu), a hundred times a second
+Try:       zbot topic echo /imu --field angular_velocity.z
+"""
+
+import random
+
+import zbot
+from zbot.qos import qos_profile_sensor_data
+from zbot_nodes.robot.pose import TRUTH
+
+from nav_msgs.msg import Odometry
+from sensor_msgs.msg import Imu
+
+PERIOD_S = 0.01
+GRAVITY_M_S2 = 9.81
+TURN_NOISE_RAD_S = 0.002
+PUSH_NOISE_M_S2 = 0.02
+
+
+class InertialSensor(zbot.Node):
+    """Tells orientation, turning and acceleration, each with a small error."""
+
+    def __init__(self) -> None:
+        super().__init__("imu")
+        self.motion = Odometry()
+        self.last_speed = 0.0
+        self.publisher = self.create_publisher(Imu, "imu", qos_profile_sensor_data)
+        self.subscription = self.create_subscription(Odometry, TRUTH, self.feel, 10)
+        self.timer = self.create_timer(PERIOD_S, self.publish_reading)
+        self.get_logger().info("Inertial sensor ready: turning and acceleration on /imu")
+
+    def feel(self, msg: Odometry) -> None:
+        """Move as the robot does."""
+        self.motion = msg
+
+    def publish_reading(self) -> None:
+        """Publish one reading."""
+        moves = self.motion.twist.twist
+        msg = Imu(orientation=self.motion.pose.pose.orientation)
+        msg.header.stamp = self.get_clock().now().to_msg()
+        msg.header.frame_id = "imu_link"
+        msg.angular_velocity.z = moves.angular.z + random.gauss(0.0, TURN_NOISE_RAD_S)
+        gain = (moves.linear.x - self.last_speed) / PERIOD_S
+        self.last_speed = moves.linear.x
+        msg.linear_acceleration.x = gain + random.gauss(0.0, PUSH_NOISE_M_S2)
+        # In a curve, the robot is pushed towards the inside of it.
+        msg.linear_acceleration.y = moves.linear.x * moves.angular.z
+        msg.linear_acceleration.z = GRAVITY_M_S2 + random.gauss(0.0, PUSH_NOISE_M_S2)
+        self.publisher.publish(msg)
+
+
+def main() -> None:
+    """Run until Ctrl-C."""
+    with zbot.init():
+        zbot.spin(InertialSensor())
+
+
+if __name__ == "__main__":
+    main()
