@@ -6,6 +6,8 @@ import threading
 from typing import TYPE_CHECKING, Any, cast
 
 import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 import zbot
 from tests.conftest import wait_until
@@ -83,6 +85,11 @@ class Robot(LifecycleNode):
 @pytest.fixture
 def robot(make_context: MakeContext) -> Robot:
     return Robot(context=make_context())
+
+
+@pytest.fixture
+def lone_context(make_context: MakeContext) -> zbot.Context:
+    return make_context()
 
 
 def call(context: zbot.Context, srv_type: type[Any], name: str, **fields: Any) -> Any:
@@ -254,6 +261,54 @@ def test_the_mixin_makes_any_node_a_managed_one(make_context: MakeContext) -> No
             LifecycleNodeMixin.__init__(self, callback_group=zbot.ReentrantCallbackGroup())
 
     assert Talker().trigger_configure() is Outcome.SUCCESS
+
+
+# What each callback may lead to, by its outcome; the error of the first is left to on_error.
+GOALS = {
+    ("unconfigured", "configure"): {"SUCCESS": "inactive", "FAILURE": "unconfigured"},
+    ("inactive", "activate"): {"SUCCESS": "active", "FAILURE": "inactive"},
+    ("active", "deactivate"): {"SUCCESS": "inactive", "FAILURE": "active"},
+    ("inactive", "cleanup"): {"SUCCESS": "unconfigured", "FAILURE": "inactive"},
+    ("unconfigured", "shutdown"): {"SUCCESS": "finalized", "FAILURE": "finalized"},
+    ("inactive", "shutdown"): {"SUCCESS": "finalized", "FAILURE": "finalized"},
+    ("active", "shutdown"): {"SUCCESS": "finalized", "FAILURE": "finalized"},
+}
+STEPS = st.tuples(
+    st.sampled_from(sorted({trigger for _, trigger in GOALS})),
+    st.sampled_from(Outcome),
+    st.sampled_from(Outcome),
+)
+
+
+@settings(
+    max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(st.lists(STEPS, max_size=8))
+def test_any_order_of_triggers_and_outcomes_follows_the_table(
+    lone_context: zbot.Context, steps: list[tuple[str, Outcome, Outcome]]
+) -> None:
+    with Robot(context=lone_context, enable_communication_interface=False) as robot:
+        motor = Motor()
+        robot.add_managed_entity(motor)
+        for trigger, outcome, handled in steps:
+            before, told = robot.label, len(robot.calls)
+            robot.plan = {trigger: outcome, "error": handled}
+            goals = GOALS.get((before, trigger))
+            if goals is None and trigger == "shutdown":
+                with pytest.raises(TransitionNotPossibleError):
+                    robot.trigger_shutdown()
+                continue
+            returned = getattr(robot, f"trigger_{trigger}")()
+            if goals is None:
+                assert (returned, robot.label, len(robot.calls)) == (Outcome.ERROR, before, told)
+            elif outcome is Outcome.ERROR:
+                assert robot.calls[told:] == [(trigger, before), ("error", before)]
+                rescued = handled is Outcome.SUCCESS
+                assert robot.label == ("unconfigured" if rescued else "finalized")
+            else:
+                assert robot.calls[told:] == [(trigger, before)]
+                assert (returned, robot.label) == (outcome, goals[outcome.name])
+            assert motor.is_activated == (robot.label == "active")
 
 
 # -- managed entities --------------------------------------------------------------------------
