@@ -137,8 +137,5 @@ def set_state(
 ) -> None:
     """Make a transition of a node."""
     with _managed(timeout) as remote:
-        is_done = remote.change(remote.find(node_name), transition)
-    if not is_done:
-        print("Transitioning failed", file=sys.stderr)
-        raise typer.Exit(Status.ERROR)
+        remote.change(remote.find(node_name), transition)
     print("Transitioning successful")

@@ -65,6 +65,15 @@ class UnknownTransitionError(ZbotError):
         super().__init__("\n".join(("Unknown transition requested, available ones are:", *rows)))
 
 
+class TransitionFailedError(ZbotError):
+    """A node's callback did not succeed, or its state changed meanwhile."""
+
+    def __init__(self, node: str, state: State) -> None:
+        self.node, self.state = node, state
+        self.hint = f"{node} is {state.label} now; its log may tell why"
+        super().__init__("Transitioning failed")
+
+
 def managed_nodes(graph: Snapshot, *, include_hidden: bool) -> list[str]:
     """Return the full names of the managed nodes, sorted."""
     offered = {name for name, types in graph.services() if _GET_STATE in types}
@@ -149,13 +158,12 @@ class ManagedNodes:
         found: list[TransitionDescription] = answer.available_transitions
         return found
 
-    def change(self, name: str, wanted: str) -> bool:
-        """Make a transition, given by label or number, and return whether the node made it.
-
-        Its callback may take as long as it takes.
+    def change(self, name: str, wanted: str) -> None:
+        """Make a transition, given by label or number; its callback may take as long as it takes.
 
         Raises:
             UnknownTransitionError: It is not possible now.
+            TransitionFailedError: The node did not make it.
             NodeSilentError: The node does not answer, or ended before it did.
         """
         possible = self.transitions(name, show_all=False)
@@ -166,7 +174,8 @@ class ManagedNodes:
             raise UnknownTransitionError(wanted, possible)
         transition = Transition(id=one.transition.id, label=one.transition.label)
         request = ChangeState.Request(transition=transition)
-        return bool(self._ask(name, ChangeState, "change_state", request, None).success)
+        if not self._ask(name, ChangeState, "change_state", request, None).success:
+            raise TransitionFailedError(name, self.state(name))
 
     def _ask(
         self, node: str, srv_type: type[Any], service: str, request: Any, timeout_s: float | None

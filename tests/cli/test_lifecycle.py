@@ -152,7 +152,10 @@ def test_set_refuses_what_is_not_possible(robot: Robot) -> None:
 def test_set_tells_that_a_callback_did_not_succeed(robot: Robot) -> None:
     robot.configuration = lambda: TransitionCallbackReturn.FAILURE
     done = zbot("lifecycle", "set", "/lc_talker", "configure")
-    assert (done.code, done.out, done.err) == (1, "", "Transitioning failed\n")
+    assert (done.code, done.out) == (1, "")
+    assert done.err == (
+        "Transitioning failed\n\nhint: /lc_talker is unconfigured now; its log may tell why\n"
+    )
 
 
 @pytest.mark.usefixtures("robot", "silent")
