@@ -94,6 +94,18 @@ def _nodes(_: Sequence[str], unfinished: str) -> Iterable[str]:
     return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
 
 
+def _managed_nodes(_: Sequence[str], unfinished: str) -> Iterable[str]:
+    from zbot_cli.looking import snapshot  # noqa: PLC0415 - only live names ask
+    from zbot_cli.managed_nodes import managed_nodes  # noqa: PLC0415 - as above
+
+    names = managed_nodes(snapshot(), include_hidden=unfinished.lstrip("/").startswith("_"))
+    return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
+
+
+def _transitions(_: Sequence[str], __: str) -> Iterable[str]:
+    return ("configure", "cleanup", "activate", "deactivate", "shutdown")
+
+
 def _topic_type(done: Sequence[str], unfinished: str) -> Iterable[str]:
     from zbot_cli.looking import full_name, snapshot  # noqa: PLC0415 - as above
 
@@ -191,6 +203,9 @@ _VALUES: dict[tuple[str, str], tuple[Any, ...]] = {
     ("action", "type"): (_actions,),
     ("build", "--packages-select"): (_workspace_packages,),
     ("build", "--packages-up-to"): (_workspace_packages,),
+    ("lifecycle", "get"): (_managed_nodes,),
+    ("lifecycle", "list"): (_managed_nodes,),
+    ("lifecycle", "set"): (_managed_nodes, _transitions),
     ("pkg", "executables"): (_all_packages,),
     ("pkg", "prefix"): (_all_packages,),
     ("pkg", "xml"): (_all_packages,),

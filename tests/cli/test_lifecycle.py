@@ -173,6 +173,15 @@ def test_a_node_that_does_not_answer_is_named(
     assert (done.code, done.out, done.err) == (1, "", sentence)
 
 
+@pytest.mark.usefixtures("robot")
+def test_tab_completes_managed_nodes_and_transitions() -> None:
+    assert zbot("complete", "--", "lifecycle", "get", "").out == "/lc_talker\n"
+    assert zbot("complete", "--", "lifecycle", "list", "lc").out == "lc_talker\n"
+    assert zbot("complete", "--", "lifecycle", "set", "/lc_talker", "c").out == (
+        "cleanup\nconfigure\n"
+    )
+
+
 DYING = """
 import os
 import zbot
