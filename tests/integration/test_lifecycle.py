@@ -246,6 +246,17 @@ def test_the_end_of_the_context_leaves_a_callback(robot: Robot) -> None:
         robot.trigger_configure()
 
 
+def test_names_that_students_like_are_theirs(make_context: MakeContext) -> None:
+    class Student(LifecycleNode):
+        def __init__(self) -> None:
+            super().__init__("student", context=make_context())
+            self.state = self._state = self.machine = "mine"
+            self.services_ready = self.entities = self.life = "mine"
+            setattr(self, "_state_machine", "mine")  # noqa: B010 - a checker would object
+
+    assert Student().trigger_configure() is Outcome.SUCCESS
+
+
 def test_the_mixin_needs_a_node() -> None:
     class Loner(LifecycleNodeMixin):
         pass

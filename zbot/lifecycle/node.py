@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Coroutine
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from zbot.errors import ExternalShutdownException
@@ -92,9 +93,10 @@ class LifecycleNodeMixin(ManagedEntity):
             raise NotANodeError(type(self))
         return self
 
-    @property
+    @cached_property
     def _state_machine(self) -> StateMachine:
-        # rclpy's private name, by which programs ask for `current_state`.
+        # rclpy's private name, by which programs ask for `current_state`. It is no property,
+        # because a student may give a machine of their own that name.
         return self._zbot_life.machine
 
     # -- transitions ---------------------------------------------------------------------------
