@@ -40,19 +40,19 @@ class ActionService(Service[Any, Any]):
         self._waiting: dict[int, zenoh.Query] = {}
         super().__init__(*args, **kwargs)
 
-    def _answer(self, query: zenoh.Query, response: Any) -> None:
+    def _answer(self, who: bytes, query: zenoh.Query, response: Any) -> None:
         if isinstance(response, Future):
             self._waiting[id(query)] = query
-            response.add_waker(lambda: self._answer_when_over(query, response))
+            response.add_waker(lambda: self._answer_when_over(who, query, response))
         elif isinstance(response, Reply):
-            super()._answer(query, response.message)
+            super()._answer(who, query, response.message)
             response.then()
         else:
-            super()._answer(query, response)
+            super()._answer(who, query, response)
 
-    def _answer_when_over(self, query: zenoh.Query, response: Future[Any]) -> None:
+    def _answer_when_over(self, who: bytes, query: zenoh.Query, response: Future[Any]) -> None:
         if self._waiting.pop(id(query), None) is not None:
-            super()._answer(query, response.result())
+            super()._answer(who, query, response.result())
 
     def destroy(self) -> None:
         """Serve no more, and let all requests that wait fail; may be called twice."""
