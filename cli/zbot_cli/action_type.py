@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.names import nearest
-from zbot_cli.types import all_types, find_types, type_hint
+from zbot_cli.types import all_types, find_types, learn, type_hint
 
 if TYPE_CHECKING:
     from zbot.graph import Snapshot
@@ -61,16 +61,18 @@ def _is_action(name: str) -> bool:
 
 
 def action_class(type_name: str) -> type[Any]:
-    """Return an action class.
+    """Return an action class; what this machine does not know, the nodes that use it tell.
 
     Raises:
-        InvalidActionTypeError: There is no definition of the type here.
+        InvalidActionTypeError: There is no definition of the type.
     """
     from zbot.interfaces import get_action  # noqa: PLC0415 - lists do without
 
     try:
         return get_action(type_name)
     except LookupError:
+        if learn(type_name):
+            return get_action(type_name)
         hint = "put its .action file into a package of your workspace"
         raise InvalidActionTypeError(type_name, hint) from None
 

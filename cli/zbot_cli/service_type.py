@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.names import nearest
 from zbot.wire.tokens import EntityKind
-from zbot_cli.types import all_types, find_types, type_hint
+from zbot_cli.types import all_types, find_types, learn, type_hint
 
 if TYPE_CHECKING:
     from zbot.graph import NamesAndTypes, Snapshot
@@ -116,15 +116,17 @@ def _is_service(name: str) -> bool:
 
 
 def service_class(type_name: str) -> type[Any]:
-    """Return a service class.
+    """Return a service class; what this machine does not know, the nodes that use it tell.
 
     Raises:
-        InvalidServiceTypeError: There is no definition of the type here.
+        InvalidServiceTypeError: There is no definition of the type.
     """
     from zbot.interfaces import get_interface  # noqa: PLC0415 - lists do without
 
     try:
         return get_interface(type_name)
     except LookupError:
+        if learn(type_name):
+            return get_interface(type_name)
         hint = "put its .srv file into a package of your workspace"
         raise InvalidServiceTypeError(type_name, hint) from None

@@ -68,14 +68,18 @@ def tell_waiting(graph: Snapshot, name: str) -> None:
 
 
 def message_class(type_name: str) -> type[Any]:
-    """Return a message class.
+    """Return a message class; what this machine does not know, the nodes that use it tell.
 
     Raises:
-        UndefinedTypeError: There is no definition of the type here.
+        UndefinedTypeError: There is no definition of the type.
     """
     from zbot.interfaces import get_message  # noqa: PLC0415 - lists do without
 
     try:
         return get_message(type_name)
     except LookupError:
+        from zbot_cli.types import learn  # noqa: PLC0415 - only for types of other machines
+
+        if learn(type_name):
+            return get_message(type_name)
         raise UndefinedTypeError(type_name) from None

@@ -44,10 +44,37 @@ def resolve_message_type(word: str) -> str:
 
 
 def find_types(word: str) -> list[str]:
-    """Return the full names of all types that a word may stand for."""
+    """Return the full names of all types that a word may stand for.
+
+    What this machine does not know, the nodes that use it are asked for.
+    """
     if "/" in word or "." in word:
-        return [name for name in _full_names(word) if _exists(name)]
-    return [name for name in all_types() if name.endswith(f"/{word}")]
+        names = _full_names(word)
+        return [name for name in names if _exists(name)] or list(filter(learn, names))
+    found = [name for name in all_types() if name.endswith(f"/{word}")]
+    return found or [name for name in _used_types() if name.endswith(f"/{word}") and learn(name)]
+
+
+def learn(name: str) -> bool:
+    """Ask the nodes that use a type for its definition; return whether it is known now.
+
+    Raises:
+        InterfaceConflictError: A type inside it has another definition here.
+    """
+    from zbot.remote_types import learn_type  # noqa: PLC0415 - only for types of other machines
+    from zbot_cli.looking import client  # noqa: PLC0415 - as above
+
+    if len(name.split("/")) != 3 or not all(part.isidentifier() for part in name.split("/")):
+        return False
+    with client() as context:
+        return not context.is_closed and learn_type(context, name) is not None
+
+
+def _used_types() -> list[str]:
+    from zbot_cli.looking import snapshot  # noqa: PLC0415 - only for types of other machines
+
+    # An action is seen by its parts, like pkg/action/Name_SendGoal.
+    return sorted({end.type_name.partition("_SendGoal")[0] for end in snapshot().endpoints})
 
 
 def _full_names(word: str) -> list[str]:

@@ -20,7 +20,13 @@ from zbot.interfaces.location import (
     known_packages,
     package_folder,
 )
-from zbot.interfaces.spec import ActionSpec, InterfaceSpec, MessageSpec, ServiceSpec
+from zbot.interfaces.spec import (
+    ActionSpec,
+    InterfaceSpec,
+    MessageSpec,
+    ServiceSpec,
+    parts_of,
+)
 from zbot.interfaces.workspace import KINDS
 
 if TYPE_CHECKING:
@@ -185,14 +191,7 @@ def _add(spec: InterfaceSpec, file: str) -> None:
     """Make a spec known, with the parts of a service or an action."""
     _specs[spec.name] = spec
     _files[spec.name] = file
-    if isinstance(spec, ServiceSpec):
-        parts: tuple[InterfaceSpec, ...] = (spec.request, spec.response, spec.event)
-    elif isinstance(spec, ActionSpec):
-        messages = (spec.goal, spec.result, spec.feedback, spec.feedback_message)
-        parts = (*messages, spec.send_goal, spec.get_result)
-    else:
-        parts = ()
-    for part in parts:
+    for part in parts_of(spec):
         _add(part, file)
 
 

@@ -14,13 +14,14 @@ from zbot.interfaces.description import (
     NESTED_ID,
     SEQUENCE,
     TYPE_IDS,
+    hash_of,
 )
 from zbot.interfaces.grammar import GrammarError
-from zbot.interfaces.registry import register_spec
-from zbot.interfaces.spec import Field, InterfaceSpec, MessageSpec
+from zbot.interfaces.registry import get_spec, register_spec
+from zbot.interfaces.spec import Field, InterfaceSpec, MessageSpec, parts_of
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterable, Mapping
 
 # `char` has uint8's number: in a .msg file they are one type.
 _BASES = {number: base for base, number in TYPE_IDS.items() if base != "char"}
@@ -66,6 +67,53 @@ def specs_from(description: Mapping[str, Any]) -> list[InterfaceSpec]:
         raise InterfaceSyntaxError(name, 0, "", reason) from error
     # What belongs to a service or an action is registered with it.
     return [*(spec for spec in messages.values() if not spec.name.startswith(f"{name}_")), last]
+
+
+def specs_from_sources(name: str, sources: Mapping[str, str]) -> list[InterfaceSpec]:
+    """Read the definitions out of their texts, comments and constants too; registers nothing.
+
+    Args:
+        name: Full name of a type.
+        sources: Its text and those of the types inside it, by their full names.
+
+    Returns:
+        The definitions, that of the type itself last.
+
+    Raises:
+        InterfaceSyntaxError: One of them is no valid definition.
+    """
+    # Importing zbot reads no definition, so it need not load what does.
+    from zbot.interfaces.parser import parse  # noqa: PLC0415
+
+    try:
+        for one in sources:
+            grammar.check_interface_name(one)
+        others = [parse(one, text) for one, text in sources.items() if one != name]
+        return [*others, parse(name, sources[name])]
+    except GrammarError as error:
+        raise InterfaceSyntaxError(name, 0, "", str(error)) from error
+    except KeyError:
+        raise InterfaceSyntaxError(name, 0, "", "its definition is not among the texts") from None
+
+
+def hash_among(name: str, specs: Iterable[InterfaceSpec]) -> str:
+    """Return the hash of a type, or of a part of one, that is defined by `specs`.
+
+    Raises:
+        UnknownPackageError: A type inside it is neither among them nor known here.
+        UnknownInterfaceError: Likewise.
+    """
+    found: dict[str, InterfaceSpec] = {}
+    waiting = list(specs)
+    while waiting:
+        spec = waiting.pop()
+        found[spec.name] = spec
+        waiting += parts_of(spec)
+
+    def look_up(one: str) -> InterfaceSpec:
+        return found[one] if one in found else get_spec(one)
+
+    return hash_of(look_up(name), look_up)
 
 
 def _main(main: Mapping[str, Any], messages: dict[str, MessageSpec]) -> InterfaceSpec:

@@ -171,6 +171,16 @@ class ActionSpec:
 InterfaceSpec = Union[MessageSpec, ServiceSpec, ActionSpec]  # noqa: UP007 - as Scalar
 
 
+def parts_of(spec: InterfaceSpec) -> tuple[InterfaceSpec, ...]:
+    """Return what is defined along with a service or an action; nothing for a message."""
+    if isinstance(spec, ServiceSpec):
+        return spec.request, spec.response, spec.event
+    if isinstance(spec, ActionSpec):
+        messages = (spec.goal, spec.result, spec.feedback, spec.feedback_message)
+        return *messages, spec.send_goal, spec.get_result
+    return ()
+
+
 def _without_kind(base: str) -> str:
     """`geometry_msgs/msg/Point` as `geometry_msgs/Point`; a primitive as it is."""
     first, slash, rest = base.partition("/")
