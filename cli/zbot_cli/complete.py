@@ -190,6 +190,40 @@ def _prototype(done: Sequence[str], _: str) -> Iterable[str]:
     return [f"'{json.dumps(json_value(message))}'"]
 
 
+def _services(_: Sequence[str], unfinished: str) -> Iterable[str]:
+    from zbot_cli.looking import snapshot  # noqa: PLC0415 - only live names ask
+
+    names = [name for name, _ in snapshot().services()]
+    return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
+
+
+def _service_type(done: Sequence[str], _: str) -> Iterable[str]:
+    from zbot_cli.looking import full_name, snapshot  # noqa: PLC0415 - as above
+
+    found = dict(snapshot().services()).get(full_name(done[0])) if done else None
+    return found or _service_types(done, "")
+
+
+def _service_types(_: Sequence[str], __: str) -> Iterable[str]:
+    from zbot_cli.types import all_types  # noqa: PLC0415 - only types ask
+
+    return (name for name in all_types() if "/srv/" in name)
+
+
+def _request(done: Sequence[str], _: str) -> Iterable[str]:
+    from zbot.interfaces import get_service  # noqa: PLC0415 - only `call` asks
+    from zbot_cli.message_text import json_value  # noqa: PLC0415 - as above
+
+    try:
+        service: Any = get_service(done[1])
+        request = service.Request()
+    except (ZbotError, IndexError):
+        return []
+    import json  # noqa: PLC0415 - as above
+
+    return [f"'{json.dumps(json_value(request))}'"]
+
+
 def _shells(_: Sequence[str], __: str) -> Iterable[str]:
     return ("bash", "zsh", "fish", "powershell")
 
@@ -209,6 +243,11 @@ _VALUES: dict[tuple[str, str], tuple[Any, ...]] = {
     ("pkg", "executables"): (_all_packages,),
     ("pkg", "prefix"): (_all_packages,),
     ("pkg", "xml"): (_all_packages,),
+    ("service", "call"): (_services, _service_type, _request),
+    ("service", "echo"): (_services, _service_type),
+    ("service", "find"): (_service_types,),
+    ("service", "info"): (_services,),
+    ("service", "type"): (_services,),
     ("topic", "echo"): (_topics, _topic_type),
     ("topic", "pub"): (_topics, _topic_type, _prototype),
     ("topic", "info"): (_topics,),

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
 app = new_app("Look at nodes")
 
-_ACTION_SERVICE = "/_action/send_goal"
+#: ros2 does not show that nodes tell of their types either.
+_TYPE_DESCRIPTION = "type_description_interfaces/srv/GetTypeDescription"
 
 
 class UnknownNodeNameError(ZbotError):
@@ -80,7 +81,7 @@ def _warn_of_duplicates(names: list[str]) -> None:
 def info(
     node_name: Annotated[str, typer.Argument(help="Name of the node, e.g. /talker")],
     include_hidden: Annotated[
-        bool, typer.Option("--include-hidden", help="Show hidden topics too")
+        bool, typer.Option("--include-hidden", help="Show hidden names too")
     ] = False,
     as_json: AsJson = False,
     spin_time: SpinTime = 0.5,
@@ -118,23 +119,15 @@ def _groups(graph: Snapshot, node: str, *, include_hidden: bool) -> dict[str, Na
     }
     groups = {
         title: [
-            entry
-            for entry in graph.names_and_types(kind, node=node)
-            if include_hidden or not is_hidden(entry[0])
+            (name, types)
+            for name, types in graph.names_and_types(kind, node=node)
+            if include_hidden or not (is_hidden(name) or types == [_TYPE_DESCRIPTION])
         ]
         for title, kind in kinds.items()
     }
-    groups["Action Servers"] = _actions(graph, node, EntityKind.SERVICE)
-    groups["Action Clients"] = _actions(graph, node, EntityKind.CLIENT)
+    groups["Action Servers"] = graph.actions(EntityKind.SERVICE, node=node)
+    groups["Action Clients"] = graph.actions(EntityKind.CLIENT, node=node)
     return groups
-
-
-def _actions(graph: Snapshot, node: str, kind: EntityKind) -> NamesAndTypes:
-    return [
-        (name.removesuffix(_ACTION_SERVICE), [one.removesuffix("_SendGoal") for one in types])
-        for name, types in graph.names_and_types(kind, node=node)
-        if name.endswith(_ACTION_SERVICE)
-    ]
 
 
 @app.command("kill")

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
     from tests.cli.conftest import Command
 
+DEMO_NODES = "add_two_ints_client, add_two_ints_server, listener, talker"
 LESSONS = {"listener", "monitor", "sensor", "student_publisher", "student_subscriber", "talker"}
 
 
@@ -135,12 +136,15 @@ def test_an_unknown_package(zbot_command: Command) -> None:
 def test_an_unknown_executable_of_a_package(zbot_command: Command) -> None:
     result = zbot_command("run", "demo_nodes_py", "nope")
     assert result.code == 1
-    assert result.err == "No executable found\n\nhint: demo_nodes_py has listener, talker\n"
+    assert (
+        result.err
+        == "No executable found\n\nhint: demo_nodes_py has add_two_ints_client, add_two_ints_server, listener, talker\n"
+    )
 
 
 @pytest.mark.usefixtures("workspace")
 def test_a_package_alone(zbot_command: Command) -> None:
-    assert "demo_nodes_py has listener, talker" in zbot_command("run", "demo_nodes_py").err
+    assert f"demo_nodes_py has {DEMO_NODES}" in zbot_command("run", "demo_nodes_py").err
 
 
 @pytest.mark.parametrize(
