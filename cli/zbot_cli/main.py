@@ -22,6 +22,7 @@ NOUNS = {
     "daemon": "Say that no daemon is needed",
     "doctor": "Check what could be wrong",
     "interface": "Look at message, service and action types",
+    "launch": "Run a launch file",
     "lifecycle": "Lead managed nodes through their lives",
     "node": "Look at nodes",
     "param": "Look at parameters and set them",

@@ -19,20 +19,33 @@ _PACKAGES = str(Path(__file__).parent / "packages")
 
 
 class _NameFinder:
-    """Finds `rclpy` and its like in `packages/`, when nothing before it did."""
+    """Finds `rclpy` and its like in `packages/`, unless they are installed."""
 
     @staticmethod
     def find_spec(
         fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
         """Return the spec of a top-level package; Python finds its submodules by itself."""
-        return PathFinder.find_spec(fullname, [_PACKAGES], target) if path is None else None
+        if path is not None:
+            return None
+        own = PathFinder.find_spec(fullname, [_PACKAGES], target)
+        return None if own is None or _is_installed(fullname) else own
+
+
+def _is_installed(name: str) -> bool:
+    """Return whether there is a real package: a mere folder, such as `launch`, is none."""
+    for finder in sys.meta_path:
+        spec = None if finder is _NameFinder else finder.find_spec(name, None)
+        if spec is not None and spec.origin is not None:
+            return True
+    return False
 
 
 def install_names() -> None:
     """Make ROS 2's names importable; calling it again changes nothing."""
     if _NameFinder not in sys.meta_path:
-        sys.meta_path.append(_NameFinder)
+        # First, for Python would take any folder of that name for the package.
+        sys.meta_path.insert(0, _NameFinder)
 
 
 install_names()

@@ -1,0 +1,136 @@
+"""`zbot launch`: start what a launch file describes, and stop it with Ctrl-C."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+import zbot.compat
+from zbot.errors import ZbotError
+from zbot.launch.actions.executable import PREFIX, PREFIX_FILTER
+from zbot.launch.actions.include import IncludeLaunchDescription
+from zbot.launch.arguments import declared_arguments, parse_arguments
+from zbot.launch.description import LaunchDescription
+from zbot.launch.introspector import LaunchIntrospector
+from zbot.launch.service import LaunchService
+from zbot.launch.source import AnyLaunchDescriptionSource
+from zbot.launch.substitution import TextSubstitution, describe
+from zbot_cli import launch_file
+from zbot_cli.listing import new_app
+from zbot_cli.run import find as find_executable
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+    from pathlib import Path
+
+    from zbot.launch.actions.declare_argument import DeclareLaunchArgument
+
+app = new_app("Run a launch file", has_verbs=False)
+
+
+class LaunchOptionError(ZbotError):
+    """Two options of `zbot launch` do not go together."""
+
+
+@app.command()
+def launch(
+    words: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="[PACKAGE] FILE [NAME:=VALUE]...",
+            help="A launch file: in a package, a path, or the name of one that comes with zbot",
+            show_default=False,
+        ),
+    ],
+    noninteractive: Annotated[
+        bool, typer.Option("-n", "--noninteractive", help="Give the processes no terminal to read")
+    ] = False,
+    debug: Annotated[
+        bool, typer.Option("-d", "--debug", help="Show more of what happens, and tracebacks")
+    ] = False,
+    print_description: Annotated[
+        bool,
+        typer.Option("-p", "--print", "--print-description", help="Print what would be launched"),
+    ] = False,
+    show_args: Annotated[
+        bool,
+        typer.Option("-s", "--show-args", "--show-arguments", help="Show the file's arguments"),
+    ] = False,
+    show_all: Annotated[
+        bool,
+        typer.Option(
+            "-a", "--show-all-subprocesses-output", help="Show all output, whatever the file says"
+        ),
+    ] = False,
+    prefix: Annotated[
+        str, typer.Option("--launch-prefix", help="Command to put before every executable")
+    ] = "",
+    prefix_filter: Annotated[
+        str, typer.Option("--launch-prefix-filter", help="Regex: only before these executables")
+    ] = "",
+) -> int:
+    """Run a launch file."""
+    if prefix_filter and not prefix:
+        raise LaunchOptionError(
+            "--launch-prefix must be specified if --launch-prefix-filter is provided"
+        )
+    zbot.compat.install_names()
+    path, rest = launch_file.find(words)
+    arguments = parse_arguments(rest)
+    if show_args or print_description:
+        return _show(path, arguments_only=show_args)
+    if show_all:
+        os.environ["OVERRIDE_LAUNCH_PROCESS_OUTPUT"] = "both"
+    service = LaunchService(
+        argv=rest,
+        noninteractive=noninteractive or not sys.stdin or not sys.stdin.isatty(),
+        debug=debug,
+        find_program=lambda package, executable: find_executable([package, executable]),
+    )
+    options = {PREFIX: prefix, PREFIX_FILTER: prefix_filter}
+    service.context.launch_configurations |= {key: one for key, one in options.items() if one}
+    include = IncludeLaunchDescription(
+        AnyLaunchDescriptionSource(str(path)), launch_arguments=arguments.items()
+    )
+    include.origin = None  # no line of a launch file has it
+    service.include_launch_description(LaunchDescription([include]))
+    return service.run()
+
+
+def _show(path: Path, *, arguments_only: bool) -> int:
+    description = AnyLaunchDescriptionSource(str(path)).try_get_launch_description_without_context()
+    assert description is not None
+    if arguments_only:
+        print("\n".join(_argument_lines(description)))
+    else:
+        print(LaunchIntrospector().format_launch_description(description))
+    return 0
+
+
+def _argument_lines(description: LaunchDescription) -> Iterable[str]:
+    found = declared_arguments(description)
+    yield "Arguments (pass arguments as '<name>:=<value>'):"
+    if not found:
+        yield "\n  No arguments."
+    for one in found:
+        mark = "*" if one.conditional else ""
+        yield f"\n    '{one.action.name}'{mark}:\n        {one.action.description}"
+        if one.action.choices is not None:
+            choices = ", ".join(f"'{choice}'" for choice in one.action.choices)
+            yield f"        one of: {choices}"
+        if one.action.default_value is not None:
+            yield f"        (default: {_default(one.action)})"
+    if any(one.conditional for one in found):
+        yield "\n* argument(s) which are only used if specific conditions occur"
+
+
+def _default(action: DeclareLaunchArgument) -> str:
+    assert action.default_value is not None
+    if all(isinstance(part, TextSubstitution) for part in action.default_value):
+        return (
+            f"'{''.join(p.text for p in action.default_value if isinstance(p, TextSubstitution))}'"
+        )
+    return describe(action.default_value)

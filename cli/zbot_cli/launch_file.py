@@ -1,0 +1,104 @@
+"""Which launch file a command line means."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from zbot.errors import nearest
+from zbot.launch.errors import LaunchFileNotFoundError
+from zbot.package import PackageNotFoundError, package_share
+from zbot.package.view import files_below
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+_BUNDLED = "zbot"
+_ENDINGS = (".py", ".xml", ".yaml", ".yml")
+_MARKS = (".launch.", "_launch.")
+
+
+def find(words: Sequence[str]) -> tuple[Path, list[str]]:
+    """Return the launch file that a command line begins with, and the words that are its own.
+
+    That is a path, a package and a file in it, or the name of a file that comes with zbot.
+
+    Raises:
+        LaunchFileNotFoundError: There is no such file, or there are several.
+        PackageNotFoundError: There is no such package.
+    """
+    first, rest = words[0], list(words[1:])
+    if Path(first).is_file():
+        return Path(first).absolute(), rest
+    if rest and ":=" not in rest[0]:
+        return in_package(first, rest[0]), rest[1:]
+    bundled = [path for path in launch_files(_BUNDLED) if stem(path) == first]
+    if bundled:
+        return bundled[0], rest
+    raise _not_found(first)
+
+
+def in_package(package: str, name: str) -> Path:
+    """Return the launch file of that name in what a package shares.
+
+    Raises:
+        LaunchFileNotFoundError: There is none, or there are several.
+        PackageNotFoundError: There is no such package.
+    """
+    share = package_share(package)
+    found = sorted(path for path in files_below(share) if path.name == name)
+    if len(found) > 1:
+        listed = ", ".join(f"'{path}'" for path in found)
+        raise LaunchFileNotFoundError(
+            f"file '{name}' was found more than once in the share directory of package "
+            f"'{package}': [{listed}]"
+        )
+    if not found:
+        known = sorted({path.name for path in launch_files(package)})
+        raise LaunchFileNotFoundError(
+            f"file '{name}' was not found in the share directory of package '{package}' "
+            f"which is at '{share}'",
+            _guess(name, known) or f"it has {', '.join(known) or 'no launch files'}",
+        )
+    return found[0]
+
+
+def launch_files(package: str) -> list[Path]:
+    """Return the launch files of a package.
+
+    Raises:
+        PackageNotFoundError: There is no such package.
+    """
+    return sorted(path for path in files_below(package_share(package)) if _is_launch_file(path))
+
+
+def stem(path: Path) -> str:
+    """Return the name of a launch file without what makes it one: `temperature`."""
+    name = path.name.removesuffix(path.suffix)
+    return name.removesuffix(".launch").removesuffix("_launch")
+
+
+def _is_launch_file(path: Path) -> bool:
+    if path.suffix not in _ENDINGS:
+        return False
+    return any(mark in path.name for mark in _MARKS) or path.parent.name == "launch"
+
+
+def _not_found(word: str) -> LaunchFileNotFoundError:
+    if os.sep in word or word.endswith(_ENDINGS):
+        return LaunchFileNotFoundError(f"launch file '{word}' not found")
+    try:
+        inside = [path.name for path in launch_files(word)]
+    except PackageNotFoundError:
+        known = [stem(path) for path in launch_files(_BUNDLED)]
+        text = f"'{word}' is no path, no package and no launch file that comes with zbot"
+        hint = _guess(word, known) or f"zbot has {', '.join(known)}"
+        return LaunchFileNotFoundError(text, hint)
+    hint = f"it has {', '.join(inside) or 'none'}"
+    return LaunchFileNotFoundError(f"name a launch file of package '{word}'", hint)
+
+
+def _guess(word: str, known: Iterable[str]) -> str:
+    near = nearest(word, known, 1)
+    return f"did you mean '{near[0]}'?" if near else ""

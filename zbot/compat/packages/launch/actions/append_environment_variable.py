@@ -1,0 +1,3 @@
+"""`AppendEnvironmentVariable` under its own module's name."""
+
+from zbot.launch.actions import AppendEnvironmentVariable as AppendEnvironmentVariable

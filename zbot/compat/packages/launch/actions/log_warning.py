@@ -1,0 +1,3 @@
+"""`LogWarning` under its own module's name."""
+
+from zbot.launch.actions import LogWarning as LogWarning

@@ -1,0 +1,3 @@
+"""`PopEnvironment` under its own module's name."""
+
+from zbot.launch.actions import PopEnvironment as PopEnvironment

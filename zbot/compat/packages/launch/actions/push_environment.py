@@ -1,0 +1,3 @@
+"""`PushEnvironment` under its own module's name."""
+
+from zbot.launch.actions import PushEnvironment as PushEnvironment

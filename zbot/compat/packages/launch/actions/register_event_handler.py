@@ -1,0 +1,3 @@
+"""`RegisterEventHandler` under its own module's name."""
+
+from zbot.launch.actions import RegisterEventHandler as RegisterEventHandler

@@ -1,0 +1,3 @@
+"""`ResetEnvironment` under its own module's name."""
+
+from zbot.launch.actions import ResetEnvironment as ResetEnvironment

@@ -1,0 +1,3 @@
+"""`SetEnvironmentVariable` under its own module's name."""
+
+from zbot.launch.actions import SetEnvironmentVariable as SetEnvironmentVariable

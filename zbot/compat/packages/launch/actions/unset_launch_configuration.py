@@ -1,0 +1,3 @@
+"""`UnsetLaunchConfiguration` under its own module's name."""
+
+from zbot.launch.actions import UnsetLaunchConfiguration as UnsetLaunchConfiguration

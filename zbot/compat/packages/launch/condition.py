@@ -1,0 +1,3 @@
+"""`Condition` under its own module's name."""
+
+from zbot.launch import Condition as Condition

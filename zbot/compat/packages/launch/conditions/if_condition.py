@@ -1,0 +1,3 @@
+"""`IfCondition` under its own module's name."""
+
+from zbot.launch.condition import IfCondition as IfCondition

@@ -1,0 +1,3 @@
+"""`LaunchConfigurationEquals` under its own module's name."""
+
+from zbot.launch.condition import LaunchConfigurationEquals as LaunchConfigurationEquals

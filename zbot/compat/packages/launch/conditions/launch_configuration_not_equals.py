@@ -1,0 +1,3 @@
+"""`LaunchConfigurationNotEquals` under its own module's name."""
+
+from zbot.launch.condition import LaunchConfigurationNotEquals as LaunchConfigurationNotEquals

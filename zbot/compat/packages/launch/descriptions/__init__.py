@@ -1,0 +1,3 @@
+"""What to execute."""
+
+from zbot.launch.actions.executable import Executable as Executable

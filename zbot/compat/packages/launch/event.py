@@ -1,0 +1,3 @@
+"""`Event` under its own module's name."""
+
+from zbot.launch import Event as Event

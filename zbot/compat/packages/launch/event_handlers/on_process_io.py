@@ -1,0 +1,3 @@
+"""`OnProcessIO` under its own module's name."""
+
+from zbot.launch.event_handler import OnProcessIO as OnProcessIO

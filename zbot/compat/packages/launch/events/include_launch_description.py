@@ -1,0 +1,5 @@
+"""`IncludeLaunchDescription` under its own module's name."""
+
+from zbot.launch.event import IncludeLaunchDescriptionEvent as IncludeLaunchDescription
+
+__all__ = ["IncludeLaunchDescription"]

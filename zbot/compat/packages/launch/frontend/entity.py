@@ -1,0 +1,3 @@
+"""`Entity` under its own module's name."""
+
+from zbot.launch.frontend.entity import Entity as Entity

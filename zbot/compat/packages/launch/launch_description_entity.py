@@ -1,0 +1,3 @@
+"""`LaunchDescriptionEntity` under its own module's name."""
+
+from zbot.launch import LaunchDescriptionEntity as LaunchDescriptionEntity

@@ -1,0 +1,3 @@
+"""`LaunchDescriptionSource` under its own module's name."""
+
+from zbot.launch import LaunchDescriptionSource as LaunchDescriptionSource

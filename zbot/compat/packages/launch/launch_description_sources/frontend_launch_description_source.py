@@ -1,0 +1,3 @@
+"""`FrontendLaunchDescriptionSource` under its own module's name."""
+
+from zbot.launch.source import FrontendLaunchDescriptionSource as FrontendLaunchDescriptionSource

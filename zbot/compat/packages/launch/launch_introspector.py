@@ -1,0 +1,3 @@
+"""`LaunchIntrospector` under its own module's name."""
+
+from zbot.launch import LaunchIntrospector as LaunchIntrospector

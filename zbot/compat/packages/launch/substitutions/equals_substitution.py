@@ -1,0 +1,3 @@
+"""`EqualsSubstitution` under its own module's name."""
+
+from zbot.launch.substitutions import EqualsSubstitution as EqualsSubstitution

@@ -1,0 +1,3 @@
+"""`FindExecutable` under its own module's name."""
+
+from zbot.launch.substitutions import FindExecutable as FindExecutable

@@ -1,0 +1,3 @@
+"""`LaunchLogDir` under its own module's name."""
+
+from zbot.launch.substitutions import LaunchLogDir as LaunchLogDir

@@ -1,0 +1,5 @@
+"""What a substitution raises."""
+
+from zbot.launch.errors import SubstitutionError as SubstitutionFailure
+
+__all__ = ["SubstitutionFailure"]

@@ -1,0 +1,3 @@
+"""`LifecycleNode` under its own module's name."""
+
+from zbot.launch.actions import LifecycleNode as LifecycleNode

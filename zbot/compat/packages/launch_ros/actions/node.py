@@ -1,0 +1,3 @@
+"""`Node` under its own module's name."""
+
+from zbot.launch.actions import Node as Node

@@ -1,0 +1,3 @@
+"""`RosTimer` under its own module's name."""
+
+from zbot.launch.actions import RosTimer as RosTimer

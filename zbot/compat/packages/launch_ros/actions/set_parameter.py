@@ -1,0 +1,3 @@
+"""`SetParameter` under its own module's name."""
+
+from zbot.launch.actions import SetParameter as SetParameter

@@ -1,0 +1,3 @@
+"""`SetRemap` under its own module's name."""
+
+from zbot.launch.actions import SetRemap as SetRemap

@@ -1,0 +1,3 @@
+"""`ChangeState` under its own module's name."""
+
+from zbot.launch.lifecycle_event import ChangeState as ChangeState

@@ -1,0 +1,3 @@
+"""What may be given as a node's parameters."""
+
+from zbot.launch.parameters import SomeParameters as SomeParameters

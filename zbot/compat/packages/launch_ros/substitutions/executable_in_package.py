@@ -1,0 +1,3 @@
+"""Under its own module's name."""
+
+from zbot.launch.substitutions import ExecutableInPackage as ExecutableInPackage

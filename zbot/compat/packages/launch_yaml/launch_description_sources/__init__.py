@@ -1,0 +1,3 @@
+"""Launch files in YAML as sources."""
+
+from zbot.launch.source import YAMLLaunchDescriptionSource as YAMLLaunchDescriptionSource

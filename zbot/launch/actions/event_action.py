@@ -1,0 +1,95 @@
+"""Events and their handlers, from a launch file."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.action import Action
+from zbot.launch.event import Shutdown as ShutdownEvent
+from zbot.launch.substitution import normalize, perform
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.entity import LaunchDescriptionEntity
+    from zbot.launch.event import Event
+    from zbot.launch.event_handler import BaseEventHandler
+    from zbot.launch.substitution import SomeSubstitutionsType
+
+
+class EmitEvent(Action):
+    """Let something happen."""
+
+    def __init__(self, *, event: Event, **options: Any) -> None:
+        super().__init__(**options)
+        self.event = event
+
+    def execute(self, context: LaunchContext) -> None:
+        """Put the event at the end of the queue."""
+        context.emit_event_sync(self.event)
+
+    def describe(self) -> str:
+        """Return the event."""
+        return f"Emitting event: {self.event.name}"
+
+
+class RegisterEventHandler(Action):
+    """Act on events from now on."""
+
+    def __init__(self, event_handler: BaseEventHandler, **options: Any) -> None:
+        super().__init__(**options)
+        self.event_handler = event_handler
+
+    def execute(self, context: LaunchContext) -> None:
+        """Register the handler."""
+        context.register_event_handler(self.event_handler)
+
+    def describe(self) -> str:
+        """Return the handler."""
+        return f"RegisterEventHandler('{self.event_handler.describe()}')"
+
+    def describe_conditional_sub_entities(
+        self,
+    ) -> list[tuple[str, Sequence[LaunchDescriptionEntity]]]:
+        """Return what the handler does."""
+        entities = getattr(self.event_handler, "entities", None)
+        if isinstance(entities, Action):
+            entities = [entities]
+        if not entities or callable(entities):
+            return []
+        return [(f"{self.event_handler.describe()}", list(entities))]
+
+
+class UnregisterEventHandler(Action):
+    """Act on events no more."""
+
+    def __init__(self, event_handler: BaseEventHandler, **options: Any) -> None:
+        super().__init__(**options)
+        self.event_handler = event_handler
+
+    def execute(self, context: LaunchContext) -> None:
+        """Take the handler out."""
+        context.unregister_event_handler(self.event_handler)
+
+
+class Shutdown(Action):
+    """End the launch, and with it every process.
+
+    Args:
+        reason: Why.
+    """
+
+    def __init__(
+        self, *, reason: SomeSubstitutionsType = "reason not given", **options: Any
+    ) -> None:
+        super().__init__(**options)
+        self.reason = normalize(reason)
+
+    def execute(self, context: LaunchContext) -> None:
+        """Emit the event that ends the launch."""
+        context.emit_event_sync(ShutdownEvent(reason=perform(context, self.reason)))
+
+    def describe(self) -> str:
+        """Return the kind of event."""
+        return "Shutdown()"

@@ -1,0 +1,100 @@
+"""What to execute: a command line with its surroundings, before it is known in full."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.own_command import with_ros2
+from zbot.launch.substitution import describe_list, normalize, perform
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping, Sequence
+
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.substitution import SomeSubstitutionsType, Substitution
+
+#: Launch configurations that `zbot launch` sets for its options.
+PREFIX, PREFIX_FILTER = "launch-prefix", "launch-prefix-filter"
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A command line, ready to be started."""
+
+    words: list[str]
+    name: str  #: `talker`
+    cwd: str | None
+    env: dict[str, str]
+
+
+class Executable:
+    """A command line.
+
+    Args:
+        cmd: Its words.
+        prefix: Words to put before it.
+        name: What its process is called; the program's name if left out.
+        cwd: The folder to run it in.
+        env: Its whole environment.
+        additional_env: What to add to its environment.
+        arguments: Words to add.
+    """
+
+    def __init__(
+        self,
+        *,
+        cmd: Iterable[SomeSubstitutionsType] | SomeSubstitutionsType,
+        prefix: SomeSubstitutionsType | None = None,
+        name: SomeSubstitutionsType | None = None,
+        cwd: SomeSubstitutionsType | None = None,
+        env: Mapping[Any, SomeSubstitutionsType] | None = None,
+        additional_env: Mapping[Any, SomeSubstitutionsType] | None = None,
+        arguments: Iterable[SomeSubstitutionsType] | None = None,
+    ) -> None:
+        given: Any = cmd
+        words = given if isinstance(given, (list, tuple)) else [given]
+        self.cmd = [normalize(word) for word in words]
+        self.cmd += [normalize(word) for word in arguments or ()]
+        self.prefix = _optional(prefix)
+        self.name, self.cwd = _optional(name), _optional(cwd)
+        self.env, self.additional_env = env, additional_env
+
+    def describe(self) -> str:
+        """Return the words."""
+        return f"cmd={describe_list(self.cmd)}"
+
+    def prepare(self, context: LaunchContext, words: Sequence[str], name: str) -> Prepared:
+        """Return the command line behind its prefixes, with its surroundings."""
+        own_prefix = perform(context, self.prefix) if self.prefix else ""
+        prefix = own_prefix or _common_prefix(context, name)
+        cwd = perform(context, self.cwd) if self.cwd else None
+        line = [*shlex.split(prefix, posix=os.name != "nt"), *words]
+        return Prepared(line, name, cwd, self._environment(context))
+
+    def _environment(self, context: LaunchContext) -> dict[str, str]:
+        base = context.environment if self.env is None else _performed(context, self.env)
+        own = {"PYTHONUNBUFFERED": "1"}
+        if context.journal.is_coloured:
+            own["RCUTILS_COLORIZED_OUTPUT"] = "1"
+        added = _performed(context, self.additional_env or {})
+        return with_ros2({**own, **base, **added})
+
+
+def _optional(value: SomeSubstitutionsType | None) -> list[Substitution] | None:
+    return None if value is None else normalize(value)
+
+
+def _performed(
+    context: LaunchContext, variables: Mapping[Any, SomeSubstitutionsType]
+) -> dict[str, str]:
+    return {perform(context, key): perform(context, value) for key, value in variables.items()}
+
+
+def _common_prefix(context: LaunchContext, name: str) -> str:
+    prefix = str(context.launch_configurations.get(PREFIX, ""))
+    pattern = context.launch_configurations.get(PREFIX_FILTER)
+    return prefix if pattern is None or re.match(str(pattern), name) else ""

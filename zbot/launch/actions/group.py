@@ -1,0 +1,77 @@
+"""Actions as one, with configurations of their own."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.action import Action
+from zbot.launch.actions.configuration import (
+    PopEnvironment,
+    PopLaunchConfigurations,
+    PushEnvironment,
+    PushLaunchConfigurations,
+    ResetEnvironment,
+    ResetLaunchConfigurations,
+    SetLaunchConfiguration,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping, Sequence
+
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.entity import LaunchDescriptionEntity
+    from zbot.launch.substitution import SomeSubstitutionsType
+
+
+class GroupAction(Action):
+    """Do several things, under one condition and in a scope of their own.
+
+    Args:
+        actions: What to do.
+        scoped: Whether configurations, namespaces and environment that they set end with them.
+        forwarding: Whether they see the configurations from outside.
+        launch_configurations: Configurations to set for them.
+    """
+
+    def __init__(
+        self,
+        actions: Iterable[LaunchDescriptionEntity],
+        *,
+        scoped: bool = True,
+        forwarding: bool = True,
+        launch_configurations: Mapping[Any, SomeSubstitutionsType] | None = None,
+        **options: Any,
+    ) -> None:
+        super().__init__(**options)
+        self.actions = list(actions)
+        self.scoped, self.forwarding = scoped, forwarding
+        self.launch_configurations = dict(launch_configurations or {})
+
+    def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """Return the actions, between those that open and close the scope."""
+        sets: list[LaunchDescriptionEntity] = [
+            SetLaunchConfiguration(name, value)
+            for name, value in self.launch_configurations.items()
+        ]
+        if not self.scoped:
+            return [*sets, *self.actions]
+        if not self.forwarding:
+            sets = [ResetEnvironment(), ResetLaunchConfigurations(self.launch_configurations)]
+        opening: list[LaunchDescriptionEntity] = [PushLaunchConfigurations(), PushEnvironment()]
+        closing: list[LaunchDescriptionEntity] = [PopEnvironment(), PopLaunchConfigurations()]
+        return [*opening, *sets, *self.actions, *closing]
+
+    def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
+        """Return the actions."""
+        del context
+        return self.get_sub_entities()
+
+    def describe_conditional_sub_entities(
+        self,
+    ) -> list[tuple[str, Sequence[LaunchDescriptionEntity]]]:
+        """Return the actions if there is a condition."""
+        return [] if self.condition is None else [("group condition", self.actions)]
+
+    def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """Return the actions if there is no condition."""
+        return self.actions if self.condition is None else []

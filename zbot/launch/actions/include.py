@@ -1,0 +1,124 @@
+"""Launch files in launch files."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.action import Action
+from zbot.launch.actions.configuration import SetLaunchConfiguration
+from zbot.launch.arguments import declared_arguments
+from zbot.launch.description import LaunchDescription
+from zbot.launch.errors import EntityTypeError, IncludeLoopError, LaunchArgumentError
+from zbot.launch.source import LaunchDescriptionSource
+from zbot.launch.substitution import is_a_substitution, normalize, perform
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping, Sequence
+
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.entity import LaunchDescriptionEntity
+    from zbot.launch.substitution import SomeSubstitutionsType
+
+_MAX_DEPTH = 60
+
+
+class _EnterFile(Action):
+    """Let `ThisLaunchFile` and its like mean the included file."""
+
+    def __init__(self, extensions: Mapping[str, Any]) -> None:
+        super().__init__()
+        self._extensions = extensions
+
+    def execute(self, context: LaunchContext) -> None:
+        context.extend_locals(self._extensions)
+
+
+class _LeaveFile(Action):
+    """Let them mean the including file again."""
+
+    def execute(self, context: LaunchContext) -> None:
+        context.pop_locals()
+
+
+class IncludeLaunchDescription(Action):
+    """Launch what another file describes.
+
+    Args:
+        launch_description_source: The file: a source, or a path.
+        launch_arguments: Pairs of an argument's name and its value.
+    """
+
+    def __init__(
+        self,
+        launch_description_source: LaunchDescriptionSource | SomeSubstitutionsType,
+        *,
+        launch_arguments: Mapping[Any, Any] | Iterable[tuple[Any, Any]] | None = None,
+        **options: Any,
+    ) -> None:
+        super().__init__(**options)
+        source: Any = launch_description_source
+        if isinstance(source, LaunchDescription):
+            source = LaunchDescriptionSource(source)
+        if is_a_substitution(source):
+            source = LaunchDescriptionSource(location=source)
+        if not isinstance(source, LaunchDescriptionSource):
+            raise EntityTypeError("launch_description_source", "a source or a path", source)
+        self.launch_description_source = source
+        # `.items()` is what examples give; a dictionary itself is as clear.
+        pairs = getattr(launch_arguments, "items", None)
+        self.launch_arguments: list[tuple[Any, Any]] = [
+            *((pairs() if callable(pairs) else launch_arguments) or ())
+        ]
+
+    def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
+        """Return the entities of the file, between what sets its arguments and its path.
+
+        Raises:
+            IncludeLoopError: The file includes itself, without end.
+            LaunchArgumentError: An argument that it needs is not given.
+        """
+        description = self.launch_description_source.get_launch_description(context)
+        sets: list[LaunchDescriptionEntity] = []
+        given = {}
+        for name, value in self.launch_arguments:
+            key = perform(context, normalize(name))
+            given[key] = perform(context, _text(value))
+            sets.append(SetLaunchConfiguration(key, given[key]))
+        self._check(description, {*given, *context.launch_configurations})
+        path = self.launch_description_source.path(context)
+        if path is None:
+            return [*sets, description]
+        extensions = {
+            "current_launch_file_path": str(path),
+            "current_launch_file_directory": str(path.parent),
+            "include_chain": self._chain(context, str(path), given),
+        }
+        return [*sets, _EnterFile(extensions), description, _LeaveFile()]
+
+    def _chain(
+        self, context: LaunchContext, path: str, given: Mapping[str, str]
+    ) -> tuple[tuple[str, str], ...]:
+        # A file may include itself with other arguments, and so come to an end.
+        state = {**context.launch_configurations, **given}
+        link = (path, repr(sorted((key, str(value)) for key, value in state.items())))
+        chain: tuple[tuple[str, str], ...] = context.get_locals_as_dict().get("include_chain", ())
+        if link in chain or len(chain) >= _MAX_DEPTH:
+            start = chain.index(link) if link in chain else max(0, len(chain) - 3)
+            raise IncludeLoopError([one for one, _ in (*chain[start:], link)])
+        return (*chain, link)
+
+    def _check(self, description: LaunchDescription, given: set[str]) -> None:
+        # launch does so too: before anything of the file is done
+        for found in declared_arguments(description, follow_includes=False):
+            action = found.action
+            if action.default_value is None and not found.conditional and action.name not in given:
+                told = action.description if action.description != "no description given" else ""
+                raise LaunchArgumentError.missing(action.name, told)
+
+    def describe(self) -> str:
+        """Return the source."""
+        return f"IncludeLaunchDescription({self.launch_description_source.location_text})"
+
+
+def _text(value: Any) -> Any:
+    return str(value) if isinstance(value, (bool, int, float)) else normalize(value)

@@ -1,0 +1,146 @@
+"""Managed nodes, whose states launch files change and react to."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.action import Action
+from zbot.launch.actions.node import Node
+from zbot.launch.errors import EntityTypeError
+from zbot.launch.event_handler import EventHandler
+from zbot.launch.lifecycle_event import ChangeState, OnStateTransition, StateTransition
+from zbot.launch.process_event import matches_action
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.ros_node import LaunchNode
+    from zbot.launch.substitution import SomeSubstitutionsType
+
+#: Where each transition leads to, by its label.
+_GOALS = {
+    "configure": (1, "inactive"),
+    "cleanup": (2, "unconfigured"),
+    "activate": (3, "active"),
+    "deactivate": (4, "inactive"),
+    "unconfigured_shutdown": (5, "finalized"),
+    "inactive_shutdown": (6, "finalized"),
+    "active_shutdown": (7, "finalized"),
+}
+_LABELS = {number: label for label, (number, _) in _GOALS.items()}
+
+
+class LifecycleNode(Node):
+    """Run a managed node; the arguments are those of `Node`.
+
+    Args:
+        name: The node's name, which has to be known here.
+        namespace: The node's namespace.
+        autostart: Whether it is configured and activated at once.
+        options: As for `Node`.
+    """
+
+    def __init__(
+        self,
+        *,
+        name: SomeSubstitutionsType,
+        namespace: SomeSubstitutionsType = "",
+        autostart: bool = False,
+        **options: Any,
+    ) -> None:
+        super().__init__(name=name, namespace=namespace, **options)
+        self._autostart = autostart
+
+    def execute(self, context: LaunchContext) -> list[Any] | None:
+        """Start the node, and listen to what it tells of its state."""
+        super().execute(context)
+        if context.is_shutdown:
+            return None
+        from zbot.launch.ros_node import launch_node  # noqa: PLC0415 - opens a session
+
+        node = launch_node(context)
+        node.listen(
+            f"{self.node_name}/transition_event",
+            lambda message: context.emit_event_sync(StateTransition(action=self, msg=message)),
+        )
+        context.register_event_handler(
+            EventHandler(
+                matcher=lambda event: (
+                    isinstance(event, ChangeState) and event.lifecycle_node_matcher(self)
+                ),
+                entities=lambda event, _: self._change(event, context, node),
+            )
+        )
+        if not self._autostart:
+            return None
+        return [LifecycleTransition([self], ["configure", "activate"])]
+
+    def _change(self, event: ChangeState, context: LaunchContext, node: LaunchNode) -> None:
+        label = _LABELS.get(event.transition_id, str(event.transition_id))
+
+        def on_answer(succeeded: bool) -> None:
+            if not succeeded:
+                text = f"Failed to make transition '{label}' for LifecycleNode '{self.node_name}'"
+                context.journal.error("launch_ros", text)
+
+        node.change_state(self.node_name, event.transition_id, on_answer)
+
+
+class LifecycleTransition(Action):
+    """Lead managed nodes through several transitions, each when the one before is done.
+
+    Args:
+        lifecycle_node_names: The nodes, or their full names.
+        transition_ids: Labels or numbers of the transitions.
+    """
+
+    def __init__(
+        self,
+        lifecycle_node_names: Iterable[Any],
+        transition_ids: Iterable[int | str],
+        **options: Any,
+    ) -> None:
+        super().__init__(**options)
+        self._nodes = list(lifecycle_node_names)
+        self._labels = [_label(one) for one in transition_ids]
+
+    def execute(self, context: LaunchContext) -> None:
+        """Begin with the first transition of each node."""
+        for node in self._nodes:
+            matcher = matches_action(node) if isinstance(node, Node) else _by_name(node)
+            for before, label in zip(self._labels, self._labels[1:], strict=False):
+                self._follow(context, matcher, _GOALS[before][1], label)
+            self._emit(context, matcher, self._labels[0])
+
+    @staticmethod
+    def _emit(context: LaunchContext, matcher: Any, label: str) -> None:
+        number = _GOALS[label][0]
+        event = ChangeState(lifecycle_node_matcher=matcher, transition_id=number)
+        context.emit_event_sync(event)
+
+    def _follow(self, context: LaunchContext, matcher: Any, goal: str, label: str) -> None:
+        class _Then(OnStateTransition):
+            def matches(self, event: Any) -> bool:
+                return super().matches(event) and matcher(event.action)
+
+        context.register_event_handler(
+            _Then(
+                goal_state=goal,
+                entities=lambda *_: self._emit(context, matcher, label),
+                handle_once=True,
+            )
+        )
+
+
+def _by_name(name: str) -> Any:
+    from zbot.launch.lifecycle_event import matches_node_name  # noqa: PLC0415 - beside its user
+
+    return matches_node_name(name)
+
+
+def _label(transition: int | str) -> str:
+    label = _LABELS.get(transition, "") if isinstance(transition, int) else transition
+    if label not in _GOALS:
+        raise EntityTypeError("a transition", f"one of {', '.join(_GOALS)}", transition)
+    return label

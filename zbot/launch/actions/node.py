@@ -1,0 +1,151 @@
+"""Nodes: executables of packages, with names, parameters and remaps."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.actions.execute import ExecuteProcess
+from zbot.launch.actions.ros_names import (
+    NAMESPACE,
+    PARAMETERS,
+    REMAPS,
+    absolute,
+    join_namespace,
+)
+from zbot.launch.errors import EntityTypeError
+from zbot.launch.own_command import own_command
+from zbot.launch.parameters import to_words
+from zbot.launch.substitution import describe, normalize, perform
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from zbot.launch.actions.executable import Prepared
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.parameters import SomeParameters
+    from zbot.launch.substitution import SomeSubstitutionsType, Substitution
+
+_UNKNOWN = "<node_name_unspecified>"
+
+
+class Node(ExecuteProcess):
+    """Run a node.
+
+    Args:
+        executable: The executable, or a path if there is no package.
+        package: The package that has it.
+        name: The node's name; its own if left out.
+        namespace: The node's namespace.
+        exec_name: What its process is called; the executable's name if left out.
+        parameters: Dictionaries and parameter files; later ones win.
+        remappings: Pairs of a name and the name to use instead.
+        ros_arguments: Words to add after `--ros-args`.
+        arguments: Words for the node itself.
+        options: As for `ExecuteProcess`.
+    """
+
+    def __init__(
+        self,
+        *,
+        executable: SomeSubstitutionsType,
+        package: SomeSubstitutionsType | None = None,
+        name: SomeSubstitutionsType | None = None,
+        namespace: SomeSubstitutionsType | None = None,
+        exec_name: SomeSubstitutionsType | None = None,
+        parameters: Iterable[SomeParameters] | None = None,
+        remappings: Iterable[tuple[SomeSubstitutionsType, SomeSubstitutionsType]] | None = None,
+        ros_arguments: Iterable[SomeSubstitutionsType] | None = None,
+        arguments: Iterable[SomeSubstitutionsType] | None = None,
+        **options: Any,
+    ) -> None:
+        if parameters is not None and (isinstance(parameters, (str, dict))):
+            raise EntityTypeError("parameters", "a list: parameters=[...]", parameters)
+        self.package = None if package is None else normalize(package)
+        self.executable = normalize(executable)
+        super().__init__(cmd=[self.executable], name=exec_name, **options)
+        self.parameters, self.remappings = list(parameters or ()), list(remappings or ())
+        self.arguments = [normalize(word) for word in _listed(arguments)]
+        self.ros_arguments = [normalize(word) for word in _listed(ros_arguments)]
+        self._name = _optional(name)
+        self._namespace = _optional(namespace)
+        self.node_name, self.namespace = _UNKNOWN, ""
+
+    @property
+    def node_package(self) -> list[Substitution] | None:
+        """The package."""
+        return self.package
+
+    @property
+    def node_executable(self) -> list[Substitution]:
+        """The executable."""
+        return self.executable
+
+    @property
+    def is_fully_qualified(self) -> bool:
+        """Whether its whole name is known."""
+        return self._name is not None
+
+    def prepare(self, context: LaunchContext) -> Prepared:
+        """Return the command line.
+
+        Raises:
+            ZbotError: There is no such package or executable.
+        """
+        executable = perform(context, self.executable)
+        words = [executable]
+        if self.package is not None:
+            package = perform(context, self.package)
+            if context.find_program is not None:
+                context.find_program(package, executable)
+            words = [*own_command(), "run", package, executable]
+        words += [perform(context, word) for word in self.arguments]
+        description = self.process_description
+        name = perform(context, description.name) if description.name else ""
+        name = name or executable.replace("\\", "/").rpartition("/")[2]
+        return description.prepare(context, [*words, *self._ros_words(context)], name)
+
+    def _ros_words(self, context: LaunchContext) -> list[str]:
+        words = [perform(context, word) for word in self.ros_arguments]
+        words += self._name_words(context)
+        shared = context.launch_configurations.get(PARAMETERS, [])
+        words += to_words(context, [*shared, *self.parameters])
+        for source, target in context.launch_configurations.get(REMAPS, []):
+            words += ["-r", f"{source}:={target}"]
+        for source, target in self._pairs():
+            words += ["-r", f"{perform(context, source)}:={perform(context, target)}"]
+        return ["--ros-args", *words] if words else []
+
+    def _name_words(self, context: LaunchContext) -> list[str]:
+        words: list[str] = []
+        name = perform(context, self._name) if self._name is not None else ""
+        own = perform(context, self._namespace) if self._namespace is not None else ""
+        namespace = join_namespace(str(context.launch_configurations.get(NAMESPACE, "")), own)
+        if name:
+            words += ["-r", f"__node:={name}"]
+        if namespace:
+            words += ["-r", f"__ns:={absolute(namespace)}"]
+        self.namespace = absolute(namespace)
+        self.node_name = f"{self.namespace.rstrip('/')}/{name or _UNKNOWN}"
+        return words
+
+    def _pairs(self) -> list[tuple[Any, Any]]:
+        for pair in self.remappings:
+            if not isinstance(pair, (tuple, list)) or len(pair) != 2:
+                raise EntityTypeError("a remapping", "a pair ('from', 'to')", pair)
+        return self.remappings
+
+    def describe(self) -> str:
+        """Return package and executable."""
+        package = "" if self.package is None else f"package={describe(self.package)}, "
+        return f"{type(self).__name__}({package}executable={describe(self.executable)})"
+
+
+def _optional(value: SomeSubstitutionsType | None) -> list[Substitution] | None:
+    return None if value is None else normalize(value)
+
+
+def _listed(words: Any) -> list[Any]:
+    """Return words as a list; a single text is one word."""
+    if words is None:
+        return []
+    return [words] if isinstance(words, str) or hasattr(words, "perform") else list(words)

@@ -1,0 +1,103 @@
+"""Actions that wait."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.action import Action
+from zbot.launch.errors import EntityTypeError
+from zbot.launch.event import TimerEvent
+from zbot.launch.event_handler import EventHandler, OnShutdown
+from zbot.launch.substitution import normalize, perform
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.entity import LaunchDescriptionEntity
+    from zbot.launch.substitution import SomeSubstitutionsType
+
+
+class TimerAction(Action):
+    """Do several things after a while.
+
+    Args:
+        period: Seconds to wait.
+        actions: What to do then.
+        cancel_on_shutdown: Whether a launch that ends does not wait for it.
+    """
+
+    def __init__(
+        self,
+        *,
+        period: float | SomeSubstitutionsType,
+        actions: Iterable[LaunchDescriptionEntity],
+        cancel_on_shutdown: bool = True,
+        **options: Any,
+    ) -> None:
+        super().__init__(**options)
+        self.period: Any = period if isinstance(period, (int, float)) else normalize(period)
+        self.actions = list(actions)
+        self.cancel_on_shutdown = cancel_on_shutdown
+        self._done: asyncio.Future[None] | None = None
+        self._task: asyncio.Task[Any] | None = None
+
+    def execute(self, context: LaunchContext) -> None:
+        """Start to wait."""
+        seconds = _seconds(self.period, context)
+        self._done = context.asyncio_loop.create_future()
+        context.add_completion_future(self._done)
+        context.register_event_handler(
+            EventHandler(
+                matcher=lambda event: isinstance(event, TimerEvent) and event.timer_action is self,
+                entities=self._finish,
+                handle_once=True,
+            )
+        )
+        if self.cancel_on_shutdown:
+            context.register_event_handler(OnShutdown(on_shutdown=lambda *_: self.cancel()))
+        self._task = context.asyncio_loop.create_task(self._wait(seconds, context))
+
+    async def _wait(self, seconds: float, context: LaunchContext) -> None:
+        await self._sleep(seconds, context)
+        context.emit_event_sync(TimerEvent(timer_action=self))
+
+    async def _sleep(self, seconds: float, context: LaunchContext) -> None:  # noqa: ARG002 - RosTimer
+        await asyncio.sleep(seconds)
+
+    def _finish(self, event: TimerEvent, context: LaunchContext) -> Sequence[Any]:  # noqa: ARG002
+        self._settle()
+        return self.actions
+
+    def cancel(self) -> None:
+        """Do nothing when the time comes."""
+        if self._task is not None:
+            self._task.cancel()
+        self._settle()
+
+    def _settle(self) -> None:
+        if self._done is not None and not self._done.done():
+            self._done.set_result(None)
+
+    def get_asyncio_future(self) -> asyncio.Future[None] | None:
+        """Return a future that is done when the time has come."""
+        return self._done
+
+    def describe(self) -> str:
+        """Return the kind of action."""
+        return f"{type(self).__name__}()"
+
+    def describe_conditional_sub_entities(
+        self,
+    ) -> list[tuple[str, Sequence[LaunchDescriptionEntity]]]:
+        """Return the actions."""
+        return [("after some time", self.actions)]
+
+
+def _seconds(period: Any, context: LaunchContext) -> float:
+    text = str(period) if isinstance(period, (int, float)) else perform(context, period)
+    try:
+        return max(0.0, float(text))
+    except ValueError:
+        raise EntityTypeError("period", "a number of seconds", text) from None

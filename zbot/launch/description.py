@@ -1,0 +1,71 @@
+"""A launch description: the list that a launch file returns."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from zbot.launch.entity import LaunchDescriptionEntity
+from zbot.launch.errors import EntityTypeError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from zbot.launch.actions.declare_argument import DeclareLaunchArgument
+    from zbot.launch.context import LaunchContext
+
+
+class LaunchDescription(LaunchDescriptionEntity):
+    """What to launch, in order.
+
+    Args:
+        initial_entities: Actions and other descriptions.
+        deprecated_reason: Why nobody should use it any more; told when it is launched.
+    """
+
+    def __init__(
+        self,
+        initial_entities: Iterable[LaunchDescriptionEntity] | None = None,
+        *,
+        deprecated_reason: str | None = None,
+    ) -> None:
+        self.entities: list[LaunchDescriptionEntity] = []
+        self.deprecated_reason = deprecated_reason
+        for entity in initial_entities or ():
+            self.add_entity(entity)
+
+    @property
+    def deprecated(self) -> bool:
+        """Whether nobody should use it any more."""
+        return self.deprecated_reason is not None
+
+    def add_entity(self, entity: LaunchDescriptionEntity) -> None:
+        """Add an action, or another description.
+
+        Raises:
+            EntityTypeError: It is neither.
+        """
+        if not isinstance(entity, LaunchDescriptionEntity):
+            place = f"item {len(self.entities)} of a LaunchDescription"
+            raise EntityTypeError(place, "an action", entity)
+        self.entities.append(entity)
+
+    add_action = add_entity
+
+    def visit(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
+        """Return the entities."""
+        if self.deprecated_reason is not None:
+            context.journal.warning("launch", f"deprecated: {self.deprecated_reason}")
+        return self.entities
+
+    def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """Return the entities."""
+        return self.entities
+
+    def get_launch_arguments(
+        self, conditional_inclusion: bool = False
+    ) -> list[DeclareLaunchArgument]:
+        """Return the arguments that it, and what it includes, declares."""
+        from zbot.launch.arguments import declared_arguments  # noqa: PLC0415 - cycle
+
+        del conditional_inclusion  # accepted as launch does
+        return [found.action for found in declared_arguments(self)]

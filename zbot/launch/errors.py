@@ -1,0 +1,119 @@
+"""What can go wrong with launch files and with what they start."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from zbot.errors import ZbotError, nearest
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from zbot.launch.entity import Origin
+
+
+class LaunchError(ZbotError):
+    """Root of what can go wrong while launching."""
+
+
+class LaunchFileError(LaunchError):
+    """A launch file, or one line of it, makes no sense.
+
+    Attributes:
+        path: The file.
+        line: Line number from 1; 0 if none can be named.
+        reason: What is wrong.
+    """
+
+    def __init__(self, path: str, line: int, reason: str, hint: str = "") -> None:
+        self.path, self.line, self.reason, self.hint = path, line, reason, hint
+        super().__init__(f"{path}:{line}: {reason}" if line else f"{path}: {reason}")
+
+    @classmethod
+    def at(cls, origin: Origin, error: BaseException) -> LaunchFileError:
+        """Return an error that happened to what a line of a launch file made."""
+        reason = str(error) if isinstance(error, ZbotError) else describe(error)
+        return cls(origin.path, origin.line, reason, getattr(error, "hint", "") or "")
+
+
+class IncludeLoopError(LaunchError):
+    """A launch file includes itself, by way of others or not, without end."""
+
+    def __init__(self, chain: Iterable[str]) -> None:
+        self.chain = tuple(chain)
+        super().__init__(f"launch files include each other without end: {' -> '.join(self.chain)}")
+
+
+class LaunchFileNotFoundError(LaunchError, FileNotFoundError):
+    """There is no launch file of that name or path."""
+
+    def __init__(self, message: str, hint: str = "") -> None:
+        self.hint = hint
+        super().__init__(message)
+
+
+class LaunchArgumentError(LaunchError, ValueError):
+    """A launch argument is missing, malformed or not one of the choices."""
+
+    def __init__(self, message: str, hint: str = "") -> None:
+        self.hint = hint
+        super().__init__(message)
+
+    @classmethod
+    def malformed(cls, word: str) -> LaunchArgumentError:
+        """Return the error for a word that is no `name:=value`."""
+        return cls(f"malformed launch argument '{word}', expected format '<name>:=<value>'")
+
+    @classmethod
+    def missing(cls, name: str, description: str) -> LaunchArgumentError:
+        """Return the error for an argument that has no default and was not given."""
+        told = f' (description: "{description}")' if description else ""
+        text = f'Required launch argument "{name}"{told} was not provided'
+        return cls(text, f"give it a value: {name}:=VALUE")
+
+    @classmethod
+    def no_choice(cls, name: str, value: str, choices: Iterable[str]) -> LaunchArgumentError:
+        """Return the error for a value that is none of the choices."""
+        known = list(choices)
+        near = nearest(value, known, 1)
+        hint = f"did you mean {name}:={near[0]}?" if near else ""
+        told = ", ".join(f"'{choice}'" for choice in known)
+        return cls(f"launch argument '{name}' is '{value}', but must be one of {told}", hint)
+
+
+class SubstitutionError(LaunchError, ValueError):
+    """A substitution cannot be turned into text."""
+
+    def __init__(self, message: str, hint: str = "") -> None:
+        self.hint = hint
+        super().__init__(message)
+
+
+class ConditionError(LaunchError, ValueError):
+    """A condition is neither true nor false."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        super().__init__(f"a condition must be true, false, 1 or 0, not '{text}'")
+
+
+class ProgramError(LaunchError):
+    """A program cannot be started."""
+
+    def __init__(self, message: str, hint: str = "") -> None:
+        self.hint = hint
+        super().__init__(message)
+
+
+class EntityTypeError(LaunchError, TypeError):
+    """Something is in a launch description, or given to an action, that does not belong there."""
+
+    def __init__(self, where: str, expected: str, value: object) -> None:
+        self.where, self.expected, self.value = where, expected, value
+        super().__init__(f"{where} must be {expected}, not {type(value).__name__}: {value!r}")
+
+
+def describe(error: BaseException) -> str:
+    """Return one line that says what a Python exception says."""
+    text = " ".join(str(error).split())
+    return f"{type(error).__name__}: {text}" if text else type(error).__name__

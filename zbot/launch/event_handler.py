@@ -1,0 +1,220 @@
+"""Event handlers: what to do when something happens."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, Any, TypeAlias, cast
+
+from zbot.launch.entity import LaunchDescriptionEntity
+from zbot.launch.event import ExecutionComplete, IncludeLaunchDescriptionEvent, Shutdown
+from zbot.launch.process_event import ProcessExited, ProcessIO, ProcessStarted
+
+if TYPE_CHECKING:
+    from zbot.launch.action import Action
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.event import Event
+
+Entities: TypeAlias = LaunchDescriptionEntity | Iterable[LaunchDescriptionEntity] | None
+#: What an event leads to: entities, or a function of the event and the context that returns some.
+Reaction: TypeAlias = Entities | Callable[..., Any]
+
+
+class BaseEventHandler:
+    """Something that may act on an event.
+
+    Args:
+        matcher: Whether to act on an event.
+        handle_once: Whether to act only on the first.
+    """
+
+    def __init__(self, *, matcher: Callable[[Any], bool], handle_once: bool = False) -> None:
+        self._matcher = matcher
+        self.handle_once = handle_once
+
+    def matches(self, event: Event) -> bool:
+        """Return whether to act on an event."""
+        return self._matcher(event)
+
+    def handle(self, event: Event, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
+        """Act; return what is to be visited."""
+        del event  # the service has put it among the locals
+        if self.handle_once:
+            context.unregister_event_handler(self)
+        return []
+
+    def describe(self) -> str:
+        """Return one line about it."""
+        return f"{type(self).__name__}()"
+
+
+class EventHandler(BaseEventHandler):
+    """Visits entities when an event comes.
+
+    Args:
+        matcher: Whether to act on an event.
+        entities: What to visit.
+        handle_once: Whether to act only on the first.
+    """
+
+    def __init__(
+        self,
+        *,
+        matcher: Callable[[Any], bool],
+        entities: Reaction = None,
+        handle_once: bool = False,
+    ) -> None:
+        super().__init__(matcher=matcher, handle_once=handle_once)
+        self.entities = entities
+
+    def handle(self, event: Event, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
+        """Return the entities."""
+        super().handle(event, context)
+        return react(self.entities, event, context)
+
+
+def react(
+    reaction: Reaction, event: Event, context: LaunchContext
+) -> Sequence[LaunchDescriptionEntity]:
+    """Return the entities of a reaction; a function is called for them."""
+    if callable(reaction):
+        # Functions of launch files take the event and the context; some of old, only the event.
+        code = getattr(reaction, "__code__", None)
+        is_method = hasattr(reaction, "__self__")
+        takes_one = code is not None and code.co_argcount - is_method == 1 and not code.co_flags & 4
+        arguments = (event,) if takes_one else (event, context)
+        reaction = cast("Entities", reaction(*arguments))
+    if reaction is None:
+        return []
+    return [reaction] if isinstance(reaction, LaunchDescriptionEntity) else list(reaction)
+
+
+class OnActionEventBase(EventHandler):
+    """Acts on events about one action, or about any.
+
+    Args:
+        action_matcher: The action, a function that picks it, or None for every action.
+        on_event: What to do.
+        target_event_cls: The class of events.
+        handle_once: Whether to act only on the first.
+    """
+
+    def __init__(
+        self,
+        *,
+        action_matcher: Action | Callable[[Any], bool] | None,
+        on_event: Reaction,
+        target_event_cls: type[Event],
+        handle_once: bool = False,
+    ) -> None:
+        self.target = action_matcher
+        self.event_class = target_event_cls
+        super().__init__(matcher=self._is_meant, entities=on_event, handle_once=handle_once)
+
+    def _is_meant(self, event: Any) -> bool:
+        if not isinstance(event, self.event_class):
+            return False
+        action = cast("Any", event).action
+        if self.target is None or self.target is action:
+            return True
+        return callable(self.target) and bool(self.target(action))
+
+
+class OnExecutionComplete(OnActionEventBase):
+    """Acts when an action is done."""
+
+    def __init__(
+        self,
+        *,
+        target_action: Action | Callable[[Any], bool] | None = None,
+        on_completion: Reaction = None,
+        **options: Any,
+    ) -> None:
+        super().__init__(
+            action_matcher=target_action,
+            on_event=on_completion,
+            target_event_cls=ExecutionComplete,
+            **options,
+        )
+
+
+class OnProcessStart(OnActionEventBase):
+    """Acts when a process starts."""
+
+    def __init__(
+        self,
+        *,
+        target_action: Action | Callable[[Any], bool] | None = None,
+        on_start: Reaction = None,
+        **options: Any,
+    ) -> None:
+        super().__init__(
+            action_matcher=target_action,
+            on_event=on_start,
+            target_event_cls=ProcessStarted,
+            **options,
+        )
+
+
+class OnProcessExit(OnActionEventBase):
+    """Acts when a process ends."""
+
+    def __init__(
+        self,
+        *,
+        target_action: Action | Callable[[Any], bool] | None = None,
+        on_exit: Reaction = None,
+        **options: Any,
+    ) -> None:
+        super().__init__(
+            action_matcher=target_action,
+            on_event=on_exit,
+            target_event_cls=ProcessExited,
+            **options,
+        )
+
+
+class OnProcessIO(OnActionEventBase):
+    """Acts when a process writes; the functions are given the event, with its `text` in bytes."""
+
+    def __init__(
+        self,
+        *,
+        target_action: Action | Callable[[Any], bool] | None = None,
+        on_stdin: Reaction = None,
+        on_stdout: Reaction = None,
+        on_stderr: Reaction = None,
+        **options: Any,
+    ) -> None:
+        self._reactions = (on_stdin, on_stdout, on_stderr)
+        super().__init__(
+            action_matcher=target_action,
+            on_event=self._react,
+            target_event_cls=ProcessIO,
+            **options,
+        )
+
+    def _react(self, event: Any, context: LaunchContext) -> Any:
+        return react(self._reactions[event.fd], event, context)
+
+
+class OnShutdown(EventHandler):
+    """Acts when the launch is to end."""
+
+    def __init__(self, *, on_shutdown: Reaction, **options: Any) -> None:
+        super().__init__(
+            matcher=lambda event: isinstance(event, Shutdown), entities=on_shutdown, **options
+        )
+
+
+class OnIncludeLaunchDescription(BaseEventHandler):
+    """Launches what is to be launched in addition."""
+
+    def __init__(self, **options: Any) -> None:
+        super().__init__(
+            matcher=lambda event: isinstance(event, IncludeLaunchDescriptionEvent), **options
+        )
+
+    def handle(self, event: Event, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
+        """Return the description."""
+        super().handle(event, context)
+        return [cast("IncludeLaunchDescriptionEvent", event).launch_description]

@@ -1,0 +1,90 @@
+"""Makes launch descriptions of the trees of XML and YAML files."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError, nearest
+from zbot.launch.action import Action
+from zbot.launch.condition import IfCondition, UnlessCondition
+from zbot.launch.description import LaunchDescription
+from zbot.launch.entity import Origin
+from zbot.launch.errors import LaunchFileError
+from zbot.launch.frontend.errors import SubstitutionSyntaxError
+from zbot.launch.frontend.registry import ACTIONS
+from zbot.launch.frontend.substitution_text import parse
+
+if TYPE_CHECKING:
+    from zbot.launch.condition import Condition
+    from zbot.launch.entity import LaunchDescriptionEntity
+    from zbot.launch.frontend.entity import Entity
+    from zbot.launch.substitution import Substitution
+
+_ROOT = "launch"
+
+
+class Parser:
+    """Makes actions of entities."""
+
+    def parse_substitution(self, value: Any) -> list[Substitution]:
+        """Return the substitutions that a text is made of."""
+        return parse(str(value).lower() if isinstance(value, bool) else str(value))
+
+    def parse_if_substitutions(self, value: Any) -> Any:
+        """Return the substitutions of a text; other values as they are."""
+        return parse(value) if isinstance(value, str) else value
+
+    def escape_characters(self, value: str) -> str:
+        """Return a text that is read as itself."""
+        return value.replace("\\", "\\\\").replace("$", "\\$")
+
+    def parse_description(self, entity: Entity) -> LaunchDescription:
+        """Return what a file describes.
+
+        Raises:
+            LaunchFileError: It makes no sense.
+        """
+        if entity.type_name != _ROOT:
+            raise entity.error(f"the outermost tag must be <launch>, not <{entity.type_name}>")
+        entity.text("version")
+        reason = entity.text("deprecated")
+        description = LaunchDescription(self.actions(entity), deprecated_reason=reason)
+        entity.assert_entity_completely_parsed()
+        return description
+
+    def actions(self, entity: Entity) -> list[LaunchDescriptionEntity]:
+        """Return the actions inside an entity."""
+        return [self.parse_action(child) for child in entity.children]
+
+    def parse_action(self, entity: Entity) -> LaunchDescriptionEntity:
+        """Return the action that an entity stands for.
+
+        Raises:
+            LaunchFileError: It makes no sense.
+        """
+        name = entity.type_name.replace("-", "_")
+        build = ACTIONS.get(entity.type_name) or ACTIONS.get(name)
+        if build is None:
+            near = nearest(name, ACTIONS, 1)
+            hint = f"did you mean `{near[0]}`?" if near else ""
+            raise entity.error(f"there is no action `{entity.type_name}`", hint)
+        try:
+            condition = self._condition(entity)
+            action = build(entity, self)
+        except LaunchFileError:
+            raise
+        except (ZbotError, SubstitutionSyntaxError) as error:
+            raise entity.error(str(error), getattr(error, "hint", "") or "") from error
+        entity.assert_entity_completely_parsed()
+        if isinstance(action, Action):
+            action.origin = Origin(entity.path, entity.line)
+            action.condition = condition or action.condition
+        return action
+
+    def _condition(self, entity: Entity) -> Condition | None:
+        positive, negative = entity.text("if"), entity.text("unless")
+        if positive is not None and negative is not None:
+            raise entity.error(f"`{entity.type_name}` has both 'if' and 'unless': use one")
+        if positive is not None:
+            return IfCondition(parse(positive))
+        return None if negative is None else UnlessCondition(parse(negative))

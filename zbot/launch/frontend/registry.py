@@ -1,0 +1,149 @@
+"""What tags and substitutions in XML and YAML stand for; packages may add their own."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from zbot.errors import nearest
+from zbot.launch import substitutions as subs
+from zbot.launch.frontend.errors import SubstitutionSyntaxError
+from zbot.launch.substitution import TextSubstitution
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.launch.entity import LaunchDescriptionEntity
+    from zbot.launch.frontend.entity import Entity
+    from zbot.launch.frontend.parser import Parser
+    from zbot.launch.substitution import Substitution
+
+    Builder = Callable[[Entity, Parser], LaunchDescriptionEntity]
+
+Class = TypeVar("Class", bound="type[Any]")
+
+ACTIONS: dict[str, Builder] = {}
+_ADDED: dict[str, Callable[[list[list[Substitution]]], Substitution]] = {}
+
+
+def action(*names: str) -> Callable[[Builder], Builder]:
+    """Let a function make the actions of these tags."""
+
+    def register(builder: Builder) -> Builder:
+        ACTIONS.update(dict.fromkeys(names, builder))
+        return builder
+
+    return register
+
+
+def expose_action(name: str) -> Callable[[Class], Class]:
+    """Let a class with a classmethod `parse` make the actions of a tag."""
+
+    def register(exposed: Class) -> Class:
+        def build(entity: Entity, parser: Parser) -> LaunchDescriptionEntity:
+            made, arguments = exposed.parse(entity, parser)
+            entity_made: LaunchDescriptionEntity = made(**arguments)
+            return entity_made
+
+        ACTIONS[name] = build
+        return exposed
+
+    return register
+
+
+def expose_substitution(name: str) -> Callable[[Class], Class]:
+    """Let a class with a classmethod `parse` make the substitutions of a name."""
+
+    def register(exposed: Class) -> Class:
+        def build(arguments: list[list[Substitution]]) -> Substitution:
+            made, options = exposed.parse(arguments)
+            substitution: Substitution = made(**options)
+            return substitution
+
+        _ADDED[name] = build
+        return exposed
+
+    return register
+
+
+def _joined(arguments: list[list[Substitution]]) -> list[Substitution]:
+    """Return arguments that are one text with blanks in it."""
+    parts: list[Substitution] = []
+    for argument in arguments:
+        parts += [*([TextSubstitution(text=" ")] if parts else []), *argument]
+    return parts
+
+
+def _optional_environment(name: Any, default: Any = "") -> Substitution:
+    return subs.EnvironmentVariable(name, default_value=default)
+
+
+def _environment(name: Any, default: Any = None) -> Substitution:
+    return subs.EnvironmentVariable(name, default_value=default)
+
+
+def _configuration(name: Any, default: Any = None) -> Substitution:
+    return subs.LaunchConfiguration(name, default=default)
+
+
+def _command(command: Any, on_stderr: Any = "fail") -> Substitution:
+    return subs.Command(command, on_stderr=on_stderr)
+
+
+def _parameter(name: Any, default: Any = None) -> Substitution:
+    return subs.Parameter(name, default=default)
+
+
+#: Name of a substitution: how it is made, the least and the largest number of arguments.
+_MAKERS: dict[str, tuple[Callable[..., Substitution], int, int]] = {
+    "var": (_configuration, 1, 2),
+    "arg": (_configuration, 1, 2),
+    "env": (_environment, 1, 2),
+    "optenv": (_optional_environment, 1, 2),
+    "find-pkg-share": (subs.FindPackageShare, 1, 1),
+    "find-pkg-prefix": (subs.FindPackagePrefix, 1, 1),
+    "find-pkg": (subs.FindPackage, 1, 1),
+    "find-exec": (lambda name: subs.FindExecutable(name=name), 1, 1),
+    "exec-in-pkg": (subs.ExecutableInPackage, 2, 2),
+    "exec-in-package": (subs.ExecutableInPackage, 2, 2),
+    "dirname": (subs.ThisLaunchFileDir, 0, 0),
+    "filename": (subs.ThisLaunchFile, 0, 0),
+    "launch_log_dir": (subs.LaunchLogDir, 0, 0),
+    "log_dir": (subs.LaunchLogDir, 0, 0),
+    "eval": (lambda *words: subs.PythonExpression(_joined([*words])), 1, 999),
+    "command": (_command, 1, 2),
+    "not": (subs.NotSubstitution, 1, 1),
+    "and": (subs.AndSubstitution, 2, 2),
+    "or": (subs.OrSubstitution, 2, 2),
+    "all": (subs.AllSubstitution, 1, 999),
+    "any": (subs.AnySubstitution, 1, 999),
+    "equals": (subs.EqualsSubstitution, 2, 2),
+    "not-equals": (subs.NotEqualsSubstitution, 2, 2),
+    "if": (subs.IfElseSubstitution, 2, 3),
+    "file-content": (subs.FileContent, 1, 1),
+    "path-join": (lambda *parts: subs.PathJoinSubstitution(parts), 1, 999),
+    "str-join": (lambda *parts: subs.StringJoinSubstitution(parts[1:], parts[0]), 1, 999),
+    "param": (_parameter, 1, 2),
+    "anon": (subs.AnonName, 1, 1),
+    "pathsep": (lambda: TextSubstitution(text=os.pathsep), 0, 0),
+}
+
+
+def make_substitution(name: str, arguments: list[list[Substitution]]) -> Substitution:
+    """Return the substitution of a name.
+
+    Raises:
+        SubstitutionSyntaxError: There is none of that name, or it takes other arguments.
+    """
+    if name in _ADDED:
+        return _ADDED[name](arguments)
+    if name not in _MAKERS:
+        near = nearest(name, [*_MAKERS, *_ADDED], 1)
+        guess = f"; did you mean '$({near[0]} ...)'?" if near else ""
+        raise SubstitutionSyntaxError(f"there is no substitution '$({name} ...)'{guess}")
+    make, least, largest = _MAKERS[name]
+    if not least <= len(arguments) <= largest:
+        count = str(least) if least == largest else f"{least} to {largest}"
+        text = f"'$({name} ...)' takes {count} arguments, not {len(arguments)}"
+        raise SubstitutionSyntaxError(text)
+    return make(*arguments)

@@ -1,0 +1,183 @@
+"""The tags of `launch_ros`: nodes, their parameters, remaps and namespaces."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch import actions
+from zbot.launch.actions.composable import ComposableNode
+from zbot.launch.frontend.registry import action
+from zbot.launch.frontend.tags import needed, process_options, text, truth, words
+from zbot.launch.parameters import ParameterFile, ParameterValue
+
+if TYPE_CHECKING:
+    from zbot.launch.action import Action
+    from zbot.launch.frontend.entity import Entity
+    from zbot.launch.frontend.parser import Parser
+
+_TYPES: dict[str, Any] = {
+    "int": int,
+    "float": float,
+    "double": float,
+    "bool": bool,
+    "str": str,
+    "string": str,
+    "list_of_int": list[int],
+    "list_of_float": list[float],
+    "list_of_bool": list[bool],
+    "list_of_str": list[str],
+}
+
+
+def _parameters(entity: Entity, parser: Parser) -> list[Any]:
+    found: list[Any] = []
+    for one in entity.inside("param"):
+        file = text(one, parser, "from")
+        if file is None:
+            found.append(_named(one, parser))
+        else:
+            substitutes = truth(one, "allow_substs", default=False)
+            found.append(ParameterFile(file, allow_substs=substitutes))
+        one.assert_entity_completely_parsed()
+    return found
+
+
+def _named(entity: Entity, parser: Parser) -> dict[Any, Any]:
+    name = needed(entity, parser, "name")
+    nested = entity.inside("param")
+    if not nested:
+        return {tuple(name): _value(entity, parser)}
+    values: dict[Any, Any] = {}
+    for one in nested:
+        values.update(_named(one, parser))
+        one.assert_entity_completely_parsed()
+    return {tuple(name): values}
+
+
+def _value(entity: Entity, parser: Parser) -> Any:
+    value = entity.value("value")
+    if value is None:
+        raise entity.error("`param` needs the attribute 'value', or `param` inside it")
+    separator, kind = entity.text("value-sep"), entity.text("type")
+    if separator is not None and isinstance(value, str):
+        pattern = re.escape(separator)
+        value = [parser.parse_substitution(part.strip()) for part in re.split(pattern, value)]
+    elif isinstance(value, str):
+        value = parser.parse_substitution(value)
+    if kind is None:
+        return value
+    if kind not in _TYPES:
+        raise entity.error(f"'type' must be one of {', '.join(_TYPES)}, not '{kind}'")
+    return ParameterValue(value, value_type=_TYPES[kind])
+
+
+def _remaps(entity: Entity, parser: Parser) -> list[Any]:
+    return [
+        (needed(one, parser, "from"), needed(one, parser, "to")) for one in entity.inside("remap")
+    ]
+
+
+def _node_options(entity: Entity, parser: Parser) -> dict[str, Any]:
+    options = {
+        "package": text(entity, parser, "pkg"),
+        "executable": needed(entity, parser, "exec"),
+        "name": text(entity, parser, "name"),
+        "namespace": text(entity, parser, "namespace"),
+        "exec_name": text(entity, parser, "exec_name"),
+        "parameters": _parameters(entity, parser),
+        "remappings": _remaps(entity, parser),
+        **process_options(entity, parser),
+    }
+    for attribute, option in (("args", "arguments"), ("ros_args", "ros_arguments")):
+        value = text(entity, parser, attribute)
+        if value is not None:
+            options[option] = words(value)
+    return options
+
+
+@action("node")
+def _node(entity: Entity, parser: Parser) -> Action:
+    return actions.Node(**_node_options(entity, parser))
+
+
+@action("lifecycle_node")
+def _lifecycle_node(entity: Entity, parser: Parser) -> Action:
+    entity.required("name")
+    options = _node_options(entity, parser)
+    options["namespace"] = options["namespace"] or ""
+    autostart = truth(entity, "autostart", default=False)
+    return actions.LifecycleNode(autostart=autostart, **options)
+
+
+@action("push_ros_namespace")
+def _push_namespace(entity: Entity, parser: Parser) -> Action:
+    return actions.PushROSNamespace(needed(entity, parser, "namespace"))
+
+
+@action("set_parameter")
+def _set_parameter(entity: Entity, parser: Parser) -> Action:
+    return actions.SetParameter(needed(entity, parser, "name"), _value(entity, parser))
+
+
+@action("set_parameters_from_file")
+def _set_parameters(entity: Entity, parser: Parser) -> Action:
+    return actions.SetParametersFromFile(
+        needed(entity, parser, "filename"), node_name=text(entity, parser, "node")
+    )
+
+
+@action("set_remap")
+def _set_remap(entity: Entity, parser: Parser) -> Action:
+    return actions.SetRemap(needed(entity, parser, "from"), needed(entity, parser, "to"))
+
+
+@action("set_use_sim_time")
+def _use_sim_time(entity: Entity, parser: Parser) -> Action:
+    return actions.SetUseSimTime(needed(entity, parser, "value"))
+
+
+@action("set_ros_log_dir")
+def _set_log_dir(entity: Entity, parser: Parser) -> Action:
+    return actions.SetROSLogDir(needed(entity, parser, "new_log_dir"))
+
+
+@action("ros_timer")
+def _ros_timer(entity: Entity, parser: Parser) -> Action:
+    period = needed(entity, parser, "period")
+    return actions.RosTimer(period=period, actions=parser.actions(entity))
+
+
+def _components(entity: Entity, parser: Parser) -> list[ComposableNode]:
+    found: list[ComposableNode] = []
+    for one in entity.inside("composable_node"):
+        found.append(
+            ComposableNode(
+                package=needed(one, parser, "pkg"),
+                plugin=needed(one, parser, "plugin"),
+                name=text(one, parser, "name"),
+                namespace=text(one, parser, "namespace"),
+                parameters=_parameters(one, parser),
+                remappings=_remaps(one, parser),
+            )
+        )
+        one.inside("extra_arg")
+    return found
+
+
+@action("node_container")
+def _node_container(entity: Entity, parser: Parser) -> Action:
+    options = _node_options(entity, parser)
+    return actions.ComposableNodeContainer(
+        name=options["name"] or "",
+        namespace=options["namespace"] or "",
+        composable_node_descriptions=_components(entity, parser),
+    )
+
+
+@action("load_composable_node")
+def _load_components(entity: Entity, parser: Parser) -> Action:
+    return actions.LoadComposableNodes(
+        composable_node_descriptions=_components(entity, parser),
+        target_container=needed(entity, parser, "target"),
+    )

@@ -1,0 +1,93 @@
+r"""Texts with substitutions: `$(find-pkg-share my_pkg)/config/$(var robot).yaml`.
+
+An argument is separated by blanks; quotes keep blanks together, and substitutions may stand inside
+both. A backslash takes its meaning from `$`, quotes and backslashes.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from zbot.launch.frontend.errors import SubstitutionSyntaxError
+from zbot.launch.frontend.registry import make_substitution
+from zbot.launch.substitution import TextSubstitution
+
+if TYPE_CHECKING:
+    from zbot.launch.substitution import Substitution
+
+_NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
+_ESCAPED = "\\$\"'"
+_BLANKS = " \t\r\n"
+
+
+def parse(text: str) -> list[Substitution]:
+    """Return the substitutions that a text is made of.
+
+    Raises:
+        SubstitutionSyntaxError: It breaks the grammar.
+    """
+    return _Parser(text).template("")
+
+
+class _Parser:
+    def __init__(self, text: str) -> None:
+        self._text = text
+        self._at = 0
+
+    @property
+    def _next(self) -> str:
+        return self._text[self._at : self._at + 1]
+
+    def template(self, ends: str) -> list[Substitution]:
+        """Read up to one of the characters, or to the end of the text if there are none."""
+        parts: list[Substitution] = []
+        plain = ""
+        while self._next and self._next not in ends:
+            if self._text.startswith("$(", self._at):
+                parts += [TextSubstitution(text=plain)] if plain else []
+                plain = ""
+                parts.append(self._substitution())
+            elif ends == _BLANKS + ")" and self._next in "\"'":
+                parts += [TextSubstitution(text=plain)] if plain else []
+                plain = ""
+                parts += self._quoted()
+            else:
+                plain += self._character()
+        return parts + ([TextSubstitution(text=plain)] if plain or not parts else [])
+
+    def _character(self) -> str:
+        if self._next == "\\" and self._text[self._at + 1 : self._at + 2] in tuple(_ESCAPED):
+            self._at += 1
+        self._at += 1
+        return self._text[self._at - 1]
+
+    def _quoted(self) -> list[Substitution]:
+        quote = self._next
+        self._at += 1
+        parts = self.template(quote)
+        if self._next != quote:
+            raise SubstitutionSyntaxError(f"the quote {quote} is not closed in: {self._text}")
+        self._at += 1
+        return parts
+
+    def _substitution(self) -> Substitution:
+        self._at += 2
+        self._skip_blanks()
+        match = _NAME.match(self._text, self._at)
+        if match is None:
+            raise SubstitutionSyntaxError(f"a name must follow '$(' in: {self._text}")
+        self._at = match.end()
+        arguments: list[list[Substitution]] = []
+        while True:
+            self._skip_blanks()
+            if self._next == ")":
+                self._at += 1
+                return make_substitution(match[0], arguments)
+            if not self._next:
+                raise SubstitutionSyntaxError(f"'$({match[0]}' is not closed in: {self._text}")
+            arguments.append(self.template(_BLANKS + ")"))
+
+    def _skip_blanks(self) -> None:
+        while self._next and self._next in _BLANKS:
+            self._at += 1

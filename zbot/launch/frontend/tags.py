@@ -1,0 +1,209 @@
+"""The tags of `launch`: arguments, groups, includes, environment, programs, timers."""
+
+from __future__ import annotations
+
+import os
+import shlex
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch import actions
+from zbot.launch.frontend.registry import action
+from zbot.launch.source import AnyLaunchDescriptionSource
+from zbot.launch.substitution import TextSubstitution, to_bool
+
+if TYPE_CHECKING:
+    from zbot.launch.action import Action
+    from zbot.launch.frontend.entity import Entity
+    from zbot.launch.frontend.parser import Parser
+    from zbot.launch.substitution import Substitution
+
+
+def text(entity: Entity, parser: Parser, name: str) -> list[Substitution] | None:
+    """Return an attribute with its substitutions; None if there is none."""
+    value = entity.text(name)
+    return None if value is None else parser.parse_substitution(value)
+
+
+def needed(entity: Entity, parser: Parser, name: str) -> list[Substitution]:
+    """Return an attribute with its substitutions, which has to be there."""
+    return parser.parse_substitution(entity.required(name))
+
+
+def truth(entity: Entity, name: str, *, default: bool) -> bool:
+    """Return an attribute that says true or false."""
+    value = entity.text(name)
+    found = default if value is None else to_bool(value)
+    if found is None:
+        raise entity.error(f"'{name}' must be true or false, not '{value}'")
+    return found
+
+
+def words(parts: list[Substitution]) -> list[list[Substitution]]:
+    """Return the words of a command line, of which each is made of substitutions."""
+    found: list[list[Substitution]] = []
+    joins = False
+    for part in parts:
+        if not isinstance(part, TextSubstitution):
+            found = [*found[:-1], [*found[-1], part]] if joins and found else [*found, [part]]
+            joins = True
+            continue
+        pieces = shlex.split(part.text, posix=os.name != "nt")
+        joins = joins and not part.text[:1].isspace()
+        for piece in pieces:
+            substitution = TextSubstitution(text=piece)
+            if joins and found:
+                found[-1].append(substitution)
+            else:
+                found.append([substitution])
+            joins = False
+        joins = not part.text[-1:].isspace()
+    return found
+
+
+def process_options(entity: Entity, parser: Parser) -> dict[str, Any]:
+    """Return what every process may be given."""
+    options: dict[str, Any] = {}
+    names = {
+        "launch-prefix": "prefix",
+        "cwd": "cwd",
+        "output": "output",
+        "emulate_tty": "emulate_tty",
+        "respawn": "respawn",
+        "respawn_delay": "respawn_delay",
+        "sigterm_timeout": "sigterm_timeout",
+        "sigkill_timeout": "sigkill_timeout",
+        "on_exit": "on_exit",
+        "respawn_max_retries": "respawn_max_retries",
+    }
+    for attribute, option in names.items():
+        value = text(entity, parser, attribute)
+        if value is not None:
+            options[option] = value
+    if "on_exit" in options:
+        options["on_exit"] = entity.text("on_exit")
+        if options["on_exit"] != "shutdown":
+            raise entity.error(f"'on_exit' can only be 'shutdown', not '{options['on_exit']}'")
+    if "respawn_max_retries" in options:
+        options["respawn_max_retries"] = entity.get_attr("respawn_max_retries", data_type=int)
+    environment = {
+        parser.parse_substitution(one.required("name"))[0]: needed(one, parser, "value")
+        for one in entity.inside("env")
+    }
+    return {**options, **({"additional_env": environment} if environment else {})}
+
+
+@action("arg")
+def _argument(entity: Entity, parser: Parser) -> Action:
+    choices = [choice.required("value") for choice in entity.inside("choice")]
+    return actions.DeclareLaunchArgument(
+        entity.required("name"),
+        default_value=text(entity, parser, "default"),
+        description=entity.text("description"),
+        choices=choices or None,
+    )
+
+
+@action("let")
+def _let(entity: Entity, parser: Parser) -> Action:
+    return actions.SetLaunchConfiguration(
+        needed(entity, parser, "name"), needed(entity, parser, "value")
+    )
+
+
+@action("include")
+def _include(entity: Entity, parser: Parser) -> Action:
+    pairs = [
+        (needed(one, parser, "name"), needed(one, parser, "value"))
+        for one in (*entity.inside("arg"), *entity.inside("let"))
+    ]
+    source = AnyLaunchDescriptionSource(needed(entity, parser, "file"))
+    return actions.IncludeLaunchDescription(source, launch_arguments=pairs)
+
+
+@action("group")
+def _group(entity: Entity, parser: Parser) -> Action:
+    kept = {
+        parser.parse_substitution(one.required("name"))[0]: needed(one, parser, "value")
+        for one in entity.inside("keep")
+    }
+    entity.children = [child for child in entity.children if child.type_name != "keep"]
+    return actions.GroupAction(
+        parser.actions(entity),
+        scoped=truth(entity, "scoped", default=True),
+        forwarding=truth(entity, "forwarding", default=True),
+        launch_configurations=kept,
+    )
+
+
+@action("set_env")
+def _set_env(entity: Entity, parser: Parser) -> Action:
+    return actions.SetEnvironmentVariable(
+        needed(entity, parser, "name"), needed(entity, parser, "value")
+    )
+
+
+@action("unset_env")
+def _unset_env(entity: Entity, parser: Parser) -> Action:
+    return actions.UnsetEnvironmentVariable(needed(entity, parser, "name"))
+
+
+@action("append_env")
+def _append_env(entity: Entity, parser: Parser) -> Action:
+    return actions.AppendEnvironmentVariable(
+        needed(entity, parser, "name"),
+        needed(entity, parser, "value"),
+        prepend=truth(entity, "prepend", default=False),
+        separator=text(entity, parser, "separator") or os.pathsep,
+    )
+
+
+@action("unset_let", "unset_launch_configuration")
+def _unset_let(entity: Entity, parser: Parser) -> Action:
+    return actions.UnsetLaunchConfiguration(needed(entity, parser, "name"))
+
+
+@action("reset")
+def _reset(entity: Entity, parser: Parser) -> Action:
+    kept = {
+        parser.parse_substitution(one.required("name"))[0]: needed(one, parser, "value")
+        for one in entity.inside("keep")
+    }
+    return actions.ResetLaunchConfigurations(kept)
+
+
+@action("log")
+def _log(entity: Entity, parser: Parser) -> Action:
+    level = text(entity, parser, "level") or "INFO"
+    return actions.Log(msg=needed(entity, parser, "message"), level=level)
+
+
+@action("log_debug", "log_info", "log_warning", "log_error")
+def _log_of_level(entity: Entity, parser: Parser) -> Action:
+    level = entity.type_name.replace("-", "_").removeprefix("log_")
+    return actions.Log(msg=needed(entity, parser, "message"), level=level)
+
+
+@action("timer")
+def _timer(entity: Entity, parser: Parser) -> Action:
+    period = needed(entity, parser, "period")
+    return actions.TimerAction(period=period, actions=parser.actions(entity))
+
+
+@action("shutdown")
+def _shutdown(entity: Entity, parser: Parser) -> Action:
+    return actions.Shutdown(reason=text(entity, parser, "reason") or "reason not given")
+
+
+@action("executable")
+def _executable(entity: Entity, parser: Parser) -> Action:
+    shell = truth(entity, "shell", default=False)
+    command = needed(entity, parser, "cmd")
+    arguments = text(entity, parser, "args")
+    if arguments is not None:
+        command = [*command, TextSubstitution(text=" "), *arguments]
+    return actions.ExecuteProcess(
+        cmd=[command] if shell else words(command),
+        shell=shell,
+        name=text(entity, parser, "name"),
+        **process_options(entity, parser),
+    )

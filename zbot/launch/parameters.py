@@ -1,0 +1,240 @@
+"""Parameters of nodes, as launch files write them: dictionaries, files, values of a given type."""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path, PurePath
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
+
+from zbot.errors import ZbotError
+from zbot.launch.errors import EntityTypeError
+from zbot.launch.substitution import Substitution, describe, normalize, perform, to_bool
+from zbot.parameter_file import parse_value
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.substitution import SomeSubstitutionsType
+
+#: Longer ones go through a file: systems limit the length of a command line's word.
+_MAX_WORD: Final = 10_000
+_ITEM_TYPES: Final = (bool, int, float, str)
+
+
+class ParameterValue:
+    """A value, and the type that it is to have.
+
+    Args:
+        value: The value, or substitutions that become its text.
+        value_type: `str`, `int`, `float`, `bool` or a list of one of them, `List[int]`; by the
+            text, read as YAML, if left out.
+    """
+
+    def __init__(self, value: Any, *, value_type: Any | None = None) -> None:
+        self.value, self.value_type = value, value_type
+
+    def evaluate(self, context: LaunchContext) -> Any:
+        """Return the value.
+
+        Raises:
+            EntityTypeError: It cannot be of that type.
+        """
+        value = evaluate(context, self.value)
+        if self.value_type is None:
+            return value
+        if self.value_type is str and isinstance(self.value, (str, Substitution, list, tuple)):
+            return perform(context, self.value)
+        return _converted(value, self.value_type)
+
+    def describe(self) -> str:
+        """Return the value."""
+        return f"ParameterValue({self.value!r})"
+
+
+class ParameterFile:
+    """A YAML file with parameters.
+
+    Args:
+        param_file: Its path.
+        allow_substs: Whether substitutions such as `$(var x)` in it are replaced.
+    """
+
+    def __init__(
+        self,
+        param_file: SomeSubstitutionsType,
+        *,
+        allow_substs: bool | SomeSubstitutionsType = False,
+    ) -> None:
+        self.param_file = normalize(param_file)
+        self.allow_substs: Any = (
+            str(allow_substs) if isinstance(allow_substs, bool) else allow_substs
+        )
+
+    def evaluate(self, context: LaunchContext) -> Path:
+        """Return the path of a file without substitutions."""
+        path = Path(perform(context, self.param_file))
+        if not to_bool(perform(context, self.allow_substs)) or not path.is_file():
+            return path
+        from zbot.launch.frontend.substitution_text import parse  # noqa: PLC0415 - few files have any
+
+        text = perform(context, parse(path.read_text(encoding="utf-8")))
+        return _temporary_file(context, text)
+
+    def describe(self) -> str:
+        """Return the path."""
+        return f"ParameterFile({describe(self.param_file)})"
+
+
+class Parameter(ParameterValue):
+    """A value with its name."""
+
+    def __init__(
+        self, name: SomeSubstitutionsType, value: Any, *, value_type: Any | None = None
+    ) -> None:
+        super().__init__(value, value_type=value_type)
+        self.name = normalize(name)
+
+
+#: One item of a node's `parameters`.
+SomeParameters: TypeAlias = (
+    Mapping[Any, Any] | ParameterFile | Parameter | str | PurePath | Substitution
+)
+
+
+def to_words(context: LaunchContext, parameters: Iterable[Any]) -> list[str]:
+    """Return the `-p` and `--params-file` words for a list of parameters.
+
+    Raises:
+        EntityTypeError: Something in it is no parameter.
+    """
+    words: list[str] = []
+    for item in parameters:
+        if isinstance(item, Mapping):
+            for name, value in flatten(context, item):
+                words += _word(context, name, value)
+        elif isinstance(item, Parameter):
+            words += _word(context, perform(context, item.name), item.evaluate(context))
+        elif isinstance(item, tuple) and len(item) == 2:
+            words += _word(context, str(item[0]), evaluate(context, item[1]))
+        else:
+            words += _file(context, item)
+    return words
+
+
+def _file(context: LaunchContext, item: Any) -> list[str]:
+    if not isinstance(item, ParameterFile):
+        try:
+            item = ParameterFile(item)
+        except EntityTypeError:
+            expected = "a dictionary, the path of a YAML file or a ParameterFile"
+            raise EntityTypeError("an item of parameters", expected, item) from None
+    path = item.evaluate(context)
+    if not path.is_file():
+        context.journal.warning("launch_ros", f"Parameter file path is not a file: {path}")
+        return []
+    return ["--params-file", str(path)]
+
+
+def _word(context: LaunchContext, name: str, value: Any) -> list[str]:
+    text = json.dumps(value, ensure_ascii=False) if not isinstance(value, float) else repr(value)
+    text = {"inf": ".inf", "-inf": "-.inf", "nan": ".nan"}.get(text, text)
+    if isinstance(value, str) and _is_plain(value):
+        text = value
+    if len(text) <= _MAX_WORD:
+        return ["-p", f"{name}:={text}"]
+    content = json.dumps({"/**": {"ros__parameters": {name: value}}}, ensure_ascii=False)
+    return ["--params-file", str(_temporary_file(context, content))]
+
+
+def _is_plain(text: str) -> bool:
+    """Return whether a text is read back as itself without quotes."""
+    if not text or text != text.strip():
+        return False
+    try:
+        return bool(parse_value(text) == text)
+    except ZbotError:
+        return False
+
+
+def flatten(
+    context: LaunchContext, values: Mapping[Any, Any], prefix: str = ""
+) -> list[tuple[str, Any]]:
+    """Return names and values; dictionaries in dictionaries make names with dots."""
+    found: list[tuple[str, Any]] = []
+    for key, value in values.items():
+        name = prefix + perform(context, key)
+        if isinstance(value, Mapping):
+            found += flatten(context, value, f"{name}.")
+        else:
+            found.append((name, evaluate(context, value)))
+    return found
+
+
+def evaluate(context: LaunchContext, value: Any) -> Any:
+    """Return the value of a parameter; substitutions become a text that is read as YAML.
+
+    Raises:
+        EntityTypeError: No parameter can have this value.
+    """
+    if isinstance(value, ParameterValue):
+        return value.evaluate(context)
+    if isinstance(value, Substitution) or _is_text_of_parts(value):
+        text = perform(context, value)
+        return parse_value(text) if text.strip() else text
+    if isinstance(value, _ITEM_TYPES):
+        return value
+    if isinstance(value, (bytes, bytearray)):
+        return list(value)
+    tolist = getattr(value, "tolist", None)  # numpy
+    if callable(tolist):
+        return tolist()
+    if isinstance(value, Sequence):
+        return _same_kind([evaluate(context, item) for item in value])
+    if isinstance(value, PurePath):
+        return str(value)
+    expected = "a bool, a number, a text or a list of one of these"
+    raise EntityTypeError("a parameter", expected, value)
+
+
+def _is_text_of_parts(value: Any) -> bool:
+    """Return whether a list is parts of one text: `["prefix_", LaunchConfiguration("x")]`."""
+    if not isinstance(value, (list, tuple)) or not value:
+        return False
+    has_substitution = any(isinstance(item, Substitution) for item in value)
+    return has_substitution and all(isinstance(item, (str, Substitution)) for item in value)
+
+
+def _same_kind(items: list[Any]) -> list[Any]:
+    if any(isinstance(item, float) for item in items):
+        return [float(item) if type(item) is int else item for item in items]
+    return items
+
+
+def _converted(value: Any, kind: Any) -> Any:
+    origin, arguments = getattr(kind, "__origin__", kind), getattr(kind, "__args__", ())
+    if origin in {list, Sequence} and isinstance(value, list):
+        return [_converted(item, arguments[0]) for item in value] if arguments else value
+    if kind is bool and isinstance(value, bool):
+        return value
+    if kind is str:
+        return value if isinstance(value, str) else json.dumps(value)
+    if kind in {int, float} and type(value) in {int, float}:
+        converted = kind(value)
+        if converted == value:
+            return converted
+    expected = getattr(kind, "__name__", str(kind))
+    raise EntityTypeError("a parameter", expected, value)
+
+
+def _temporary_file(context: LaunchContext, text: str) -> Path:
+    """Return a file that is there until the launch has ended."""
+    number, name = tempfile.mkstemp(prefix="launch_params_", suffix=".yaml")
+    with os.fdopen(number, "w", encoding="utf-8") as file:
+        file.write(text)
+    path = Path(name)
+    context.on_close(lambda: path.unlink(missing_ok=True))
+    return path

@@ -1,0 +1,162 @@
+"""Events about processes: they started, ended, wrote; they are to be signalled or stopped."""
+
+from __future__ import annotations
+
+import os
+import signal
+from typing import TYPE_CHECKING, TypeAlias
+
+from zbot.launch.event import Event
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from zbot.launch.actions.execute import ExecuteLocal
+
+    ProcessMatcher: TypeAlias = Callable[["ExecuteLocal"], bool]
+
+
+class RunningProcessEvent(Event):
+    """Something about a process that runs or ran."""
+
+    name = "launch.events.process.RunningProcessEvent"
+
+    def __init__(
+        self,
+        *,
+        action: ExecuteLocal,
+        name: str,
+        cmd: Sequence[str],
+        cwd: str | None,
+        env: dict[str, str] | None,
+        pid: int,
+    ) -> None:
+        self.action = action
+        self.process_name = name
+        self.cmd = list(cmd)
+        self.cwd, self.env, self.pid = cwd, env, pid
+
+    @property
+    def execute_process_action(self) -> ExecuteLocal:
+        """The action that started the process, by its old name."""
+        return self.action
+
+
+class ProcessStarted(RunningProcessEvent):
+    """A process was started."""
+
+    name = "launch.events.process.ProcessStarted"
+
+
+class ProcessExited(RunningProcessEvent):
+    """A process ended.
+
+    Attributes:
+        returncode: Its exit code; of one that a signal ended, that signal's number, negative.
+    """
+
+    name = "launch.events.process.ProcessExited"
+    returncode: int = 0
+
+
+class ProcessIO(RunningProcessEvent):
+    """A process wrote something.
+
+    Attributes:
+        text: The bytes.
+        fd: 1 for stdout, 2 for stderr.
+    """
+
+    name = "launch.events.process.ProcessIO"
+    text: bytes = b""
+    fd: int = 1
+
+    @property
+    def from_stdin(self) -> bool:
+        """Whether it is what the process was given to read."""
+        return self.fd == 0
+
+    @property
+    def from_stdout(self) -> bool:
+        """Whether it came from stdout."""
+        return self.fd == 1
+
+    @property
+    def from_stderr(self) -> bool:
+        """Whether it came from stderr."""
+        return self.fd == 2
+
+
+class ProcessStdin(ProcessIO):
+    """A process is to be given something to read."""
+
+    name = "launch.events.process.ProcessStdin"
+    fd = 0
+
+
+class ProcessStdout(ProcessIO):
+    """A process wrote to stdout."""
+
+    name = "launch.events.process.ProcessStdout"
+
+
+class ProcessStderr(ProcessIO):
+    """A process wrote to stderr."""
+
+    name = "launch.events.process.ProcessStderr"
+    fd = 2
+
+
+class ProcessTargetedEvent(Event):
+    """Something is to happen to the processes that a matcher picks."""
+
+    name = "launch.events.process.ProcessTargetedEvent"
+
+    def __init__(self, *, process_matcher: ProcessMatcher) -> None:
+        self.process_matcher = process_matcher
+
+
+class ShutdownProcess(ProcessTargetedEvent):
+    """Processes are to end: SIGINT, later SIGTERM, later SIGKILL."""
+
+    name = "launch.events.process.ShutdownProcess"
+
+
+class SignalProcess(ProcessTargetedEvent):
+    """Processes are to get a signal."""
+
+    name = "launch.events.process.SignalProcess"
+
+    def __init__(
+        self, *, signal_number: str | int | signal.Signals, process_matcher: ProcessMatcher
+    ) -> None:
+        super().__init__(process_matcher=process_matcher)
+        if isinstance(signal_number, str):
+            signal_number = getattr(signal, signal_number)
+        self.signal = signal.Signals(int(signal_number))
+        self.signal_name = self.signal.name
+
+
+def matches_action(target_action: ExecuteLocal) -> ProcessMatcher:
+    """Return a matcher that picks the process of an action."""
+    return lambda action: action is target_action
+
+
+def matches_pid(pid: int) -> ProcessMatcher:
+    """Return a matcher that picks the process with a number."""
+    return lambda action: bool(action.process_details) and action.process_details["pid"] == pid
+
+
+def matches_name(name: str) -> ProcessMatcher:
+    """Return a matcher that picks processes whose name, `talker-1`, contains a text."""
+    return lambda action: bool(action.process_details) and name in action.process_details["name"]
+
+
+def matches_executable(executable: str) -> ProcessMatcher:
+    """Return a matcher that picks processes by the file name of their program."""
+
+    def matches(action: ExecuteLocal) -> bool:
+        details = action.process_details
+        return bool(details) and os.path.basename(details["cmd"][0]) == executable  # noqa: PTH119
+
+    return matches

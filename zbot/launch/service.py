@@ -1,0 +1,172 @@
+"""Runs a launch: visits what is described, works on events, until nothing is left to wait for."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import signal
+import threading
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.context import LaunchContext
+from zbot.launch.errors import LaunchFileError
+from zbot.launch.event import HurryUp, IncludeLaunchDescriptionEvent, Shutdown
+from zbot.launch.event_handler import OnIncludeLaunchDescription
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator, Sequence
+
+    from zbot.launch.description import LaunchDescription
+    from zbot.launch.entity import LaunchDescriptionEntity
+    from zbot.launch.event import Event
+
+
+class LaunchService:
+    """Runs launch descriptions.
+
+    Args:
+        argv: Arguments of the launch, for those that ask for them.
+        noninteractive: Whether processes get no terminal to read from.
+        debug: Whether debug lines are shown.
+        find_program: Called with a package and an executable before a node is started; raises
+            where there is none.
+    """
+
+    def __init__(
+        self,
+        *,
+        argv: Sequence[str] | None = None,
+        noninteractive: bool = False,
+        debug: bool = False,
+        find_program: Callable[[str, str], object] | None = None,
+    ) -> None:
+        self.context = LaunchContext(
+            argv=argv, noninteractive=noninteractive, find_program=find_program, debug=debug
+        )
+        self.context.register_event_handler(OnIncludeLaunchDescription())
+        self._interrupts = 0
+
+    def include_launch_description(self, launch_description: LaunchDescription) -> None:
+        """Launch a description, now or as soon as the service runs; from any thread."""
+        self.emit_event(IncludeLaunchDescriptionEvent(launch_description))
+
+    def emit_event(self, event: Event) -> None:
+        """Let something happen; from any thread."""
+        self.context.emit_event_sync(event)
+
+    def shutdown(self, force_sync: bool = False) -> None:
+        """End the launch and its processes; from any thread."""
+        del force_sync  # the event is worked on at once, either way
+        self.emit_event(Shutdown(reason="LaunchService.shutdown() called"))
+
+    def run(self, *, shutdown_when_idle: bool = True) -> int:
+        """Run until the launch has ended.
+
+        Args:
+            shutdown_when_idle: Whether it ends when nothing is left to wait for.
+
+        Returns:
+            The exit code: 1 if something failed, else 0.
+        """
+        return asyncio.run(self.run_async(shutdown_when_idle=shutdown_when_idle))
+
+    async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
+        """Run until the launch has ended; see `run`."""
+        context, loop = self.context, asyncio.get_running_loop()
+        journal = context.journal
+        context.begin(loop)
+        journal.info("launch", f"All log files can be found below {journal.folder}")
+        level = "DEBUG" if context.debug else "INFO"
+        journal.info("launch", f"Default logging verbosity is set to {level}")
+        stay = None if shutdown_when_idle else loop.create_future()
+        if stay is not None:
+            context.add_completion_future(stay)
+        try:
+            with self._signals(loop):
+                await self._work(stay)
+        finally:
+            context.close()
+        return int(context.failed)
+
+    async def _work(self, stay: asyncio.Future[None] | None) -> None:
+        while True:
+            event = await self.context.next_event()
+            if event is None and self.context.is_shutdown:
+                return
+            self._process(event or Shutdown(reason="idle"))
+            if self.context.is_shutdown and stay is not None and not stay.done():
+                stay.set_result(None)
+
+    def _process(self, event: Event) -> None:
+        context = self.context
+        if isinstance(event, Shutdown):
+            if context.is_shutdown:
+                return
+            context.is_shutdown = True
+            context.journal.debug("launch", f"shutdown: {event.reason}")
+        context.extend_locals({"event": event})
+        try:
+            for handler in context.event_handlers:
+                if handler.matches(event):
+                    self._handle(lambda one=handler: one.handle(event, context))  # type: ignore[misc]
+        finally:
+            context.pop_locals()
+
+    def _handle(self, function: Callable[[], Sequence[LaunchDescriptionEntity]]) -> None:
+        depth = self.context.depth
+        try:
+            for entity in function():
+                self._visit(entity)
+        except Exception as error:  # noqa: BLE001 - a launch file's mistakes end the launch in order
+            self.context.cut(depth)
+            self.context.fail(error)
+
+    def _visit(self, entity: LaunchDescriptionEntity) -> None:
+        try:
+            following = entity.visit(self.context)
+        except LaunchFileError:
+            raise
+        except Exception as error:
+            origin = getattr(entity, "origin", None)
+            if origin is None:
+                raise
+            raise LaunchFileError.at(origin, error) from error
+        future = entity.get_asyncio_future()
+        if future is not None:
+            self.context.add_completion_future(future)
+        for one in following or ():
+            self._visit(one)
+
+    @contextlib.contextmanager
+    def _signals(self, loop: asyncio.AbstractEventLoop) -> Iterator[None]:
+        """Let Ctrl-C and SIGTERM end the launch in order."""
+        if threading.current_thread() is not threading.main_thread():
+            yield  # Python lets no other thread handle signals
+            return
+
+        def on_signal(number: int, _: Any) -> None:
+            loop.call_soon_threadsafe(self._interrupt, number)
+
+        numbers = [signal.SIGINT, signal.SIGTERM]
+        numbers += [
+            getattr(signal, name) for name in ("SIGHUP", "SIGQUIT") if hasattr(signal, name)
+        ]
+        previous = {number: signal.signal(number, on_signal) for number in numbers}
+        try:
+            yield
+        finally:
+            for number, handler in previous.items():
+                signal.signal(number, handler)
+
+    def _interrupt(self, number: int) -> None:
+        self._interrupts += 1
+        warn, name = self.context.journal.warning, signal.Signals(number).name
+        if self._interrupts > 1:
+            warn("launch", f"user interrupted again ({name}): processes get the next signal now")
+            self.emit_event(HurryUp())
+        elif number == signal.SIGINT:
+            warn("launch", "user interrupted with ctrl-c (SIGINT)")
+            self.emit_event(Shutdown(reason="ctrl-c (SIGINT)", due_to_sigint=True))
+        else:
+            warn("launch", f"the launch was told to end ({name})")
+            self.emit_event(Shutdown(reason=name))

@@ -1,0 +1,134 @@
+"""Where launch descriptions come from: files, in Python, XML or YAML."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from zbot.launch.description import LaunchDescription
+from zbot.launch.errors import (
+    EntityTypeError,
+    LaunchError,
+    LaunchFileError,
+    LaunchFileNotFoundError,
+)
+from zbot.launch.substitution import TextSubstitution, describe, normalize, perform
+
+if TYPE_CHECKING:
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.substitution import SomeSubstitutionsType
+
+_FORMATS = {".py": "python", ".xml": "xml", ".yaml": "yaml", ".yml": "yaml"}
+
+
+class LaunchDescriptionSource:
+    """A launch file, or a description that is there already.
+
+    Args:
+        launch_description: The description, if it is there already.
+        location: The path of the file.
+        method: How it was made, for people.
+    """
+
+    format = ""  #: `python`, `xml` or `yaml`; by the file's name if empty
+
+    def __init__(
+        self,
+        launch_description: LaunchDescription | None = None,
+        location: SomeSubstitutionsType = "",
+        method: str = "unspecified mechanism from a script",
+    ) -> None:
+        if launch_description is not None and not isinstance(launch_description, LaunchDescription):
+            raise EntityTypeError("launch_description", "a LaunchDescription", launch_description)
+        self._description = launch_description
+        self._location = normalize(location)
+        self.method = method
+
+    def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
+        """Return the description; the file is read when it is first asked for.
+
+        Raises:
+            LaunchError: The file is not there, or makes no sense.
+        """
+        if self._description is None:
+            self._description = self._load(perform(context, self._location))
+        return self._description
+
+    def try_get_launch_description_without_context(self) -> LaunchDescription | None:
+        """Return the description if no more than the file is needed, else None."""
+        if self._description is None:
+            if not all(isinstance(part, TextSubstitution) for part in self._location):
+                return self._try_packages()
+            self._description = self._load(self._fixed_location())
+        return self._description
+
+    def _try_packages(self) -> LaunchDescription | None:
+        from zbot.launch.context import LaunchContext  # noqa: PLC0415 - cycle
+
+        try:
+            return self._load(perform(LaunchContext(), self._location))
+        except (LaunchError, LookupError):
+            return None  # it depends on what is known only at launch
+
+    def _fixed_location(self) -> str:
+        return "".join(p.text for p in self._location if isinstance(p, TextSubstitution))
+
+    def path(self, context: LaunchContext) -> Path | None:
+        """Return the absolute path of the file; None if there is no file."""
+        location = perform(context, self._location)
+        return Path(location).absolute() if location else None
+
+    @property
+    def location(self) -> str:
+        """The path, as far as it is known."""
+        return self._fixed_location() if self._location else ""
+
+    @property
+    def location_text(self) -> str:
+        """The path as it was written, for people."""
+        return describe(self._location)
+
+    def _load(self, location: str) -> LaunchDescription:
+        path = Path(location).absolute()
+        if not path.is_file():
+            raise LaunchFileNotFoundError(f"launch file '{location}' not found")
+        kind = self.format or _FORMATS.get(path.suffix, "")
+        if kind == "python":
+            from zbot.launch.python_file import load  # noqa: PLC0415 - read when needed
+
+            return load(path)
+        if kind in {"xml", "yaml"}:
+            from zbot.launch.frontend import load_file  # noqa: PLC0415 - most files are Python
+
+            return load_file(path, kind)
+        reason = "the name of a launch file ends in .py, .xml, .yaml or .yml"
+        raise LaunchFileError(str(path), 0, reason)
+
+
+class AnyLaunchDescriptionSource(LaunchDescriptionSource):
+    """A launch file of any format."""
+
+    def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
+        super().__init__(None, launch_file_path, f"interpreted {self.format or 'launch'} file")
+
+
+class PythonLaunchDescriptionSource(AnyLaunchDescriptionSource):
+    """A launch file in Python, whatever its name."""
+
+    format = "python"
+
+
+class FrontendLaunchDescriptionSource(AnyLaunchDescriptionSource):
+    """A launch file in XML or YAML."""
+
+
+class XMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
+    """A launch file in XML, whatever its name."""
+
+    format = "xml"
+
+
+class YAMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
+    """A launch file in YAML, whatever its name."""
+
+    format = "yaml"

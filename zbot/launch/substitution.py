@@ -1,0 +1,102 @@
+"""Texts that are known only when a launch file runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import PurePath
+from typing import TYPE_CHECKING, Any, TypeAlias
+
+from zbot.launch.errors import EntityTypeError
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from zbot.launch.context import LaunchContext
+
+
+class Substitution:
+    """Something that becomes text; `/` joins it with others as parts of a path."""
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return the text."""
+        raise NotImplementedError
+
+    def describe(self) -> str:
+        """Return what it is, for `--print` and for error texts."""
+        return f"{type(self).__name__}()"
+
+    def __truediv__(self, other: SomeSubstitutionsType) -> Substitution:
+        from zbot.launch.substitutions.path_join import PathJoinSubstitution  # noqa: PLC0415 - cycle
+
+        return PathJoinSubstitution([self]) / other
+
+
+#: What may be given wherever a text is wanted.
+SomeSubstitutionsType: TypeAlias = (
+    str | Substitution | PurePath | Iterable[str | Substitution | PurePath]
+)
+
+
+class TextSubstitution(Substitution):
+    """A text that is known already."""
+
+    def __init__(self, *, text: str) -> None:
+        if not isinstance(text, str):
+            raise EntityTypeError("text", "a str", text)
+        self.text = text
+
+    def perform(self, context: LaunchContext) -> str:  # noqa: ARG002 - the same everywhere
+        """Return the text."""
+        return self.text
+
+    def describe(self) -> str:
+        """Return the text in quotes."""
+        return f"'{self.text}'"
+
+
+def is_a_substitution(value: Any) -> bool:
+    """Return whether a value can be normalized."""
+    if isinstance(value, (str, Substitution, PurePath)):
+        return True
+    return isinstance(value, (list, tuple)) and all(map(is_a_substitution, value))
+
+
+def normalize(value: SomeSubstitutionsType) -> list[Substitution]:
+    """Return a list of substitutions for any way of writing a text.
+
+    Raises:
+        EntityTypeError: It is no text, no substitution and no list of these.
+    """
+    if isinstance(value, Substitution):
+        return [value]
+    if isinstance(value, (str, PurePath)):
+        return [TextSubstitution(text=str(value))]
+    if isinstance(value, Iterable):
+        return [part for item in value for part in normalize(item)]
+    raise EntityTypeError("a text", "a str, a substitution or a list of these", value)
+
+
+def perform(context: LaunchContext, value: SomeSubstitutionsType) -> str:
+    """Return the text that substitutions become."""
+    return "".join(context.perform_substitution(part) for part in normalize(value))
+
+
+def describe(value: SomeSubstitutionsType) -> str:
+    """Return what substitutions are, as one text."""
+    return " + ".join(part.describe() for part in normalize(value)) or "''"
+
+
+def describe_list(values: Sequence[SomeSubstitutionsType]) -> str:
+    """Return several texts as a list."""
+    return f"[{', '.join(describe(value) for value in values)}]"
+
+
+_TRUE, _FALSE = {"true", "1", "yes", "on"}, {"false", "0", "no", "off"}
+
+
+def to_bool(text: str) -> bool | None:
+    """Return what a text says as YAML would read it; None if it is neither true nor false."""
+    word = text.strip().lower()
+    if word in _TRUE:
+        return True
+    return False if word in _FALSE else None

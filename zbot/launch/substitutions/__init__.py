@@ -1,0 +1,30 @@
+"""Texts that are known only when a launch file runs."""
+
+from zbot.launch.substitution import TextSubstitution as TextSubstitution
+from zbot.launch.substitutions.command import Command as Command
+from zbot.launch.substitutions.command import FindExecutable as FindExecutable
+from zbot.launch.substitutions.logic import AllSubstitution as AllSubstitution
+from zbot.launch.substitutions.logic import AndSubstitution as AndSubstitution
+from zbot.launch.substitutions.logic import AnySubstitution as AnySubstitution
+from zbot.launch.substitutions.logic import EqualsSubstitution as EqualsSubstitution
+from zbot.launch.substitutions.logic import IfElseSubstitution as IfElseSubstitution
+from zbot.launch.substitutions.logic import NotEqualsSubstitution as NotEqualsSubstitution
+from zbot.launch.substitutions.logic import NotSubstitution as NotSubstitution
+from zbot.launch.substitutions.logic import OrSubstitution as OrSubstitution
+from zbot.launch.substitutions.package import ExecutableInPackage as ExecutableInPackage
+from zbot.launch.substitutions.package import FindPackage as FindPackage
+from zbot.launch.substitutions.package import FindPackagePrefix as FindPackagePrefix
+from zbot.launch.substitutions.package import FindPackageShare as FindPackageShare
+from zbot.launch.substitutions.path_join import PathJoinSubstitution as PathJoinSubstitution
+from zbot.launch.substitutions.path_join import PathSubstitution as PathSubstitution
+from zbot.launch.substitutions.path_join import StringJoinSubstitution as StringJoinSubstitution
+from zbot.launch.substitutions.python_expression import PythonExpression as PythonExpression
+from zbot.launch.substitutions.value import AnonName as AnonName
+from zbot.launch.substitutions.value import EnvironmentVariable as EnvironmentVariable
+from zbot.launch.substitutions.value import FileContent as FileContent
+from zbot.launch.substitutions.value import LaunchConfiguration as LaunchConfiguration
+from zbot.launch.substitutions.value import LaunchLogDir as LaunchLogDir
+from zbot.launch.substitutions.value import LocalSubstitution as LocalSubstitution
+from zbot.launch.substitutions.value import Parameter as Parameter
+from zbot.launch.substitutions.value import ThisLaunchFile as ThisLaunchFile
+from zbot.launch.substitutions.value import ThisLaunchFileDir as ThisLaunchFileDir

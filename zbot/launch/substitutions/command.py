@@ -1,0 +1,88 @@
+"""What programs print, and where programs are."""
+
+from __future__ import annotations
+
+import os
+import shlex
+import subprocess
+from typing import TYPE_CHECKING
+
+from zbot.launch.errors import SubstitutionError
+from zbot.launch.own_command import find_on_path
+from zbot.launch.substitution import Substitution, describe, normalize, perform
+
+if TYPE_CHECKING:
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.substitution import SomeSubstitutionsType
+
+
+class Command(Substitution):
+    """What a command prints to stdout.
+
+    Args:
+        command: The command line.
+        on_stderr: What to do when it prints to stderr: `fail`, `ignore`, `warn` or `capture`.
+    """
+
+    def __init__(
+        self, command: SomeSubstitutionsType, *, on_stderr: SomeSubstitutionsType = "fail"
+    ) -> None:
+        self.command, self.on_stderr = normalize(command), normalize(on_stderr)
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return what it printed.
+
+        Raises:
+            SubstitutionError: It cannot be started, fails, or prints to stderr where that matters.
+        """
+        line = perform(context, self.command)
+        mode = perform(context, self.on_stderr)
+        done = self._run(line, context)
+        if done.returncode:
+            told = done.stderr.strip() or done.stdout.strip()
+            raise SubstitutionError(f"command '{line}' failed with {done.returncode}: {told}")
+        if done.stderr and mode == "capture":
+            return done.stdout + done.stderr
+        if done.stderr and mode == "fail":
+            raise SubstitutionError(f"command '{line}' printed to stderr: {done.stderr.strip()}")
+        if done.stderr and mode == "warn":
+            context.journal.warning("launch", f"command '{line}': {done.stderr.strip()}")
+        return done.stdout
+
+    def _run(self, line: str, context: LaunchContext) -> subprocess.CompletedProcess[str]:
+        try:
+            words = shlex.split(line, posix=os.name != "nt")
+            words[0] = find_on_path(words[0], context.environment) or words[0]
+            return subprocess.run(  # noqa: S603 - the user's own launch file
+                words, capture_output=True, text=True, check=False, env=context.environment
+            )
+        except (OSError, ValueError, IndexError) as error:
+            reason = getattr(error, "strerror", None) or str(error)
+            raise SubstitutionError(f"cannot run command '{line}': {reason}") from error
+
+    def describe(self) -> str:
+        """Return the command line."""
+        return f"Command({describe(self.command)})"
+
+
+class FindExecutable(Substitution):
+    """The path of a program on the search path; `ros2` is found as zbot's own command."""
+
+    def __init__(self, *, name: SomeSubstitutionsType) -> None:
+        self.name = normalize(name)
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return the path.
+
+        Raises:
+            SubstitutionError: There is no such program.
+        """
+        name = perform(context, self.name)
+        path = find_on_path(name, context.environment)
+        if path is None:
+            raise SubstitutionError(f"executable '{name}' not found on the PATH")
+        return path
+
+    def describe(self) -> str:
+        """Return the name."""
+        return f"FindExec({describe(self.name)})"

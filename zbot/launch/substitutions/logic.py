@@ -1,0 +1,145 @@
+"""Texts that say true or false, and choices between texts."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from zbot.launch.errors import SubstitutionError
+from zbot.launch.substitution import Substitution, describe_list, normalize, perform, to_bool
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.substitution import SomeSubstitutionsType
+
+
+class _Operation(Substitution):
+    """Something made of other texts."""
+
+    def __init__(self, *operands: SomeSubstitutionsType) -> None:
+        self.operands = [normalize(operand) for operand in operands]
+
+    def _texts(self, context: LaunchContext) -> list[str]:
+        return [perform(context, operand) for operand in self.operands]
+
+    def _truths(self, context: LaunchContext) -> Iterable[bool]:
+        for text in self._texts(context):
+            value = to_bool(text)
+            if value is None:
+                raise SubstitutionError(f"{self.describe()} needs true or false, not '{text}'")
+            yield value
+
+    def describe(self) -> str:
+        """Return the operands."""
+        return f"{type(self).__name__}({describe_list(self.operands)[1:-1]})"
+
+
+class NotSubstitution(_Operation):
+    """`true` if its value says false, and the other way round."""
+
+    def __init__(self, value: SomeSubstitutionsType) -> None:
+        super().__init__(value)
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return `true` or `false`."""
+        return str(not next(iter(self._truths(context)))).lower()
+
+
+class AndSubstitution(_Operation):
+    """`true` if both sides say true."""
+
+    def __init__(self, left: SomeSubstitutionsType, right: SomeSubstitutionsType) -> None:
+        super().__init__(left, right)
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return `true` or `false`."""
+        return str(all(list(self._truths(context)))).lower()
+
+
+class OrSubstitution(AndSubstitution):
+    """`true` if one side says true."""
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return `true` or `false`."""
+        return str(any(list(self._truths(context)))).lower()
+
+
+class AllSubstitution(_Operation):
+    """`true` if every operand says true."""
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return `true` or `false`."""
+        return str(all(list(self._truths(context)))).lower()
+
+
+class AnySubstitution(_Operation):
+    """`true` if some operand says true."""
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return `true` or `false`."""
+        return str(any(list(self._truths(context)))).lower()
+
+
+def _as_number(text: str) -> float | None:
+    try:
+        return float(text)
+    except ValueError:
+        return None
+
+
+class EqualsSubstitution(_Operation):
+    """`true` if both sides are the same text, number or truth value."""
+
+    def __init__(
+        self, left: SomeSubstitutionsType | None, right: SomeSubstitutionsType | None
+    ) -> None:
+        super().__init__(*("" if side is None else side for side in (left, right)))
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return `true` or `false`."""
+        return str(self._is_equal(context)).lower()
+
+    def _is_equal(self, context: LaunchContext) -> bool:
+        left, right = self._texts(context)
+        if left == right:
+            return True
+        numbers = _as_number(left), _as_number(right)
+        if numbers[0] is not None and numbers[1] is not None:
+            return math.isclose(numbers[0], numbers[1])
+        truths = to_bool(left), to_bool(right)
+        return truths[0] is not None and truths[0] == truths[1]
+
+
+class NotEqualsSubstitution(EqualsSubstitution):
+    """`true` if the sides differ."""
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return `true` or `false`."""
+        return str(not self._is_equal(context)).lower()
+
+
+class IfElseSubstitution(Substitution):
+    """One text if a condition says true, else another."""
+
+    def __init__(
+        self,
+        condition: SomeSubstitutionsType,
+        if_value: SomeSubstitutionsType = "",
+        else_value: SomeSubstitutionsType = "",
+    ) -> None:
+        self.condition = normalize(condition)
+        self.if_value, self.else_value = normalize(if_value), normalize(else_value)
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return the text that was chosen.
+
+        Raises:
+            SubstitutionError: The condition says neither true nor false.
+        """
+        text = perform(context, self.condition)
+        value = to_bool(text)
+        if value is None:
+            raise SubstitutionError(f"a condition must be true or false, not '{text}'")
+        return perform(context, self.if_value if value else self.else_value)

@@ -1,0 +1,59 @@
+"""The value of a Python expression."""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.errors import SubstitutionError, describe
+from zbot.launch.substitution import Substitution, normalize, perform
+from zbot.launch.substitution import describe as describe_substitutions
+
+if TYPE_CHECKING:
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.substitution import SomeSubstitutionsType
+
+
+class PythonExpression(Substitution):
+    """The value of a Python expression, as text.
+
+    Args:
+        expression: The expression.
+        python_modules: Modules that it may use; of `math` the names alone work too.
+    """
+
+    def __init__(
+        self,
+        expression: SomeSubstitutionsType,
+        python_modules: SomeSubstitutionsType = ("math",),
+    ) -> None:
+        self.expression = normalize(expression)
+        given: Any = python_modules
+        modules = [given] if isinstance(given, (str, Substitution)) else given
+        self.python_modules = [normalize(module) for module in modules]
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return the value.
+
+        Raises:
+            SubstitutionError: The expression fails, or a module cannot be imported.
+        """
+        text = perform(context, self.expression)
+        try:
+            return str(eval(text, self._names(context)))  # noqa: S307 - the user's own launch file
+        except Exception as error:
+            raise SubstitutionError(f"cannot evaluate `{text}`: {describe(error)}") from error
+
+    def _names(self, context: LaunchContext) -> dict[str, Any]:
+        names: dict[str, Any] = {}
+        for module in self.python_modules:
+            name = perform(context, module)
+            imported = importlib.import_module(name)
+            names[name.partition(".")[0]] = importlib.import_module(name.partition(".")[0])
+            if name == "math":
+                names.update({key: vars(imported)[key] for key in vars(imported) if key[0] != "_"})
+        return names
+
+    def describe(self) -> str:
+        """Return the expression."""
+        return f"PythonExpr({describe_substitutions(self.expression)})"

@@ -1,0 +1,265 @@
+"""Watches over one program: starts it, starts it again, tells what it does, stops it."""
+
+from __future__ import annotations
+
+import asyncio
+import shlex
+import signal
+import subprocess
+import sys
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Final
+
+from zbot.launch import process
+from zbot.launch.errors import LaunchFileError, ProgramError
+from zbot.launch.event import HurryUp, Shutdown
+from zbot.launch.event_handler import EventHandler
+from zbot.launch.output import OutputLines
+from zbot.launch.process_event import (
+    ProcessExited,
+    ProcessIO,
+    ProcessStarted,
+    ProcessStderr,
+    ProcessStdin,
+    ProcessStdout,
+    ShutdownProcess,
+    SignalProcess,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from zbot.launch.actions.executable import Prepared
+    from zbot.launch.actions.execute import ExecuteLocal
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.event import Event
+    from zbot.launch.event_handler import BaseEventHandler
+
+_OUTPUT_EVENTS: Final[Mapping[int, type[ProcessIO]]] = {1: ProcessStdout, 2: ProcessStderr}
+_SIGKILL: Final = int(getattr(signal, "SIGKILL", signal.SIGTERM))
+
+
+@dataclass(frozen=True)
+class Policy:
+    """How a program is run."""
+
+    shell: bool
+    has_terminal: bool  #: whether it is to believe that it writes to a terminal
+    sinks: Mapping[str, frozenset[str]]  #: where stdout and stderr go
+    form: str  #: how a line looks
+    sigterm_timeout_s: float  #: after SIGINT
+    sigkill_timeout_s: float  #: after SIGTERM
+    respawn: bool
+    respawn_delay_s: float
+    respawn_max_retries: int  #: without end if negative
+    shows_command: bool
+
+
+class Supervisor:
+    """Runs the program of one action.
+
+    Args:
+        action: The action.
+        context: The launch.
+        prepared: The command line.
+        policy: How to run it.
+    """
+
+    def __init__(
+        self, action: ExecuteLocal, context: LaunchContext, prepared: Prepared, policy: Policy
+    ) -> None:
+        self._action, self._context = action, context
+        self._prepared, self._policy = prepared, policy
+        self.label = context.next_label(prepared.name)
+        self._process: process.ChildProcess | None = None
+        self._wants_end = asyncio.Event()
+        self._hurry = asyncio.Event()
+        self._sent: set[int] = set()
+        self._ladder: asyncio.Task[None] | None = None
+
+    async def run(self) -> None:
+        """Run the program until it has ended for good."""
+        handlers = self._handlers()
+        for handler in handlers:
+            self._context.register_event_handler(handler)
+        try:
+            await self._run_again_and_again()
+        except OSError as error:
+            self._fail(error)
+        finally:
+            for handler in handlers:
+                self._context.unregister_event_handler(handler)
+            if self._ladder is not None:
+                self._ladder.cancel()
+
+    def _fail(self, error: OSError) -> None:
+        reason = f"cannot start '{self._prepared.words[0]}': {error.strerror or error}"
+        failure: Exception = ProgramError(reason)
+        if self._action.origin is not None:
+            failure = LaunchFileError.at(self._action.origin, failure)
+        self._context.fail(failure)
+
+    async def _run_again_and_again(self) -> None:
+        retries = self._policy.respawn_max_retries
+        while not self._wants_end.is_set():
+            code = await self._run_once()
+            if not self._policy.respawn or retries == 0 or self._wants_end.is_set():
+                self._context.failed |= not self._is_as_wanted(code)
+                return
+            retries -= 1
+            await _wait(self._wants_end, self._policy.respawn_delay_s)
+
+    async def _run_once(self) -> int:
+        prepared, journal = self._prepared, self._context.journal
+        lines = OutputLines(self.label, self._policy.sinks, journal, self._policy.form)
+        is_line = self._policy.shell
+        child = await process.start(
+            " ".join(prepared.words) if is_line else prepared.words,
+            env=prepared.env,
+            cwd=prepared.cwd,
+            has_terminal=self._policy.has_terminal,
+            stdin=self._stdin(),
+            on_data=lambda fd, data: self._on_data(lines, fd, data),
+            family=self._context.family,
+        )
+        self._process = child
+        journal.info(self.label, f"process started with pid [{child.pid}]")
+        if self._policy.shows_command:
+            journal.info(self.label, f"process details: cmd='{shlex.join(prepared.words)}'")
+        self._action.process_details = self._details()
+        self._emit(ProcessStarted)
+        if self._wants_end.is_set():  # it came while the process was being started
+            self._begin_to_stop()
+        code = await child.wait()
+        lines.close()
+        self._tell_end(code)
+        return code
+
+    def _stdin(self) -> int | None:
+        # Programs that read keys get the terminal's; others can be written to.
+        has_keys = not self._context.noninteractive and sys.stdin is not None and sys.stdin.isatty()
+        return None if has_keys else subprocess.PIPE
+
+    def _details(self) -> dict[str, Any]:
+        prepared = self._prepared
+        return {
+            "action": self._action,
+            "name": self.label,
+            "cmd": prepared.words,
+            "cwd": prepared.cwd,
+            "env": prepared.env,
+            "pid": self._process.pid if self._process is not None else 0,
+        }
+
+    def _emit(self, kind: type[Any], **attributes: Any) -> None:
+        event = kind(**self._details())
+        for name, value in attributes.items():
+            setattr(event, name, value)
+        self._context.emit_event_sync(event)
+
+    def _on_data(self, lines: OutputLines, fd: int, data: bytes) -> None:
+        lines.feed(fd, data)
+        self._action.keep_output(fd, data)
+        self._emit(_OUTPUT_EVENTS[fd], text=data)
+
+    def _tell_end(self, code: int) -> None:
+        pid = self._process.pid if self._process is not None else 0
+        journal, words = self._context.journal, " ".join(self._prepared.words)
+        if code == 0 or self._is_as_wanted(code):
+            journal.info(self.label, f"process has finished cleanly [pid {pid}]")
+        else:
+            text = f"process has died [pid {pid}, exit code {code}, cmd '{words}']."
+            journal.error(self.label, text)
+        self._action.return_code = code
+        self._emit(ProcessExited, returncode=code)
+
+    def _is_as_wanted(self, code: int) -> bool:
+        """Return whether a program ended well, or by a signal that it was sent."""
+        shells = {128 + number for number in self._sent}
+        return code == 0 or -code in self._sent or code in shells
+
+    # What it is told
+
+    def _handlers(self) -> list[BaseEventHandler]:
+        def is_for_this(kind: type[Event]) -> Any:
+            return lambda event: isinstance(event, kind) and event.process_matcher(self._action)  # type: ignore[attr-defined]
+
+        def is_stdin(event: Event) -> bool:
+            return isinstance(event, ProcessStdin) and event.action is self._action
+
+        return [
+            EventHandler(matcher=is_for_this(SignalProcess), entities=self._on_signal),
+            EventHandler(matcher=is_for_this(ShutdownProcess), entities=self._on_stop),
+            EventHandler(matcher=lambda e: isinstance(e, Shutdown), entities=self._on_stop),
+            EventHandler(matcher=lambda e: isinstance(e, HurryUp), entities=self._on_hurry),
+            EventHandler(matcher=is_stdin, entities=self._on_stdin),
+        ]
+
+    def _on_stdin(self, event: ProcessStdin, _: LaunchContext) -> None:
+        if self._process is not None:
+            self._process.write(event.text)
+
+    def _on_hurry(self, *_: Any) -> None:
+        self._hurry.set()
+
+    def _on_signal(self, event: SignalProcess, _: LaunchContext) -> None:
+        self._send(event.signal, is_told=True)
+
+    def _on_stop(self, event: Event, _: LaunchContext) -> None:
+        if self._wants_end.is_set():
+            return
+        self._wants_end.set()
+        self._is_told = not getattr(event, "due_to_sigint", False)
+        if self._process is not None:
+            self._begin_to_stop()
+
+    _is_told = True
+
+    def _begin_to_stop(self) -> None:
+        self._ladder = asyncio.get_running_loop().create_task(self._climb())
+
+    async def _climb(self) -> None:
+        """SIGINT, later SIGTERM, later SIGKILL."""
+        assert self._process is not None
+        steps = (
+            (signal.SIGINT, self._policy.sigterm_timeout_s, "SIGTERM"),
+            (signal.SIGTERM, self._policy.sigkill_timeout_s, "SIGKILL"),
+        )
+        is_told = self._is_told
+        for number, seconds, following in steps:
+            self._send(number, is_told=is_told)
+            is_told = True
+            if await self._ended_within(seconds):
+                return
+            text = f"failed to terminate '{seconds:g}' seconds after receiving '{number.name}'"
+            self._context.journal.error(
+                self.label, f"process[{self.label}] {text}, escalating to '{following}'"
+            )
+        self._send(_SIGKILL, is_told=True)
+
+    async def _ended_within(self, seconds: float) -> bool:
+        assert self._process is not None
+        self._hurry.clear()
+        ended = asyncio.ensure_future(self._process.ended())
+        hurried = asyncio.ensure_future(self._hurry.wait())
+        await asyncio.wait({ended, hurried}, timeout=seconds, return_when=asyncio.FIRST_COMPLETED)
+        for task in (ended, hurried):
+            task.cancel()
+        return not self._process.is_running
+
+    def _send(self, number: int, *, is_told: bool) -> None:
+        if self._process is None or not self._process.is_running:
+            return
+        if is_told:
+            name = signal.Signals(number).name
+            self._context.journal.info(
+                self.label, f"sending signal '{name}' to process[{self.label}]"
+            )
+        self._sent.add(number)
+        self._process.send_signal(number)
+
+
+async def _wait(event: asyncio.Event, seconds: float) -> None:
+    task = asyncio.ensure_future(event.wait())
+    await asyncio.wait({task}, timeout=seconds)
+    task.cancel()
