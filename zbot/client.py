@@ -27,6 +27,7 @@ from zbot.errors import (
 from zbot.executor import LONGEST_WAIT_S, Signal, current_executor
 from zbot.interfaces import type_name
 from zbot.memory import LARGE_BYTES, keep_freed_memory
+from zbot.service_introspection import Step, configured
 from zbot.task import Future
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.codec import CodecError
@@ -39,11 +40,13 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.callback_group import CallbackGroup
+    from zbot.clock import Clock
     from zbot.context import Context
     from zbot.executor import Executor
     from zbot.mailbox import Mailbox
     from zbot.qos import QoSProfile
     from zbot.service import Service
+    from zbot.service_introspection import Introspection, ServiceIntrospectionState
     from zbot.wire.tokens import EndpointToken
 
 RequestT = TypeVar("RequestT")
@@ -138,6 +141,7 @@ class Client(Generic[RequestT, ResponseT]):
     """
 
     due_ns: int | None = None
+    _introspection: Introspection | None = None
 
     def __init__(
         self,
@@ -257,7 +261,8 @@ class Client(Generic[RequestT, ResponseT]):
             InvalidHandleError: The client or its node was destroyed.
             NotInitializedError: The context was shut down.
         """
-        response: _Response[ResponseT] = _Response(self, self._prepare(request))
+        exchange = self._prepare(request)
+        response: _Response[ResponseT] = _Response(self, exchange)
         try:
             self._check_server()
         except ServiceError as error:
@@ -265,6 +270,8 @@ class Client(Generic[RequestT, ResponseT]):
             return response
         with self._lock:
             self._pending[response] = self._sent_count
+        if self._introspection is not None:
+            self._introspection.report(Step.REQUEST_SENT, exchange.facts, request=request)
         response.send()
         return response
 
@@ -285,6 +292,8 @@ class Client(Generic[RequestT, ResponseT]):
         """
         exchange = self._prepare(request)
         self._check_server()
+        if self._introspection is not None:
+            self._introspection.report(Step.REQUEST_SENT, exchange.facts, request=request)
         # Zenoh's thread puts each reply, and the attempt's number at its end: a function written in
         # Python would cost it 20 us each time, to make room for a frame in that thread.
         arrivals: SimpleQueue[Any] = SimpleQueue()
@@ -444,7 +453,12 @@ class Client(Generic[RequestT, ResponseT]):
         payload = reply.ok.payload.to_bytes()
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
-        return self._decode(payload)
+        response = self._decode(payload)
+        if self._introspection is not None:
+            facts = reply.ok.attachment
+            call = b"" if facts is None else facts.to_bytes()
+            self._introspection.report(Step.RESPONSE_RECEIVED, call, response=response)
+        return response
 
     def post(self, response: _Response[ResponseT]) -> None:
         """Let the executor run what waits for a response; from any thread."""
@@ -466,6 +480,28 @@ class Client(Generic[RequestT, ResponseT]):
             if inspect.iscoroutine(outcome) and executor is not None:
                 executor.create_task(outcome)
 
+    def configure_introspection(
+        self,
+        clock: Clock,
+        service_event_qos_profile: QoSProfile | int,
+        introspection_state: ServiceIntrospectionState,
+    ) -> None:
+        """Publish what happens here on `<service>/_service_event`, or publish it no longer.
+
+        Args:
+            clock: Gives the events' stamps.
+            service_event_qos_profile: Profile to publish with.
+            introspection_state: `OFF`, `METADATA`, or `CONTENTS` for requests and responses too.
+        """
+        self._introspection = configured(
+            self._introspection,
+            self.context,
+            self,
+            clock=clock,
+            qos=service_event_qos_profile,
+            state=introspection_state,
+        )
+
     def destroy(self) -> None:
         """Call no more; calls that wait for an answer are forgotten; may be called twice."""
         with self._lock:
@@ -475,6 +511,8 @@ class Client(Generic[RequestT, ResponseT]):
             return
         self.context.remove_waker(self._arrival.set)
         self._arrival.set()
+        if self._introspection is not None:
+            self._introspection.destroy()
         if not self.context.is_closed:
             self._liveliness.undeclare()
             if self._listener is not None:

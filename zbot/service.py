@@ -15,6 +15,7 @@ from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.repetition import Repetitions
+from zbot.service_introspection import Step, configured
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.codec import CodecError
 from zbot.wire.error_reply import ENCODING, pack_error
@@ -26,9 +27,11 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.callback_group import CallbackGroup
+    from zbot.clock import Clock
     from zbot.context import Context
     from zbot.mailbox import Mailbox
     from zbot.qos import QoSProfile
+    from zbot.service_introspection import Introspection, ServiceIntrospectionState
     from zbot.wire.tokens import EndpointToken
 
 RequestT = TypeVar("RequestT")
@@ -55,6 +58,7 @@ class Service(Generic[RequestT, ResponseT]):
     """
 
     due_ns: int | None = None
+    _introspection: Introspection | None = None
 
     def __init__(
         self,
@@ -154,6 +158,8 @@ class Service(Generic[RequestT, ResponseT]):
                 f"{self.service_name}: cannot read a request: {exc}"
             )
             return None
+        if self._introspection is not None:
+            self._introspection.report(Step.REQUEST_RECEIVED, who, request=request)
         try:
             outcome = self.callback(request, self.srv_type.Response())
             if outcome is not None and hasattr(outcome, "send"):
@@ -179,6 +185,9 @@ class Service(Generic[RequestT, ResponseT]):
             raise ResponseTypeError(self.service_name, type_name(expected), response)
         payload = self._encode(response)
         facts = who and LAYOUT.pack(_number(who), time.time_ns(), GID_LENGTH, who[_NUMBER.size :])
+        if self._introspection is not None:
+            # Before the fact, so that nobody hears of the arrival first.
+            self._introspection.report(Step.RESPONSE_SENT, who, response=response)
         self._end(
             who,
             query,
@@ -204,11 +213,35 @@ class Service(Generic[RequestT, ResponseT]):
 
         reply(self._repetitions.end(who, query, reply) if who else query)
 
+    def configure_introspection(
+        self,
+        clock: Clock,
+        service_event_qos_profile: QoSProfile | int,
+        introspection_state: ServiceIntrospectionState,
+    ) -> None:
+        """Publish what happens here on `<service>/_service_event`, or publish it no longer.
+
+        Args:
+            clock: Gives the events' stamps.
+            service_event_qos_profile: Profile to publish with.
+            introspection_state: `OFF`, `METADATA`, or `CONTENTS` for requests and responses too.
+        """
+        self._introspection = configured(
+            self._introspection,
+            self._context,
+            self,
+            clock=clock,
+            qos=service_event_qos_profile,
+            state=introspection_state,
+        )
+
     def destroy(self) -> None:
         """Serve no more, and let requests that wait fail; may be called twice."""
         if self._is_destroyed:
             return
         self._is_destroyed = True
+        if self._introspection is not None:
+            self._introspection.destroy()
         if not self._context.is_closed:
             self._liveliness.undeclare()
             self._queryable.undeclare()

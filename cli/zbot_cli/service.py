@@ -250,3 +250,59 @@ def call(
         stdin=stdin,
         as_json=as_json,
     ).run()
+
+
+@app.command("echo")
+def echo(
+    service_name: ServiceName,
+    service_type: Annotated[
+        str | None, typer.Argument(help="Type of the service, if nobody uses it yet")
+    ] = None,
+    qos_profile: Profile = None,
+    qos_depth: Depth = None,
+    qos_history: History = None,
+    qos_reliability: Reliability = None,
+    qos_durability: Durability = None,
+    qos_liveliness: Liveliness = None,
+    qos_liveliness_lease_duration_seconds: LeaseDuration = None,
+    csv: Annotated[bool, typer.Option("--csv", help="Print fields separated by commas")] = False,
+    full_length: Annotated[
+        bool, typer.Option("-f", "--full-length", help="Show everything")
+    ] = False,
+    truncate_length: Annotated[
+        int, typer.Option("-l", "--truncate-length", help="Elements and characters to show")
+    ] = 128,
+    no_arr: Annotated[
+        bool, typer.Option("--no-arr", help="Leave out the content of arrays")
+    ] = False,
+    no_str: Annotated[
+        bool, typer.Option("--no-str", help="Leave out the content of strings")
+    ] = False,
+    flow_style: Annotated[
+        bool, typer.Option("--flow-style", help="Print collections on one line")
+    ] = False,
+    as_json: AsJson = False,
+) -> None:
+    """Print the calls of a service."""
+    from zbot_cli.message_text import Form  # noqa: PLC0415 - lists do without
+    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
+    from zbot_cli.service_echo import ServiceEcho  # noqa: PLC0415 - lists do without
+
+    form = Form(
+        csv=csv,
+        length=None if full_length else truncate_length,
+        no_arr=no_arr,
+        no_str=no_str,
+        flow_style=flow_style,
+        json=as_json,
+    )
+    choice = Choice(
+        qos_profile,
+        qos_depth,
+        qos_history,
+        qos_reliability,
+        qos_durability,
+        qos_liveliness,
+        qos_liveliness_lease_duration_seconds,
+    )
+    ServiceEcho(full_name(service_name), service_type, form, choice).run()

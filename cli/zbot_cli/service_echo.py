@@ -1,0 +1,107 @@
+"""`zbot service echo`: the steps of a service's calls, as its servers and clients report them."""
+
+from __future__ import annotations
+
+import sys
+from typing import TYPE_CHECKING, Any
+
+from zbot.service_introspection import Step
+from zbot_cli.listing import print_json
+from zbot_cli.looking import hidden_node
+from zbot_cli.message_text import SEPARATOR, Formatter, json_value, plain
+from zbot_cli.service_type import (
+    SeveralServiceTypesError,
+    known_services,
+    resolve_service_type,
+    service_class,
+    suggestion,
+)
+from zbot_cli.yaml_text import dump
+
+if TYPE_CHECKING:
+    from zbot.graph import Snapshot
+    from zbot.node import Node
+    from zbot.subscription import MessageInfo
+    from zbot_cli.message_text import Form
+    from zbot_cli.qos_options import Choice
+
+_STEP_S = 0.5  # a signal does not end waiting for the graph
+
+
+class ServiceEcho:
+    """Prints what servers and clients with introspection switched on tell of their calls.
+
+    Args:
+        name: The service's full name.
+        type_word: Its type; `None` to ask the graph.
+        form: How to show events.
+        choice: Quality of service options.
+
+    Raises:
+        InvalidServiceTypeError: There is no such type.
+    """
+
+    def __init__(self, name: str, type_word: str | None, form: Form, choice: Choice) -> None:
+        self._name = name
+        self._topic = f"{name}/_service_event"
+        self._type = None if type_word is None else resolve_service_type(type_word)
+        self._form = form
+        self._choice = choice
+        self._format = Formatter(form)
+
+    def run(self) -> None:
+        """Listen and print until Ctrl-C."""
+        import zbot  # noqa: F401, PLC0415 - makes the message packages importable
+        from zbot.runtime import spin  # noqa: PLC0415 - lists do without
+
+        with hidden_node("service_echo") as node:
+            event_type = service_class(self._type or self._wait_for_type(node)).Event
+            publishers = node.context.graph.snapshot().publishers(self._topic)
+            if not publishers:
+                _note(
+                    f"No publishers on topic '{self._topic}'; is service introspection on the "
+                    "client or server enabled?"
+                )
+            node.create_subscription(
+                event_type, self._topic, self._show, self._choice.to_subscribe(publishers)
+            )
+            spin(node)
+
+    def _wait_for_type(self, node: Node) -> str:
+        graph = node.context.graph
+        found = _known_type(graph.snapshot(), self._name)
+        if found is None:
+            hint = suggestion(self._name, graph.snapshot())
+            _note(f"waiting for {self._name} to appear" + (f"; {hint}" if hint else ""))
+        while found is None:
+            graph.wait_for(lambda snapshot: _known_type(snapshot, self._name) is not None, _STEP_S)
+            found = _known_type(graph.snapshot(), self._name)
+        return found
+
+    def _show(self, event: Any, info: MessageInfo) -> None:
+        if self._form.json:
+            print_json(_named(json_value(event)))
+        elif self._form.csv:
+            sys.stdout.write(self._format.text(self._topic, event, info))
+        else:
+            sys.stdout.write(dump(_named(plain(event, self._form))) + SEPARATOR)
+        sys.stdout.flush()
+
+
+def _named(event: dict[str, Any]) -> dict[str, Any]:
+    """Return an event with the name of its step in place of the number."""
+    number = event["info"]["event_type"]
+    if number in Step._value2member_map_:
+        event["info"]["event_type"] = Step(number).name
+    return event
+
+
+def _known_type(graph: Snapshot, name: str) -> str | None:
+    types = dict(known_services(graph)).get(name)
+    if types is not None and len(types) > 1:
+        raise SeveralServiceTypesError(name, types)
+    return None if types is None else types[0]
+
+
+def _note(text: str) -> None:
+    print(text, file=sys.stderr, flush=True)
