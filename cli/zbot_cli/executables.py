@@ -27,7 +27,10 @@ _ALIASES: dict[str, frozenset[str]] = {
     "demo_nodes_py": _DEMO_NODES,
     "lifecycle": frozenset({"lifecycle_talker"}),
     "lifecycle_py": frozenset({"lifecycle_talker"}),
+    "turtlesim": frozenset({"draw_square", "mimic", "turtle_teleop_key", "turtlesim_node"}),
 }
+#: Bundled nodes under a second name: a package's own name stands for the node that it is about.
+_NICKNAMES = {"turtlesim": "turtlesim_node"}
 
 
 @dataclass(frozen=True, order=True)
@@ -154,7 +157,8 @@ def bundled_packages() -> list[Package]:
     spec = importlib.util.find_spec(BUNDLED)
     folders = (spec and spec.submodule_search_locations) or ()
     modules = sorted(path.stem for folder in folders for path in Path(folder).glob("[a-z]*.py"))
-    nodes = [Executable(BUNDLED, module, f"{BUNDLED}.{module}:main") for module in modules]
+    names = {module: module for module in modules} | _NICKNAMES
+    nodes = [Executable(BUNDLED, name, f"{BUNDLED}.{names[name]}:main") for name in sorted(names)]
     aliases = (
         Package(alias, tuple(replace(one, package=alias) for one in nodes if one.name in names))
         for alias, names in _ALIASES.items()

@@ -1,0 +1,1 @@
+"""The turtle simulator: its world, what turtles draw, and the keyboard."""
