@@ -9,6 +9,7 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
+from zbot.names import is_hidden
 from zbot_nodes.robot.pose import pose_of
 from zbot_nodes.robot.world import distance
 
@@ -245,3 +246,27 @@ def test_navigation_patrols_until_somebody_else_drives(
     assert wait_until(
         lambda: student.heard["/odom"].twist.twist.angular.z == pytest.approx(turning), 10
     )
+
+
+def test_one_command_starts_the_whole_robot(student: Student, start: Start) -> None:
+    robot = start("zbot", "launch", "zbot_nodes", "robot.launch.py", "patrol:=false")
+    assert wait_until(
+        lambda: (
+            {"base_controller", "camera_driver", "imu", "laser_scanner", "navigation"}
+            <= set(student.get_node_names())
+        ),
+        20,
+    )
+    every = [topic for _, topic in Student.TOPICS if topic != "/plan"]
+    assert student.hears(*every)
+    listening = {info.node_name for info in student.get_subscriptions_info_by_topic("/cmd_vel")}
+    assert listening == {"base_controller", "navigation"}
+    # What sensors are told behind the scenes is hidden from a class.
+    shown = {topic for topic, _ in student.get_topic_names_and_types()}
+    assert {topic for topic in shown if is_hidden(topic)} == {"/_ground_truth"}
+    goal = PoseStamped()
+    goal.pose.position.x = 0.2
+    student.goal.publish(goal)
+    robot.wait_for("[navigation]: Arrived at (0.")
+    assert robot.stop(timeout_s=15) == 0
+    assert wait_until(lambda: "navigation" not in student.get_node_names(), 10)
