@@ -66,7 +66,9 @@ class TeleopTurtle(zbot.Node):
     def turn_to(self, theta: float) -> None:
         """Ask the turtle to turn to a heading."""
         if not self.rotate.server_is_ready():
-            self.get_logger().warning("turtle1/rotate_absolute has no server: is turtlesim running?")
+            self.get_logger().warning(
+                "turtle1/rotate_absolute has no server: is turtlesim running?"
+            )
             return
         accepted = self.rotate.send_goal_async(RotateAbsolute.Goal(theta=theta))
         accepted.add_done_callback(self.remember)

@@ -62,7 +62,7 @@ class Turtle:
     x: float
     y: float
     heading: float
-    pen: Pen = Pen()
+    pen: Pen = field(default_factory=Pen)
     forward: float = 0.0  #: m/s
     sideways: float = 0.0  #: m/s to the left
     turn: float = 0.0  #: rad/s
@@ -180,8 +180,9 @@ class Turtle:
         self.y = min(max(self.y, 0.0), SIZE)
 
     def _draw(self, drawing: Drawing, old_x: float, old_y: float) -> None:
-        ends = (old_x, old_y, self.x, self.y)
-        drawing.add(Line(*(end * PIXELS_PER_METRE for end in ends), self.pen))
+        scale = PIXELS_PER_METRE
+        line = Line(old_x * scale, old_y * scale, self.x * scale, self.y * scale, self.pen)
+        drawing.add(line)
 
 
 class TurtleWorld:
