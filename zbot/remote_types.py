@@ -47,6 +47,7 @@ def learn_type(context: Context, name: str, *, timeout_s: float = 2.0) -> Interf
     Raises:
         InterfaceConflictError: A type inside it has another definition here.
     """
+    context.meet()
     for teller in _tellers(context.graph.snapshot(), name):
         answer = _ask(context, teller.service, name, timeout_s)
         specs = answer and _checked(answer, name, teller)

@@ -1,0 +1,162 @@
+"""Types over the wire: nodes tell what theirs look like, and others learn them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot
+from zbot.interfaces import MessageSpec, get_message, get_spec, type_hash
+from zbot.interfaces.parser import parse
+from zbot.interfaces.remote_definition import hash_among
+from zbot.remote_types import learn_type
+from zbot.type_description import SERVICE_TYPE
+from zbot.wire.tokens import EntityKind
+
+from type_description_interfaces.msg import TypeSource
+from type_description_interfaces.srv import GetTypeDescription
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from tests.conftest import Program, Spinner
+
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., Spinner]
+    Start = Callable[..., Program]
+
+Request = GetTypeDescription.Request
+OFF = zbot.Parameter("start_type_description_service", value=False)
+
+
+@pytest.fixture
+def describe(make_context: MakeContext) -> Callable[..., Any]:
+    """Asks a node that nobody spins."""
+    zbot.Node("robot", namespace="lab", context=make_context())
+    asking = zbot.Node("asking", context=make_context())
+    client = asking.create_client(GetTypeDescription, "/lab/robot/get_type_description")
+    assert client.wait_for_service(5)
+
+    def ask(**fields: Any) -> Any:
+        return client.call(Request(**fields), 5)
+
+    return ask
+
+
+def test_a_message_is_described_with_all_that_is_inside_it(describe: Callable[..., Any]) -> None:
+    response = describe(type_name="std_msgs/msg/Header", type_hash=type_hash("std_msgs/Header"))
+    assert response.successful
+    described = response.type_description
+    assert described.type_description.type_name == "std_msgs/msg/Header"
+    stamp, frame = described.type_description.fields
+    assert (stamp.type.type_id, stamp.type.nested_type_name) == (1, "builtin_interfaces/msg/Time")
+    assert (frame.name, frame.type.type_id) == ("frame_id", 17)
+    inner = [one.type_name for one in described.referenced_type_descriptions]
+    assert inner == ["builtin_interfaces/msg/Time"]
+    texts = {one.type_name: (one.encoding, one.raw_file_contents) for one in response.type_sources}
+    assert texts == {
+        "std_msgs/msg/Header": ("msg", get_spec("std_msgs/msg/Header").text),
+        "builtin_interfaces/msg/Time": ("msg", get_spec("builtin_interfaces/msg/Time").text),
+    }
+
+
+def test_the_parts_of_a_service_have_its_text_for_theirs(describe: Callable[..., Any]) -> None:
+    response = describe(type_name="std_srvs/srv/Trigger")
+    texts = {one.type_name: (one.encoding, one.raw_file_contents) for one in response.type_sources}
+    assert texts["std_srvs/srv/Trigger"] == ("srv", get_spec("std_srvs/srv/Trigger").text)
+    assert texts["std_srvs/srv/Trigger_Event"] == ("implicit", "")
+
+
+def test_sources_and_defaults(describe: Callable[..., Any]) -> None:
+    name = "type_description_interfaces/srv/GetTypeDescription_Request"
+    response = describe(type_name=name, include_type_sources=False)
+    assert response.type_sources == []
+    fields = response.type_description.type_description.fields
+    assert [field.default_value for field in fields] == ["", "", "True"]
+
+
+def test_the_reason_of_a_refusal_is_told(describe: Callable[..., Any]) -> None:
+    response = describe(type_name="std_srvs/srv/Trigr")
+    assert not response.successful
+    assert "did you mean 'std_srvs/srv/Trigger'?" in response.failure_reason
+    response = describe(type_name="std_srvs/srv/Trigger", type_hash="RIHS01_0")
+    assert not response.successful
+    assert response.failure_reason.endswith("not RIHS01_0")
+
+
+def test_the_service_carries_the_hash_of_its_type() -> None:
+    assert type_hash(GetTypeDescription) == SERVICE_TYPE[1]
+
+
+def test_a_parameter_switches_it_off(make_context: MakeContext) -> None:
+    node = zbot.Node("quiet", context=make_context(), parameter_overrides=[OFF])
+    assert "/quiet/get_type_description" not in [one.service_name for one in node.services]
+
+
+# -- types that only the other one has -----------------------------------------------------------
+
+
+def test_nobody_tells_of_a_type_that_nobody_uses(make_context: MakeContext) -> None:
+    zbot.Node("robot", context=make_context())
+    assert learn_type(make_context(), "my_robot/msg/Unheard") is None
+
+
+@pytest.mark.parametrize(
+    ("text", "is_believed"), [("int32 truth\n", False), ("int64 truth\n", True), ("int32", False)]
+)
+def test_only_what_has_the_hash_of_the_used_type_is_believed(
+    make_context: MakeContext, spin: Spin, text: str, is_believed: bool
+) -> None:
+    name = f"liars/msg/Text{len(text)}{is_believed}"
+    node = zbot.Node("teller", context=make_context(), parameter_overrides=[OFF])
+
+    def describe(_: Any, response: Any) -> Any:
+        response.successful = True
+        response.type_sources = [TypeSource(type_name=name, encoding="msg", raw_file_contents=text)]
+        return response
+
+    spec = parse(name, "int64 truth\n")
+    used = (name, hash_among(name, [spec]))
+    token = node.handle.named_endpoint(
+        EntityKind.PUBLISHER, "/text", used, zbot.QoSProfile(depth=1)
+    )
+    announcement = node.context.graph.announce(token)
+    node.create_service(GetTypeDescription, "~/get_type_description", describe)
+    spin(node)
+    assert learn_type(make_context(), name) == (spec if is_believed else None)
+    announcement.undeclare()
+
+
+PROGRAM = """
+import dataclasses, threading, zbot
+@dataclasses.dataclass
+class Wheel:
+    radius: float = 0.1
+    spokes: list[int] = dataclasses.field(default_factory=list)
+@dataclasses.dataclass
+class Cart:
+    name: str = "cart"
+    wheels: list[Wheel] = dataclasses.field(default_factory=list)
+zbot.init()
+node = zbot.Node("cart")
+node.create_publisher(Cart, "cart", 10)
+print("ready", flush=True)
+threading.Event().wait()
+"""
+
+
+def test_a_dataclass_of_another_process_is_learned(
+    make_context: MakeContext, start: Start, tmp_path: Path
+) -> None:
+    start(source=PROGRAM).wait_for("ready")
+    (path,) = tmp_path.glob("program_*.py")
+    context = make_context()
+    spec = learn_type(context, f"{path.stem}/msg/Cart")
+    assert isinstance(spec, MessageSpec)
+    assert [(one.name, str(one.type)) for one in spec.fields] == [
+        ("name", "string"),
+        ("wheels", f"sequence<{path.stem}/Wheel>"),
+    ]
+    assert get_message(f"{path.stem}/msg/Wheel")(radius=0.5, spokes=[1, 2])
