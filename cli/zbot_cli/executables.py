@@ -88,7 +88,7 @@ def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
     # As after sourcing a ROS 2 workspace: every package can import every other.
     folders = (*own, *(path for path in paths if path not in own))
     try:
-        scripts = declared_scripts(folder)
+        scripts, files = declared_scripts(folder), program_files(folder)
     except SetupFileError as error:
         return Package(name, (), folder, str(error))
     declared = [
@@ -96,15 +96,17 @@ def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
         for one, target in scripts.items()
         if not target.startswith(_COMMAND)  # in zbot's own sources
     ]
-    files = [
-        Executable(name, one, str(path), folders) for one, path in program_files(folder).items()
-    ]
+    installed = [Executable(name, one, str(path), folders) for one, path in files.items()]
     compiled = frozenset(read_cmake(folder).compiled)
-    return Package(name, (*declared, *files), folder, "", compiled)
+    return Package(name, (*declared, *installed), folder, "", compiled)
 
 
 def program_files(folder: Path) -> dict[str, Path]:
-    """Return the Python files that CMake installs as programs, and what is in `scripts`."""
+    """Return the Python files that build files install as programs, and those in `scripts`.
+
+    Raises:
+        SetupFileError: The package's setup.py cannot be read.
+    """
     programs = read_cmake(folder).programs
     found = {PurePosixPath(target).name: path for target, path in programs.items()}
     found.update(_data_programs(folder))

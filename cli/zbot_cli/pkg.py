@@ -210,7 +210,7 @@ def xml(
         raise NoManifestError(package.folder)
     root = read_tree(path)
     if not tag:
-        print(path.read_text(encoding="utf-8").rstrip("\n"))
+        print(path.read_text(encoding="utf-8", errors="replace").rstrip("\n"))
         return
     texts = ["".join(one.itertext()).strip() for one in root.iter(tag)]
     if not texts:

@@ -62,6 +62,8 @@ class ExecutableNotFoundError(ZbotError):
         for package in packages:
             if package.fault:
                 self.hint = package.fault
+            elif name in package.compiled:
+                self.hint = f"{name} is a C++ program: it needs ROS 2, zbot runs Python programs"
             elif package.has_module(name):
                 entry = f"'{name} = {package.name}.{name}:main'"
                 self.hint = f"add {entry} to the console_scripts in {package.name}'s setup.py"

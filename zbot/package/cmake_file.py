@@ -11,7 +11,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 _COMMENT = re.compile(r"#\[\[.*?\]\]|#[^\n]*", re.DOTALL)
-_COMMAND = re.compile(r"(?P<name>\w+)\s*\((?P<words>(?:\"[^\"]*\"|[^()\"]|\([^()]*\))*)\)")
+_COMMAND = re.compile(
+    r"\b(?P<name>[A-Za-z_]\w{0,63})\s*\((?P<words>(?:\"[^\"]*\"|[^()\"]|\([^()]*\))*)\)"
+)
 _WORD = re.compile(r'"([^"]*)"|([^\s"]+)')
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
 _MAX_EXPANSIONS = 8
@@ -29,6 +31,7 @@ class Installation:
     programs: dict[str, Path] = field(default_factory=dict)
     files: dict[str, Path] = field(default_factory=dict)
     interfaces: dict[str, int] = field(default_factory=dict)  #: file -> line that names it
+    compiled: dict[str, int] = field(default_factory=dict)  #: C++ program -> line that adds it
     missing: dict[str, int] = field(default_factory=dict)  #: what is named, but not there -> line
 
 
@@ -96,11 +99,14 @@ class _Reader:
 
     def _glob(self, kind: str, pattern: str) -> list[Path]:
         relative = pattern.removeprefix(f"{self._folder}/")
-        if relative.startswith("/") or not relative:
+        find = self._folder.rglob if kind == "GLOB_RECURSE" else self._folder.glob
+        try:
+            return sorted(find(relative))
+        except (ValueError, NotImplementedError):  # empty, absolute, or no pattern of Python's
             return []
-        return sorted(
-            getattr(self._folder, "rglob" if kind == "GLOB_RECURSE" else "glob")(relative)
-        )
+
+    def _read_add_executable(self, words: list[str], line: int) -> None:
+        self.installation.compiled[words[0]] = line
 
     def _read_rosidl_generate_interfaces(self, words: list[str], line: int) -> None:
         for word in words[1:]:

@@ -106,6 +106,9 @@ class Literals:
     def _files(self, arguments: list[Any], *, deep: bool) -> list[str] | None:
         if not arguments or not isinstance(arguments[0], str):
             return None
+        pattern = os.path.relpath(os.path.join(self._folder, arguments[0]), self._folder)  # noqa: PTH118
+        if deep and pattern.startswith(".."):  # who knows what is out there
+            return None
         # Path.glob takes no absolute patterns, which setup files make from __file__.
         return sorted(glob.glob(arguments[0], root_dir=self._folder, recursive=deep))  # noqa: PTH207
 

@@ -89,13 +89,14 @@ def setup_arguments(path: Path, wanted: str = "setup") -> dict[str, Any]:
         tree = ast.parse(source)
     except SyntaxError as exc:
         raise SetupFileError(path, exc.msg, exc.lineno or 0) from None
-    except ValueError as exc:
+    except (ValueError, RecursionError, MemoryError) as exc:
         raise SetupFileError(path, str(exc)) from None
-    literals = Literals(tree, path.parent)
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Call) and _is_setup(node.func):
-            return _keywords(node, literals)
-    return {}
+    try:
+        literals = Literals(tree, path.parent)
+        calls = (node for node in ast.walk(tree) if isinstance(node, ast.Call))
+        return next((_keywords(call, literals) for call in calls if _is_setup(call.func)), {})
+    except RecursionError:
+        raise SetupFileError(path, "its expressions are nested too deeply") from None
 
 
 def _is_setup(function: ast.expr) -> bool:

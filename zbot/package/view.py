@@ -18,7 +18,7 @@ from zbot.errors import ZbotError
 from zbot.package.cmake_file import read_cmake
 from zbot.package.places import Origin
 from zbot.package.setup_file import data_files
-from zbot.package.workspace import SKIPPED
+from zbot.package.workspace import MANIFEST, SKIPPED
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -141,10 +141,16 @@ def _relative(file: Path, package: Package) -> str:
 
 
 def files_below(root: Path) -> Iterator[Path]:
-    """Yield the files of a folder and those in it, without what tools leave behind."""
+    """Yield the files of a folder and those in it, without other packages and what tools leave."""
     for folder, below, names in os.walk(root):
-        below[:] = [one for one in below if not one.startswith(".") and one not in SKIPPED]
+        below[:] = [one for one in below if _is_part(Path(folder, one))]
         yield from (Path(folder, name) for name in names)
+
+
+def _is_part(folder: Path) -> bool:
+    if folder.name.startswith(".") or folder.name in SKIPPED or folder.suffix == ".egg-info":
+        return False
+    return not (folder / MANIFEST).is_file()
 
 
 def _bring_up_to_date(prefix: Path, files: dict[str, Path]) -> None:

@@ -70,21 +70,17 @@ def package_folders(bases: Iterable[Path] | None = None) -> Iterator[Path]:
     seen = set()
     for root, depth in roots:
         for folder, names, below in walk(root, depth):
-            if folder not in seen and (MANIFEST in names or names & SETUP_FILES):
+            if folder not in seen and (MANIFEST in names or _is_python_project(folder, names)):
                 seen.add(folder)
                 yield folder
-                # The root may be a package and the workspace of others too.
-                if folder != root:
-                    below.clear()
+            # The root may be a package and the workspace of others too, and so may a repository.
+            if folder != root and MANIFEST in names:
+                below.clear()
 
 
 def package_name(folder: Path) -> str:
     """The name in package.xml, else the folder's."""
-    try:
-        with (folder / MANIFEST).open(encoding="utf-8", errors="replace") as manifest:
-            match = _NAME_TAG.search(manifest.read(_MAX_MANIFEST))
-    except OSError:
-        match = None
+    match = _NAME_TAG.search(read_text(folder / MANIFEST))
     return match[1] if match else folder.resolve().name
 
 
@@ -113,8 +109,9 @@ def walk(root: Path, depth: int) -> Iterator[tuple[Path, set[str], list[str]]]:
 def _roots_around(current: Path) -> Roots:
     """The workspace of a folder: a `src` that it is in or has, else the package that it is in."""
     near = [folder for folder in (current, *current.parents)[:_MAX_PARENTS] if _may_search(folder)]
-    for folder in reversed(near):
-        if folder.name == "src":
+    for folder in near:
+        # Not the `src` of a package that keeps its modules there.
+        if folder.name == "src" and not _is_package(folder.parent):
             return ((folder, _MAX_DEPTH),)
     for folder in near:
         if (folder / "src").is_dir():
@@ -123,6 +120,28 @@ def _roots_around(current: Path) -> Roots:
         if (folder / MANIFEST).is_file():
             return ((folder, _MAX_DEPTH),)
     return ((current, _DEPTH_ELSEWHERE),) if current in near else ()
+
+
+def _is_package(folder: Path) -> bool:
+    names = {name for name in (MANIFEST, *SETUP_FILES) if (folder / name).is_file()}
+    return MANIFEST in names or _is_python_project(folder, names)
+
+
+def _is_python_project(folder: Path, names: set[str]) -> bool:
+    """Whether setup files are there to install something, and not only to configure tools."""
+    if "setup.py" in names:
+        return True
+    marks = {"pyproject.toml": "[project]", "setup.cfg": "[metadata]"}
+    return any(mark in read_text(folder / name) for name, mark in marks.items() if name in names)
+
+
+def read_text(path: Path) -> str:
+    """The beginning of a small file; nothing if it cannot be read."""
+    try:
+        with path.open(encoding="utf-8", errors="replace") as file:
+            return file.read(_MAX_MANIFEST)
+    except OSError:
+        return ""
 
 
 def _may_search(folder: Path) -> bool:

@@ -38,10 +38,14 @@ def check_installation(subject: Subject) -> Iterator[Problem]:
     try:
         yield from _check_setup(subject, setup)
         yield from _check_left_out(subject)
-    except SetupFileError:
-        return  # told with the entry points
-    for name, line in read_cmake(subject.folder).missing.items():
+    except SetupFileError as error:
+        yield Problem(error.path, error.line, error.reason)
+    installation = read_cmake(subject.folder)
+    for name, line in installation.missing.items():
         yield Problem(cmake, line, f"install() names {name}, which is not there")
+    for name, line in installation.compiled.items():
+        text = f"{name} is not compiled: C++ needs ROS 2, zbot runs Python programs"
+        yield Problem(cmake, line, text, is_error=False)
 
 
 def _check_setup(subject: Subject, path: Path) -> Iterator[Problem]:

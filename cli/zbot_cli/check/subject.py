@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import ast
+import contextlib
 import warnings
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from zbot.package.setup_file import SetupFileError
 from zbot.package.view import files_below
 from zbot_cli.check.problem import Problem
 from zbot_cli.executables import program_files
@@ -30,7 +32,9 @@ class Subject:
     def read_sources(self) -> None:
         """Parse every Python file, and note those that are none."""
         files = {path for path in files_below(self.folder) if path.suffix == ".py"}
-        for path in sorted(files | set(program_files(self.folder).values())):
+        with contextlib.suppress(SetupFileError):  # setup.py is one of the files
+            files.update(program_files(self.folder).values())
+        for path in sorted(files):
             tree = _parsed(path)
             if isinstance(tree, Problem):
                 self.problems.append(tree)
