@@ -88,7 +88,7 @@ def setup_arguments(path: Path, wanted: str = "setup") -> dict[str, Any]:
     try:
         tree = ast.parse(source)
     except SyntaxError as exc:
-        raise SetupFileError(path, exc.msg, exc.lineno or 0) from None
+        raise SetupFileError(path, f"{type(exc).__name__}: {exc.msg}", exc.lineno or 0) from None
     except (ValueError, RecursionError, MemoryError) as exc:
         raise SetupFileError(path, str(exc)) from None
     try:

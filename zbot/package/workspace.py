@@ -131,7 +131,7 @@ def _is_python_project(folder: Path, names: set[str]) -> bool:
     """Whether setup files are there to install something, and not only to configure tools."""
     if "setup.py" in names:
         return True
-    marks = {"pyproject.toml": "[project]", "setup.cfg": "[metadata]"}
+    marks = {"pyproject.toml": "[project", "setup.cfg": "[metadata]"}
     return any(mark in read_text(folder / name) for name, mark in marks.items() if name in names)
 
 
