@@ -1,0 +1,102 @@
+"""What is read in a CMakeLists.txt."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING
+
+import pytest
+
+from zbot.package.cmake_file import Installation, read_cmake
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    for name in ("nodes/a.py", "nodes/b.py", "data/x.yaml", "data/deep/y.yaml"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).touch()
+    return tmp_path
+
+
+def read(folder: Path, text: str) -> Installation:
+    (folder / "CMakeLists.txt").write_text(f"project(robot)\n{text}")
+    return read_cmake(folder)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "install(PROGRAMS nodes/a.py nodes/b.py DESTINATION lib/robot)",
+        "INSTALL( PROGRAMS\n  nodes/a.py # first\n  nodes/b.py\n DESTINATION lib/${PROJECT_NAME} )",
+        'install(PROGRAMS "nodes/a.py" "nodes/b.py" DESTINATION "lib/${PROJECT_NAME}/")',
+        "set(ALL nodes/a.py nodes/b.py)\ninstall(PROGRAMS ${ALL} DESTINATION lib/robot)",
+        "set(ALL nodes/a.py;nodes/b.py)\ninstall(PROGRAMS ${ALL} DESTINATION lib/robot)",
+        "set(D nodes)\ninstall(PROGRAMS ${D}/a.py ${D}/b.py DESTINATION lib/robot OPTIONAL)",
+        "file(GLOB ALL nodes/*.py)\ninstall(PROGRAMS ${ALL} DESTINATION lib/robot)",
+        "file(GLOB_RECURSE A ${PROJECT_SOURCE_DIR}/*.py)\ninstall(PROGRAMS ${A} DESTINATION lib/robot)",
+        "#[[ install(x\n) ]]\ninstall(PROGRAMS nodes/a.py nodes/b.py DESTINATION lib/robot)",
+    ],
+)
+def test_programs(folder: Path, text: str) -> None:
+    found = read(folder, text)
+    assert {target: path.name for target, path in found.programs.items()} == {
+        "lib/robot/a.py": "a.py",
+        "lib/robot/b.py": "b.py",
+    }
+    assert found.missing == {}
+
+
+@pytest.mark.parametrize(
+    ("text", "files"),
+    [
+        ("DIRECTORY data DESTINATION share/robot", ["data/deep/y.yaml", "data/x.yaml"]),
+        ("DIRECTORY data/ DESTINATION share/robot", ["deep/y.yaml", "x.yaml"]),
+        ("FILES data/x.yaml DESTINATION share/robot RENAME z.yaml", ["z.yaml"]),
+    ],
+)
+def test_files(folder: Path, text: str, files: list[str]) -> None:
+    found = read(folder, f"install({text})").files
+    assert sorted(target.removeprefix("share/robot/") for target in found) == files
+
+
+def test_programs_that_are_compiled(folder: Path) -> None:
+    assert read(folder, "add_executable(drive src/drive.cpp)").compiled == {"drive": 2}
+
+
+def test_a_folder_without_the_file(tmp_path: Path) -> None:
+    assert read_cmake(tmp_path) == Installation()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "install(",
+        "install()",
+        "install(PROGRAMS)",
+        "install(PROGRAMS nodes/a.py DESTINATION)",
+        "install(TARGETS x DESTINATION lib/robot)",
+        "install(CODE \"message('hi')\")",
+        "set()",
+        "set(A ${A})\ninstall(FILES ${A} DESTINATION share/robot)",
+        "set(A ${B}x)\nset(B ${A}y)\ninstall(FILES ${B} DESTINATION share/robot)",
+        "file(GLOB A /etc/*)\ninstall(FILES ${A} DESTINATION share/robot)",
+        "file(GLOB A **x**)\nfile(GLOB B)\nfile(GLOB C ../*)",
+        "install(PROGRAMS ${NOBODY_KNOWS} ${OR}/this.py DESTINATION lib/robot)",
+        "\0\ufffd)(\"'",
+    ],
+)
+def test_what_makes_no_sense_installs_nothing(folder: Path, text: str) -> None:
+    found = read(folder, text)
+    assert (found.programs, found.files) == ({}, {})
+
+
+@pytest.mark.parametrize(
+    "text", ["x" * 50000, "a(" * 20000, 'a("' * 20000, "${" * 20000, "# " * 9999]
+)
+def test_nonsense_is_read_in_no_time(folder: Path, text: str) -> None:
+    started = time.monotonic()
+    read(folder, text)
+    assert time.monotonic() - started < 5
