@@ -8,11 +8,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from zbot.errors import InterfaceConflictError, InterfaceSyntaxError
-from zbot.interfaces import get_spec, interface_names, register_description, type_description
+from zbot.errors import InterfaceConflictError, InterfaceSyntaxError, UnknownInterfaceError
+from zbot.interfaces import (
+    MessageSpec,
+    get_spec,
+    interface_names,
+    register_description,
+    type_description,
+    type_hash,
+)
 from zbot.interfaces.description import hash_of
 from zbot.interfaces.location import shipped_packages
-from zbot.interfaces.remote_definition import specs_from
+from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from_sources
 
 if TYPE_CHECKING:
     from zbot.interfaces.spec import InterfaceSpec
@@ -93,3 +100,58 @@ def test_anything_in_a_field_is_read_or_refused(value: Any, key: str) -> None:
 def test_anything_in_a_description_is_read_or_refused(value: Any, key: str) -> None:
     with contextlib.suppress(InterfaceSyntaxError):
         specs_from({**described(), key: value})
+
+
+# -- from texts ----------------------------------------------------------------------------------
+
+
+def test_texts_keep_comments_constants_and_defaults() -> None:
+    texts = {
+        "far_msgs/msg/Part": "string name 'arm' # which\n",
+        "far_msgs/msg/Whole": "# All of it.\nint32 MOST=3\nPart[<=3] parts\n",
+    }
+    part, whole = specs_from_sources("far_msgs/msg/Whole", texts)
+    assert isinstance(part, MessageSpec)
+    assert isinstance(whole, MessageSpec)
+    assert part.fields[0].default == "arm"
+    assert whole.constants[0].value == 3
+    assert whole.text == texts["far_msgs/msg/Whole"]
+
+
+def test_texts_have_the_hashes_of_the_types_that_they_define() -> None:
+    for name in NAMES:
+        described = type_description(name)
+        inside = [one["type_name"] for one in described["referenced_type_descriptions"]]
+        texts = {
+            one: get_spec(one).text
+            for one in (name, *inside)
+            if "_" not in one.rpartition("/")[2]  # parts of a service or an action have none
+        }
+        assert hash_among(name, specs_from_sources(name, texts)) == type_hash(name)
+
+
+def test_the_parts_of_what_is_told_have_hashes_too() -> None:
+    text = get_spec("example_interfaces/action/Fibonacci").text
+    specs = specs_from_sources("far_msgs/action/Count", {"far_msgs/action/Count": text})
+    assert hash_among("far_msgs/action/Count_SendGoal", specs).startswith("RIHS01_")
+
+
+@pytest.mark.parametrize(
+    ("name", "texts"),
+    [
+        ("far_msgs/msg/Odd", {}),
+        ("far_msgs/msg/Odd", {"far_msgs/msg/Other": "int32 x\n"}),
+        ("far_msgs/msg/Odd", {"far_msgs/msg/Odd": "int33 x\n"}),
+        ("far_msgs/msg/Odd", {"far_msgs/msg/Odd": "int32 x\n", "../msg/Up": "int32 x\n"}),
+        ("far_msgs/msg/Odd", {"far_msgs/msg/Odd": "int32 x\n", "far": "int32 x\n"}),
+    ],
+)
+def test_texts_that_define_nothing_are_refused(name: str, texts: dict[str, str]) -> None:
+    with pytest.raises(InterfaceSyntaxError):
+        specs_from_sources(name, texts)
+
+
+def test_a_hash_needs_all_that_is_inside() -> None:
+    specs = specs_from_sources("far_msgs/msg/Half", {"far_msgs/msg/Half": "Unheard part\n"})
+    with pytest.raises(UnknownInterfaceError):
+        hash_among("far_msgs/msg/Half", specs)
