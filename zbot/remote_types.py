@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import InterfaceSyntaxError, UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces import get_interface, get_spec, register_spec
+from zbot.interfaces.registry import has_package
 from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from_sources
 from zbot.type_description import SERVICE_TYPE
 from zbot.wire.codec import CodecError
@@ -72,6 +73,8 @@ def _tellers(graph: Snapshot, name: str) -> Iterator[_Teller]:
     for node, end in users.items():
         if node in services:
             yield _Teller(services[node], end.type_name, end.type_hash)
+    if has_package(name.partition("/")[0]):
+        return  # it would be known here: the name is wrong
     for node in list(_neighbours(graph.endpoints, name))[:_MOST_GUESSES]:
         if node in services and node not in users:
             yield _Teller(services[node])

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from zbot_cli.message_text import Form
     from zbot_cli.qos_options import Choice
 
+_NAMES = {step.value: step.name for step in Step}
 _STEP_S = 0.5  # a signal does not end waiting for the graph
 
 
@@ -91,8 +92,7 @@ class ServiceEcho:
 def _named(event: dict[str, Any]) -> dict[str, Any]:
     """Return an event with the name of its step in place of the number."""
     number = event["info"]["event_type"]
-    if number in Step._value2member_map_:
-        event["info"]["event_type"] = Step(number).name
+    event["info"]["event_type"] = _NAMES.get(number, number)
     return event
 
 

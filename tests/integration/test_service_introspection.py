@@ -8,8 +8,10 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
+from zbot.action import ActionClient, ActionServer
 from zbot.service_introspection import ServiceIntrospectionState, Step
 
+from example_interfaces.action import Fibonacci
 from example_interfaces.srv import AddTwoInts
 
 if TYPE_CHECKING:
@@ -130,3 +132,31 @@ def test_a_service_that_every_node_has_can_tell_too(pair: Pair) -> None:
     server.configure_introspection(pair.node.get_clock(), 10, METADATA)
     (publisher,) = pair.node.context.graph.snapshot().publishers(f"{name}/_service_event")
     assert publisher.type_name == "rcl_interfaces/srv/ListParameters_Event"
+
+
+def test_an_action_tells_of_its_three_services(make_context: MakeContext, spin: Spin) -> None:
+    node, asking = (zbot.Node(name, context=make_context()) for name in ("server", "client"))
+
+    def reach(goal_handle: Any) -> Any:
+        goal_handle.succeed()
+        return Fibonacci.Result(sequence=[0, 1])
+
+    server: Any = ActionServer(node, Fibonacci, "fibonacci", reach)
+    client: Any = ActionClient(asking, Fibonacci, "fibonacci")
+    events: list[Any] = []
+    for part, kind in (
+        ("send_goal", Fibonacci.Impl.SendGoalService),
+        ("get_result", Fibonacci.Impl.GetResultService),
+    ):
+        topic = f"/fibonacci/_action/{part}/_service_event"
+        asking.create_subscription(kind.Event, topic, events.append, 10)
+    server.configure_introspection(node.get_clock(), 10, CONTENTS)
+    client.configure_introspection(asking.get_clock(), 10, METADATA)
+    spin(node)
+    spin(asking)
+    assert client.wait_for_server(5)
+    assert client.send_goal(Fibonacci.Goal(order=1)).result.sequence.tolist() == [0, 1]
+    assert wait_until(lambda: len(events) == 8), events
+    assert {len(event.request) + len(event.response) for event in events} == {0, 1}
+    client.destroy()
+    server.destroy()

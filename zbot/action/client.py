@@ -34,7 +34,9 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.callback_group import CallbackGroup
+    from zbot.clock import Clock
     from zbot.node import Node
+    from zbot.service_introspection import ServiceIntrospectionState
 
     from action_msgs.msg import GoalStatus
 
@@ -386,6 +388,22 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT]):
                 self._forget(key)
 
     # -- the end -------------------------------------------------------------------------------
+
+    def configure_introspection(
+        self,
+        clock: Clock,
+        service_event_qos_profile: QoSProfile | int,
+        introspection_state: ServiceIntrospectionState,
+    ) -> None:
+        """Publish events of the three services, as `Service.configure_introspection` does.
+
+        Args:
+            clock: Gives the events' stamps.
+            service_event_qos_profile: Profile to publish with.
+            introspection_state: `OFF`, `METADATA`, or `CONTENTS` for requests and responses too.
+        """
+        for one in (self._goal_client, self._result_client, self._cancel_client):
+            one.configure_introspection(clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
         """Send no more; goals that are under way are forgotten here. May be called twice."""

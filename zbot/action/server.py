@@ -38,6 +38,7 @@ if TYPE_CHECKING:
 
     from zbot.callback_group import CallbackGroup
     from zbot.node import Node
+    from zbot.service_introspection import ServiceIntrospectionState
 
 
 qos_profile_action_feedback = QoSProfile(depth=10)
@@ -399,6 +400,22 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         self._feedback.publish(message)
 
     # -- the end -------------------------------------------------------------------------------
+
+    def configure_introspection(
+        self,
+        clock: Clock,
+        service_event_qos_profile: QoSProfile | int,
+        introspection_state: ServiceIntrospectionState,
+    ) -> None:
+        """Publish events of the three services, as `Service.configure_introspection` does.
+
+        Args:
+            clock: Gives the events' stamps.
+            service_event_qos_profile: Profile to publish with.
+            introspection_state: `OFF`, `METADATA`, or `CONTENTS` for requests and responses too.
+        """
+        for one in self._services:
+            one.configure_introspection(clock, service_event_qos_profile, introspection_state)
 
     def destroy(self) -> None:
         """Serve no more; whoever waits for a result gets an error. May be called twice."""
