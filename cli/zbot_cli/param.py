@@ -83,7 +83,7 @@ def list_parameters(
     use_sim_time: UseSimTime = False,
     no_daemon: NoDaemon = False,
 ) -> None:
-    """List the parameters of all nodes, or of one."""
+    """List the parameters of nodes."""
     wanted = _compiled(pattern)
     with _remote(timeout) as remote:
         one = None if node_name is None else remote.find(node_name)
@@ -100,6 +100,8 @@ def list_parameters(
             for node, names in found.items()
         }
     for error in answers.errors.values():
+        if one is not None:
+            raise error
         _fail(error)
     _print_names(typed, as_json=as_json, is_one=one is not None)
     _end(len(answers.errors))
@@ -132,7 +134,12 @@ def _print_names(typed: dict[str, dict[str, Any]], *, as_json: bool, is_one: boo
 
 @app.command("get")
 def get(
-    words: Annotated[list[str], typer.Argument(metavar="[NODE] PARAM...")],
+    words: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="[NODE] PARAM...", help="Every node that has them if NODE is left out"
+        ),
+    ],
     hide_type: Annotated[bool, typer.Option("--hide-type", help="Print the value alone")] = False,
     as_json: AsJson = False,
     include_hidden: IncludeHidden = False,
@@ -141,7 +148,7 @@ def get(
     use_sim_time: UseSimTime = False,
     no_daemon: NoDaemon = False,
 ) -> None:
-    """Print the values of parameters; without a node, of every node that has it."""
+    """Print the values of parameters."""
     with _remote(timeout) as remote:
         nodes, names = _targets(remote, words, include_hidden=include_hidden)
         values = {node: remote.values(node, names) for node in nodes}
@@ -185,9 +192,7 @@ def _nodes_with(
     has = {node: set(answer.result.names) for node, answer in answers.found.items()}
     found = [node for node, known in has.items() if known.issuperset(names)]
     if not found:
-        raise ParameterNotSetError(
-            "no node", " and ".join(names), sorted(set().union(*has.values()))
-        )
+        raise ParameterNotSetError(None, " and ".join(names), sorted(set().union(*has.values())))
     return found
 
 
@@ -196,7 +201,12 @@ def _nodes_with(
 
 @app.command("set", context_settings={"ignore_unknown_options": True})
 def set_parameters(
-    words: Annotated[list[str], typer.Argument(metavar="[NODE] PARAM VALUE...")],
+    words: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="[NODE] PARAM VALUE...", help="Every node that has them if NODE is left out"
+        ),
+    ],
     atomic: Annotated[bool, typer.Option("--atomic", help="Set all of them or none")] = False,
     include_hidden: IncludeHidden = False,
     timeout: Timeout = 1.0,
@@ -204,7 +214,7 @@ def set_parameters(
     use_sim_time: UseSimTime = False,
     no_daemon: NoDaemon = False,
 ) -> None:
-    """Set parameters; without a node, of every node that has them."""
+    """Set parameters."""
     _refuse_options(words)
     has_node = len(words) % 2 == 1
     if len(words) < 2:
@@ -258,14 +268,19 @@ def _report(label: str, result: Any, success: str, doing: str) -> bool:
 
 @app.command("delete")
 def delete(
-    words: Annotated[list[str], typer.Argument(metavar="[NODE] PARAM...")],
+    words: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="[NODE] PARAM...", help="Every node that has them if NODE is left out"
+        ),
+    ],
     include_hidden: IncludeHidden = False,
     timeout: Timeout = 1.0,
     spin_time: SpinTime = 0.5,
     use_sim_time: UseSimTime = False,
     no_daemon: NoDaemon = False,
 ) -> None:
-    """Delete parameters; without a node, of every node that has it."""
+    """Delete parameters."""
     failures = 0
     with _remote(timeout) as remote:
         nodes, names = _targets(remote, words, include_hidden=include_hidden)
@@ -285,7 +300,12 @@ def delete(
 
 @app.command("describe")
 def describe(
-    words: Annotated[list[str], typer.Argument(metavar="[NODE] PARAM...")],
+    words: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="[NODE] PARAM...", help="Every node that has them if NODE is left out"
+        ),
+    ],
     as_json: AsJson = False,
     include_hidden: IncludeHidden = False,
     timeout: Timeout = 1.0,
@@ -293,7 +313,7 @@ def describe(
     use_sim_time: UseSimTime = False,
     no_daemon: NoDaemon = False,
 ) -> None:
-    """Show the type, the range and the purpose of parameters."""
+    """Show what parameters take and are for."""
     with _remote(timeout) as remote:
         nodes, names = _targets(remote, words, include_hidden=include_hidden)
         found = {node: remote.descriptors(node, names) for node in nodes}
@@ -319,7 +339,7 @@ def dump(
     use_sim_time: UseSimTime = False,
     no_daemon: NoDaemon = False,
 ) -> None:
-    """Print parameters as a file that `load` and `--params-file` read."""
+    """Print parameters as a parameter file."""
     with _remote(timeout) as remote:
         one = None if node_name is None else [remote.find(node_name)]
         nodes = remote.nodes(include_hidden=include_hidden) if one is None else one
@@ -332,7 +352,12 @@ def dump(
 
 @app.command("load")
 def load(
-    words: Annotated[list[str], typer.Argument(metavar="[NODE] FILE")],
+    words: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="[NODE] FILE", help="Every node that FILE names if NODE is left out"
+        ),
+    ],
     no_use_wildcard: Annotated[
         bool, typer.Option("--no-use-wildcard", help="Leave out what a file has for `/**`")
     ] = False,
@@ -342,7 +367,7 @@ def load(
     use_sim_time: UseSimTime = False,
     no_daemon: NoDaemon = False,
 ) -> None:
-    """Set parameters from a file; without a node, of every node that it names."""
+    """Set parameters from a file."""
     if len(words) > 2:
         raise typer.BadParameter("takes a node and a file, or a file alone")
     path = words[-1]

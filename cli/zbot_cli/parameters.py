@@ -45,14 +45,13 @@ class NoParameterServicesError(ZbotError):
 
 
 class ParameterNotSetError(ZbotError):
-    """A node has no parameter of that name."""
+    """A node, or any node, has no parameter of that name."""
 
-    def __init__(self, node: str, name: str, known: Sequence[str]) -> None:
+    def __init__(self, node: str | None, name: str, known: Sequence[str]) -> None:
         self.node, self.name = node, name
         guess = nearest(name, known)
-        self.hint = f"{node} has no parameter {name}" + (
-            f"; did you mean {guess}?" if guess else ""
-        )
+        advice = f"; did you mean {guess}?" if guess else ""
+        self.hint = f"{node or 'no node'} has {'no' if node else 'a'} parameter {name}{advice}"
         super().__init__("Parameter not set")
 
 

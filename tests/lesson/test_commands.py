@@ -83,7 +83,14 @@ def test_nodes_are_listed_and_described() -> None:
         "    /parameter_events: rcl_interfaces/msg/ParameterEvent\n"
         "    /rosout: rcl_interfaces/msg/Log\n"
         "    /temperature: std_msgs/msg/Float32\n"
-        "  Service Servers:\n\n"
+        "  Service Servers:\n"
+        "    /temperature_sensor/describe_parameters: rcl_interfaces/srv/DescribeParameters\n"
+        "    /temperature_sensor/get_parameter_types: rcl_interfaces/srv/GetParameterTypes\n"
+        "    /temperature_sensor/get_parameters: rcl_interfaces/srv/GetParameters\n"
+        "    /temperature_sensor/list_parameters: rcl_interfaces/srv/ListParameters\n"
+        "    /temperature_sensor/set_parameters: rcl_interfaces/srv/SetParameters\n"
+        "    /temperature_sensor/set_parameters_atomically: "
+        "rcl_interfaces/srv/SetParametersAtomically\n"
         "  Service Clients:\n\n"
         "  Action Servers:\n\n"
         "  Action Clients:\n\n"
@@ -184,3 +191,12 @@ def test_talker_and_listener(start: Start) -> None:
     speaker.wait_for('[talker]: Publishing: "Hello World: 0"')
     listener = start("zbot", "run", "demo_nodes_py", "listener")
     listener.wait_for("[listener]: I heard: [Hello World: ")
+
+
+@pytest.mark.usefixtures("sensor")
+def test_parameters_are_listed_and_read() -> None:
+    assert zbot("param", "list") == (
+        "/temperature_sensor:\n  start_type_description_service\n  use_sim_time\n"
+    )
+    value = zbot("param", "get", "/temperature_sensor", "use_sim_time")
+    assert value == "Boolean value is: False\n"

@@ -1,0 +1,463 @@
+"""`zbot param` beside running nodes; the sentences are those of ros2, or better."""
+
+from __future__ import annotations
+
+import json
+import re
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot as library
+from tests.cli.command import zbot
+from zbot.parameter import Parameter
+from zbot.parameter_file import sections
+from zbot_cli.parameter_text import file_text, values_for
+
+from rcl_interfaces.msg import (  # isort: skip
+    FloatingPointRange,
+    IntegerRange,
+    ParameterDescriptor,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from tests.cli.conftest import Command
+    from tests.conftest import Program, Spinner
+
+    MakeContext = Callable[[], library.Context]
+    Spin = Callable[..., Spinner]
+    Start = Callable[..., Program]
+
+SERVICE = "/minimal_service"
+
+
+@pytest.fixture
+def node(make_context: MakeContext, spin: Spin) -> library.Node:
+    """The node of the reference: /minimal_service with `my_parameter` and `rate`."""
+    node = library.Node("minimal_service", context=make_context())
+    node.declare_parameter("my_parameter", "world")
+    node.declare_parameter("rate", 2.5)
+    spin(node)
+    return node
+
+
+@pytest.fixture
+def rich(make_context: MakeContext, spin: Spin) -> library.Node:
+    """A node with parameters of every kind."""
+    node = library.Node("rich", context=make_context(), namespace="lab")
+    level = IntegerRange(from_value=0, to_value=255, step=5)
+    node.declare_parameter(
+        "level",
+        50,
+        ParameterDescriptor(
+            description="How much", additional_constraints="even on Sundays", integer_range=[level]
+        ),
+    )
+    share = FloatingPointRange(from_value=0.0, to_value=1.0, step=0.25)
+    node.declare_parameter(
+        "share", 0.5, ParameterDescriptor(read_only=True, floating_point_range=[share])
+    )
+    node.declare_parameter("free", None, ParameterDescriptor(dynamic_typing=True))
+    node.declare_parameter("group.flags", [True, False])
+    node.declare_parameter("group.numbers", [1, 2])
+    node.declare_parameter("group.gains", [0.5, 1e-7])
+    node.declare_parameter("group.words", ["a", "it's", "1e3", "true", ""])
+    node.declare_parameter("group.bytes", [b"\x01", b"\xff"])
+    node.declare_parameter("group", "also a value")
+    node.declare_parameter("port", Parameter.Type.INTEGER)
+    spin(node)
+    return node
+
+
+# -- as in ros2 --------------------------------------------------------------------------------
+
+
+@pytest.mark.usefixtures("node")
+@pytest.mark.parametrize(
+    ("words", "out"),
+    [
+        (
+            ["list"],
+            (
+                "/minimal_service:\n  my_parameter\n  rate\n  start_type_description_service\n"
+                "  use_sim_time\n"
+            ),
+        ),
+        (
+            ["list", "/minimal_service"],
+            "  my_parameter\n  rate\n  start_type_description_service\n  use_sim_time\n",
+        ),
+        (["get", SERVICE, "my_parameter"], "String value is: world\n"),
+        (["get", SERVICE, "rate"], "Double value is: 2.5\n"),
+        (["get", SERVICE, "rate", "--hide-type"], "2.5\n"),
+        (["set", SERVICE, "my_parameter", "earth"], "Set parameter successful\n"),
+        (["describe", SERVICE, "rate"], "Parameter name: rate\n  Type: double\n  Constraints:\n"),
+        (
+            ["dump", SERVICE],
+            (
+                "/minimal_service:\n  ros__parameters:\n    my_parameter: world\n    rate: 2.5\n"
+                "    start_type_description_service: true\n    use_sim_time: false\n\n"
+            ),
+        ),
+    ],
+)
+def test_output_is_that_of_ros2(zbot_command: Command, words: list[str], out: str) -> None:
+    result = zbot_command("param", *words)
+    assert (result.code, result.out, result.err) == (0, out, "")
+
+
+@pytest.mark.usefixtures("node")
+@pytest.mark.parametrize(
+    ("words", "err"),
+    [
+        (
+            ["set", SERVICE, "rate", "hello"],
+            (
+                "Setting parameter failed: Wrong parameter type, expected 'double' got 'string': "
+                "rate takes a value of type double, and is 2.5\n"
+            ),
+        ),
+        (
+            ["set", SERVICE, "nope", "1"],
+            "Setting parameter failed: Invalid access to undeclared parameter(s): 'nope'\n",
+        ),
+        (
+            ["set", SERVICE, "my_parameter", "5"],
+            (
+                "Setting parameter failed: Wrong parameter type, expected 'string' got 'integer': "
+                "my_parameter takes a value of type string, and is 'world'\n\n"
+                "hint: quote a text twice that looks like something else: \"'5'\"\n"
+            ),
+        ),
+        (
+            ["delete", SERVICE, "my_parameter"],
+            "Deleting parameter failed: Static parameter cannot be undeclared\n",
+        ),
+        (
+            ["get", SERVICE, "my_paramter"],
+            (
+                "Parameter not set\n\n"
+                "hint: /minimal_service has no parameter my_paramter; did you mean my_parameter?\n"
+            ),
+        ),
+        (
+            ["describe", SERVICE, "rat"],
+            (
+                "Parameter not set\n\n"
+                "hint: /minimal_service has no parameter rat; did you mean rate?\n"
+            ),
+        ),
+        (
+            ["get", "/minimal_servce", "rate", "--timeout", "0"],
+            "Node not found\n\nhint: there is no /minimal_servce; did you mean /minimal_service?\n",
+        ),
+    ],
+)
+def test_a_refusal_is_one_sentence_and_exit_code_1(
+    zbot_command: Command, words: list[str], err: str
+) -> None:
+    result = zbot_command("param", *words)
+    assert (result.code, result.out, result.err) == (1, "", err)
+
+
+def test_nobody_is_there(zbot_command: Command, domain: int) -> None:  # noqa: ARG001 - empty
+    result = zbot_command("param", "get", "robot", "rate", "--timeout", "0")
+    assert (result.code, result.out) == (1, "")
+    assert result.err == "Node not found\n\nhint: there is no /robot; no node is running\n"
+    assert zbot_command("param", "list").code == 0
+    assert zbot_command("param", "dump").out == ""
+
+
+def test_a_value_is_set_as_it_looks(zbot_command: Command, node: library.Node) -> None:
+    node.declare_parameter("gains", [1.0])
+    assert zbot_command("param", "set", SERVICE, "rate", "-5").code == 0
+    assert node.get_parameter("rate").value == -5.0
+    assert zbot_command("param", "set", SERVICE, "my_parameter", "'5'").code == 0
+    assert node.get_parameter("my_parameter").value == "5"
+    assert zbot_command("param", "set", SERVICE, "gains", "[1, 2.5]").code == 0
+    assert zbot_command("param", "get", SERVICE, "gains").out == "Double values are: [1.0, 2.5]\n"
+    assert zbot_command("param", "set", SERVICE, "use_sim_time", "true").code == 0
+    assert zbot_command("param", "get", SERVICE, "use_sim_time").out == "Boolean value is: True\n"
+
+
+@pytest.mark.usefixtures("rich")
+def test_values_of_every_type_are_shown(zbot_command: Command) -> None:
+    names = ["level", "free", "port", "group.flags", "group.bytes", "group.words"]
+    result = zbot_command("param", "get", "lab/rich", *names)
+    assert result.out == (
+        "level:\n  Integer value is: 50\n"
+        "free:\n  Parameter not set.\n"
+        "port:\n  Parameter not set.\n"
+        "group.flags:\n  Boolean values are: [True, False]\n"
+        "group.bytes:\n  Byte values are: [b'\\x01', b'\\xff']\n"
+        "group.words:\n  String values are: ['a', \"it's\", '1e3', 'true', '']\n"
+    )
+
+
+@pytest.mark.usefixtures("rich")
+def test_descriptions_say_all_that_was_declared(zbot_command: Command) -> None:
+    result = zbot_command("param", "describe", "/lab/rich", "level", "share", "port")
+    assert result.out == (
+        "Parameter name: level\n  Type: integer\n  Description: How much\n  Constraints:\n"
+        "    Min value: 0\n    Max value: 255\n    Step: 5\n"
+        "    Additional constraints: even on Sundays\n"
+        "Parameter name: share\n  Type: double\n  Constraints:\n    Read only: true\n"
+        "    Min value: 0.0\n    Max value: 1.0\n    Step: 0.25\n"
+        "Parameter name: port\n  Type: integer\n  Constraints:\n"
+    )
+    described = json.loads(zbot_command("param", "describe", "level", "--json").out)
+    assert described == {
+        "/lab/rich": [
+            {
+                "name": "level",
+                "type": "integer",
+                "description": "How much",
+                "additional_constraints": "even on Sundays",
+                "read_only": False,
+                "dynamic_typing": False,
+                "min": 0,
+                "max": 255,
+                "step": 5,
+            }
+        ]
+    }
+
+
+@pytest.mark.usefixtures("rich")
+def test_a_list_can_be_narrowed(zbot_command: Command) -> None:
+    result = zbot_command("param", "list", "/lab/rich", "--param-prefixes", "group")
+    assert result.out.split() == [
+        "group",
+        "group.bytes",
+        "group.flags",
+        "group.gains",
+        "group.numbers",
+        "group.words",
+    ]
+    result = zbot_command("param", "list", "--filter", "s", "--param-type")
+    assert result.out == (
+        "/lab/rich:\n  share (type: double)\n  start_type_description_service (type: boolean)\n"
+    )
+    assert zbot_command("param", "list", "--filter", "nothing").out == ""
+    result = zbot_command("param", "list", "--filter", "(")
+    assert (result.code, result.out) == (1, "")
+    assert "--filter is no regular expression" in result.err
+
+
+# -- what ros2 does not do ---------------------------------------------------------------------
+
+
+@pytest.mark.usefixtures("node", "rich")
+def test_without_a_node_every_node_that_has_it_answers(zbot_command: Command) -> None:
+    result = zbot_command("param", "get", "use_sim_time")
+    assert result.out == (
+        "/lab/rich:\n  Boolean value is: False\n/minimal_service:\n  Boolean value is: False\n"
+    )
+    assert json.loads(zbot_command("param", "get", "rate", "--json").out) == {
+        "/minimal_service": {"rate": 2.5}
+    }
+    result = zbot_command("param", "set", "rate", "7", "my_parameter", "x")
+    assert result.out == (
+        "/minimal_service:\n  rate: Set parameter successful\n"
+        "  my_parameter: Set parameter successful\n"
+    )
+    result = zbot_command("param", "delete", "level")
+    assert (result.code, result.out) == (1, "/lab/rich:\n")
+    result = zbot_command("param", "get", "ratte")
+    assert result.err.endswith("hint: no node has a parameter ratte; did you mean rate?\n")
+    dumped = json.loads(zbot_command("param", "dump", "--json").out)
+    assert sorted(dumped) == ["/lab/rich", "/minimal_service"]
+    assert dumped["/lab/rich"]["group.bytes"] == [1, 255]
+
+
+def test_several_are_set_each_for_itself_or_all_together(
+    zbot_command: Command, node: library.Node
+) -> None:
+    words = ["param", "set", SERVICE, "rate", "9", "my_parameter", "9"]
+    result = zbot_command(*words, "--atomic")
+    assert result.code == 1
+    assert node.get_parameter("rate").value == 2.5
+    result = zbot_command(*words)
+    assert result.out == "rate: Set parameter successful\n"
+    assert result.err.startswith("my_parameter: Setting parameter failed: Wrong parameter type")
+    assert node.get_parameter("rate").value == 9.0
+
+
+def test_a_dynamic_parameter_is_deleted(zbot_command: Command, rich: library.Node) -> None:
+    assert zbot_command("param", "set", "/lab/rich", "free", "1").code == 0
+    result = zbot_command("param", "delete", "/lab/rich", "free")
+    assert (result.code, result.out) == (0, "Deleted parameter successfully\n")
+    assert not rich.has_parameter("free")
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["get"],
+        ["set", "rate"],
+        ["set", SERVICE, "rate", "5", "--atomc"],
+        ["load", "a", "b", "c"],
+        ["delete"],
+    ],
+)
+def test_a_command_line_that_makes_no_sense_is_refused(
+    zbot_command: Command, words: list[str]
+) -> None:
+    assert zbot_command("param", *words).code == 2
+
+
+# -- dump and load -----------------------------------------------------------------------------
+
+
+def test_load_restores_what_dump_wrote(
+    zbot_command: Command, rich: library.Node, tmp_path: Path
+) -> None:
+    before = {name: one.value for name, one in rich.get_parameters_by_prefix("").items()}
+    path = tmp_path / "rich.yaml"
+    path.write_text(zbot_command("param", "dump", "/lab/rich").out)
+    changed = {
+        "level": 5,
+        "group": "x",
+        "group.flags": [],
+        "group.numbers": [9],
+        "group.gains": [9.0],
+        "group.words": ["x"],
+        "group.bytes": [b"x"],
+    }
+    results = rich.set_parameters([Parameter(name, value=one) for name, one in changed.items()])
+    assert all(one.successful for one in results)
+    result = zbot_command("param", "load", "/lab/rich", str(path))
+    assert {name: one.value for name, one in rich.get_parameters_by_prefix("").items()} == before
+    assert result.code == 0, "what is read-only and unchanged is no failure"
+    assert "Set parameter level successful\n" in result.out
+    assert result.err == (
+        "Set parameter share failed: Trying to set a read-only parameter: share.\n"
+        "Set parameter start_type_description_service failed: "
+        "Trying to set a read-only parameter: start_type_description_service.\n"
+    )
+
+
+FILE = """
+/**:
+  ros__parameters: {rate: 1.5, my_parameter: general}
+/minimal_service:
+  ros__parameters: {my_parameter: own}
+/lab/*:
+  ros__parameters: {level: 5}
+"""
+
+
+@pytest.mark.usefixtures("rich")
+def test_load_finds_what_is_for_a_node(
+    zbot_command: Command, node: library.Node, tmp_path: Path
+) -> None:
+    path = tmp_path / "p.yaml"
+    path.write_text(FILE)
+    result = zbot_command("param", "load", SERVICE, str(path))
+    assert result.out == "Set parameter rate successful\nSet parameter my_parameter successful\n"
+    assert node.get_parameter("my_parameter").value == "own"
+    result = zbot_command("param", "load", SERVICE, str(path), "--no-use-wildcard")
+    assert result.out == "Set parameter my_parameter successful\n"
+    result = zbot_command("param", "load", str(path))
+    assert result.code == 1, "/lab/rich has no rate"
+    assert "/lab/rich:\n" in result.out
+    assert "  Set parameter level successful\n" in result.out
+    assert "  Set parameter rate failed: Invalid access to undeclared" in result.err
+
+
+@pytest.mark.usefixtures("node")
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        (None, "cannot use the parameter file .*: No such file"),
+        ("/other:\n  ros__parameters: {a: 1}", "any valid parameters for /minimal_service"),
+        ("/minimal_service: {a: 1}", "cannot use the parameter file"),
+    ],
+)
+def test_a_file_that_is_of_no_use_is_refused(
+    zbot_command: Command, tmp_path: Path, text: str | None, sentence: str
+) -> None:
+    path = tmp_path / "p.yaml"
+    if text is not None:
+        path.write_text(text)
+    result = zbot_command("param", "load", SERVICE, str(path))
+    assert (result.code, result.out) == (1, "")
+    assert re.search(sentence, result.err)
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        "plain",
+        "1e3",
+        "08",
+        "0x1F",
+        "yes",
+        "~",
+        "a: b",
+        "- a",
+        "#",
+        " x ",
+        "two\nlines",
+        "🤖",
+        "'",
+        "[",
+    ],
+)
+def test_every_text_survives_a_file(value: str, tmp_path: Path) -> None:
+    parameters: dict[str, Parameter[Any]] = {
+        "one": Parameter("one", value=value),
+        "many": Parameter("many", value=[value, value]),
+    }
+    path = tmp_path / "p.yaml"
+    path.write_text(file_text({"/n": parameters}), encoding="utf-8")
+    found = values_for(sections(str(path)), "/n", use_wildcards=True)
+    assert found == {"one": value, "many": [value, value]}
+
+
+# -- with real processes -----------------------------------------------------------------------
+
+
+def test_the_demonstration_takes_and_refuses_values(start: Start) -> None:
+    demo = start("zbot", "run", "parameter_demo", "--ros-args", "-p", "speed:=1")
+    demo.wait_for("Ada drives 1.00 m/s: 3.2 turns a second")
+    assert zbot("param", "set", "parameter_demo", "speed", "2").out == "Set parameter successful\n"
+    demo.wait_for("speed is now 2.0")
+    demo.wait_for("Ada drives 2.00 m/s")
+    refused = zbot("param", "set", "/parameter_demo", "speed", "3")
+    assert (refused.code, refused.err) == (
+        1,
+        (
+            "Setting parameter failed: Parameter speed out of range. Min: 0.0, Max: 2.0, "
+            "value: 3.0 (double, now 2.0)\n"
+        ),
+    )
+    assert "a driver needs a name" in zbot("param", "set", "/parameter_demo", "driver", "''").err
+    demo.stop()
+    assert "Traceback" not in demo.output
+
+
+def test_a_node_that_does_not_spin_is_named(
+    zbot_command: Command, make_context: MakeContext, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("zbot_cli.parameters.ANSWER_TIMEOUT_S", 0.2)
+    nodes = [
+        library.Node("asleep", context=make_context()),
+        library.Node("closed", context=make_context(), start_parameter_services=False),
+    ]
+    result = zbot_command("param", "list")
+    assert (result.code, result.out) == (1, "")
+    assert result.err == (
+        "Wait for service timed out waiting for parameter services for node /asleep\n"
+    )
+    result = zbot_command("param", "list", "/asleep")
+    assert "/asleep does not answer: does it spin?" in result.err
+    result = zbot_command("param", "get", "/closed", "x")
+    assert result.err == (
+        "Wait for service timed out waiting for parameter services for node /closed\n\n"
+        "hint: /closed has no /closed/get_parameters\n"
+    )
+    assert len(nodes) == 2
