@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import contextlib
 import inspect
-import itertools
 import threading
 import time
 from collections import deque
@@ -303,11 +302,13 @@ class Client(Generic[RequestT, ResponseT]):
             None if timeout_sec is None or timeout_sec < 0 else time.monotonic() + timeout_sec
         )
         with self._waking(partial(arrivals.put, _WOKEN), own):
-            for attempt in itertools.count():
+            attempt = 0
+            while True:
                 self.send(exchange, arrivals.put, partial(arrivals.put, attempt))
                 reply = self._wait(arrivals, attempt, deadline, lambda: self._serve(executor, own))
                 if reply is None or not exchange.is_to_be_repeated(reply):
                     break
+                attempt += 1
         return self._read(reply)
 
     @contextlib.contextmanager

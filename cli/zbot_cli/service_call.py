@@ -40,8 +40,8 @@ class CallRateError(ZbotError):
 class NoServerError(ZbotError):
     """No server came in time."""
 
-    def __init__(self, name: str, timeout_s: float, hint: str | None) -> None:
-        self.name, self.timeout_s, self.hint = name, timeout_s, hint
+    def __init__(self, name: str, timeout_s: float) -> None:
+        self.name, self.timeout_s = name, timeout_s
         super().__init__(f"Service '{name}' is not available after waiting {timeout_s:g} seconds")
 
 
@@ -110,7 +110,7 @@ class ServiceCall:
                 service_class(type_name), self._name, qos_profile=self._choice.to_publish()
             )
             if not client.wait_for_service(_left(deadline)):
-                raise self._no_server(node.context.graph.snapshot())
+                raise self._no_server()
             self._call(node, client, template)
 
     def _template(self, type_name: str) -> Template:
@@ -121,18 +121,25 @@ class ServiceCall:
     def _wait_for_server(self, node: Node, deadline: float | None) -> str:
         """Return the type to call with, once there is a server."""
         graph = node.context.graph
+        self._hint(graph.snapshot())
         while (found := served_type_of(graph.snapshot(), self._name, self._type)) is None:
             left = _left(deadline)
             if left == 0:
-                raise self._no_server(graph.snapshot())
+                raise self._no_server()
             graph.wait_for(
                 lambda snapshot: self._name in dict(snapshot.services()),
                 _STEP_S if left is None else min(left, _STEP_S),
             )
         return found
 
-    def _no_server(self, graph: Snapshot) -> NoServerError:
-        return NoServerError(self._name, self._timeout_s or 0, suggestion(self._name, graph))
+    def _hint(self, graph: Snapshot) -> None:
+        """Say on stderr which name may have been meant if nobody serves this one."""
+        guess = suggestion(self._name, graph)
+        if guess is not None and self._name not in dict(graph.services()):
+            print(f"hint: {guess}", file=sys.stderr, flush=True)
+
+    def _no_server(self) -> NoServerError:
+        return NoServerError(self._name, self._timeout_s or 0)
 
     # -- calling -------------------------------------------------------------------------------
 
