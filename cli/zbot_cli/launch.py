@@ -104,14 +104,14 @@ def _show(path: Path, *, arguments_only: bool) -> int:
     description = AnyLaunchDescriptionSource(str(path)).try_get_launch_description_without_context()
     assert description is not None
     if arguments_only:
-        print("\n".join(_argument_lines(description)))
+        print("\n".join(_argument_lines(description, str(path))))
     else:
         print(LaunchIntrospector().format_launch_description(description))
     return 0
 
 
-def _argument_lines(description: LaunchDescription) -> Iterable[str]:
-    found = declared_arguments(description)
+def _argument_lines(description: LaunchDescription, path: str) -> Iterable[str]:
+    found = declared_arguments(description, path=path)
     yield "Arguments (pass arguments as '<name>:=<value>'):"
     if not found:
         yield "\n  No arguments."

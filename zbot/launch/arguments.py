@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from zbot.launch.errors import LaunchArgumentError
+from zbot.launch.substitution import describe
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from zbot.launch.actions.declare_argument import DeclareLaunchArgument
+    from zbot.launch.actions.include import IncludeLaunchDescription
     from zbot.launch.entity import LaunchDescriptionEntity
 
 
@@ -23,61 +26,68 @@ class DeclaredArgument:
 
 
 def declared_arguments(
-    entity: LaunchDescriptionEntity, *, follow_includes: bool = True
+    entity: LaunchDescriptionEntity, *, path: str = "", follow_includes: bool = True
 ) -> list[DeclaredArgument]:
     """Return the arguments of a description and of what it includes, each name once.
 
     Included files whose path is not known before the launch are left out, as are arguments that an
     include sets.
+
+    Args:
+        entity: The description.
+        path: The file that it comes from, if any.
+        follow_includes: Whether to look into included files.
     """
     found: dict[str, DeclaredArgument] = {}
-    for one in _walk(entity, frozenset(), set(), conditional=False, follow=follow_includes):
+    for one in _walk(entity, _Place(path=path, follows=follow_includes)):
         present = found.get(one.action.name)
         if present is None or (present.conditional and not one.conditional):
             found[one.action.name] = one
     return list(found.values())
 
 
-def _walk(
-    entity: LaunchDescriptionEntity,
-    given: frozenset[str],
-    seen: set[str],
-    *,
-    conditional: bool,
-    follow: bool,
-) -> Iterator[DeclaredArgument]:
+@dataclass(frozen=True)
+class _Place:
+    """Where in a tree of launch files something stands."""
+
+    path: str = ""  #: of the file
+    given: frozenset[str] = frozenset()  #: arguments that an include sets
+    chain: tuple[str, ...] = ()  #: files on the way here
+    conditional: bool = False
+    follows: bool = True  #: whether included files are looked into
+
+
+def _walk(entity: LaunchDescriptionEntity, place: _Place) -> Iterator[DeclaredArgument]:
     from zbot.launch.actions.declare_argument import DeclareLaunchArgument  # noqa: PLC0415 - cycle
     from zbot.launch.actions.include import IncludeLaunchDescription  # noqa: PLC0415 - cycle
 
-    conditional = conditional or getattr(entity, "condition", None) is not None
+    if getattr(entity, "condition", None) is not None:
+        place = replace(place, conditional=True)
     if isinstance(entity, DeclareLaunchArgument):
-        if entity.name not in given:
-            yield DeclaredArgument(entity, conditional)
-        return
-    if isinstance(entity, IncludeLaunchDescription):
-        if follow:
-            yield from _walk_include(entity, given, seen, conditional=conditional)
-        return
-    for one in entity.describe_sub_entities():
-        yield from _walk(one, given, seen, conditional=conditional, follow=follow)
-    for _, entities in entity.describe_conditional_sub_entities():
-        for one in entities:
-            yield from _walk(one, given, seen, conditional=True, follow=follow)
+        if entity.name not in place.given:
+            yield DeclaredArgument(entity, place.conditional)
+    elif isinstance(entity, IncludeLaunchDescription):
+        if place.follows:
+            yield from _walk_include(entity, place)
+    else:
+        for one in entity.describe_sub_entities():
+            yield from _walk(one, place)
+        for _, entities in entity.describe_conditional_sub_entities():
+            for one in entities:
+                yield from _walk(one, replace(place, conditional=True))
 
 
-def _walk_include(
-    entity: object, given: frozenset[str], seen: set[str], *, conditional: bool
-) -> Iterator[DeclaredArgument]:
-    from zbot.launch.actions.include import IncludeLaunchDescription  # noqa: PLC0415 - cycle
-
-    assert isinstance(entity, IncludeLaunchDescription)
+def _walk_include(entity: IncludeLaunchDescription, place: _Place) -> Iterator[DeclaredArgument]:
     source = entity.launch_description_source
-    description = source.try_get_launch_description_without_context()
-    if description is None or source.location_text in seen:
+    path = source.location_before_launch(place.path) or ""
+    # What is missing, or without end, the launch itself will tell.
+    if path in place.chain or (path and not Path(path).is_file()):
         return
-    seen.add(source.location_text)
-    names = {name for name, _ in entity.launch_arguments if isinstance(name, str)}
-    yield from _walk(description, given | names, seen, conditional=conditional, follow=True)
+    description = source.try_get_launch_description_without_context(place.path)
+    if description is not None:
+        names = {describe(name).strip("'") for name, _ in entity.launch_arguments}
+        chain, given = (*place.chain, path), place.given | names
+        yield from _walk(description, replace(place, path=path, given=given, chain=chain))
 
 
 def parse_arguments(words: Sequence[str]) -> dict[str, str]:

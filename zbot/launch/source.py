@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from zbot.errors import ZbotError
 from zbot.launch.description import LaunchDescription
 from zbot.launch.errors import (
     EntityTypeError,
@@ -19,6 +20,14 @@ if TYPE_CHECKING:
     from zbot.launch.substitution import SomeSubstitutionsType
 
 _FORMATS = {".py": "python", ".xml": "xml", ".yaml": "yaml", ".yml": "yaml"}
+
+
+def file_locals(path: Path) -> dict[str, str]:
+    """Return the locals that say which launch file is being worked on."""
+    return {
+        "current_launch_file_path": str(path),
+        "current_launch_file_directory": str(path.parent),
+    }
 
 
 class LaunchDescriptionSource:
@@ -54,24 +63,35 @@ class LaunchDescriptionSource:
             self._description = self._load(perform(context, self._location))
         return self._description
 
-    def try_get_launch_description_without_context(self) -> LaunchDescription | None:
-        """Return the description if no more than the file is needed, else None."""
+    def try_get_launch_description_without_context(
+        self, including: str = ""
+    ) -> LaunchDescription | None:
+        """Return the description if no more than the file is needed, else None.
+
+        Args:
+            including: The path of the launch file that this one is named in.
+
+        Raises:
+            LaunchFileError: The file makes no sense.
+        """
         if self._description is None:
-            if not all(isinstance(part, TextSubstitution) for part in self._location):
-                return self._try_packages()
-            self._description = self._load(self._fixed_location())
+            location = self.location_before_launch(including)
+            if location is None:
+                return None
+            self._description = self._load(location)
         return self._description
 
-    def _try_packages(self) -> LaunchDescription | None:
+    def location_before_launch(self, including: str = "") -> str | None:
+        """Return the path if it is known before the launch; see above."""
         from zbot.launch.context import LaunchContext  # noqa: PLC0415 - cycle
 
+        context = LaunchContext()
+        if including:
+            context.extend_locals(file_locals(Path(including)))
         try:
-            return self._load(perform(LaunchContext(), self._location))
-        except (LaunchError, LookupError):
-            return None  # it depends on what is known only at launch
-
-    def _fixed_location(self) -> str:
-        return "".join(p.text for p in self._location if isinstance(p, TextSubstitution))
+            return perform(context, self._location)
+        except (ZbotError, LookupError):
+            return None  # it depends on what only the launch knows
 
     def path(self, context: LaunchContext) -> Path | None:
         """Return the absolute path of the file; None if there is no file."""
@@ -81,7 +101,7 @@ class LaunchDescriptionSource:
     @property
     def location(self) -> str:
         """The path, as far as it is known."""
-        return self._fixed_location() if self._location else ""
+        return self.location_before_launch() or ""
 
     @property
     def location_text(self) -> str:

@@ -77,11 +77,14 @@ class Supervisor:
         self._sent: set[int] = set()
         self._ladder: asyncio.Task[None] | None = None
 
-    async def run(self) -> None:
-        """Run the program until it has ended for good."""
+    def start(self) -> asyncio.Task[None]:
+        """Run the program; the task is done when it has ended for good."""
         handlers = self._handlers()
-        for handler in handlers:
+        for handler in handlers:  # before the task begins: the launch may end until then
             self._context.register_event_handler(handler)
+        return self._context.create_task(self._run(handlers))
+
+    async def _run(self, handlers: list[BaseEventHandler]) -> None:
         try:
             await self._run_again_and_again()
         except OSError as error:
@@ -113,13 +116,22 @@ class Supervisor:
         prepared, journal = self._prepared, self._context.journal
         lines = OutputLines(self.label, self._policy.sinks, journal, self._policy.form)
         is_line = self._policy.shell
+        early: list[tuple[int, bytes]] = []  # written before it is told that it started
+        is_told = False
+
+        def on_data(fd: int, data: bytes) -> None:
+            if is_told:
+                self._on_data(lines, fd, data)
+            else:
+                early.append((fd, data))
+
         child = await process.start(
             " ".join(prepared.words) if is_line else prepared.words,
             env=prepared.env,
             cwd=prepared.cwd,
             has_terminal=self._policy.has_terminal,
             stdin=self._stdin(),
-            on_data=lambda fd, data: self._on_data(lines, fd, data),
+            on_data=on_data,
             family=self._context.family,
         )
         self._process = child
@@ -128,6 +140,9 @@ class Supervisor:
             journal.info(self.label, f"process details: cmd='{shlex.join(prepared.words)}'")
         self._action.process_details = self._details()
         self._emit(ProcessStarted)
+        is_told = True
+        for fd, data in early:
+            self._on_data(lines, fd, data)
         if self._wants_end.is_set():  # it came while the process was being started
             self._begin_to_stop()
         code = await child.wait()

@@ -123,7 +123,7 @@ class ExecuteLocal(Action):
         if self.on_exit is not None:
             handler = OnProcessExit(target_action=self, on_exit=self.on_exit)
             context.register_event_handler(handler)
-        self._task = context.create_task(supervisor.run())
+        self._task = supervisor.start()
         return None
 
     def _policy(self, context: LaunchContext) -> Policy:

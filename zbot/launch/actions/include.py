@@ -8,8 +8,13 @@ from zbot.launch.action import Action
 from zbot.launch.actions.configuration import SetLaunchConfiguration
 from zbot.launch.arguments import declared_arguments
 from zbot.launch.description import LaunchDescription
-from zbot.launch.errors import EntityTypeError, IncludeLoopError, LaunchArgumentError
-from zbot.launch.source import LaunchDescriptionSource
+from zbot.launch.errors import (
+    EntityTypeError,
+    IncludeLoopError,
+    LaunchArgumentError,
+    LaunchFileError,
+)
+from zbot.launch.source import LaunchDescriptionSource, file_locals
 from zbot.launch.substitution import is_a_substitution, normalize, perform
 
 if TYPE_CHECKING:
@@ -89,8 +94,7 @@ class IncludeLaunchDescription(Action):
         if path is None:
             return [*sets, description]
         extensions = {
-            "current_launch_file_path": str(path),
-            "current_launch_file_directory": str(path.parent),
+            **file_locals(path),
             "include_chain": self._chain(context, str(path), given),
         }
         return [*sets, _EnterFile(extensions), description, _LeaveFile()]
@@ -113,7 +117,8 @@ class IncludeLaunchDescription(Action):
             action = found.action
             if action.default_value is None and not found.conditional and action.name not in given:
                 told = action.description if action.description != "no description given" else ""
-                raise LaunchArgumentError.missing(action.name, told)
+                error = LaunchArgumentError.missing(action.name, told)
+                raise error if action.origin is None else LaunchFileError.at(action.origin, error)
 
     def describe(self) -> str:
         """Return the source."""

@@ -10,7 +10,6 @@ from zbot.launch.condition import IfCondition, UnlessCondition
 from zbot.launch.description import LaunchDescription
 from zbot.launch.entity import Origin
 from zbot.launch.errors import LaunchFileError
-from zbot.launch.frontend.errors import SubstitutionSyntaxError
 from zbot.launch.frontend.registry import ACTIONS
 from zbot.launch.frontend.substitution_text import parse
 
@@ -73,7 +72,7 @@ class Parser:
             action = build(entity, self)
         except LaunchFileError:
             raise
-        except (ZbotError, SubstitutionSyntaxError) as error:
+        except (ZbotError, ValueError) as error:
             raise entity.error(str(error), getattr(error, "hint", "") or "") from error
         entity.assert_entity_completely_parsed()
         if isinstance(action, Action):

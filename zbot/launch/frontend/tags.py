@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import os
-import shlex
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch import actions
+from zbot.launch.frontend.errors import SubstitutionSyntaxError
 from zbot.launch.frontend.registry import action
 from zbot.launch.source import AnyLaunchDescriptionSource
 from zbot.launch.substitution import TextSubstitution, to_bool
@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from zbot.launch.frontend.entity import Entity
     from zbot.launch.frontend.parser import Parser
     from zbot.launch.substitution import Substitution
+
+_QUOTES = "\"'"
 
 
 def text(entity: Entity, parser: Parser, name: str) -> list[Substitution] | None:
@@ -39,25 +41,41 @@ def truth(entity: Entity, name: str, *, default: bool) -> bool:
 
 
 def words(parts: list[Substitution]) -> list[list[Substitution]]:
-    """Return the words of a command line, of which each is made of substitutions."""
-    found: list[list[Substitution]] = []
-    joins = False
+    """Return the words of a command line, of which each is made of substitutions.
+
+    Blanks end a word, except between quotes or inside of what a substitution becomes.
+    """
+    found: list[list[Substitution]] = [[]]
+    quote, is_open = "", False
     for part in parts:
         if not isinstance(part, TextSubstitution):
-            found = [*found[:-1], [*found[-1], part]] if joins and found else [*found, [part]]
-            joins = True
+            found[-1].append(part)
+            is_open = True
             continue
-        pieces = shlex.split(part.text, posix=os.name != "nt")
-        joins = joins and not part.text[:1].isspace()
-        for piece in pieces:
-            substitution = TextSubstitution(text=piece)
-            if joins and found:
-                found[-1].append(substitution)
+        for character in part.text:
+            if character == quote or (not quote and character in _QUOTES):
+                quote, is_open = "" if quote else character, True
+            elif character.isspace() and not quote:
+                found += [[]] if is_open else []
+                is_open = False
             else:
-                found.append([substitution])
-            joins = False
-        joins = not part.text[-1:].isspace()
-    return found
+                found[-1].append(TextSubstitution(text=character))
+                is_open = True
+    if quote:
+        raise SubstitutionSyntaxError(f"the quote {quote} is not closed")
+    return [_merged(word) for word in (found if is_open else found[:-1])]
+
+
+def _merged(parts: list[Substitution]) -> list[Substitution]:
+    """Return a word with neighbouring texts as one."""
+    merged: list[Substitution] = []
+    for part in parts:
+        last = merged[-1] if merged else None
+        if isinstance(part, TextSubstitution) and isinstance(last, TextSubstitution):
+            merged[-1] = TextSubstitution(text=last.text + part.text)
+        else:
+            merged.append(part)
+    return merged
 
 
 def process_options(entity: Entity, parser: Parser) -> dict[str, Any]:

@@ -1,0 +1,182 @@
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from zbot.launch import LaunchContext, LaunchDescription
+from zbot.launch.actions import DeclareLaunchArgument
+from zbot.launch.arguments import declared_arguments, parse_arguments
+from zbot.launch.errors import LaunchArgumentError, LaunchFileError
+from zbot.launch.introspector import LaunchIntrospector
+from zbot.launch.source import AnyLaunchDescriptionSource
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+_XML = """\
+<launch>
+  <arg name="robot" default="r2" description="its name"><choice value="r2"/></arg>
+  <let name="both" value="$(var robot)_x"/>
+  <set_env name="A" value="b"/>
+  <unset_env name="A"/>
+  <append_env name="A" value="c" prepend="true"/>
+  <group scoped="false" if="true"><push-ros-namespace namespace="$(var robot)"/></group>
+  <node pkg="p" exec="e" name="n" args="--a $(var robot)" output="screen" respawn="true">
+    <param name="x" value="5"/>
+    <param name="y"><param name="z" value="1 2" value-sep=" "/></param>
+    <remap from="a" to="b"/>
+    <env name="E" value="f"/>
+  </node>
+  <executable cmd="echo hi" shell="true"/>
+  <set_parameter name="q" value="1.5" type="float"/>
+  <set_remap from="c" to="d"/>
+  <timer period="2"><log message="hello" level="error"/></timer>
+  <node_container pkg="p" exec="e" name="c" namespace=""><composable_node pkg="a" plugin="b"/>
+  </node_container>
+  <include file="x.launch.py"><arg name="k" value="v"/></include>
+  <shutdown reason="done"/>
+</launch>
+"""
+_YAML = """\
+launch:
+- arg: {name: robot, default: r2, description: its name, choice: [{value: r2}]}
+- let: {name: both, value: $(var robot)_x}
+- set_env: {name: A, value: b}
+- unset_env: {name: A}
+- append_env: {name: A, value: c, prepend: true}
+- group:
+    scoped: false
+    if: true
+    children:
+    - push_ros_namespace: {namespace: $(var robot)}
+- node:
+    pkg: p
+    exec: e
+    name: n
+    args: --a $(var robot)
+    output: screen
+    respawn: true
+    param:
+    - {name: x, value: 5}
+    - name: y
+      param:
+      - {name: z, value: [1, 2]}
+    remap: [{from: a, to: b}]
+    env: [{name: E, value: f}]
+- executable: {cmd: echo hi, shell: true}
+- set_parameter: {name: q, value: 1.5, type: float}
+- set_remap: {from: c, to: d}
+- timer:
+    period: 2
+    children:
+    - log: {message: hello, level: error}
+- node_container:
+    pkg: p
+    exec: e
+    name: c
+    namespace: ''
+    composable_node: [{pkg: a, plugin: b}]
+- include:
+    file: x.launch.py
+    arg: [{name: k, value: v}]
+- shutdown: {reason: done}
+"""
+_TREE = """\
+<launch.LaunchDescription>
+    DeclareLaunchArgument('robot')
+    SetLaunchConfiguration('both', LaunchConfig('robot') + '_x')
+    SetEnvironmentVariable('A', 'b')
+    UnsetEnvironmentVariable()
+    AppendEnvironmentVariable('A', 'c')
+    GroupAction() if IfCondition('true')
+        group condition:
+            PushROSNamespace()
+    Node(package='p', executable='e')
+    ExecuteProcess(cmd=['echo hi'])
+    SetParameter()
+    SetRemap()
+    TimerAction()
+        after some time:
+            Log('hello')
+    ComposableNodeContainer('c')
+    IncludeLaunchDescription('x.launch.py')
+    Shutdown()"""
+
+
+def _load(folder: Path, name: str, text: str) -> LaunchDescription:
+    path = folder / name
+    path.write_text(text, encoding="utf-8")
+    description = AnyLaunchDescriptionSource(str(path)).try_get_launch_description_without_context()
+    assert description is not None
+    return description
+
+
+@pytest.mark.parametrize(("name", "text"), [("a.launch.xml", _XML), ("a.launch.yaml", _YAML)])
+def test_both_formats_make_the_same_actions(tmp_path: Path, name: str, text: str) -> None:
+    description = _load(tmp_path, name, text)
+    assert LaunchIntrospector().format_launch_description(description) == _TREE
+    (argument,) = description.get_launch_arguments()
+    assert (argument.name, argument.description) == ("robot", "its name")
+    assert argument.choices == ["r2"]
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "told"),
+    [
+        ("a.launch.xml", "<launch>\n<node pkg='p'/>\n</launch>", ":2: `node` needs the attr"),
+        ("a.launch.xml", "<launch>\n<nod/>\n</launch>", ":2: there is no action `nod`"),
+        ("a.launch.xml", "<launch>\n\n<log/ ></launch>", ":3: not well-formed"),
+        ("a.launch.xml", "<launch>\n<log message='$(var'/></launch>", ":2: '$(var' is not closed"),
+        ("a.launch.xml", "<launch>\n<log message='' leve='x'/></launch>", "no attribute 'leve'"),
+        ("a.launch.xml", "<robot/>", ":1: the outermost tag must be <launch>"),
+        ("a.launch.xml", "<launch>\n<log message='' if='1' unless='1'/></launch>", ":2: `log` has"),
+        ("a.launch.yaml", "launch:\n- node: {pkg: p}", ":2: `node` needs the attribute 'exec'"),
+        ("a.launch.yaml", "launch:\n- a: 1\n  b: 2", ":2: each item of the list must be one"),
+        ("a.launch.yaml", "launch:\n- log: hello", ":2: below `log` belongs"),
+        ("a.launch.yaml", "lunch: []", ":1: a launch file in YAML begins with `launch:`"),
+        ("a.launch.yaml", "", ":1: a launch file in YAML begins with `launch:`"),
+        ("a.launch.yaml", "launch:\n- {", "YAML: "),
+        ("a.launch.py", "x = (", ":1: SyntaxError: '(' was never closed"),
+        ("a.launch.py", "x = 1", ": it has no function generate_launch_description()"),
+        ("a.launch.py", "\ndef generate_launch_description():\n    1/0", ":3: ZeroDivisionError"),
+        ("a.launch.py", "def generate_launch_description():\n    pass", ":1: generate_launch_desc"),
+        ("a.launch.py", "import no_such_module", ":1: ModuleNotFoundError: No module named"),
+        ("a.launch.txt", "", "the name of a launch file ends in .py, .xml, .yaml or .yml"),
+    ],
+)
+def test_a_mistake_is_told_with_file_and_line(
+    tmp_path: Path, name: str, text: str, told: str
+) -> None:
+    with pytest.raises(LaunchFileError) as caught:
+        _load(tmp_path, name, text)
+    sentence = str(caught.value)
+    assert sentence.startswith(str(tmp_path / name))
+    assert told in sentence
+    assert "\n" not in sentence
+
+
+def test_arguments_of_included_files_are_found(tmp_path: Path) -> None:
+    _load(tmp_path, "b.launch.xml", "<launch><arg name='b' default='1'/><arg name='c'/></launch>")
+    included = tmp_path / "b.launch.xml"
+    description = _load(
+        tmp_path,
+        "a.launch.xml",
+        f"<launch><arg name='a'/><include file='{included}' if='true'>"
+        "<arg name='c' value='2'/></include></launch>",
+    )
+    found = [(one.action.name, one.conditional) for one in declared_arguments(description)]
+    assert found == [("a", False), ("b", True)]
+
+
+def test_words_of_the_command_line_are_arguments() -> None:
+    assert parse_arguments(["a:=1", "b:=x:=y", "a:=2"]) == {"a": "2", "b": "x:=y"}
+    for word in ("a", "a=1", ":=1", "a:="):
+        with pytest.raises(LaunchArgumentError, match=f"malformed launch argument '{word}'"):
+            parse_arguments([word])
+
+
+def test_a_missing_default_is_told() -> None:
+    argument = DeclareLaunchArgument("speed", description="how fast")
+    with pytest.raises(LaunchArgumentError, match='"speed" \\(description: "how fast"\\)'):
+        argument.execute(LaunchContext())
