@@ -225,6 +225,7 @@ class Context:
                         self.session,
                         self.dialect,
                         self._domain,
+                        asks_first=self._mode == "client",
                         settle=self.settle,
                         start_thread=self.start_thread,
                     )

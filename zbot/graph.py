@@ -126,6 +126,8 @@ class Graph:
         domain: 0 to 232.
         settle: Waits until the session has met the others; called before the first look.
         start_thread: Runs a function under a name until the session is closed.
+        asks_first: Whether to ask who is there before following changes. A client's session answers
+            queries by itself, and incompletely, as soon as it follows them.
     """
 
     def __init__(
@@ -134,6 +136,7 @@ class Graph:
         dialect: Dialect,
         domain: int,
         *,
+        asks_first: bool = False,
         settle: Callable[[], None],
         start_thread: Callable[[str, Callable[[], None]], None],
     ) -> None:
@@ -147,6 +150,7 @@ class Graph:
         self._by_gid: dict[bytes, EndpointToken] = {}
         self._lock = threading.Lock()
         self._listeners: list[weakref.ref[Any]] = []
+        self._asks_first = asks_first
         self._watching = False
         self._is_complete = False
         self._gone: set[str] = set()
@@ -159,6 +163,8 @@ class Graph:
             if self._watching:
                 return
             self._watching = True
+        if self._asks_first:
+            self._complete()
         # A callback would run inside `declare_token` too, where Zenoh swallows a Ctrl-C.
         self._subscriber = self._session.liveliness().declare_subscriber(
             self._key, zenoh.handlers.FifoChannel(_QUEUE), history=True

@@ -12,6 +12,7 @@ import zbot as library
 from tests.cli.command import zbot
 from zbot.parameter import Parameter
 from zbot.parameter_file import sections
+from zbot_cli.looking import hidden_node
 from zbot_cli.parameter_text import file_text, values_for
 
 from rcl_interfaces.msg import (  # isort: skip
@@ -461,3 +462,11 @@ def test_a_node_that_does_not_spin_is_named(
         "hint: /closed has no /closed/get_parameters\n"
     )
     assert len(nodes) == 2
+
+
+@pytest.mark.usefixtures("node", "rich")
+def test_a_command_that_is_a_node_itself_sees_every_other_at_once() -> None:
+    for _ in range(20):
+        with hidden_node("test") as one:
+            names = one.get_fully_qualified_node_names()
+            assert {"/lab/rich", "/minimal_service"} <= set(names)
