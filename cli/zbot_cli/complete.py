@@ -106,6 +106,20 @@ def _transitions(_: Sequence[str], __: str) -> Iterable[str]:
     return ("configure", "cleanup", "activate", "deactivate", "shutdown")
 
 
+def _parameters(done: Sequence[str], _: str) -> Iterable[str]:
+    from zbot_cli.looking import hidden_node  # noqa: PLC0415 - as above
+    from zbot_cli.parameters import RemoteParameters  # noqa: PLC0415 - as above
+
+    with hidden_node("complete") as node:
+        remote = RemoteParameters(node, 0)
+        return remote.names(remote.find(done[0]))
+
+
+def _parameter_to_set(done: Sequence[str], unfinished: str) -> Iterable[str]:
+    # NODE PARAM VALUE PARAM VALUE: only the reader knows a value.
+    return _parameters(done, unfinished) if len(done) % 2 else []
+
+
 def _topic_type(done: Sequence[str], unfinished: str) -> Iterable[str]:
     from zbot_cli.looking import full_name, snapshot  # noqa: PLC0415 - as above
 
@@ -240,6 +254,13 @@ _VALUES: dict[tuple[str, str], tuple[Any, ...]] = {
     ("lifecycle", "get"): (_managed_nodes,),
     ("lifecycle", "list"): (_managed_nodes,),
     ("lifecycle", "set"): (_managed_nodes, _transitions),
+    ("param", "delete"): (_nodes, _parameters),
+    ("param", "describe"): (_nodes, _parameters),
+    ("param", "dump"): (_nodes,),
+    ("param", "get"): (_nodes, _parameters),
+    ("param", "list"): (_nodes,),
+    ("param", "load"): (_nodes, None),
+    ("param", "set"): (_nodes, _parameter_to_set),
     ("pkg", "executables"): (_all_packages,),
     ("pkg", "prefix"): (_all_packages,),
     ("pkg", "xml"): (_all_packages,),

@@ -470,3 +470,13 @@ def test_a_command_that_is_a_node_itself_sees_every_other_at_once() -> None:
         with hidden_node("test") as one:
             names = one.get_fully_qualified_node_names()
             assert {"/lab/rich", "/minimal_service"} <= set(names)
+
+
+@pytest.mark.usefixtures("node")
+def test_tab_completes_nodes_and_parameters(zbot_command: Command) -> None:
+    assert zbot_command("complete", "--", "param", "get", "/m").out == "/minimal_service\n"
+    words = ["complete", "--", "param", "set", SERVICE]
+    assert zbot_command(*words, "r").out == "rate\n"
+    assert zbot_command(*words, "rate", "").out == ""
+    assert zbot_command(*words, "rate", "1", "m").out == "my_parameter\n"
+    assert zbot_command("complete", "--", "param", "get", "/nobody", "").out == ""
