@@ -85,11 +85,9 @@ class ParameterUninitializedException(ParameterError):
     """A parameter was declared with a type alone, and nobody has set it yet."""
 
     def __init__(self, parameter_name: str) -> None:
-        super().__init__(
-            f"The parameter '{parameter_name}' is not initialized: set it, for example with "
-            f"-p {parameter_name}:=..., or ask with get_parameter_or()",
-            parameter_name,
-        )
+        super().__init__(f"The parameter '{parameter_name}' is not initialized", parameter_name)
+        advice = f"set it, for example with -p {parameter_name}:=..., or use get_parameter_or()"
+        self.args = (f"{self.error_msg}: {advice}",)
 
 
 class ParameterDeclarationError(ZbotError, ValueError):
