@@ -193,6 +193,10 @@ class OnProcessIO(OnActionEventBase):
             **options,
         )
 
+    def matches(self, event: Event) -> bool:
+        """Return whether it is about the process, and from a stream that matters here."""
+        return super().matches(event) and self._reactions[cast("ProcessIO", event).fd] is not None
+
     def _react(self, event: Any, context: LaunchContext) -> Any:
         return react(self._reactions[event.fd], event, context)
 

@@ -9,11 +9,10 @@ from zbot.errors import ZbotError
 from zbot.launch.description import LaunchDescription
 from zbot.launch.errors import (
     EntityTypeError,
-    LaunchError,
     LaunchFileError,
     LaunchFileNotFoundError,
 )
-from zbot.launch.substitution import TextSubstitution, describe, normalize, perform
+from zbot.launch.substitution import describe, normalize, perform
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext

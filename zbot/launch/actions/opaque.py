@@ -76,7 +76,11 @@ class OpaqueCoroutine(Action):
         first = () if self._ignores_context else (context,)
         task = context.create_task(self._coroutine(*first, *self._args, **self._kwargs))
         self._task = task
-        context.register_event_handler(OnShutdown(on_shutdown=lambda *_: task.cancel() and None))
+
+        def cancel(*_: object) -> None:
+            task.cancel()
+
+        context.register_event_handler(OnShutdown(on_shutdown=cancel))
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
         """Return the task of the coroutine."""

@@ -1,0 +1,367 @@
+"""`zbot launch` as a user starts it: real processes, real signals."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import subprocess
+import sys
+from typing import TYPE_CHECKING
+
+import pytest
+
+from tests.conftest import Program, wait_until
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+_STUBBORN = "import signal; [signal.signal(n, signal.SIG_IGN) for n in (2, 15)]; print('deaf'); "
+_STUBBORN += "import time; time.sleep(60)"
+_IMPORTS = """
+import sys
+from launch import LaunchDescription
+from launch.actions import *
+from launch.conditions import *
+from launch.event_handlers import *
+from launch.events import Shutdown as ShutdownEvent
+from launch.events.process import *
+from launch.substitutions import *
+from launch_ros.actions import *
+def python(code, **options):
+    return ExecuteProcess(cmd=[sys.executable, "-c", code], **options)
+def generate_launch_description():
+    return LaunchDescription([
+"""
+
+
+@pytest.fixture(autouse=True)
+def log_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("ZBOT_LOG_DIR", str(tmp_path / "log"))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+    return tmp_path / "log"
+
+
+@pytest.fixture
+def launch(tmp_path: Path, start: Callable[..., Program]) -> Callable[..., Program]:
+    """Return a function that launches what stands in a LaunchDescription."""
+
+    def run(actions: str, *words: str) -> Program:
+        file = tmp_path / "a.launch.py"
+        file.write_text(f"{_IMPORTS}{actions}\n])\n", encoding="utf-8")
+        return start("zbot", "launch", str(file), *words)
+
+    return run
+
+
+def _pid(line: str) -> int:
+    match = re.search(r"pid \[(\d+)\]", line)
+    assert match is not None
+    return int(match[1])
+
+
+def _is_alive(pid: int) -> bool:
+    try:
+        os.kill(pid, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+def test_the_bundled_temperature_system_runs_until_ctrl_c(start: Callable[..., Program]) -> None:
+    program = start("zbot", "launch", "temperature")
+    program.wait_for("[INFO] [launch]: All log files can be found below ")
+    sensor = _pid(program.wait_for("[INFO] [sensor-1]: process started with pid ["))
+    program.wait_for("[INFO] [monitor-2]: process started with pid [")
+    program.wait_for("[monitor-2] [")
+    program.wait_for(" temperature: ")
+    assert program.stop() == 0
+    assert "[WARNING] [launch]: user interrupted with ctrl-c (SIGINT)" in program.output
+    assert f"[INFO] [sensor-1]: process has finished cleanly [pid {sensor}]" in program.output
+    assert "Traceback" not in program.output
+    assert not _is_alive(sensor)
+
+
+def test_the_lessons_launch_file_finds_its_package(
+    start: Callable[..., Program], tmp_path: Path
+) -> None:
+    package = tmp_path / "src" / "my_robot_pkg"
+    (package / "my_robot_pkg").mkdir(parents=True)
+    (package / "launch").mkdir()
+    (package / "my_robot_pkg" / "__init__.py").touch()
+    (package / "package.xml").write_text("<package><name>my_robot_pkg</name></package>")
+    (package / "setup.py").write_text(
+        "from setuptools import setup\n"
+        "setup(name='my_robot_pkg', entry_points={'console_scripts': ["
+        "'temperature_sensor = my_robot_pkg.sensor:main']})"
+    )
+    (package / "my_robot_pkg" / "sensor.py").write_text(
+        "import zbot\n"
+        "def main():\n"
+        "    with zbot.init():\n"
+        "        node = zbot.Node('unnamed')\n"
+        "        print('I am', node.get_fully_qualified_name())\n"
+        "        zbot.spin(node)\n"
+    )
+    (package / "launch" / "temperature_system.launch.py").write_text(
+        "from launch import LaunchDescription\n"
+        "from launch_ros.actions import Node\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([Node(package='my_robot_pkg',\n"
+        "        executable='temperature_sensor', name='sensor')])\n"
+    )
+    program = start("zbot", "launch", "my_robot_pkg", "temperature_system.launch.py")
+    program.wait_for("[temperature_sensor-1] I am /sensor")
+    assert program.stop() == 0
+
+
+def test_output_is_prefixed_and_not_buffered(launch: Callable[..., Program]) -> None:
+    program = launch(
+        'python(\'import time, sys; print("out"); print("err", file=sys.stderr); '
+        "time.sleep(60)', name='chatty')"
+    )
+    program.wait_for("[chatty-1] out")
+    if "[chatty-1] err" not in program.output:  # two pipes, in no order
+        program.wait_for("[chatty-1] err")
+    assert program.stop() == 0
+
+
+def test_a_terminal_is_emulated(launch: Callable[..., Program]) -> None:
+    program = launch(
+        "python('import sys; print(sys.stdout.isatty(), sys.stderr.isatty())', name='tty', "
+        "emulate_tty=True), python('import sys; print(sys.stdout.isatty())', name='pipe')"
+    )
+    assert program.wait() == 0
+    assert "[tty-1] True True" in program.output
+    assert "[pipe-2] False" in program.output
+
+
+def test_the_default_output_also_reaches_the_log(
+    launch: Callable[..., Program], log_folder: Path
+) -> None:
+    program = launch(
+        "python('print(\"seen\")', name='a'), python('print(\"hidden\")', name='b', output='log'),"
+        "python('print(\"own\")', name='c', output='own_log')"
+    )
+    assert program.wait() == 0
+    text = (log_folder / "latest" / "launch.log").read_text()
+    assert "[a-1] seen" in text
+    assert "[b-2] hidden" in text
+    assert "[b-2]" not in program.output.replace("[INFO] [b-2]", "")
+    assert (log_folder / "latest" / "c-3-stdout.log").read_text() == "own\n"
+
+
+def test_a_program_that_dies_is_told_and_counts(launch: Callable[..., Program]) -> None:
+    program = launch("python('raise SystemExit(3)', name='bad'), python('', name='good')")
+    assert program.wait() == 1
+    died = program.output
+    assert re.search(r"\[ERROR\] \[bad-1\]: process has died \[pid \d+, exit code 3, cmd '", died)
+    assert "[INFO] [good-2]: process has finished cleanly" in died
+
+
+def test_shutdown_ends_the_others(launch: Callable[..., Program]) -> None:
+    program = launch(
+        "python('import time; time.sleep(60)', name='long'),"
+        "python('', name='short', on_exit=Shutdown(reason='enough'))"
+    )
+    assert program.wait() == 0
+    assert "[INFO] [long-1]: sending signal 'SIGINT' to process[long-1]" in program.output
+
+
+def test_a_deaf_program_gets_sigterm_and_sigkill(launch: Callable[..., Program]) -> None:
+    program = launch(
+        f"python({_STUBBORN!r}, name='deaf', sigterm_timeout='0.2', sigkill_timeout=0.2)"
+    )
+    program.wait_for("[deaf-1] deaf")
+    assert program.stop() == 0
+    text = program.output
+    assert "process[deaf-1] failed to terminate '0.2' seconds after receiving 'SIGINT'" in text
+    assert "escalating to 'SIGTERM'" in text
+    assert "escalating to 'SIGKILL'" in text
+
+
+def test_ctrl_c_again_does_not_wait(launch: Callable[..., Program]) -> None:
+    program = launch(f"python({_STUBBORN!r}, name='deaf')")
+    program.wait_for("[deaf-1] deaf")
+    for told in ("user interrupted with ctrl-c", "user interrupted again"):
+        program.process.send_signal(signal.SIGINT)
+        program.wait_for(told)
+    program.wait_for("escalating to 'SIGTERM'")
+    program.process.send_signal(signal.SIGINT)
+    assert program.wait(3) == 0
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_a_killed_launcher_leaves_nobody(launch: Callable[..., Program]) -> None:
+    program = launch(
+        "Node(package='zbot', executable='talker'),"
+        "ExecuteProcess(cmd=['sleep 60 & sleep 60 & echo here; wait'], shell=True, name='sh'),"
+        f"python({_STUBBORN!r}, name='deaf')"
+    )
+    pids = [_pid(program.wait_for("process started with pid [")) for _ in range(3)]
+    program.wait_for("deaf")
+    program.process.kill()
+    assert wait_until(lambda: not any(_is_group_alive(pid) for pid in pids), 2.0)
+
+
+def _is_group_alive(group: int) -> bool:
+    """Return whether a process of a group runs; one that nobody waited for does not."""
+    listed = subprocess.run(
+        ["ps", "-eo", "pgid=,stat="], capture_output=True, text=True, check=True
+    )
+    rows = (line.split() for line in listed.stdout.splitlines())
+    return any(int(found) == group and not state.startswith("Z") for found, state in rows)
+
+
+def test_sigterm_ends_the_launch_in_order(launch: Callable[..., Program]) -> None:
+    program = launch("Node(package='zbot', executable='talker')")
+    program.wait_for("Publishing")
+    assert program.stop(signal.SIGTERM) == 0
+    assert "[INFO] [talker-1]: process has finished cleanly" in program.output
+
+
+def test_respawn_starts_again_until_ctrl_c(launch: Callable[..., Program]) -> None:
+    program = launch("python('print(\"again\")', name='r', respawn=True, respawn_delay=0.05)")
+    pids = {_pid(program.wait_for("[INFO] [r-1]: process started with pid [")) for _ in range(3)}
+    assert len(pids) == 3
+    assert program.stop() == 0
+
+
+def test_respawn_ends_after_its_retries(launch: Callable[..., Program]) -> None:
+    program = launch(
+        "python('raise SystemExit(1)', name='r', respawn='true', respawn_max_retries=2)"
+    )
+    assert program.wait() == 1
+    assert program.output.count("process started") == 3
+
+
+def test_events_lead_to_actions(launch: Callable[..., Program]) -> None:
+    program = launch(
+        """
+        (first := python('print("ready")', name='first')) and first,
+        RegisterEventHandler(OnProcessStart(target_action=first, on_start=[LogInfo(msg='begun')])),
+        RegisterEventHandler(OnProcessIO(
+            target_action=first,
+            on_stdout=lambda event: LogInfo(msg='read ' + event.text.decode().strip()))),
+        RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[
+            LogInfo(msg=['exit ', LocalSubstitution('event.returncode')]),
+            TimerAction(period=0.05, actions=[EmitEvent(event=ShutdownEvent(reason='done'))])])),
+        RegisterEventHandler(OnShutdown(
+            on_shutdown=lambda event, context: [LogInfo(msg='bye ' + event.reason)])),
+        python('import time; time.sleep(60)', name='second'),
+        """
+    )
+    assert program.wait() == 0
+    said = re.findall(r"\[launch.user\]: (.*)", program.output)
+    assert [line for line in said if line != "read "] == [
+        "begun",
+        "read ready",
+        "exit 0",
+        "bye done",
+    ]
+
+
+def test_a_process_can_be_signalled_and_written_to(launch: Callable[..., Program]) -> None:
+    program = launch(
+        """
+        (cat := ExecuteProcess(cmd=['cat'], name='cat')) and cat,
+        RegisterEventHandler(OnProcessStart(target_action=cat, on_start=lambda event, context: [
+            OpaqueFunction(function=lambda context: cat.process_details and None),
+            TimerAction(period=0.05, actions=[EmitEvent(event=SignalProcess(
+                signal_number='SIGTERM', process_matcher=matches_action(cat)))])])),
+        """
+    )
+    assert program.wait() == 0
+    assert "[INFO] [cat-1]: sending signal 'SIGTERM' to process[cat-1]" in program.output
+
+
+def test_ros2_is_zbot_where_it_is_not_installed(launch: Callable[..., Program]) -> None:
+    program = launch(
+        "ExecuteProcess(cmd=['ros2', 'interface', 'show', 'std_msgs/msg/Empty'], name='a'),"
+        "ExecuteProcess(cmd=['ros2 interface show std_msgs/msg/String | head -5'], shell=True),"
+        "ExecuteProcess(cmd=[FindExecutable(name='ros2'), ' --version'], shell=True, name='c')"
+    )
+    assert program.wait(20) == 0
+    assert "string data" in program.output
+    assert "[c-3] zbot " in program.output
+
+
+def test_names_parameters_and_scopes_reach_the_nodes(
+    launch: Callable[..., Program], tmp_path: Path
+) -> None:
+    node = tmp_path / "node.py"
+    node.write_text(
+        "import zbot, sys, os\n"
+        "with zbot.init():\n"
+        "    node = zbot.Node('given', automatically_declare_parameters_from_overrides=True)\n"
+        "    print('name', node.get_fully_qualified_name())\n"
+        "    values = {n: node.get_parameter(n).value for n in ('a', 'b', 'c')\n"
+        "              if node.has_parameter(n)}\n"
+        "    print('values', values, os.environ.get('COLOUR'), sys.argv[1:2])\n"
+        "    print('topic', node.resolve_topic_name('in'))\n"
+    )
+    program = launch(
+        f"""
+        DeclareLaunchArgument('ns', default_value='one'),
+        GroupAction([
+            PushRosNamespace(LaunchConfiguration('ns')), PushRosNamespace('two'),
+            SetParameter('a', 1), SetRemap('in', 'out'), SetEnvironmentVariable('COLOUR', 'red'),
+            ExecuteProcess(cmd=[sys.executable, '-c', ''], name='x'),
+            Node(executable=sys.executable, arguments=[{str(node)!r}, 'word'], exec_name='p',
+                 name='n', parameters=[{{'b': [1.0, 2.0], 'c': LaunchConfiguration('ns')}}]),
+        ]),
+        Node(executable=sys.executable, arguments=[{str(node)!r}], exec_name='q', namespace='/z'),
+        """,
+        "ns:=uno",
+    )
+    assert program.wait(20) == 0, program.output
+    text = program.output
+    assert "[p-2] name /uno/two/n" in text
+    assert re.search(r"values \{'a': 1, 'b': .*1\.0, 2\.0.*, 'c': 'uno'\} red \['word'\]", text)
+    assert "[p-2] topic /uno/two/out" in text
+    assert "[q-3] name /z/given" in text
+    assert "[q-3] values {} None" in text
+
+
+def test_containers_of_components_are_left_out_with_a_sentence(
+    launch: Callable[..., Program],
+) -> None:
+    program = launch(
+        "ComposableNodeContainer(name='c', namespace='', package='rclcpp_components',"
+        "executable='component_container', composable_node_descriptions=[]), LogInfo(msg='on')"
+    )
+    assert program.wait() == 1
+    assert "the container 'c' is left out: components are C++ libraries" in program.output
+    assert "[launch.user]: on" in program.output
+
+
+@pytest.mark.parametrize(
+    ("actions", "words", "told"),
+    [
+        ("Node(package='no_such', executable='x')", [], "16: Package 'no_such' not found"),
+        ("Node(package='zbot', executable='talkr')", [], "did you mean 'talker'?"),
+        ("ExecuteProcess(cmd=['no-such-program'])", [], "'no-such-program' not found on the PATH"),
+        ("ExecuteProcess(cmd=['ls', LaunchConfiguration('x')])", [], "'x' does not exist"),
+        ("DeclareLaunchArgument('must')", [], '16: Required launch argument "must" was not'),
+        ("DeclareLaunchArgument('c', choices=['a'])", ["c:=b"], "must be one of 'a'"),
+        ("LogInfo(msg='a'), 5", [], "must be an action, not int"),
+        ("IncludeLaunchDescription('/no/such.launch.py')", [], "'/no/such.launch.py' not found"),
+        ("IncludeLaunchDescription(__file__)", [], "include each other without end"),
+        ("OpaqueFunction(function=lambda context: 1 / 0)", [], "16: ZeroDivisionError"),
+        ("GroupAction([LogInfo(msg='a')], condition=IfCondition('maybe'))", [], "not 'maybe'"),
+        ("Node(package='zbot', executable='talker', remappings=['a'])", [], "must be a pair"),
+        ("Node(package='zbot', executable='talker', output='scren')", [], "must be one of screen"),
+    ],
+)
+def test_a_mistake_is_one_sentence_with_file_and_line(
+    launch: Callable[..., Program], actions: str, words: list[str], told: str
+) -> None:
+    sleeper = "python('import time; time.sleep(60)', name='other'), "
+    program = launch(f"{sleeper}\n{actions}", *words)
+    assert program.wait(8) == 1
+    (line,) = (line for line in program.lines if line.startswith("[ERROR]"))
+    assert "a.launch.py:" in line
+    assert told in line
+    for started in (line for line in program.lines if "process started" in line):
+        assert not _is_alive(_pid(started))

@@ -1,0 +1,260 @@
+"""Launches inside of this process: the service, its events, managed nodes, ROS 2's names."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+import threading
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot.compat
+from zbot.launch import LaunchDescription, LaunchService
+from zbot.launch.actions import (
+    DeclareLaunchArgument,
+    EmitEvent,
+    ExecuteProcess,
+    GroupAction,
+    LifecycleNode,
+    LogInfo,
+    OpaqueCoroutine,
+    OpaqueFunction,
+    RegisterEventHandler,
+    RosTimer,
+    SetEnvironmentVariable,
+    SetLaunchConfiguration,
+    Shutdown,
+    TimerAction,
+    UnregisterEventHandler,
+)
+from zbot.launch.event import Event
+from zbot.launch.event import Shutdown as ShutdownEvent
+from zbot.launch.event_handler import (
+    EventHandler,
+    OnExecutionComplete,
+    OnProcessExit,
+    OnProcessIO,
+    OnProcessStart,
+)
+from zbot.launch.lifecycle_event import ChangeState, OnStateTransition
+from zbot.launch.process_event import ProcessStdin, ShutdownProcess, matches_action, matches_name
+from zbot.launch.substitutions import EnvironmentVariable, LaunchConfiguration
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from zbot.launch import LaunchContext
+
+_CONFIGURE, _ACTIVATE = 1, 3
+
+
+@pytest.fixture(autouse=True)
+def folders(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ZBOT_LOG_DIR", str(tmp_path / "log"))
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
+
+
+def _python(code: str, **options: Any) -> ExecuteProcess:
+    return ExecuteProcess(cmd=[sys.executable, "-c", code], **options)
+
+
+def _run(*entities: Any) -> int:
+    service = LaunchService(noninteractive=True)
+    service.include_launch_description(LaunchDescription(entities))
+    return service.run()
+
+
+def _said(capsys: pytest.CaptureFixture[str]) -> list[str]:
+    out = capsys.readouterr().out.splitlines()
+    start = "[INFO] [launch.user]: "
+    return [line.removeprefix(start) for line in out if line.startswith(start)]
+
+
+def test_a_group_keeps_what_it_sets(capsys: pytest.CaptureFixture[str]) -> None:
+    def tell() -> LogInfo:
+        return LogInfo(
+            msg=[LaunchConfiguration("x"), " ", EnvironmentVariable("COLOUR", default_value="-")]
+        )
+
+    sets = [SetLaunchConfiguration("x", "2"), SetEnvironmentVariable("COLOUR", "red"), tell()]
+    first = SetLaunchConfiguration("x", "1")
+    assert _run(first, GroupAction(sets), tell(), GroupAction(sets, scoped=False), tell()) == 0
+    assert _said(capsys) == ["2 red", "1 -", "2 red", "2 red"]
+
+
+def test_a_group_may_see_only_what_it_is_given(capsys: pytest.CaptureFixture[str]) -> None:
+    inner = LogInfo(msg=[LaunchConfiguration("x", default="none"), LaunchConfiguration("y")])
+    group = GroupAction([inner], forwarding=False, launch_configurations={"y": "2"})
+    assert _run(SetLaunchConfiguration("x", "1"), group) == 0
+    assert _said(capsys) == ["none2"]
+
+
+def test_functions_and_coroutines_are_actions(capsys: pytest.CaptureFixture[str]) -> None:
+    def function(context: LaunchContext, word: str, *, times: int) -> list[LogInfo]:
+        return [LogInfo(msg=word * times + LaunchConfiguration("x").perform(context))]
+
+    async def coroutine(context: LaunchContext) -> None:
+        await context.emit_event(ShutdownEvent(reason="coroutine"))
+
+    code = _run(
+        DeclareLaunchArgument("x", default_value="!"),
+        OpaqueFunction(function=function, args=["ab"], kwargs={"times": 2}),
+        OpaqueCoroutine(coroutine=coroutine),
+        TimerAction(period=60.0, actions=[LogInfo(msg="never")]),
+    )
+    assert code == 0
+    assert _said(capsys) == ["abab!"]
+
+
+def test_a_coroutine_that_raises_ends_the_launch(capsys: pytest.CaptureFixture[str]) -> None:
+    async def coroutine() -> None:
+        raise ValueError("oh")
+
+    assert _run(OpaqueCoroutine(coroutine=coroutine, ignore_context=True)) == 1
+    assert "[ERROR] [launch]: ValueError: oh" in capsys.readouterr().out
+
+
+def test_handlers_see_events_until_they_are_unregistered(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    class Ping(Event):
+        pass
+
+    handler = EventHandler(matcher=lambda e: isinstance(e, Ping), entities=[LogInfo(msg="ping")])
+    emit = EmitEvent(event=Ping())
+    after = EmitEvent(event=Ping())
+    code = _run(
+        RegisterEventHandler(handler),
+        emit,
+        TimerAction(period=0.01, actions=[UnregisterEventHandler(handler), after]),
+    )
+    assert code == 0
+    assert _said(capsys) == ["ping"]
+
+
+def test_a_handler_may_act_once(capsys: pytest.CaptureFixture[str]) -> None:
+    done = LogInfo(msg="a")
+    handler = OnExecutionComplete(
+        target_action=done, on_completion=[LogInfo(msg="done")], handle_once=True
+    )
+    assert _run(RegisterEventHandler(handler), done, done) == 0
+    assert _said(capsys) == ["a", "a", "done"]
+
+
+def test_a_process_can_be_written_to_and_stopped(capsys: pytest.CaptureFixture[str]) -> None:
+    reader = _python("print('got ' + input()); import time; time.sleep(60)", name="reader")
+
+    def write(event: Any, _: LaunchContext) -> list[EmitEvent]:
+        given = ProcessStdin(action=reader, name="", cmd=[], cwd=None, env=None, pid=event.pid)
+        given.text = b"hello\n"
+        return [EmitEvent(event=given)]
+
+    stop = EmitEvent(event=ShutdownProcess(process_matcher=matches_name("reader")))
+    code = _run(
+        reader,
+        RegisterEventHandler(OnProcessStart(target_action=reader, on_start=write)),
+        RegisterEventHandler(OnProcessIO(on_stdout=lambda _: stop, handle_once=True)),
+    )
+    assert code == 0
+    assert "[reader-1] got hello" in capsys.readouterr().out
+
+
+def test_what_a_process_wrote_can_be_kept() -> None:
+    process = _python("import sys; print('out'); print('err', file=sys.stderr)", cached_output=True)
+    assert _run(process) == 0
+    assert (process.get_stdout(), process.get_stderr()) == (b"out\n", b"err\n")
+    assert process.return_code == 0
+
+
+def test_processes_follow_one_another(capsys: pytest.CaptureFixture[str]) -> None:
+    second = _python("print('second')", name="second")
+    first = _python("print('first')", name="first", on_exit=[second])
+    handler = OnProcessExit(target_action=second, on_exit=Shutdown(reason="all done"))
+    assert _run(RegisterEventHandler(handler), first, _python("import time; time.sleep(60)")) == 0
+    out = capsys.readouterr().out
+    assert out.index("[first-1] first") < out.index("[second-3] second")
+
+
+def test_the_service_runs_in_a_thread_until_it_is_told_to_end() -> None:
+    service = LaunchService(noninteractive=True)
+    codes: list[int] = []
+    thread = threading.Thread(target=lambda: codes.append(service.run(shutdown_when_idle=False)))
+    thread.start()
+    started = threading.Event()
+    service.include_launch_description(
+        LaunchDescription([OpaqueFunction(function=lambda _: started.set())])
+    )
+    assert started.wait(5)
+    service.shutdown()
+    thread.join(5)
+    assert codes == [0]
+
+
+@pytest.mark.usefixtures("domain")
+def test_managed_nodes_are_led_and_heard_of(capsys: pytest.CaptureFixture[str]) -> None:
+    node = LifecycleNode(package="zbot", executable="lifecycle_talker", name="lc")
+
+    def change(number: int) -> EmitEvent:
+        matcher = matches_action(node)
+        return EmitEvent(event=ChangeState(lifecycle_node_matcher=matcher, transition_id=number))
+
+    code = _run(
+        node,
+        change(_CONFIGURE),
+        RegisterEventHandler(
+            OnStateTransition(
+                target_lifecycle_node=node,
+                goal_state="inactive",
+                entities=[LogInfo(msg="inactive"), change(_ACTIVATE)],
+            )
+        ),
+        RegisterEventHandler(
+            OnStateTransition(
+                start_state="activating",
+                goal_state="active",
+                entities=[
+                    LogInfo(msg="active"),
+                    RosTimer(period=0.01, actions=[Shutdown(reason="done")]),
+                ],
+            )
+        ),
+    )
+    assert code == 0
+    assert _said(capsys) == ["inactive", "active"]
+
+
+@pytest.mark.parametrize(
+    ("module", "names"),
+    [
+        ("launch", "LaunchDescription LaunchService LaunchContext LaunchIntrospector actions"),
+        ("launch.actions", "DeclareLaunchArgument ExecuteProcess OpaqueFunction TimerAction"),
+        ("launch.actions.execute_process", "ExecuteProcess"),
+        ("launch.conditions", "IfCondition UnlessCondition LaunchConfigurationEquals"),
+        ("launch.event_handlers", "OnProcessExit OnProcessIO OnProcessStart OnShutdown"),
+        ("launch.event_handlers.on_process_start", "OnProcessStart"),
+        ("launch.events", "Shutdown matches_action process"),
+        ("launch.events.process", "ProcessStarted ProcessExited SignalProcess matches_action"),
+        ("launch.frontend", "Entity Parser expose_action"),
+        ("launch.launch_description_sources", "PythonLaunchDescriptionSource"),
+        ("launch.logging", "get_logger launch_config"),
+        ("launch.some_substitutions_type", "SomeSubstitutionsType"),
+        ("launch.substitutions", "LaunchConfiguration PathJoinSubstitution SubstitutionFailure"),
+        ("launch.utilities", "perform_substitutions normalize_to_list_of_substitutions"),
+        ("launch_ros", "actions substitutions descriptions"),
+        ("launch_ros.actions", "Node PushRosNamespace PushROSNamespace SetParameter ROSTimer"),
+        ("launch_ros.descriptions", "ComposableNode ParameterValue ParameterFile"),
+        ("launch_ros.event_handlers", "OnStateTransition"),
+        ("launch_ros.events.lifecycle", "ChangeState StateTransition"),
+        ("launch_ros.parameter_descriptions", "ParameterValue ParameterFile"),
+        ("launch_ros.substitutions", "FindPackageShare FindPackage ExecutableInPackage Parameter"),
+        ("launch_testing.actions", "ReadyToTest"),
+        ("launch_xml.launch_description_sources", "XMLLaunchDescriptionSource"),
+        ("launch_yaml.launch_description_sources", "YAMLLaunchDescriptionSource"),
+    ],
+)
+def test_ros2s_names_are_importable(module: str, names: str) -> None:
+    zbot.compat.install_names()
+    imported = importlib.import_module(module)
+    for name in names.split():
+        assert getattr(imported, name) is not None
