@@ -44,6 +44,8 @@ def _candidates(done: Sequence[str], unfinished: str, nouns: Iterable[str]) -> I
         )
     if done[0] == "run":
         return _executables(done[1:])
+    if done[0] == "launch" and not unfinished.startswith("-"):
+        return _launch_files(done[1:])
     if done[0] not in nouns:
         return []
     from zbot_cli.nouns import load, verbs  # noqa: PLC0415 - `zbot run` does without typer
@@ -77,6 +79,13 @@ def _executables(done: Sequence[str]) -> Iterable[str]:
         return names | {package.name for package in packages}
     inside = [package.executables for package in packages if package.name == done[0]]
     return {one.name for group in inside for one in group} if len(done) == 1 else []
+
+
+def _launch_files(done: Sequence[str]) -> Iterable[str]:
+    import zbot.compat  # noqa: F401, PLC0415 - launch files import ROS 2's names
+    from zbot_cli.launch_file import candidates  # noqa: PLC0415 - only `launch` asks
+
+    return candidates([word for word in done if not word.startswith("-")])
 
 
 def _topics(_: Sequence[str], unfinished: str) -> Iterable[str]:

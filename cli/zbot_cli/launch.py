@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 import zbot.compat
-from zbot.errors import ZbotError
+from zbot.errors import ZbotError, nearest
 from zbot.launch.actions.executable import PREFIX, PREFIX_FILTER
 from zbot.launch.actions.include import IncludeLaunchDescription
 from zbot.launch.arguments import declared_arguments, parse_arguments
@@ -92,12 +92,31 @@ def launch(
     )
     options = {PREFIX: prefix, PREFIX_FILTER: prefix_filter}
     service.context.launch_configurations |= {key: one for key, one in options.items() if one}
-    include = IncludeLaunchDescription(
-        AnyLaunchDescriptionSource(str(path)), launch_arguments=arguments.items()
-    )
+    source = AnyLaunchDescriptionSource(str(path))
+    for text in _likely_typos(source, path, arguments):
+        service.context.journal.warning("launch", text)
+    include = IncludeLaunchDescription(source, launch_arguments=arguments.items())
     include.origin = None  # no line of a launch file has it
     service.include_launch_description(LaunchDescription([include]))
     return service.run()
+
+
+def _likely_typos(
+    source: AnyLaunchDescriptionSource, path: Path, arguments: Iterable[str]
+) -> Iterable[str]:
+    """Return a sentence for each argument that ros2 would silently ignore."""
+    if not arguments:
+        return
+    try:
+        description = source.try_get_launch_description_without_context()
+    except ZbotError:
+        return  # the launch will tell
+    found = () if description is None else declared_arguments(description, path=str(path))
+    known = {one.action.name for one in found}
+    for name in set(arguments) - known:
+        near = nearest(name, known, 1)
+        if near:
+            yield f"no launch argument '{name}' is declared; did you mean '{near[0]}'?"
 
 
 def _show(path: Path, *, arguments_only: bool) -> int:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from zbot.errors import nearest
 from zbot.launch.errors import LaunchFileNotFoundError
-from zbot.package import PackageNotFoundError, package_share
+from zbot.package import PackageNotFoundError, package_share, packages
 from zbot.package.view import files_below
 
 if TYPE_CHECKING:
@@ -77,6 +77,28 @@ def stem(path: Path) -> str:
     """Return the name of a launch file without what makes it one: `temperature`."""
     name = path.name.removesuffix(path.suffix)
     return name.removesuffix(".launch").removesuffix("_launch")
+
+
+def candidates(done: Sequence[str]) -> Iterable[str]:
+    """Return what could come next after words of a command line.
+
+    Raises:
+        ZbotError: A word is no package, or its launch file makes no sense.
+    """
+    if not done:
+        return [*(stem(path) for path in launch_files(_BUNDLED)), *packages()]
+    try:
+        path, _ = find(done)
+    except LaunchFileNotFoundError:
+        return [path.name for path in launch_files(done[0])] if len(done) == 1 else []
+    from zbot.launch.arguments import declared_arguments  # noqa: PLC0415 - reads launch files
+    from zbot.launch.source import AnyLaunchDescriptionSource  # noqa: PLC0415 - as above
+
+    source = AnyLaunchDescriptionSource(str(path))
+    description = source.try_get_launch_description_without_context()
+    if description is None:
+        return []
+    return [f"{one.action.name}:=" for one in declared_arguments(description, path=str(path))]
 
 
 def _is_launch_file(path: Path) -> bool:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from tests.cli.command import zbot
 from tests.conftest import Program, wait_until
 
 if TYPE_CHECKING:
@@ -365,3 +366,89 @@ def test_a_mistake_is_one_sentence_with_file_and_line(
     assert told in line
     for started in (line for line in program.lines if "process started" in line):
         assert not _is_alive(_pid(started))
+
+
+def test_a_prefix_stands_before_the_executables_that_it_is_for(
+    launch: Callable[..., Program],
+) -> None:
+    program = launch(
+        "python('print(1)', name='one'), python('print(2)', name='two')",
+        "--launch-prefix",
+        "echo before",
+        "--launch-prefix-filter",
+        "on",
+    )
+    assert program.wait() == 0
+    assert "[one-1] before " in program.output
+    assert "[two-2] 2" in program.output
+
+
+def test_an_argument_that_nobody_declared_may_be_a_typo(launch: Callable[..., Program]) -> None:
+    program = launch("DeclareLaunchArgument('speed', default_value='1')", "sped:=2", "free:=3")
+    assert program.wait() == 0
+    told = [line for line in program.lines if line.startswith("[WARNING]")]
+    assert told == [
+        "[WARNING] [launch]: no launch argument 'sped' is declared; did you mean 'speed'?"
+    ]
+
+
+def test_arguments_and_description_are_shown(tmp_path: Path) -> None:
+    file = tmp_path / "a.launch.xml"
+    file.write_text(
+        "<launch><arg name='speed' default='1' description='how fast'/><arg name='must'/>"
+        "<group if='$(var must)'><arg name='maybe' default='$(var speed)'/></group></launch>"
+    )
+    shown = zbot("launch", "-s", str(file))
+    assert (shown.code, shown.err) == (0, "")
+    assert shown.out == (
+        "Arguments (pass arguments as '<name>:=<value>'):\n"
+        "\n    'speed':\n        how fast\n        (default: '1')\n"
+        "\n    'must':\n        no description given\n"
+        "\n    'maybe'*:\n        no description given\n        (default: LaunchConfig('speed'))\n"
+        "\n* argument(s) which are only used if specific conditions occur\n"
+    )
+    printed = zbot("launch", "-p", str(file))
+    assert printed.out.splitlines()[:2] == [
+        "<launch.LaunchDescription>",
+        "    DeclareLaunchArgument('speed')",
+    ]
+    assert zbot("launch", "-s", "temperature").out.endswith("No arguments.\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["temperatur"], "did you mean 'temperature'?"),
+        (["zbot", "nothing.launch.py"], "was not found in the share directory of package 'zbot'"),
+        (["zbot"], "name a launch file of package 'zbot'"),
+        (["no_such", "a.launch.py"], "package 'no_such' not found"),
+        (["no/such.launch.py"], "launch file 'no/such.launch.py' not found"),
+        (["temperature", "a"], "package 'temperature' not found"),
+        (["talker_listener", "a:="], "malformed launch argument 'a:='"),
+        (["temperature", "--launch-prefix-filter", "a"], "--launch-prefix must be specified"),
+    ],
+)
+def test_a_wrong_command_line_is_told(words: list[str], told: str) -> None:
+    outcome = zbot("launch", *words)
+    assert outcome.code == 1
+    assert told in outcome.err
+    assert outcome.out == ""
+
+
+def test_words_are_completed() -> None:
+    assert "talker_listener" in zbot("complete", "--", "launch", "talker").out.split()
+    assert zbot("complete", "--", "launch", "talker_listener", "na").out == "namespace:=\n"
+    assert "temperature.launch.py" in zbot("complete", "--", "launch", "zbot", "").out.split()
+
+
+def test_python_m_zbot_is_the_command_and_runs_programs(tmp_path: Path) -> None:
+    program = tmp_path / "hello.py"
+    program.write_text("import launch, sys\nprint(launch.__name__, sys.argv[1:])\n")
+    for words, expected in (
+        (["--version"], "zbot "),
+        ([str(program), "a", "-b"], "launch ['a', '-b']"),
+    ):
+        done = subprocess.run(
+            [sys.executable, "-m", "zbot", *words], capture_output=True, text=True, check=True
+        )
+        assert done.stdout.startswith(expected)
