@@ -77,7 +77,8 @@ def launch(
         raise LaunchOptionError(
             "--launch-prefix must be specified if --launch-prefix-filter is provided"
         )
-    zbot.compat.install_names()
+    # This launch can run only its own descriptions: an installed ROS 2 has others.
+    zbot.compat.install_names({"launch", "launch_ros", "launch_xml", "launch_yaml"})
     path, rest = launch_file.find(words)
     arguments = parse_arguments(rest)
     if show_args or print_description:

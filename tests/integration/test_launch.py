@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import importlib
+import importlib.util
 import sys
 import threading
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -42,7 +44,6 @@ from zbot.launch.process_event import ProcessStdin, ShutdownProcess, matches_act
 from zbot.launch.substitutions import EnvironmentVariable, LaunchConfiguration
 
 if TYPE_CHECKING:
-    from pathlib import Path
 
     from zbot.launch import LaunchContext
 
@@ -258,3 +259,27 @@ def test_ros2s_names_are_importable(module: str, names: str) -> None:
     imported = importlib.import_module(module)
     for name in names.split():
         assert getattr(imported, name) is not None
+
+
+def test_installed_packages_win_unless_zbots_own_are_preferred(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "launch_yaml").mkdir()
+    (tmp_path / "launch_yaml" / "__init__.py").touch()
+    (tmp_path / "launch_xml").mkdir()  # a folder of that name, but no package
+    monkeypatch.syspath_prepend(str(tmp_path))
+    monkeypatch.setattr(zbot.compat, "_preferred", set())
+    monkeypatch.delitem(sys.modules, "launch_yaml", raising=False)
+    monkeypatch.delitem(sys.modules, "launch_xml", raising=False)
+    zbot.compat.install_names()
+    assert _origin("launch_yaml").is_relative_to(tmp_path)
+    assert not _origin("launch_xml").is_relative_to(tmp_path)
+    zbot.compat.install_names({"launch_yaml"})
+    assert not _origin("launch_yaml").is_relative_to(tmp_path)
+
+
+def _origin(name: str) -> Path:
+    spec = importlib.util.find_spec(name)
+    assert spec is not None
+    assert spec.origin is not None
+    return Path(spec.origin)

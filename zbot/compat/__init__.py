@@ -12,10 +12,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterable, Sequence
     from types import ModuleType
 
 _PACKAGES = str(Path(__file__).parent / "packages")
+_preferred: set[str] = set()
 
 
 class _NameFinder:
@@ -29,7 +30,9 @@ class _NameFinder:
         if path is not None:
             return None
         own = PathFinder.find_spec(fullname, [_PACKAGES], target)
-        return None if own is None or _is_installed(fullname) else own
+        if own is None or (fullname not in _preferred and _is_installed(fullname)):
+            return None
+        return own
 
 
 def _is_installed(name: str) -> bool:
@@ -41,8 +44,13 @@ def _is_installed(name: str) -> bool:
     return False
 
 
-def install_names() -> None:
-    """Make ROS 2's names importable; calling it again changes nothing."""
+def install_names(preferred: Iterable[str] = ()) -> None:
+    """Make ROS 2's names importable; calling it again changes nothing else.
+
+    Args:
+        preferred: Names that mean zbot even where the real packages are installed.
+    """
+    _preferred.update(preferred)
     if _NameFinder not in sys.meta_path:
         # First, for Python would take any folder of that name for the package.
         sys.meta_path.insert(0, _NameFinder)
