@@ -12,6 +12,7 @@ from zbot.errors import InvalidHandleError, MessageTypeError, NotInitializedErro
 from zbot.interfaces import type_name
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
+from zbot.serialization import deserialize_message, is_cdr
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 
 if TYPE_CHECKING:
@@ -108,7 +109,7 @@ class Publisher(Generic[MsgT]):
         return self._logger_name
 
     def publish(self, msg: MsgT | bytes) -> None:
-        """Send a message, or the bytes of one.
+        """Send a message, or the bytes of one: ROS 2's CDR, or a payload of zbot's own form.
 
         The first call waits, at most 0.5 s and usually 2 ms, until the session has met the topic's
         subscribers, so that none that is already there misses it. With a reliable keep-all profile
@@ -142,7 +143,8 @@ class Publisher(Generic[MsgT]):
 
     def _from_other(self, msg: Any) -> Any:
         if isinstance(msg, bytes):
-            return msg
+            # What begins like CDR is a serialized message; other bytes are the payload as it is.
+            return self._encode(deserialize_message(msg, self.msg_type)) if is_cdr(msg) else msg
         # Two classes of one type: the other may come from a real ROS 2 installation.
         if isinstance(msg, self.msg_type) or self._is_same_type(msg):
             return self._encode(msg)

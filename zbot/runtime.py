@@ -152,3 +152,13 @@ def spin_until_future_complete(
     """Run a node's callbacks until the future is done, at most `timeout_sec` seconds."""
     with _holding(node, executor) as chosen:
         chosen.spin_until_future_complete(future, timeout_sec)
+
+
+def get_rmw_implementation_identifier() -> str:
+    """Return what carries the messages, as ROS 2's programs ask for it."""
+    return "rmw_zbot_zenoh"
+
+
+def get_available_rmw_implementations() -> set[str]:
+    """Return everything that could carry the messages: there is one."""
+    return {get_rmw_implementation_identifier()}

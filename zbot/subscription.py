@@ -24,6 +24,7 @@ from zbot.errors import CallbackSignatureError
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy
+from zbot.serialization import raw_decoder
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.codec import CodecError
 
@@ -82,7 +83,7 @@ class Subscription(Generic[MsgT]):
         token: Who and where this subscription is.
         mailbox: The node's way to its executor.
         callback_group: Decides beside what the callback may run.
-        raw: Hand the payload's bytes to the callback, undecoded.
+        raw: Hand each message to the callback as the bytes of ROS 2's CDR.
         logger_name: The node's logger.
     """
 
@@ -118,7 +119,8 @@ class Subscription(Generic[MsgT]):
         self._token = token
         self.mailbox = mailbox
         self._logger_name = logger_name
-        self._decode = bytes if raw else context.dialect.codec_for(msg_type).decode
+        decode = context.dialect.codec_for(msg_type).decode
+        self._decode: Callable[[Any], Any] = raw_decoder(decode) if raw else decode
         self._sources: dict[bytes, _Source] = {}
         self.received_count = 0  #: messages that the callback got
         self._keep_all = token.qos.history is HistoryPolicy.KEEP_ALL

@@ -264,3 +264,8 @@ def _to_message(name: str, nanoseconds: int) -> Any:
 
 #: Longer than anything: what a deadline or lifespan that never passes is set to.
 Infinite = Duration(nanoseconds=_LIMIT - 1)
+
+
+def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
+    """Return a timeout in nanoseconds; -1 for `None` and for less than 0: no timeout."""
+    return -1 if timeout_sec is None or timeout_sec < 0 else int(timeout_sec * S_TO_NS)

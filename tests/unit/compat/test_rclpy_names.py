@@ -1,0 +1,89 @@
+"""`import rclpy`: the names that programs use are zbot's."""
+
+from __future__ import annotations
+
+import importlib
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import zbot
+import zbot.compat
+
+PACKAGES = Path(zbot.compat.__file__).parent / "packages"
+MODULES = sorted(
+    ".".join(path.relative_to(PACKAGES).with_suffix("").parts).removesuffix(".__init__")
+    for path in PACKAGES.rglob("*.py")
+)
+#: Names that most programs import, from a count over public ones.
+USED = """
+rclpy: init shutdown spin ok spin_once spin_until_future_complete create_node Parameter Future
+rclpy.node: Node Publisher Subscription
+rclpy.executors: ExternalShutdownException MultiThreadedExecutor SingleThreadedExecutor Executor
+rclpy.executors: ShutdownException TimeoutException
+rclpy.qos: QoSProfile ReliabilityPolicy DurabilityPolicy HistoryPolicy LivelinessPolicy
+rclpy.qos: QoSReliabilityPolicy QoSDurabilityPolicy QoSHistoryPolicy QoSLivelinessPolicy
+rclpy.qos: qos_profile_sensor_data qos_profile_system_default qos_profile_services_default
+rclpy.qos: qos_profile_parameter_events QoSPresetProfiles InvalidQoSProfileException
+rclpy.callback_groups: ReentrantCallbackGroup MutuallyExclusiveCallbackGroup CallbackGroup
+rclpy.action: ActionClient ActionServer CancelResponse GoalResponse
+rclpy.action.client: ClientGoalHandle GoalStatus
+rclpy.action.server: ServerGoalHandle
+rclpy.parameter: Parameter ParameterType ParameterValue parameter_value_to_python
+rclpy.duration: Duration Infinite
+rclpy.time: Time Duration
+rclpy.clock: Clock ClockType ROSClock JumpThreshold
+rclpy.logging: get_logger LoggingSeverity set_logger_level
+rclpy.exceptions: ROSInterruptException InvalidServiceNameException InvalidHandle
+rclpy.exceptions: ParameterNotDeclaredException ParameterAlreadyDeclaredException
+rclpy.exceptions: NotInitializedException InvalidNodeNameException InvalidTopicNameException
+rclpy.task: Future Task
+rclpy.event_handler: SubscriptionEventCallbacks PublisherEventCallbacks
+rclpy.event_handler: QoSPublisherMatchedInfo QoSSubscriptionMatchedInfo
+rclpy.qos_event: PublisherEventCallbacks
+rclpy.lifecycle: LifecycleNode TransitionCallbackReturn State Node Publisher
+rclpy.service: ServiceIntrospectionState Service
+rclpy.client: Client
+rclpy.serialization: serialize_message deserialize_message
+rclpy.utilities: remove_ros_args get_default_context ok timeout_sec_to_nsec
+rclpy.qos_overriding_options: QoSOverridingOptions QosCallbackResult
+rclpy.parameter_service: SetParameters
+rclpy.parameter_client: AsyncParameterClient
+rclpy.parameter_event_handler: ParameterEventHandler
+rclpy.wait_for_message: wait_for_message
+rclpy.timer: Timer Rate
+rclpy.context: Context
+rclpy.signals: SignalHandlerOptions
+rclpy.validate_node_name: validate_node_name
+rclpy.expand_topic_name: expand_topic_name
+rclpy.impl.logging_severity: LoggingSeverity
+rclpy.impl.rcutils_logger: RcutilsLogger
+"""
+
+
+@pytest.mark.parametrize("module", MODULES)
+def test_every_module_can_be_imported(module: str) -> None:
+    importlib.import_module(module)
+
+
+@pytest.mark.parametrize("line", USED.split("\n")[1:-1])
+def test_the_names_that_programs_use_are_there(line: str) -> None:
+    module_name, _, names = line.partition(": ")
+    module = importlib.import_module(module_name)
+    assert [name for name in names.split() if not hasattr(module, name)] == []
+
+
+def test_a_node_is_a_node() -> None:
+    assert importlib.import_module("rclpy.node").Node is zbot.Node
+
+
+def test_submodules_need_no_import_of_their_own() -> None:
+    source = "import zbot.compat, rclpy; print(rclpy.node.Node, rclpy.qos.QoSProfile)"
+    subprocess.run([sys.executable, "-c", source], check=True, timeout=30)
+
+
+def test_what_is_not_there_is_said_as_python_does() -> None:
+    with pytest.raises(AttributeError, match="has no attribute 'spinn'"):
+        importlib.import_module("rclpy").spinn  # noqa: B018

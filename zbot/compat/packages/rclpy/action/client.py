@@ -1,0 +1,18 @@
+"""Action clients."""
+
+from zbot.action.client import ActionClient as ActionClient
+from zbot.action.client_goal_handle import ClientGoalHandle as ClientGoalHandle
+from zbot.action.server_goal_handle import FeedbackT as FeedbackT
+from zbot.action.server_goal_handle import GoalT as GoalT
+from zbot.action.server_goal_handle import ResultT as ResultT
+from zbot.clock import Clock as Clock
+from zbot.interfaces.message import Action as Action
+from zbot.qos import QoSProfile as QoSProfile
+from zbot.qos import qos_profile_action_status_default as qos_profile_action_status_default
+from zbot.qos import qos_profile_services_default as qos_profile_services_default
+from zbot.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
+from zbot.task import Future as Future
+
+from action_msgs.msg import GoalStatus as GoalStatus
+from action_msgs.srv import CancelGoal as CancelGoal
+from unique_identifier_msgs.msg import UUID as UUID

@@ -1,0 +1,26 @@
+"""Action servers."""
+
+from zbot.action.goal_state import GoalEvent as GoalEvent
+from zbot.action.server import ActionServer as ActionServer
+from zbot.action.server import CancelResponse as CancelResponse
+from zbot.action.server import GoalResponse as GoalResponse
+from zbot.action.server import default_cancel_callback as default_cancel_callback
+from zbot.action.server import default_goal_callback as default_goal_callback
+from zbot.action.server import default_handle_accepted_callback as default_handle_accepted_callback
+from zbot.action.server_goal_handle import FeedbackT as FeedbackT
+from zbot.action.server_goal_handle import GoalT as GoalT
+from zbot.action.server_goal_handle import ResultT as ResultT
+from zbot.action.server_goal_handle import ServerGoalHandle as ServerGoalHandle
+from zbot.clock import Clock as Clock
+from zbot.interfaces.message import Action as Action
+from zbot.qos import QoSProfile as QoSProfile
+from zbot.qos import qos_profile_action_status_default as qos_profile_action_status_default
+from zbot.qos import qos_profile_services_default as qos_profile_services_default
+from zbot.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
+from zbot.task import Future as Future
+from zbot.task import Task as Task
+
+from action_msgs.msg import GoalInfo as GoalInfo
+from action_msgs.msg import GoalStatus as GoalStatus
+from action_msgs.srv import CancelGoal as CancelGoal
+from unique_identifier_msgs.msg import UUID as UUID

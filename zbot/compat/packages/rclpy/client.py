@@ -1,0 +1,10 @@
+"""Clients of services."""
+
+from zbot.callback_group import CallbackGroup as CallbackGroup
+from zbot.client import Client as Client
+from zbot.clock import Clock as Clock
+from zbot.context import Context as Context
+from zbot.interfaces.message import Service as Srv
+from zbot.qos import QoSProfile as QoSProfile
+from zbot.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
+from zbot.task import Future as Future

@@ -1,0 +1,3 @@
+"""Contexts."""
+
+from zbot.context import Context as Context

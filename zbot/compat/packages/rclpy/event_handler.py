@@ -1,0 +1,18 @@
+"""Events of quality of service."""
+
+from zbot.callback_group import CallbackGroup as CallbackGroup
+from zbot.event import EventHandler as EventHandler
+from zbot.event import IncompatibleTypeInfo as IncompatibleTypeInfo
+from zbot.event import PublisherEventCallbacks as PublisherEventCallbacks
+from zbot.event import QoSLivelinessChangedInfo as QoSLivelinessChangedInfo
+from zbot.event import QoSLivelinessLostInfo as QoSLivelinessLostInfo
+from zbot.event import QoSMatchedInfo as QoSPublisherMatchedInfo
+from zbot.event import QoSMatchedInfo as QoSSubscriptionMatchedInfo
+from zbot.event import QoSMessageLostInfo as QoSMessageLostInfo
+from zbot.event import QoSOfferedDeadlineMissedInfo as QoSOfferedDeadlineMissedInfo
+from zbot.event import QoSRequestedDeadlineMissedInfo as QoSRequestedDeadlineMissedInfo
+from zbot.event import QoSRequestedIncompatibleQoSInfo as QoSOfferedIncompatibleQoSInfo
+from zbot.event import QoSRequestedIncompatibleQoSInfo as QoSRequestedIncompatibleQoSInfo
+from zbot.event import SubscriptionEventCallbacks as SubscriptionEventCallbacks
+from zbot.log import get_logger as get_logger
+from zbot.qos import qos_policy_name_from_kind as qos_policy_name_from_kind

@@ -1,0 +1,21 @@
+"""rclpy's names of zbot's errors."""
+
+from zbot.errors import InvalidHandleError as InvalidHandle
+from zbot.errors import InvalidNameError as NameValidationException
+from zbot.errors import InvalidNamespaceError as InvalidNamespaceException
+from zbot.errors import InvalidNodeNameError as InvalidNodeNameException
+from zbot.errors import InvalidServiceNameError as InvalidServiceNameException
+from zbot.errors import InvalidTopicNameError as InvalidTopicNameException
+from zbot.errors import NotAMessageTypeError as NoTypeSupportImportedException
+from zbot.errors import NotInitializedError as NotInitializedException
+from zbot.errors import RateInterruptedError as ROSInterruptException
+from zbot.parameter_errors import InvalidParameterException as InvalidParameterException
+from zbot.parameter_errors import InvalidParameterTypeException as InvalidParameterTypeException
+from zbot.parameter_errors import InvalidParameterValueException as InvalidParameterValueException
+from zbot.parameter_errors import (
+    ParameterAlreadyDeclaredException as ParameterAlreadyDeclaredException,
+)
+from zbot.parameter_errors import ParameterException as ParameterException
+from zbot.parameter_errors import ParameterImmutableException as ParameterImmutableException
+from zbot.parameter_errors import ParameterNotDeclaredException as ParameterNotDeclaredException
+from zbot.parameter_errors import ParameterUninitializedException as ParameterUninitializedException

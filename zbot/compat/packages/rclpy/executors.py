@@ -1,0 +1,25 @@
+"""Executors, and what ends them."""
+
+from zbot.client import Client as Client
+from zbot.clock import Clock as Clock
+from zbot.context import Context as Context
+from zbot.context import get_default_context as get_default_context
+from zbot.errors import ExternalShutdownException as ExternalShutdownException
+from zbot.errors import InvalidHandleError as InvalidHandle
+from zbot.errors import ShutdownError as ShutdownException
+from zbot.executor import Executor as Executor
+from zbot.executor import MultiThreadedExecutor as MultiThreadedExecutor
+from zbot.executor import SingleThreadedExecutor as SingleThreadedExecutor
+from zbot.guard_condition import GuardCondition as GuardCondition
+from zbot.interfaces.message import Message as Msg
+from zbot.service import Service as Service
+from zbot.subscription import MessageInfo as MessageInfo
+from zbot.subscription import Subscription as Subscription
+from zbot.task import Future as Future
+from zbot.task import Task as Task
+from zbot.time import ClockType as ClockType
+from zbot.time import timeout_sec_to_nsec as timeout_sec_to_nsec
+from zbot.timer import Timer as Timer
+from zbot.timer import TimerInfo as TimerInfo
+
+TimeoutException = TimeoutError

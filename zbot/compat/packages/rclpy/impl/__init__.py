@@ -1,0 +1,1 @@
+"""What rclpy is made of, as far as programs use it."""

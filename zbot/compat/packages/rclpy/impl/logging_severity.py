@@ -1,0 +1,3 @@
+"""Severities of log lines."""
+
+from zbot.log import LoggingSeverity as LoggingSeverity

@@ -1,0 +1,8 @@
+"""Publishers of managed nodes."""
+
+from zbot.callback_group import CallbackGroup as CallbackGroup
+from zbot.event import PublisherEventCallbacks as PublisherEventCallbacks
+from zbot.lifecycle.managed_entity import SimpleManagedEntity as SimpleManagedEntity
+from zbot.lifecycle.publisher import LifecyclePublisher as LifecyclePublisher
+from zbot.publisher import Publisher as Publisher
+from zbot.qos import QoSProfile as QoSProfile

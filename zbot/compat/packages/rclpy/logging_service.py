@@ -1,0 +1,6 @@
+"""Levels of loggers as services, which zbot does not have."""
+
+from zbot.log import LoggingSeverity as LoggingSeverity
+from zbot.qos import qos_profile_services_default as qos_profile_services_default
+
+TOPIC_SEPARATOR_STRING = "/"

@@ -1,0 +1,66 @@
+"""Nodes."""
+
+from zbot.callback_group import CallbackGroup as CallbackGroup
+from zbot.callback_group import MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup
+from zbot.callback_group import ReentrantCallbackGroup as ReentrantCallbackGroup
+from zbot.client import Client as Client
+from zbot.clock import Clock as Clock
+from zbot.clock import ROSClock as ROSClock
+from zbot.context import Context as Context
+from zbot.context import get_default_context as get_default_context
+from zbot.errors import InvalidHandleError as InvalidHandle
+from zbot.errors import InvalidTopicNameError as InvalidTopicNameException
+from zbot.errors import NotInitializedError as NotInitializedException
+from zbot.errors import UnknownNodeError as NodeNameNonExistentError
+from zbot.event import PublisherEventCallbacks as PublisherEventCallbacks
+from zbot.event import SubscriptionEventCallbacks as SubscriptionEventCallbacks
+from zbot.executor import Executor as Executor
+from zbot.graph import TopicEndpointInfo as TopicEndpointInfo
+from zbot.guard_condition import GuardCondition as GuardCondition
+from zbot.interfaces.message import Service as Srv
+from zbot.log import Logger as RcutilsLogger
+from zbot.log import get_logger as get_logger
+from zbot.names import expand_topic_name as expand_topic_name
+from zbot.names import validate_full_topic_name as validate_full_topic_name
+from zbot.names import validate_namespace as validate_namespace
+from zbot.names import validate_node_name as validate_node_name
+from zbot.names import validate_parameter_name as validate_parameter_name
+from zbot.names import validate_topic_name as validate_topic_name
+from zbot.node import Node as Node
+from zbot.parameter import Parameter as Parameter
+from zbot.parameter_errors import InvalidParameterTypeException as InvalidParameterTypeException
+from zbot.parameter_errors import InvalidParameterValueException as InvalidParameterValueException
+from zbot.parameter_errors import (
+    ParameterAlreadyDeclaredException as ParameterAlreadyDeclaredException,
+)
+from zbot.parameter_errors import ParameterImmutableException as ParameterImmutableException
+from zbot.parameter_errors import ParameterNotDeclaredException as ParameterNotDeclaredException
+from zbot.parameter_errors import ParameterUninitializedException as ParameterUninitializedException
+from zbot.parameter_services import ParameterServices as ParameterService
+from zbot.publisher import Publisher as Publisher
+from zbot.qos import QoSProfile as QoSProfile
+from zbot.qos import qos_profile_parameter_events as qos_profile_parameter_events
+from zbot.qos import qos_profile_rosout_default as qos_profile_rosout_default
+from zbot.qos import qos_profile_services_default as qos_profile_services_default
+from zbot.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
+from zbot.service import Service as Service
+from zbot.subscription import MessageInfo as MessageInfo
+from zbot.subscription import Subscription as Subscription
+from zbot.time import S_TO_NS as S_TO_NS
+from zbot.time_source import TimeSource as TimeSource
+from zbot.timer import Rate as Rate
+from zbot.timer import Timer as Timer
+from zbot.timer import TimerInfo as TimerInfo
+
+from rcl_interfaces.msg import FloatingPointRange as FloatingPointRange
+from rcl_interfaces.msg import IntegerRange as IntegerRange
+from rcl_interfaces.msg import ListParametersResult as ListParametersResult
+from rcl_interfaces.msg import ParameterDescriptor as ParameterDescriptor
+from rcl_interfaces.msg import ParameterEvent as ParameterEvent
+from rcl_interfaces.msg import ParameterType as ParameterType
+from rcl_interfaces.msg import ParameterValue as ParameterValue
+from rcl_interfaces.msg import SetParametersResult as SetParametersResult
+from rcl_interfaces.srv import ListParameters as ListParameters
+
+HIDDEN_NODE_PREFIX = "_"
+PARAMETER_SEPARATOR_STRING = "."

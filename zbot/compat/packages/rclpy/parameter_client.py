@@ -1,0 +1,24 @@
+"""Other nodes' parameters."""
+
+from zbot.callback_group import CallbackGroup as CallbackGroup
+from zbot.client import Client as Client
+from zbot.event import SubscriptionEventCallbacks as SubscriptionEventCallbacks
+from zbot.node import Node as Node
+from zbot.parameter import Parameter as Parameter
+from zbot.parameter import parameter_dict_from_yaml_file as parameter_dict_from_yaml_file
+from zbot.parameter_client import AsyncParameterClient as AsyncParameterClient
+from zbot.qos import QoSProfile as QoSProfile
+from zbot.qos import qos_profile_parameter_events as qos_profile_parameter_events
+from zbot.qos import qos_profile_services_default as qos_profile_services_default
+from zbot.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
+from zbot.subscription import MessageInfo as MessageInfo
+from zbot.subscription import Subscription as Subscription
+from zbot.task import Future as Future
+
+from rcl_interfaces.msg import ParameterEvent as ParameterEvent
+from rcl_interfaces.srv import DescribeParameters as DescribeParameters
+from rcl_interfaces.srv import GetParameters as GetParameters
+from rcl_interfaces.srv import GetParameterTypes as GetParameterTypes
+from rcl_interfaces.srv import ListParameters as ListParameters
+from rcl_interfaces.srv import SetParameters as SetParameters
+from rcl_interfaces.srv import SetParametersAtomically as SetParametersAtomically

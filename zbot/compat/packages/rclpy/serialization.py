@@ -1,0 +1,5 @@
+"""Messages as bytes, in ROS 2's CDR."""
+
+from zbot.interfaces.message import Message as Msg
+from zbot.serialization import deserialize_message as deserialize_message
+from zbot.serialization import serialize_message as serialize_message

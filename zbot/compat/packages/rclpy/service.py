@@ -1,0 +1,8 @@
+"""Services."""
+
+from zbot.callback_group import CallbackGroup as CallbackGroup
+from zbot.clock import Clock as Clock
+from zbot.interfaces.message import Service as Srv
+from zbot.qos import QoSProfile as QoSProfile
+from zbot.service import Service as Service
+from zbot.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState

@@ -1,0 +1,3 @@
+"""What is told of service calls."""
+
+from zbot.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState

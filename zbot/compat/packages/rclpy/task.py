@@ -1,0 +1,4 @@
+"""Futures and tasks."""
+
+from zbot.task import Future as Future
+from zbot.task import Task as Task

@@ -1,0 +1,6 @@
+"""One message of a topic."""
+
+from zbot.node import Node as Node
+from zbot.qos import QoSProfile as QoSProfile
+from zbot.time import timeout_sec_to_nsec as timeout_sec_to_nsec
+from zbot.wait_for_message import wait_for_message as wait_for_message

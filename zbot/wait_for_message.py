@@ -1,0 +1,73 @@
+"""One message of a topic, for programs that need no more."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING, Any, Literal, TypeVar
+
+from zbot.callback_group import ReentrantCallbackGroup
+from zbot.executor import LONGEST_WAIT_S, Signal
+from zbot.mailbox import Mailbox
+from zbot.qos import as_profile
+from zbot.subscription import Subscription
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from zbot.node import Node
+    from zbot.qos import QoSProfile
+
+MsgT = TypeVar("MsgT")
+
+
+def wait_for_message(
+    msg_type: type[MsgT],
+    node: Node,
+    topic: str,
+    *,
+    qos_profile: QoSProfile | int = 1,
+    time_to_wait: float = -1,
+) -> tuple[Literal[True], MsgT] | tuple[Literal[False], None]:
+    """Wait for the next message of a topic. No other callback of the node runs meanwhile.
+
+    Args:
+        msg_type: Message class.
+        node: Who subscribes meanwhile; it may be in an executor or not.
+        topic: Relative, `~/private` or absolute name.
+        qos_profile: A profile, or the depth of the default one.
+        time_to_wait: Seconds; less than 0 for as long as the context lives.
+
+    Returns:
+        True and the message, or False and `None` if there was none in time.
+
+    Raises:
+        InvalidTopicNameError: The name breaks ROS 2's grammar.
+    """
+    arrived: list[MsgT] = []
+    signal, mailbox = Signal(), Mailbox()
+    mailbox.attach(None, lambda _: signal.set())
+    handle, context = node.handle, node.context
+    name = node.resolve_topic_name(topic)
+    token = handle.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, as_profile(qos_profile))
+    subscription: Subscription[Any] = Subscription(
+        context,
+        msg_type,
+        arrived.append,
+        token,
+        mailbox=mailbox,
+        callback_group=ReentrantCallbackGroup(),
+        raw=False,
+        logger_name=handle.logger_name,
+    )
+    deadline = time.monotonic() + time_to_wait
+    with subscription:
+        subscription.start()
+        while not arrived and context.ok():
+            sample = subscription.take()
+            if sample is not None:
+                subscription.execute(sample)
+                continue
+            left = LONGEST_WAIT_S if time_to_wait < 0 else deadline - time.monotonic()
+            if left <= 0:
+                break
+            signal.wait(left)
+    return (True, arrived[0]) if arrived else (False, None)
