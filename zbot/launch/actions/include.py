@@ -69,11 +69,10 @@ class IncludeLaunchDescription(Action):
         if not isinstance(source, LaunchDescriptionSource):
             raise EntityTypeError("launch_description_source", "a source or a path", source)
         self.launch_description_source = source
+        given: Any = launch_arguments or ()
         # `.items()` is what examples give; a dictionary itself is as clear.
-        pairs = getattr(launch_arguments, "items", None)
-        self.launch_arguments: list[tuple[Any, Any]] = [
-            *((pairs() if callable(pairs) else launch_arguments) or ())
-        ]
+        pairs = given.items() if hasattr(given, "items") else given
+        self.launch_arguments: list[tuple[Any, Any]] = list(pairs)
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
         """Return the entities of the file, between what sets its arguments and its path.
