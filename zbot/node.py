@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 
 from zbot.arguments import Arguments
 from zbot.client import Client
@@ -284,7 +284,7 @@ class Node(GraphQueries, NodeParameters):
         callback_group: CallbackGroup | None = None,
         event_callbacks: Any = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
-        raw: bool = False,
+        raw: bool | Literal["payload"] = False,
         content_filter_options: Any = None,  # noqa: ARG002 - no middleware of Zenoh's filters content
     ) -> Subscription[MsgT]:
         """Create a subscription.
@@ -297,7 +297,8 @@ class Node(GraphQueries, NodeParameters):
             callback_group: Decides beside what the callback may run; the node's own if left out.
             event_callbacks: A `SubscriptionEventCallbacks`.
             qos_overriding_options: Which policies parameters may override.
-            raw: Give the callback the payload's bytes, undecoded.
+            raw: Give the callback each message as the bytes of ROS 2's CDR; with `"payload"`, as
+                the bytes that were sent, undecoded.
             content_filter_options: Accepted and ignored.
 
         Raises:

@@ -16,7 +16,7 @@ import time
 from collections import deque
 from enum import Enum
 from itertools import islice
-from typing import TYPE_CHECKING, Any, Generic, TypedDict, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, Literal, TypedDict, TypeVar
 
 import zenoh
 
@@ -83,7 +83,8 @@ class Subscription(Generic[MsgT]):
         token: Who and where this subscription is.
         mailbox: The node's way to its executor.
         callback_group: Decides beside what the callback may run.
-        raw: Hand each message to the callback as the bytes of ROS 2's CDR.
+        raw: Hand each message to the callback as the bytes of ROS 2's CDR; with `"payload"`, as
+            the bytes that were sent, undecoded.
         logger_name: The node's logger.
     """
 
@@ -104,7 +105,7 @@ class Subscription(Generic[MsgT]):
         *,
         mailbox: Mailbox,
         callback_group: CallbackGroup,
-        raw: bool,
+        raw: bool | Literal["payload"],
         logger_name: str,
     ) -> None:
         self.msg_type = msg_type
@@ -120,7 +121,9 @@ class Subscription(Generic[MsgT]):
         self.mailbox = mailbox
         self._logger_name = logger_name
         decode = context.dialect.codec_for(msg_type).decode
-        self._decode: Callable[[Any], Any] = raw_decoder(decode) if raw else decode
+        self._decode: Callable[[Any], Any] = decode
+        if raw:
+            self._decode = bytes if raw == "payload" else raw_decoder(decode)
         self._sources: dict[bytes, _Source] = {}
         self.received_count = 0  #: messages that the callback got
         self._keep_all = token.qos.history is HistoryPolicy.KEEP_ALL

@@ -135,7 +135,7 @@ class Echo:
             name,
             lambda message, info: self._show(name, message, info),
             qos,
-            raw=self._form.raw,
+            raw="payload" if self._form.raw else False,
             event_callbacks=callbacks,
         )
 

@@ -12,6 +12,7 @@ import zbot
 from tests.conftest import wait_until
 from zbot.errors import InvalidHandleError, MessageTypeError
 from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from zbot.serialization import deserialize_message, serialize_message
 
 from std_msgs.msg import Float32, Int64, String
 
@@ -235,7 +236,7 @@ def test_a_raw_subscription_gets_the_bytes_as_they_were_sent(
     talker: zbot.Node, listener: zbot.Node, spin: Spin
 ) -> None:
     inbox: list[bytes] = []
-    listener.create_subscription(String, "chatter", inbox.append, 10, raw=True)
+    listener.create_subscription(String, "chatter", inbox.append, 10, raw="payload")
     publisher = talker.create_publisher(String, "chatter", 10)
     spin(listener)
     publisher.publish(String(data="raw"))
@@ -243,6 +244,20 @@ def test_a_raw_subscription_gets_the_bytes_as_they_were_sent(
     assert wait_until(lambda: len(inbox) == 2)
     assert msgpack.unpackb(inbox[0]) == {"data": "raw"}
     assert inbox[1] == b"\xc1 not MessagePack"
+
+
+def test_raw_messages_are_cdr_both_ways(talker: zbot.Node, listener: zbot.Node, spin: Spin) -> None:
+    inbox: list[bytes] = []
+    read: list[String] = []
+    listener.create_subscription(String, "chatter", inbox.append, 10, raw=True)
+    listener.create_subscription(String, "chatter", read.append, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    spin(listener)
+    publisher.publish(String(data="raw"))
+    publisher.publish(serialize_message(String(data="sent")))
+    assert wait_until(lambda: len(inbox) == len(read) == 2)
+    assert [deserialize_message(data, String).data for data in inbox] == ["raw", "sent"]
+    assert [message.data for message in read] == ["raw", "sent"]
 
 
 def test_a_callback_with_two_arguments_gets_times_and_numbers(
