@@ -452,3 +452,12 @@ def test_python_m_zbot_is_the_command_and_runs_programs(tmp_path: Path) -> None:
             [sys.executable, "-m", "zbot", *words], capture_output=True, text=True, check=True
         )
         assert done.stdout.startswith(expected)
+
+
+def test_what_a_program_makes_of_ctrl_c_is_no_failure(launch: Callable[..., Program]) -> None:
+    code = "import signal, sys, time; signal.signal(2, lambda *_: sys.exit(4)); print('on'); "
+    program = launch(f"python({code + 'time.sleep(60)'!r}, name='odd')")
+    program.wait_for("[odd-1] on")
+    assert program.stop() == 0
+    assert "process has died [pid" in program.output
+    assert "exit code 4" in program.output

@@ -107,7 +107,7 @@ class Supervisor:
         while not self._wants_end.is_set():
             code = await self._run_once()
             if not self._policy.respawn or retries == 0 or self._wants_end.is_set():
-                self._context.failed |= not self._is_as_wanted(code)
+                self._context.failed |= code != 0 and not self._sent  # it died by itself
                 return
             retries -= 1
             await _wait(self._wants_end, self._policy.respawn_delay_s)
@@ -246,10 +246,11 @@ class Supervisor:
             is_told = True
             if await self._ended_within(seconds):
                 return
-            text = f"failed to terminate '{seconds:g}' seconds after receiving '{number.name}'"
-            self._context.journal.error(
-                self.label, f"process[{self.label}] {text}, escalating to '{following}'"
-            )
+            waited = f"'{seconds:g}' seconds after receiving"
+            if self._hurry.is_set():
+                waited = "at once after receiving"
+            text = f"process[{self.label}] failed to terminate {waited} '{number.name}'"
+            self._context.journal.error(self.label, f"{text}, escalating to '{following}'")
         self._send(_SIGKILL, is_told=True)
 
     async def _ended_within(self, seconds: float) -> bool:
