@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ArgumentTypeError
 from zbot.parameter import Parameter, guessed, parameter_value_to_python
 from zbot.parameter_errors import ParameterListError, UnknownCallbackError
-from zbot.parameter_rules import Descriptor
+from zbot.parameter_rules import REL_TOL, Descriptor
 from zbot.parameter_store import Declaration, prefixes_of
 
 if TYPE_CHECKING:
@@ -56,6 +56,8 @@ class NodeParameters:
     """rclpy's parameter methods, for whoever has a `ParameterStore`."""
 
     _zbot_handle: NodeHandle
+
+    PARAM_REL_TOL = REL_TOL  #: how close a double has to be to a step or to the end of its range
 
     #: Where rclpy keeps them; a subclass may use these names for something else.
     _parameters = _View("values")

@@ -11,7 +11,7 @@ from zbot.parameter import Parameter
 if TYPE_CHECKING:
     from rcl_interfaces.msg import ParameterDescriptor
 
-_REL_TOL = 1e-6
+REL_TOL = 1e-6
 _STEP_TOL = 1e-6  #: of a step: near zero a relative tolerance is none
 
 
@@ -42,12 +42,12 @@ class Range:
         if not self.step or self.is_end(value):
             return True
         near = self.low + round((value - self.low) / self.step) * self.step
-        return math.isclose(near, value, rel_tol=_REL_TOL, abs_tol=_STEP_TOL * abs(self.step))
+        return math.isclose(near, value, rel_tol=REL_TOL, abs_tol=_STEP_TOL * abs(self.step))
 
     def is_end(self, value: float) -> bool:
         """Tell whether a float is one of the ends, give or take what arithmetic does to floats."""
-        return math.isclose(value, self.low, rel_tol=_REL_TOL) or math.isclose(
-            value, self.high, rel_tol=_REL_TOL
+        return math.isclose(value, self.low, rel_tol=REL_TOL) or math.isclose(
+            value, self.high, rel_tol=REL_TOL
         )
 
     def __str__(self) -> str:
