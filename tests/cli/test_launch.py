@@ -110,10 +110,13 @@ def test_the_lessons_launch_file_finds_its_package(
         "from launch_ros.actions import Node\n"
         "def generate_launch_description():\n"
         "    return LaunchDescription([Node(package='my_robot_pkg',\n"
-        "        executable='temperature_sensor', name='sensor')])\n"
+        "        executable='temperature_sensor', name='sensor'),\n"
+        "        Node(package='my_robot_pkg', executable='temperature_sensor', cwd='/')])\n"
     )
     program = start("zbot", "launch", "my_robot_pkg", "temperature_system.launch.py")
-    program.wait_for("[temperature_sensor-1] I am /sensor")
+    for line in ("[temperature_sensor-1] I am /sensor", "[temperature_sensor-2] I am /unnamed"):
+        if line not in program.output:
+            program.wait_for(line)
     assert program.stop() == 0
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch.actions.execute import ExecuteProcess
@@ -16,6 +17,7 @@ from zbot.launch.errors import EntityTypeError
 from zbot.launch.own_command import own_command
 from zbot.launch.parameters import to_words
 from zbot.launch.substitution import describe, normalize, perform
+from zbot.package.workspace import search_roots
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -102,7 +104,11 @@ class Node(ExecuteProcess):
         description = self.process_description
         name = perform(context, description.name) if description.name else ""
         name = name or executable.replace("\\", "/").rpartition("/")[2]
-        return description.prepare(context, [*words, *self._ros_words(context)], name)
+        prepared = description.prepare(context, [*words, *self._ros_words(context)], name)
+        if prepared.cwd is not None:  # from there, the workspace could not be seen
+            roots = os.pathsep.join(str(root.absolute()) for root, _ in search_roots())
+            prepared.env.setdefault("ZBOT_WORKSPACE", roots)
+        return prepared
 
     def _ros_words(self, context: LaunchContext) -> list[str]:
         words = [perform(context, word) for word in self.ros_arguments]
