@@ -531,7 +531,7 @@ class ParameterValueError(ZbotError, ValueError):
         super().__init__(f"not a parameter's value: {text[:100]!r}: {reason}")
 
 
-class ParametersFileError(ZbotError, ValueError):
+class ParametersFileError(SetupError, ValueError):
     """A parameter file cannot be read or has another form than ROS 2 asks for."""
 
     def __init__(self, path: str, reason: str) -> None:

@@ -480,3 +480,11 @@ def test_tab_completes_nodes_and_parameters(zbot_command: Command) -> None:
     assert zbot_command(*words, "rate", "").out == ""
     assert zbot_command(*words, "rate", "1", "m").out == "my_parameter\n"
     assert zbot_command("complete", "--", "param", "get", "/nobody", "").out == ""
+
+
+def test_a_parameter_file_that_is_not_there_is_one_sentence(start: Start) -> None:
+    program = start("zbot", "run", "talker", "--ros-args", "--params-file", "nowhere.yaml")
+    assert program.wait() == 1
+    assert program.lines == [
+        "cannot use the parameter file nowhere.yaml: No such file or directory"
+    ]
