@@ -12,7 +12,7 @@ import signal
 import sys
 import time
 
-_PATIENCE_S = 1.0
+_PATIENCE_S = 0.7
 _INTERVAL_S = 0.02
 
 
