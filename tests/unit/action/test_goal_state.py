@@ -77,8 +77,10 @@ def test_states_have_the_numbers_of_goal_status() -> None:
         (
             GoalState.CANCELING,
             GoalEvent.CANCEL_GOAL,
-            "a goal that is CANCELING cannot be asked to cancel: possible now: succeed(), abort(), "
-            "canceled()",
+            (
+                "a goal that is CANCELING cannot be asked to cancel: possible now: succeed(), abort(), "
+                "canceled()"
+            ),
         ),
     ],
 )
