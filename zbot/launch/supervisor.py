@@ -248,6 +248,7 @@ class Supervisor:
                 return
             waited = f"'{seconds:g}' seconds after receiving"
             if self._hurry.is_set():
+                self._hurry.clear()
                 waited = "at once after receiving"
             text = f"process[{self.label}] failed to terminate {waited} '{number.name}'"
             self._context.journal.error(self.label, f"{text}, escalating to '{following}'")
@@ -255,7 +256,6 @@ class Supervisor:
 
     async def _ended_within(self, seconds: float) -> bool:
         assert self._process is not None
-        self._hurry.clear()
         ended = asyncio.ensure_future(self._process.ended())
         hurried = asyncio.ensure_future(self._hurry.wait())
         await asyncio.wait({ended, hurried}, timeout=seconds, return_when=asyncio.FIRST_COMPLETED)
