@@ -44,7 +44,6 @@ from zbot.launch.process_event import ProcessStdin, ShutdownProcess, matches_act
 from zbot.launch.substitutions import EnvironmentVariable, LaunchConfiguration
 
 if TYPE_CHECKING:
-
     from zbot.launch import LaunchContext
 
 _CONFIGURE, _ACTIVATE = 1, 3
