@@ -14,6 +14,8 @@ from zbot.action.cancellation import (
 )
 from zbot.action.goal_state import GoalState
 
+from action_msgs.srv import CancelGoal
+
 
 @dataclass(frozen=True)
 class Goal:
@@ -59,8 +61,6 @@ def test_a_request_means_one_goal_or_all_until_a_time(
 
 
 def test_codes_are_those_of_the_service() -> None:
-    from action_msgs.srv import CancelGoal
-
     response = CancelGoal.Response
     assert (response.ERROR_NONE, response.ERROR_UNKNOWN_GOAL_ID) == (
         ERROR_NONE,

@@ -14,6 +14,8 @@ from zbot.action.goal_state import (
     next_state,
 )
 
+from action_msgs.msg import GoalStatus
+
 # State, event, next state: as documented in https://design.ros2.org/articles/actions.html.
 DOCUMENTED = {
     ("ACCEPTED", "EXECUTE"): "EXECUTING",
@@ -50,8 +52,6 @@ def test_a_state_knows_its_events(state: GoalState) -> None:
 
 
 def test_states_have_the_numbers_of_goal_status() -> None:
-    from action_msgs.msg import GoalStatus
-
     for state in GoalState:
         assert getattr(GoalStatus, f"STATUS_{state.name}") == state.value
 
@@ -78,8 +78,8 @@ def test_states_have_the_numbers_of_goal_status() -> None:
             GoalState.CANCELING,
             GoalEvent.CANCEL_GOAL,
             (
-                "a goal that is CANCELING cannot be asked to cancel: possible now: succeed(), abort(), "
-                "canceled()"
+                "a goal that is CANCELING cannot be asked to cancel: possible now: succeed(), "
+                "abort(), canceled()"
             ),
         ),
     ],
