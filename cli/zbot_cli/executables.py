@@ -27,6 +27,7 @@ _ALIASES: dict[str, frozenset[str]] = {
     "demo_nodes_py": _DEMO_NODES,
     "lifecycle": frozenset({"lifecycle_talker"}),
     "lifecycle_py": frozenset({"lifecycle_talker"}),
+    "tf2_ros": frozenset({"static_transform_publisher", "tf2_echo"}),
     "turtlesim": frozenset({"draw_square", "mimic", "turtle_teleop_key", "turtlesim_node"}),
 }
 #: Bundled nodes under a second name: a package's own name stands for the node that it is about.

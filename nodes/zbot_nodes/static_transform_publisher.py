@@ -1,0 +1,78 @@
+"""Tell everybody, for ever, where one frame is in another.
+
+Run:       zbot run tf2_ros static_transform_publisher --x 0.1 --yaw 1.57 \
+               --frame-id base_link --child-frame-id laser
+Publishes: /tf_static (tf2_msgs/msg/TFMessage), kept for latecomers
+"""
+
+import argparse
+import math
+import os
+
+import zbot
+from zbot.arguments import remove_ros_args
+from zbot.tf2 import StaticTransformBroadcaster
+from zbot.tf2.rigid import Quaternion, multiply
+
+from geometry_msgs.msg import TransformStamped
+
+_OLD_STYLE = (8, 9)  # x y z yaw pitch roll frame child, or with a quaternion's four numbers
+
+
+def read_arguments(words: list[str]) -> argparse.Namespace:
+    """Read the command line: options, or ROS 1's order of values."""
+    parser = argparse.ArgumentParser(prog="static_transform_publisher")
+    for name in ("x", "y", "z", "roll", "pitch", "yaw", "qx", "qy", "qz"):
+        parser.add_argument(f"--{name}", type=float, default=0.0)
+    parser.add_argument("--qw", type=float, default=1.0)
+    parser.add_argument("--frame-id", required=True, help="the parent's name")
+    parser.add_argument("--child-frame-id", required=True, help="the frame that is told of")
+    if len(words) in _OLD_STYLE and not any(word.startswith("--") for word in words):
+        turn = ("yaw", "pitch", "roll") if len(words) == _OLD_STYLE[0] else ("qx", "qy", "qz", "qw")
+        names = ("x", "y", "z", *turn, "frame-id", "child-frame-id")
+        words = [f"--{name}={word}" for name, word in zip(names, words, strict=True)]
+    return parser.parse_args(words)
+
+
+def rotation(options: argparse.Namespace) -> Quaternion:
+    """Return the rotation that was asked for, by angles in rad or as a quaternion."""
+    roll, pitch, yaw = options.roll / 2, options.pitch / 2, options.yaw / 2
+    if not (roll or pitch or yaw):
+        return (options.qx, options.qy, options.qz, options.qw)
+    about_x: Quaternion = (math.sin(roll), 0.0, 0.0, math.cos(roll))
+    about_y: Quaternion = (0.0, math.sin(pitch), 0.0, math.cos(pitch))
+    about_z: Quaternion = (0.0, 0.0, math.sin(yaw), math.cos(yaw))
+    return multiply(about_z, multiply(about_y, about_x))
+
+
+class StaticTransformPublisher(zbot.Node):
+    """Publishes one transform, once."""
+
+    def __init__(self, options: argparse.Namespace) -> None:
+        # Several of them are the rule: each gets a name of its own.
+        super().__init__(f"static_transform_publisher_{os.getpid()}")
+        message = TransformStamped(child_frame_id=options.child_frame_id)
+        message.header.frame_id = options.frame_id
+        message.header.stamp = self.get_clock().now().to_msg()
+        t, q = message.transform.translation, message.transform.rotation
+        t.x, t.y, t.z = options.x, options.y, options.z
+        q.x, q.y, q.z, q.w = rotation(options)
+        self.broadcaster = StaticTransformBroadcaster(self)
+        self.broadcaster.sendTransform(message)
+        self.get_logger().info(
+            "Spinning until stopped - publishing transform\n"
+            f"translation: ('{t.x:f}', '{t.y:f}', '{t.z:f}')\n"
+            f"rotation: ('{q.x:f}', '{q.y:f}', '{q.z:f}', '{q.w:f}')\n"
+            f"from '{options.frame_id}' to '{options.child_frame_id}'"
+        )
+
+
+def main() -> None:
+    """Run until Ctrl-C."""
+    options = read_arguments(remove_ros_args()[1:])
+    with zbot.init():
+        zbot.spin(StaticTransformPublisher(options))
+
+
+if __name__ == "__main__":
+    main()

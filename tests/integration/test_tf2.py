@@ -1,0 +1,154 @@
+"""Transforms between sessions: broadcast, listened to, waited for."""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+from zbot.tf2 import (
+    Buffer,
+    LookupException,
+    StaticTransformBroadcaster,
+    TransformBroadcaster,
+    TransformListener,
+    TypeException,
+)
+
+from geometry_msgs.msg import PointStamped, PoseStamped, TransformStamped
+from std_msgs.msg import String
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import Program, Spinner
+
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., Spinner]
+    Start = Callable[..., Program]
+
+NOW = zbot.Time()
+SECOND = zbot.Duration(seconds=1)
+
+
+def told(parent: str, child: str, x: float = 1.0) -> TransformStamped:
+    message = TransformStamped(child_frame_id=child)
+    message.header.frame_id = parent
+    message.header.stamp = zbot.Clock().now().to_msg()
+    message.transform.translation.x = x
+    return message
+
+
+@pytest.fixture
+def robot(make_context: MakeContext) -> zbot.Node:
+    return zbot.Node("robot", context=make_context())
+
+
+@pytest.fixture
+def watcher(make_context: MakeContext) -> zbot.Node:
+    return zbot.Node("watcher", context=make_context())
+
+
+def test_a_listener_hears_what_moves_and_what_does_not(
+    robot: zbot.Node, watcher: zbot.Node, spin: Spin
+) -> None:
+    StaticTransformBroadcaster(robot).sendTransform([told("base", "laser"), told("base", "imu")])
+    buffer = Buffer()
+    listener = TransformListener(buffer, watcher)
+    spin(watcher)
+    TransformBroadcaster(robot).sendTransform(told("map", "base"))
+    assert buffer.can_transform("map", "laser", NOW, SECOND)
+    found = buffer.lookup_transform("map", "imu", NOW)
+    assert found.transform.translation.x == 2
+    listener.unregister()
+    listener.unregister()
+
+
+def test_static_transforms_add_up(robot: zbot.Node, watcher: zbot.Node) -> None:
+    broadcaster = StaticTransformBroadcaster(robot)
+    broadcaster.sendTransform(told("base", "laser"))
+    broadcaster.sendTransform(told("base", "imu"))
+    buffer = Buffer()
+    TransformListener(buffer, watcher, spin_thread=True)
+    assert buffer.can_transform("laser", "imu", NOW, SECOND)
+
+
+def test_waiting_ends_with_the_error(watcher: zbot.Node) -> None:
+    buffer = Buffer()
+    TransformListener(buffer, watcher, spin_thread=True)
+    begun = time.monotonic()
+    with pytest.raises(LookupException):
+        buffer.lookup_transform("map", "base", NOW, zbot.Duration(seconds=0.1))
+    assert 0.1 <= time.monotonic() - begun < 1
+
+
+@pytest.mark.parametrize("is_there", [True, False])
+def test_a_callback_may_wait_for_what_its_own_executor_receives(
+    robot: zbot.Node, watcher: zbot.Node, spin: Spin, is_there: bool
+) -> None:
+    buffer = Buffer()
+    TransformListener(buffer, watcher)
+    outcomes: list[Any] = []
+
+    def look() -> None:
+        timer.cancel()
+        outcomes.append(buffer.can_transform("map", "base", NOW, zbot.Duration(seconds=0.5)))
+
+    broadcaster = TransformBroadcaster(robot)
+    if is_there:
+        threading.Timer(0.1, broadcaster.sendTransform, [told("map", "base")]).start()
+    timer = watcher.create_timer(0.001, look)
+    spin(watcher)
+    assert wait_until(lambda: bool(outcomes))
+    assert outcomes == [is_there]
+
+
+def test_a_coroutine_waits_for_a_transform(
+    robot: zbot.Node, watcher: zbot.Node, spin: Spin
+) -> None:
+    buffer = Buffer()
+    TransformListener(buffer, watcher)
+    found: list[float] = []
+
+    async def look(_: String) -> None:
+        seen = await buffer.lookup_transform_async("map", "base", NOW)
+        found.append(seen.transform.translation.x)
+
+    watcher.create_subscription(String, "go", look, 10)
+    spin(watcher)
+    robot.create_publisher(String, "go", 10).publish(String())
+    TransformBroadcaster(robot).sendTransform(told("map", "base", 3.0))
+    assert wait_until(lambda: found == [3.0])
+
+
+def test_points_and_poses_change_frames() -> None:
+    buffer = Buffer()
+    buffer.set_transform_static(told("map", "base", 5.0))
+    point = PointStamped()
+    point.header.frame_id = "base"
+    point.point.y = 2.0
+    moved = buffer.transform(point, "map")
+    assert (moved.header.frame_id, moved.point.x, moved.point.y) == ("map", 5.0, 2.0)
+    pose = PoseStamped()
+    pose.header.frame_id = "map"
+    assert buffer.transform(pose, "base").pose.position.x == -5
+    with pytest.raises(TypeException, match="String"):
+        buffer.transform(String(), "map")
+
+
+def test_the_bundled_programs(start: Start) -> None:
+    words = ["--x", "1", "--yaw", "1.5708", "--frame-id", "map", "--child-frame-id", "base"]
+    start("zbot", "run", "tf2_ros", "static_transform_publisher", *words).wait_for("from 'map'")
+    old = ["0", "0", "0.5", "0", "0", "0", "base", "laser"]
+    start("zbot", "run", "tf2_ros", "static_transform_publisher", *old).wait_for("from 'base'")
+    echo = start("zbot", "run", "tf2_ros", "tf2_echo", "map", "laser")
+    echo.wait_for("- Translation: [1.000, 0.000, 0.500]")
+    echo.wait_for("- Rotation: in RPY (degree) [0.000, 0.000, 90.000]")
+    assert echo.stop() == -2
+    waiting = start("zbot", "run", "tf2_ros", "tf2_echo", "map", "nowhere")
+    waiting.wait_for('"nowhere" passed to lookupTransform')
+    assert start("zbot", "run", "tf2_ros", "tf2_echo", "map").wait() == 1

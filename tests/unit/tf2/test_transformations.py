@@ -1,0 +1,76 @@
+"""Rotations and matrices under the names of tf_transformations."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from zbot.tf2 import transformations as tf
+
+angles = st.floats(-3, 3)
+
+
+def test_well_known_rotations() -> None:
+    assert tf.quaternion_from_euler(0, 0, math.pi / 2) == pytest.approx(
+        [0, 0, math.sqrt(0.5), math.sqrt(0.5)]
+    )
+    assert tf.quaternion_from_euler(1, 2, 3, "ryxz") == pytest.approx(
+        [0.310622, -0.718287, 0.444435, 0.435953], abs=1e-6
+    )
+    assert tf.euler_from_quaternion([0.06146124, 0, 0, 0.99810947]) == pytest.approx(
+        (0.123, 0, 0), abs=1e-6
+    )
+
+
+@given(angles, st.floats(-1.5, 1.5), angles)
+def test_roll_pitch_and_yaw_come_back(roll: float, pitch: float, yaw: float) -> None:
+    assert tf.euler_from_quaternion(tf.quaternion_from_euler(roll, pitch, yaw)) == pytest.approx(
+        (roll, pitch, yaw), abs=1e-6
+    )
+
+
+@pytest.mark.parametrize("axes", sorted(tf._AXES))
+@given(angles, angles, angles)
+def test_every_order_of_axes_gives_the_same_rotation_again(
+    axes: str, a: float, b: float, c: float
+) -> None:
+    matrix = tf.euler_matrix(a, b, c, axes)
+    again = tf.euler_matrix(*tf.euler_from_matrix(matrix, axes), axes)
+    assert np.allclose(matrix, again, atol=1e-5)
+    assert tf.is_same_transform(tf.quaternion_matrix(tf.quaternion_from_matrix(matrix)), matrix)
+
+
+def test_products_and_inverses() -> None:
+    q = tf.quaternion_about_axis(0.7, (1, 2, 3))
+    assert tf.quaternion_multiply(q, tf.quaternion_inverse(q)) == pytest.approx([0, 0, 0, 1])
+    turned = tf.rotation_matrix(0.7, (1, 2, 3), (4, 5, 6)) @ [4, 5, 6, 1]
+    assert turned == pytest.approx([4, 5, 6, 1])
+    moved = tf.concatenate_matrices(tf.translation_matrix((1, 0, 0)), tf.scale_matrix(2))
+    assert moved @ [1, 1, 1, 1] == pytest.approx([3, 2, 2, 1])
+    assert tf.inverse_matrix(moved) @ moved == pytest.approx(tf.identity_matrix())
+    composed = tf.compose_matrix(scale=(2, 2, 2), angles=(0, 0, math.pi / 2), translate=(1, 0, 0))
+    assert composed @ [1, 0, 0, 1] == pytest.approx([1, 2, 0, 1])
+    assert tf.translation_from_matrix(composed) == pytest.approx([1, 0, 0])
+
+
+def test_half_way_between_two_rotations() -> None:
+    a, b = tf.quaternion_from_euler(0, 0, 0), tf.quaternion_from_euler(0, 0, 1)
+    half = tf.quaternion_slerp(a, b, 0.5)
+    assert tf.euler_from_quaternion(half) == pytest.approx((0, 0, 0.5))
+    assert tf.quaternion_slerp(a, b, 0.0) == pytest.approx(a)
+    assert tf.quaternion_slerp(a, b, 1.0) == pytest.approx(b)
+
+
+def test_lengths() -> None:
+    assert tf.vector_norm([3, 4]) == 5
+    assert tf.unit_vector([0, 0, 2]) == pytest.approx([0, 0, 1])
+    assert tf.vector_norm(tf.random_quaternion()) == pytest.approx(1)
+
+
+def test_axes_that_are_none_are_named() -> None:
+    with pytest.raises(KeyError, match="sxyz"):
+        tf.euler_matrix(1, 2, 3, "abc")

@@ -1,0 +1,16 @@
+"""ROS 2's `tf2_ros`: where frames are."""
+
+from zbot.tf2.broadcaster import StaticTransformBroadcaster as StaticTransformBroadcaster
+from zbot.tf2.broadcaster import TransformBroadcaster as TransformBroadcaster
+from zbot.tf2.buffer import Buffer as Buffer
+from zbot.tf2.errors import ConnectivityException as ConnectivityException
+from zbot.tf2.errors import ExtrapolationException as ExtrapolationException
+from zbot.tf2.errors import InvalidArgumentException as InvalidArgumentException
+from zbot.tf2.errors import LookupException as LookupException
+from zbot.tf2.errors import NotImplementedException as NotImplementedException
+from zbot.tf2.errors import TimeoutException as TimeoutException
+from zbot.tf2.errors import TransformException as TransformException
+from zbot.tf2.errors import TypeException as TypeException
+from zbot.tf2.listener import TransformListener as TransformListener
+
+from geometry_msgs.msg import TransformStamped as TransformStamped

@@ -1,0 +1,65 @@
+"""Broadcasters: they tell everybody where frames are."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any
+
+from zbot.qos import DurabilityPolicy, QoSProfile
+
+from tf2_msgs.msg import TFMessage
+
+if TYPE_CHECKING:
+    from zbot.node import Node
+
+    from geometry_msgs.msg import TransformStamped
+
+TF_TOPIC, TF_STATIC_TOPIC = "/tf", "/tf_static"
+_DEPTH = 100
+
+
+def _listed(transform: TransformStamped | Iterable[TransformStamped]) -> list[TransformStamped]:
+    return list(transform) if isinstance(transform, Iterable) else [transform]
+
+
+class TransformBroadcaster:
+    """Publishes transforms that change on `/tf`.
+
+    Args:
+        node: Who publishes.
+        qos: Quality of service; depth 100 if left out.
+    """
+
+    def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
+        profile = QoSProfile(depth=_DEPTH) if qos is None else qos
+        self.pub_tf: Any = node.create_publisher(TFMessage, TF_TOPIC, profile)
+
+    def sendTransform(  # noqa: N802 - tf2_ros' name
+        self, transform: TransformStamped | Iterable[TransformStamped]
+    ) -> None:
+        """Publish one transform or several."""
+        self.pub_tf.publish(TFMessage(transforms=_listed(transform)))
+
+
+class StaticTransformBroadcaster:
+    """Publishes transforms that hold for ever on `/tf_static`: latecomers get them too.
+
+    Args:
+        node: Who publishes.
+        qos: Quality of service; the last message is kept for latecomers if left out.
+    """
+
+    def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
+        kept = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        profile = kept if qos is None else qos
+        self.pub_tf: Any = node.create_publisher(TFMessage, TF_STATIC_TOPIC, profile)
+        self.net_message = TFMessage()
+
+    def sendTransform(  # noqa: N802 - tf2_ros' name
+        self, transform: TransformStamped | Iterable[TransformStamped]
+    ) -> None:
+        """Publish one transform or several, with all that were sent before."""
+        told = {one.child_frame_id: one for one in self.net_message.transforms}
+        told.update((one.child_frame_id, one) for one in _listed(transform))
+        self.net_message.transforms = list(told.values())
+        self.pub_tf.publish(self.net_message)

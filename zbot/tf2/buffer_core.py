@@ -1,0 +1,249 @@
+"""The tree of frames: what was told of them, and how to get from one to another."""
+
+from __future__ import annotations
+
+import math
+import threading
+from typing import Any
+
+from zbot.errors import nearest
+from zbot.log import get_logger
+from zbot.tf2.errors import (
+    ConnectivityException,
+    ExtrapolationException,
+    InvalidArgumentException,
+    LookupException,
+)
+from zbot.tf2.frame import Frame, Sample
+from zbot.tf2.rigid import Quaternion, Rigid, Vector, normalized
+from zbot.time import Duration, Time
+
+from geometry_msgs.msg import TransformStamped
+
+_CACHE_S = 10.0
+_QUATERNION_TOLERANCE = 1e-2  # tf2 refuses what is farther from length 1
+
+
+class BufferCore:
+    """Frames and their history. All methods may be called from any thread.
+
+    Args:
+        cache_time: How long samples are kept; 10 s if left out.
+    """
+
+    def __init__(self, cache_time: Duration | None = None) -> None:
+        cache = Duration(seconds=_CACHE_S) if cache_time is None else cache_time
+        self._cache_ns = cache.nanoseconds
+        self._frames: dict[str, Frame] = {}
+        self._changed = threading.Condition()
+        self._refused: set[str] = set()
+
+    # -- telling -------------------------------------------------------------------------------
+
+    def set_transform(self, transform: Any, authority: str = "default_authority") -> bool:
+        """Take note of a `TransformStamped`; `False` if it is useless (logged once) or too old."""
+        return self._set(transform, authority, is_static=False)
+
+    def set_transform_static(self, transform: Any, authority: str = "default_authority") -> bool:
+        """Take note of a `TransformStamped` that holds for ever."""
+        return self._set(transform, authority, is_static=True)
+
+    def _set(self, transform: Any, authority: str, *, is_static: bool) -> bool:
+        parent = transform.header.frame_id.removeprefix("/")
+        child = transform.child_frame_id.removeprefix("/")
+        fault = _fault(parent, child, transform.transform)
+        if fault:
+            self._refuse(f"a transform from {authority} is ignored: {fault}")
+            return False
+        stamp = Time.from_msg(transform.header.stamp).nanoseconds
+        sample = Sample(stamp, parent, _rigid(transform.transform))
+        with self._changed:
+            frame = self._frames.setdefault(child, Frame(child, self._cache_ns))
+            frame.authority = authority
+            is_kept = frame.add(sample, is_static=is_static)
+            self._changed.notify_all()
+        return is_kept
+
+    def _refuse(self, text: str) -> None:
+        if text not in self._refused:
+            self._refused.add(text)
+            get_logger("tf2").error(text)
+
+    def clear(self) -> None:
+        """Forget everything."""
+        with self._changed:
+            self._frames.clear()
+
+    # -- asking --------------------------------------------------------------------------------
+
+    def lookup_transform_core(self, target_frame: str, source_frame: str, time: Any) -> Any:
+        """Return where `source_frame` is in `target_frame`, as `TransformStamped`.
+
+        Args:
+            target_frame: In whose coordinates.
+            source_frame: Whose place.
+            time: When; a zero time is the latest that all frames in between have.
+
+        Raises:
+            InvalidArgumentException: A name is empty or begins with a slash.
+            LookupException: A frame does not exist.
+            ConnectivityException: Nothing connects the frames.
+            ExtrapolationException: The time lies outside of what is known.
+        """
+        with self._changed:
+            pose, stamp_ns = self._find(target_frame, source_frame, _nanoseconds(time))
+        return _stamped(pose, stamp_ns, target_frame, source_frame)
+
+    def lookup_transform_full_core(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+    ) -> Any:
+        """Return where `source_frame` was at one time, in `target_frame` at another.
+
+        Between the two times only `fixed_frame` stays where it is. For errors see
+        `lookup_transform_core`.
+        """
+        with self._changed:
+            source, _ = self._find(fixed_frame, source_frame, _nanoseconds(source_time))
+            target, stamp_ns = self._find(target_frame, fixed_frame, _nanoseconds(target_time))
+        return _stamped(target @ source, stamp_ns, target_frame, source_frame)
+
+    def can_transform_core(
+        self, target_frame: str, source_frame: str, time: Any
+    ) -> tuple[bool, str]:
+        """Return whether a lookup would succeed, and if not, why."""
+        try:
+            self.lookup_transform_core(target_frame, source_frame, time)
+        except (
+            ConnectivityException,
+            ExtrapolationException,
+            InvalidArgumentException,
+            LookupException,
+        ) as error:
+            return False, str(error)
+        return True, ""
+
+    def _find(self, target: str, source: str, stamp_ns: int) -> tuple[Rigid, int]:
+        for argument, name in (("target_frame", target), ("source_frame", source)):
+            self._check(argument, name)
+        if target == source:
+            return Rigid(), stamp_ns
+        up, down = self._path(target, source)
+        links = [self._frames[name] for name in (*up, *down)]
+        if stamp_ns == 0:
+            moving = [link.latest_ns for link in links if not link.is_static]
+            stamp_ns = min(moving, default=0)
+        try:
+            return self._climb(down, stamp_ns).inverse() @ self._climb(up, stamp_ns), stamp_ns
+        except ExtrapolationException as error:
+            between = f", when looking up transform from frame [{source}] to frame [{target}]"
+            raise ExtrapolationException(f"{error}{between}") from None
+
+    def _check(self, argument: str, name: str) -> None:
+        if not name or name.startswith("/"):
+            fault = f"cannot start with a '/' like: {name}" if name else "cannot be empty"
+            raise InvalidArgumentException(
+                f"Invalid argument passed to lookupTransform argument {argument} in tf2 frame_ids "
+                f"{fault}"
+            )
+        known = self._names()
+        if name not in known:
+            guess = nearest(name, known, 1)
+            hint = f' Did you mean "{guess[0]}"?' if guess else ""
+            raise LookupException(
+                f'"{name}" passed to lookupTransform argument {argument} does not exist.{hint}'
+            )
+
+    def _names(self) -> list[str]:
+        parents = (frame.parent for frame in self._frames.values())
+        return sorted({*self._frames, *parents})
+
+    def _ancestors(self, name: str) -> list[str]:
+        line = [name]
+        while (frame := self._frames.get(line[-1])) is not None and frame.parent not in line:
+            line.append(frame.parent)
+        return line
+
+    def _path(self, target: str, source: str) -> tuple[list[str], list[str]]:
+        """The frames from the source, and from the target, up to where their lines meet."""
+        from_source, from_target = self._ancestors(source), self._ancestors(target)
+        for place, name in enumerate(from_source):
+            if name in from_target:
+                return from_source[:place], from_target[: from_target.index(name)]
+        raise ConnectivityException(
+            f"Could not find a connection between '{target}' and '{source}' because they are not "
+            "part of the same tree. Tf has two or more unconnected trees."
+        )
+
+    def _climb(self, names: list[str], stamp_ns: int) -> Rigid:
+        pose = Rigid()
+        for name in names:
+            pose = self._frames[name].at(stamp_ns).pose @ pose
+        return pose
+
+    # -- looking at the tree -------------------------------------------------------------------
+
+    def all_frames_as_string(self) -> str:
+        """Return one sentence a frame: who its parent is."""
+        with self._changed:
+            frames = list(self._frames.values())
+            return "".join(f"Frame {one.name} exists with parent {one.parent}.\n" for one in frames)
+
+    def all_frames_as_yaml(self) -> str:
+        """Return the tree as YAML, with parents, rates and times in seconds."""
+        with self._changed:
+            return "".join(_yaml(frame) for frame in self._frames.values()) or "[]"
+
+
+def _yaml(frame: Frame) -> str:
+    return (
+        f"{frame.name}: \n"
+        f"  parent: '{frame.parent}'\n"
+        f"  broadcaster: '{frame.authority}'\n"
+        f"  rate: {10000.0 if frame.is_static else frame.rate_hz:.3f}\n"
+        f"  most_recent_transform: {frame.latest_ns / 1e9:.6f}\n"
+        f"  oldest_transform: {frame.oldest_ns / 1e9:.6f}\n"
+        f"  buffer_length: {(frame.latest_ns - frame.oldest_ns) / 1e9:.3f}\n"
+    )
+
+
+def _fault(parent: str, child: str, transform: Any) -> str:
+    if not parent or not child:
+        return "frame_id and child_frame_id must not be empty"
+    if parent == child:
+        return f"{child!r} cannot be its own parent"
+    t, q = transform.translation, transform.rotation
+    numbers = (t.x, t.y, t.z, q.x, q.y, q.z, q.w)
+    if not all(map(math.isfinite, numbers)):
+        return f"a number of {child!r} is infinite or not a number"
+    if abs(sum(part * part for part in numbers[3:]) - 1) > _QUATERNION_TOLERANCE:
+        return f"the rotation of {child!r} is no quaternion of length 1"
+    return ""
+
+
+def _rigid(transform: Any) -> Rigid:
+    t, q = transform.translation, transform.rotation
+    translation: Vector = (t.x, t.y, t.z)
+    rotation: Quaternion = (q.x, q.y, q.z, q.w)
+    return Rigid(translation, normalized(rotation))
+
+
+def _stamped(pose: Rigid, stamp_ns: int, target: str, source: str) -> TransformStamped:
+    message = TransformStamped(child_frame_id=source)
+    message.header.frame_id = target
+    message.header.stamp = Time(nanoseconds=stamp_ns).to_msg()
+    place, rotation = message.transform.translation, message.transform.rotation
+    place.x, place.y, place.z = pose.translation
+    rotation.x, rotation.y, rotation.z, rotation.w = pose.rotation
+    return message
+
+
+def _nanoseconds(time: Any) -> int:
+    """Return a `Time`, or a message of one, in nanoseconds."""
+    return int(
+        time.nanoseconds if hasattr(time, "nanoseconds") else Time.from_msg(time).nanoseconds
+    )

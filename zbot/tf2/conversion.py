@@ -1,0 +1,95 @@
+"""Points, vectors and poses in another frame. Programs may register classes of their own."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Callable
+from typing import Any
+
+from zbot.tf2.errors import TypeException
+from zbot.tf2.rigid import Rigid, multiply, rotate
+
+from geometry_msgs.msg import PointStamped, PoseStamped, PoseWithCovarianceStamped, Vector3Stamped
+
+#: Takes an object with header and a `TransformStamped`; returns a new object.
+Transformation = Callable[[Any, Any], Any]
+
+_registered: dict[type[Any], Transformation] = {}
+
+
+def add(stamped_class: type[Any], transformation: Transformation) -> None:
+    """Let buffers transform objects of a class."""
+    _registered[stamped_class] = transformation
+
+
+def registered(stamped_class: type[Any]) -> Transformation:
+    """Return how objects of a class are transformed.
+
+    Raises:
+        TypeException: Nobody said how.
+    """
+    transformation = _registered.get(stamped_class)
+    if transformation is None:
+        raise TypeException(
+            f"Type {stamped_class.__qualname__} is not loaded or supported: give a PointStamped, "
+            "Vector3Stamped or PoseStamped"
+        )
+    return transformation
+
+
+def rigid(transform: Any) -> Rigid:
+    """Return the motion of a `Transform` or `TransformStamped`."""
+    inner = transform.transform if hasattr(transform, "transform") else transform
+    t, q = inner.translation, inner.rotation
+    return Rigid((t.x, t.y, t.z), (q.x, q.y, q.z, q.w))
+
+
+def do_transform_point(point: Any, transform: Any) -> Any:
+    """Return a `PointStamped` in the transform's parent frame."""
+    moved = PointStamped(header=copy.deepcopy(transform.header))
+    place = point.point
+    moved.point.x, moved.point.y, moved.point.z = rigid(transform).apply(
+        (place.x, place.y, place.z)
+    )
+    return moved
+
+
+def do_transform_vector3(vector: Any, transform: Any) -> Any:
+    """Return a `Vector3Stamped`, rotated only."""
+    moved = Vector3Stamped(header=copy.deepcopy(transform.header))
+    v = vector.vector
+    turned = rotate(rigid(transform).rotation, (v.x, v.y, v.z))
+    moved.vector.x, moved.vector.y, moved.vector.z = turned
+    return moved
+
+
+def do_transform_pose(pose: Any, transform: Any) -> Any:
+    """Return a `Pose` in the transform's parent frame."""
+    moved = copy.deepcopy(pose)
+    motion, p, q = rigid(transform), pose.position, pose.orientation
+    moved.position.x, moved.position.y, moved.position.z = motion.apply((p.x, p.y, p.z))
+    turned = multiply(motion.rotation, (q.x, q.y, q.z, q.w))
+    orientation = moved.orientation
+    orientation.x, orientation.y, orientation.z, orientation.w = turned
+    return moved
+
+
+def do_transform_pose_stamped(pose: Any, transform: Any) -> Any:
+    """Return a `PoseStamped` in the transform's parent frame."""
+    return PoseStamped(
+        header=copy.deepcopy(transform.header), pose=do_transform_pose(pose.pose, transform)
+    )
+
+
+def do_transform_pose_with_covariance_stamped(pose: Any, transform: Any) -> Any:
+    """Return a `PoseWithCovarianceStamped` in the parent frame; its covariance as it was."""
+    moved = copy.deepcopy(pose)
+    moved.header = copy.deepcopy(transform.header)
+    moved.pose.pose = do_transform_pose(pose.pose.pose, transform)
+    return moved
+
+
+add(PointStamped, do_transform_point)
+add(Vector3Stamped, do_transform_vector3)
+add(PoseStamped, do_transform_pose_stamped)
+add(PoseWithCovarianceStamped, do_transform_pose_with_covariance_stamped)

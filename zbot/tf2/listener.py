@@ -1,0 +1,104 @@
+"""Listeners: they fill a buffer from `/tf` and `/tf_static`."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any
+
+from zbot.callback_group import ReentrantCallbackGroup
+from zbot.errors import ExternalShutdownException
+from zbot.executor import SingleThreadedExecutor
+from zbot.node import Node
+from zbot.qos import DurabilityPolicy, QoSProfile
+from zbot.tf2.broadcaster import TF_STATIC_TOPIC, TF_TOPIC
+
+from tf2_msgs.msg import TFMessage
+
+if TYPE_CHECKING:
+    from zbot.tf2.buffer import Buffer
+
+_DEPTH = 100
+
+
+class TransformListener:
+    """Feeds a buffer with what is told of frames.
+
+    Args:
+        buffer: Who is fed.
+        node: Who subscribes; a node of its own, spun by a thread, if left out.
+        spin_thread: Whether a thread of its own spins the node, instead of the program.
+        qos: For `/tf`; depth 100 if left out.
+        static_qos: For `/tf_static`; with the messages sent before, if left out.
+        tf_topic: Another topic than `/tf`.
+        tf_static_topic: Another topic than `/tf_static`.
+    """
+
+    def __init__(
+        self,
+        buffer: Buffer,
+        node: Node | None = None,
+        *,
+        spin_thread: bool = False,
+        qos: QoSProfile | int | None = None,
+        static_qos: QoSProfile | int | None = None,
+        tf_topic: str = TF_TOPIC,
+        tf_static_topic: str = TF_STATIC_TOPIC,
+    ) -> None:
+        self.buffer = buffer
+        self._own_node = Node("transform_listener") if node is None else None
+        self.node = node or self._own_node
+        self.group = ReentrantCallbackGroup()
+        kept = QoSProfile(depth=_DEPTH, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        self.tf_sub = self._subscribe(
+            tf_topic, self.callback, QoSProfile(depth=_DEPTH) if qos is None else qos
+        )
+        self.tf_static_sub = self._subscribe(
+            tf_static_topic, self.static_callback, kept if static_qos is None else static_qos
+        )
+        self.executor: SingleThreadedExecutor | None = None
+        if spin_thread or node is None:
+            self._start()
+
+    def _subscribe(self, topic: str, callback: Any, qos: QoSProfile | int) -> Any:
+        node: Any = self.node
+        subscription = node.create_subscription(
+            TFMessage, topic, callback, qos, callback_group=self.group
+        )
+        self.buffer.subscriptions.append(subscription)
+        return subscription
+
+    def _start(self) -> None:
+        node: Any = self.node
+        executor = self.executor = SingleThreadedExecutor(context=node.context)
+        executor.add_node(node)
+
+        def spin() -> None:
+            try:
+                executor.spin()
+            except ExternalShutdownException:
+                return  # the program ends
+
+        self.dedicated_listener_thread = threading.Thread(target=spin, daemon=True)
+        self.dedicated_listener_thread.start()
+
+    def callback(self, data: Any) -> None:
+        """Take note of transforms that change."""
+        for transform in data.transforms:
+            self.buffer.set_transform(transform, "default_authority")
+
+    def static_callback(self, data: Any) -> None:
+        """Take note of transforms that hold for ever."""
+        for transform in data.transforms:
+            self.buffer.set_transform_static(transform, "default_authority")
+
+    def unregister(self) -> None:
+        """Listen no more; may be called twice."""
+        node: Any = self.node
+        for subscription in (self.tf_sub, self.tf_static_sub):
+            if subscription in self.buffer.subscriptions:
+                self.buffer.subscriptions.remove(subscription)
+            node.destroy_subscription(subscription)
+        if self.executor is not None:
+            self.executor.shutdown(0)
+        if self._own_node is not None:
+            self._own_node.destroy_node()
