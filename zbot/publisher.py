@@ -177,10 +177,11 @@ class Publisher(Generic[MsgT]):
 
     def destroy(self) -> None:
         """Leave the topic; may be called twice."""
-        publisher, self._publisher = self._publisher, None
+        with self._lock:  # a put of another thread ends first: Zenoh may wait 10 s for it
+            publisher, self._publisher = self._publisher, None
+            self._put = self._refuse
         if publisher is None:
             return
-        self._put = self._refuse
         for handler in self.event_handlers:
             handler.destroy()
         if not self._context.is_closed:

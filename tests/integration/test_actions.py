@@ -27,6 +27,7 @@ from zbot.action import (
     get_action_server_names_and_types_by_node,
 )
 from zbot.errors import InvalidServiceNameError, ServiceError, UnknownNodeError
+from zbot.service_introspection import ServiceIntrospectionState
 
 from action_msgs.msg import GoalStatusArray
 from action_msgs.srv import CancelGoal
@@ -678,6 +679,22 @@ def test_a_client_forgets_goals_whose_handle_nobody_keeps(pair: Pair) -> None:
     assert wait_until(lambda: not pair.server._goals)
     pair.send(1)  # whose status tells that the one before is forgotten
     assert wait_until(lambda: len(pair.client._goals) <= 1)
+
+
+def test_services_of_an_action_can_be_watched(pair: Pair) -> None:
+    pair.begin(compute)
+    seen: list[int] = []
+    pair.client_node.create_subscription(
+        Fibonacci.Impl.SendGoalService.Event,
+        "/fibonacci/_action/send_goal/_service_event",
+        lambda event: seen.append(event.info.event_type),
+        10,
+    )
+    clock = pair.server_node.get_clock()
+    for side in (pair.server, pair.client):
+        side.configure_introspection(clock, 10, ServiceIntrospectionState.CONTENTS)
+    assert pair.send(1).accepted
+    assert wait_until(lambda: sorted(seen) == [0, 1, 2, 3])
 
 
 # -- mistakes ----------------------------------------------------------------------------------

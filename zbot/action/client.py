@@ -387,23 +387,17 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT]):
             if goal.is_over or goal.state.is_terminal:
                 self._forget(key)
 
-    # -- the end -------------------------------------------------------------------------------
-
     def configure_introspection(
         self,
         clock: Clock,
         service_event_qos_profile: QoSProfile | int,
         introspection_state: ServiceIntrospectionState,
     ) -> None:
-        """Publish events of the three services, as `Service.configure_introspection` does.
-
-        Args:
-            clock: Gives the events' stamps.
-            service_event_qos_profile: Profile to publish with.
-            introspection_state: `OFF`, `METADATA`, or `CONTENTS` for requests and responses too.
-        """
+        """Publish what the three services do, or publish it no longer; see `Service`."""
         for one in (self._goal_client, self._result_client, self._cancel_client):
             one.configure_introspection(clock, service_event_qos_profile, introspection_state)
+
+    # -- the end -------------------------------------------------------------------------------
 
     def destroy(self) -> None:
         """Send no more; goals that are under way are forgotten here. May be called twice."""

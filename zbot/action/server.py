@@ -18,6 +18,7 @@ from zbot.action.server_goal_handle import FeedbackT, GoalT, ResultT, ServerGoal
 from zbot.action.service import Reply, call, create_action_service
 from zbot.callback_group import ReentrantCallbackGroup
 from zbot.clock import Clock
+from zbot.errors import InvalidHandleError
 from zbot.interfaces import type_name
 from zbot.qos import (
     QoSProfile,
@@ -387,7 +388,11 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         message = self._action_type.Impl.GoalStatusMessage()
         with self.lock:
             message.status_list = [handle.status_message for handle in self._goals.values()]
-            self._status.publish(message)
+            try:
+                self._status.publish(message)
+            except InvalidHandleError:
+                if not self.is_over:
+                    raise  # else another thread has just destroyed the node: nobody is to be told
 
     def publish_feedback(
         self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT], feedback: FeedbackT
@@ -399,23 +404,17 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         message = self._action_type.Impl.FeedbackMessage(goal_id=handle.goal_id, feedback=feedback)
         self._feedback.publish(message)
 
-    # -- the end -------------------------------------------------------------------------------
-
     def configure_introspection(
         self,
         clock: Clock,
         service_event_qos_profile: QoSProfile | int,
         introspection_state: ServiceIntrospectionState,
     ) -> None:
-        """Publish events of the three services, as `Service.configure_introspection` does.
-
-        Args:
-            clock: Gives the events' stamps.
-            service_event_qos_profile: Profile to publish with.
-            introspection_state: `OFF`, `METADATA`, or `CONTENTS` for requests and responses too.
-        """
+        """Publish what the three services do, or publish it no longer; see `Service`."""
         for one in self._services:
             one.configure_introspection(clock, service_event_qos_profile, introspection_state)
+
+    # -- the end -------------------------------------------------------------------------------
 
     def destroy(self) -> None:
         """Serve no more; whoever waits for a result gets an error. May be called twice."""

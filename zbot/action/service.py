@@ -44,6 +44,8 @@ class ActionService(Service[Any, Any]):
         if isinstance(response, Future):
             self._waiting[id(query)] = query
             response.add_waker(lambda: self._answer_when_over(who, query, response))
+            if self._is_destroyed:
+                self._drop_waiting()  # another thread destroyed it meanwhile
         elif isinstance(response, Reply):
             super()._answer(who, query, response.message)
             response.then()
@@ -57,9 +59,13 @@ class ActionService(Service[Any, Any]):
     def destroy(self) -> None:
         """Serve no more, and let all requests that wait fail; may be called twice."""
         super().destroy()
-        while self._waiting:
-            _, query = self._waiting.popitem()
-            query.drop()
+        self._drop_waiting()
+
+    def _drop_waiting(self) -> None:
+        for key in list(self._waiting):
+            query = self._waiting.pop(key, None)
+            if query is not None:
+                query.drop()
 
 
 def create_action_service(
