@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from tests.conftest import Program, Spinner
+    from zbot.log.record import Record
 
     MakeContext = Callable[[], zbot.Context]
     Spin = Callable[..., Spinner]
@@ -75,6 +76,46 @@ def test_static_transforms_add_up(robot: zbot.Node, watcher: zbot.Node) -> None:
     buffer = Buffer()
     TransformListener(buffer, watcher, spin_thread=True)
     assert buffer.can_transform("laser", "imu", NOW, SECOND)
+
+
+def test_a_message_may_be_filled_in_again(robot: zbot.Node, watcher: zbot.Node) -> None:
+    broadcaster = StaticTransformBroadcaster(robot)
+    message = told("base", "laser")
+    broadcaster.sendTransform(message)
+    message.child_frame_id = "imu"
+    broadcaster.sendTransform(message)
+    buffer = Buffer()
+    TransformListener(buffer, watcher, spin_thread=True)
+    assert buffer.can_transform("laser", "imu", NOW, SECOND)
+
+
+def test_a_jump_back_in_time_clears_what_moves(watcher: zbot.Node, logged: list[Record]) -> None:
+    buffer = Buffer()
+    listener = TransformListener(buffer, watcher)
+    clock: Any = watcher.get_clock()
+    clock.set_ros_time_is_active(True)
+    clock.set_ros_time_override(zbot.Time(seconds=100))
+    buffer.set_transform(told("map", "base"))
+    clock.set_ros_time_override(zbot.Time(seconds=101))
+    assert buffer.can_transform("map", "base", NOW)
+    clock.set_ros_time_override(zbot.Time(seconds=1))
+    assert not buffer.can_transform("map", "base", NOW)
+    assert any("jump back in time" in record.message for record in logged)
+    listener.unregister()
+
+
+def test_waiting_ends_when_nothing_can_come_any_more(watcher: zbot.Node) -> None:
+    buffer = Buffer()
+    TransformListener(buffer, watcher, spin_thread=True)
+    outcomes: list[Any] = []
+    wait = zbot.Duration(seconds=30)
+    thread = threading.Thread(
+        target=lambda: outcomes.append(buffer.can_transform("map", "base", NOW, wait))
+    )
+    thread.start()
+    watcher.context.shutdown()
+    thread.join(5)
+    assert outcomes == [False]
 
 
 def test_waiting_ends_with_the_error(watcher: zbot.Node) -> None:

@@ -11,6 +11,10 @@ from zbot.tf2.broadcaster import StaticTransformBroadcaster as StaticTransformBr
 from zbot.tf2.broadcaster import TransformBroadcaster as TransformBroadcaster
 from zbot.tf2.buffer import Buffer as Buffer
 from zbot.tf2.buffer_core import BufferCore as BufferCore
+from zbot.tf2.buffer_interface import BufferInterface as BufferInterface
+from zbot.tf2.buffer_interface import ConvertRegistration as ConvertRegistration
+from zbot.tf2.buffer_interface import TransformRegistration as TransformRegistration
+from zbot.tf2.buffer_interface import convert as convert
 from zbot.tf2.errors import ConnectivityException as ConnectivityException
 from zbot.tf2.errors import ExtrapolationException as ExtrapolationException
 from zbot.tf2.errors import InvalidArgumentException as InvalidArgumentException

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
@@ -60,6 +61,7 @@ class StaticTransformBroadcaster:
     ) -> None:
         """Publish one transform or several, with all that were sent before."""
         told = {one.child_frame_id: one for one in self.net_message.transforms}
-        told.update((one.child_frame_id, one) for one in _listed(transform))
+        # Copies: programs fill in the same message again and again.
+        told.update((one.child_frame_id, copy.deepcopy(one)) for one in _listed(transform))
         self.net_message.transforms = list(told.values())
         self.pub_tf.publish(self.net_message)

@@ -5,12 +5,13 @@ from __future__ import annotations
 import time as clock
 from typing import TYPE_CHECKING, Any
 
-from zbot.executor import current_executor
+from zbot.errors import ArgumentTypeError
+from zbot.executor import LONGEST_WAIT_S, current_executor
 from zbot.task import Future
-from zbot.tf2 import conversion
 from zbot.tf2.buffer_core import BufferCore
+from zbot.tf2.buffer_interface import NO_WAIT, BufferInterface
 from zbot.tf2.errors import TransformException
-from zbot.time import Duration, Time
+from zbot.time import Duration
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -19,10 +20,9 @@ if TYPE_CHECKING:
 
 # While a callback waits for what its own executor would receive, it looks this often.
 _LOOK_S = 0.005
-_NO_WAIT = Duration()
 
 
-class Buffer(BufferCore):
+class Buffer(BufferCore, BufferInterface):
     """Frames, their history, and waiting for them.
 
     Args:
@@ -34,10 +34,11 @@ class Buffer(BufferCore):
         super().__init__(cache_time)
         self.node = node
         self.subscriptions: list[Subscription[Any]] = []  #: what a listener feeds it from
+        self.is_fed: Callable[[], bool] = lambda: True  #: whether anything may still come
         self._waiting: list[tuple[Callable[[], Any], Future[Any]]] = []
 
     def lookup_transform(
-        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = _NO_WAIT
+        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
     ) -> Any:
         """Return where `source_frame` is in `target_frame`, as `TransformStamped`.
 
@@ -64,7 +65,7 @@ class Buffer(BufferCore):
         source_frame: str,
         source_time: Any,
         fixed_frame: str,
-        timeout: Duration = _NO_WAIT,
+        timeout: Duration = NO_WAIT,
     ) -> Any:
         """Return where `source_frame` was at one time, in `target_frame` at another.
 
@@ -79,7 +80,7 @@ class Buffer(BufferCore):
         target_frame: str,
         source_frame: str,
         time: Any,
-        timeout: Duration = _NO_WAIT,
+        timeout: Duration = NO_WAIT,
         return_debug_tuple: bool = False,
     ) -> bool | tuple[bool, str]:
         """Return whether a lookup succeeds, at the latest after `timeout`.
@@ -97,22 +98,18 @@ class Buffer(BufferCore):
         source_frame: str,
         source_time: Any,
         fixed_frame: str,
-        timeout: Duration = _NO_WAIT,
+        timeout: Duration = NO_WAIT,
     ) -> bool:
         """Return whether `lookup_transform_full` succeeds, at the latest after `timeout`."""
-
-        def is_known() -> bool:
-            return (
-                self.can_transform_core(fixed_frame, source_frame, source_time)[0]
-                and self.can_transform_core(target_frame, fixed_frame, target_time)[0]
-            )
-
-        self._wait(is_known, timeout)
-        return is_known()
+        ends = (target_frame, target_time, source_frame, source_time, fixed_frame)
+        self._wait(lambda: self.can_transform_full_core(*ends)[0], timeout)
+        return self.can_transform_full_core(*ends)[0]
 
     def _wait(self, is_known: Callable[[], bool], timeout: Duration) -> None:
+        if not isinstance(timeout, Duration):
+            raise ArgumentTypeError("timeout", "a Duration", timeout)
         deadline = clock.monotonic() + timeout.nanoseconds / 1e9
-        while not is_known():
+        while not is_known() and self.is_fed():
             left = deadline - clock.monotonic()
             if left <= 0:
                 return
@@ -121,7 +118,7 @@ class Buffer(BufferCore):
             if executor is not None and any([executor.serve(each) for each in own]):  # noqa: C419
                 continue
             with self._changed:
-                self._changed.wait(min(left, _LOOK_S) if own else left)
+                self._changed.wait(min(left, _LOOK_S if own else LONGEST_WAIT_S))
 
     # -- for coroutines ------------------------------------------------------------------------
 
@@ -155,61 +152,34 @@ class Buffer(BufferCore):
 
     def _later(self, find: Callable[[], Any]) -> Future[Any]:
         future: Future[Any] = Future()
-        found = find()
+        with self._changed:  # nothing may arrive between the look and the wait
+            found = find()
+            if found is None:
+                self._waiting.append((find, future))
         if found is not None:
             future.set_result(found)
-        else:
-            self._waiting.append((find, future))
         return future
 
     def _set(self, transform: Any, authority: str, *, is_static: bool) -> bool:
         is_kept = super()._set(transform, authority, is_static=is_static)
-        for entry in list(self._waiting):
-            find, future = entry
-            found = None if future.is_over else find()
-            if found is not None:
-                future.set_result(found)
-            if future.is_over:
-                self._waiting.remove(entry)
+        for future, found in self._found() if self._waiting else ():
+            future.set_result(found)  # without the lock: it may call anything
         return is_kept
 
-    # -- objects -------------------------------------------------------------------------------
-
-    def transform(
-        self,
-        object_stamped: Any,
-        target_frame: str,
-        timeout: Duration = _NO_WAIT,
-        new_type: type[Any] | None = None,  # noqa: ARG002 - tf2_ros' signature
-    ) -> Any:
-        """Return a point, vector or pose with header, in another frame.
-
-        Raises:
-            TypeException: Nobody knows how to transform objects of its class.
-            TransformException: For the other errors see `lookup_transform`.
-        """
-        do_transform = conversion.registered(type(object_stamped))
-        header = object_stamped.header
-        when = Time.from_msg(header.stamp)
-        found = self.lookup_transform(target_frame, header.frame_id, when, timeout)
-        return do_transform(object_stamped, found)
-
-    def transform_full(
-        self,
-        object_stamped: Any,
-        target_frame: str,
-        target_time: Any,
-        fixed_frame: str,
-        timeout: Duration = _NO_WAIT,
-    ) -> Any:
-        """Return a point, vector or pose with header, in another frame at another time."""
-        do_transform = conversion.registered(type(object_stamped))
-        header = object_stamped.header
-        when = Time.from_msg(header.stamp)
-        found = self.lookup_transform_full(
-            target_frame, target_time, header.frame_id, when, fixed_frame, timeout
-        )
-        return do_transform(object_stamped, found)
+    def _found(self) -> list[tuple[Future[Any], Any]]:
+        """Return the futures whose transforms are known by now, and wait for them no more."""
+        complete, waiting = [], []
+        with self._changed:
+            for find, future in self._waiting:
+                if future.is_over:
+                    continue
+                found = find()
+                if found is None:
+                    waiting.append((find, future))
+                else:
+                    complete.append((future, found))
+            self._waiting = waiting
+        return complete
 
 
 __all__ = ["Buffer", "TransformException"]

@@ -16,7 +16,7 @@ from zbot.tf2.errors import (
 )
 from zbot.tf2.frame import Frame, Sample
 from zbot.tf2.rigid import Quaternion, Rigid, Vector, normalized
-from zbot.time import Duration, Time
+from zbot.time import ClockType, Duration, Time
 
 from geometry_msgs.msg import TransformStamped
 
@@ -62,6 +62,11 @@ class BufferCore:
             frame.authority = authority
             is_kept = frame.add(sample, is_static=is_static)
             self._changed.notify_all()
+        if not is_kept and stamp < frame.oldest_ns:
+            self._refuse(
+                f"old transforms of the frame {child!r} from {authority} are ignored: they are "
+                "from before everything that is remembered"
+            )
         return is_kept
 
     def _refuse(self, text: str) -> None:
@@ -70,9 +75,9 @@ class BufferCore:
             get_logger("tf2").error(text)
 
     def clear(self) -> None:
-        """Forget everything."""
+        """Forget everything but static transforms, which nobody would tell again."""
         with self._changed:
-            self._frames.clear()
+            self._frames = {name: one for name, one in self._frames.items() if one.is_static}
 
     # -- asking --------------------------------------------------------------------------------
 
@@ -127,21 +132,80 @@ class BufferCore:
             return False, str(error)
         return True, ""
 
+    def can_transform_full_core(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+    ) -> tuple[bool, str]:
+        """Return whether a lookup between two times would succeed, and if not, why."""
+        with self._changed:
+            answer = self.can_transform_core(fixed_frame, source_frame, source_time)
+            if answer[0]:
+                answer = self.can_transform_core(target_frame, fixed_frame, target_time)
+        return answer
+
+    def get_latest_common_time(self, target_frame: str, source_frame: str) -> Time:
+        """Return the latest time that all frames in between have; 0 if none of them moves.
+
+        Raises:
+            InvalidArgumentException: A name is empty or begins with a slash.
+            LookupException: A frame does not exist.
+            ConnectivityException: Nothing connects the frames.
+        """
+        with self._changed:
+            self._check("target_frame", target_frame)
+            self._check("source_frame", source_frame)
+            latest_ns = self._latest_common_ns(target_frame, source_frame)
+        return Time(nanoseconds=latest_ns, clock_type=ClockType.ROS_TIME)
+
     def _find(self, target: str, source: str, stamp_ns: int) -> tuple[Rigid, int]:
         for argument, name in (("target_frame", target), ("source_frame", source)):
             self._check(argument, name)
+        stamp_ns = stamp_ns or self._latest_common_ns(target, source)
         if target == source:
             return Rigid(), stamp_ns
-        up, down = self._path(target, source)
-        links = [self._frames[name] for name in (*up, *down)]
-        if stamp_ns == 0:
-            moving = [link.latest_ns for link in links if not link.is_static]
-            stamp_ns = min(moving, default=0)
-        try:
-            return self._climb(down, stamp_ns).inverse() @ self._climb(up, stamp_ns), stamp_ns
-        except ExtrapolationException as error:
-            between = f", when looking up transform from frame [{source}] to frame [{target}]"
-            raise ExtrapolationException(f"{error}{between}") from None
+        up, up_fault = self._climb(source, stamp_ns)
+        down, down_fault = self._climb(target, stamp_ns)
+        for name, way in down.items():
+            if name in up:  # the nearest that is above both
+                return way.inverse() @ up[name], stamp_ns
+        between = {name for names in self._path(target, source) for name in names}
+        for ways, fault in ((up, up_fault), (down, down_fault)):
+            # What lies above their meeting was climbed too, but is not needed.
+            if fault is not None and next(reversed(ways)) in between:
+                route = f"when looking up transform from frame [{source}] to frame [{target}]"
+                raise ExtrapolationException(f"{fault}, {route}")
+        raise _unconnected(target, source)
+
+    def _climb(
+        self, name: str, stamp_ns: int
+    ) -> tuple[dict[str, Rigid], ExtrapolationException | None]:
+        """Return where a frame was in itself and in each one above it, and what ended the way."""
+        pose = Rigid()
+        poses = {name: pose}
+        while (frame := self._frames.get(name)) is not None:
+            try:
+                sample = frame.at(stamp_ns)  # its parent of that time: it may have another now
+            except ExtrapolationException as error:
+                return poses, error
+            if sample.parent in poses:
+                break
+            name, pose = sample.parent, sample.pose @ pose
+            poses[name] = pose
+        return poses, None
+
+    def _latest_common_ns(self, target: str, source: str) -> int:
+        """Return the latest time that all frames in between have; 0 if none of them moves."""
+        if target == source:
+            links = [source] if source in self._frames else []
+        else:
+            up, down = self._path(target, source)
+            links = [*up, *down]
+        frames = [self._frames[name] for name in links]
+        return min((frame.latest_ns for frame in frames if not frame.is_static), default=0)
 
     def _check(self, argument: str, name: str) -> None:
         if not name or name.startswith("/"):
@@ -174,16 +238,7 @@ class BufferCore:
         for place, name in enumerate(from_source):
             if name in from_target:
                 return from_source[:place], from_target[: from_target.index(name)]
-        raise ConnectivityException(
-            f"Could not find a connection between '{target}' and '{source}' because they are not "
-            "part of the same tree. Tf has two or more unconnected trees."
-        )
-
-    def _climb(self, names: list[str], stamp_ns: int) -> Rigid:
-        pose = Rigid()
-        for name in names:
-            pose = self._frames[name].at(stamp_ns).pose @ pose
-        return pose
+        raise _unconnected(target, source)
 
     # -- looking at the tree -------------------------------------------------------------------
 
@@ -197,6 +252,13 @@ class BufferCore:
         """Return the tree as YAML, with parents, rates and times in seconds."""
         with self._changed:
             return "".join(_yaml(frame) for frame in self._frames.values()) or "[]"
+
+
+def _unconnected(target: str, source: str) -> ConnectivityException:
+    return ConnectivityException(
+        f"Could not find a connection between '{target}' and '{source}' because they are not "
+        "part of the same tree. Tf has two or more unconnected trees."
+    )
 
 
 def _yaml(frame: Frame) -> str:

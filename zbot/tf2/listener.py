@@ -6,11 +6,13 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.callback_group import ReentrantCallbackGroup
+from zbot.clock import ClockChange, JumpThreshold, TimeJump
 from zbot.errors import ExternalShutdownException
 from zbot.executor import SingleThreadedExecutor
 from zbot.node import Node
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.tf2.broadcaster import TF_STATIC_TOPIC, TF_TOPIC
+from zbot.time import Duration
 
 from tf2_msgs.msg import TFMessage
 
@@ -46,7 +48,8 @@ class TransformListener:
     ) -> None:
         self.buffer = buffer
         self._own_node = Node("transform_listener") if node is None else None
-        self.node = node or self._own_node
+        feeder: Any = node or self._own_node
+        self.node: Any = feeder
         self.group = ReentrantCallbackGroup()
         kept = QoSProfile(depth=_DEPTH, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         self.tf_sub = self._subscribe(
@@ -55,22 +58,25 @@ class TransformListener:
         self.tf_static_sub = self._subscribe(
             tf_static_topic, self.static_callback, kept if static_qos is None else static_qos
         )
+        self.buffer.is_fed = feeder.context.ok
+        threshold = JumpThreshold(min_forward=None, min_backward=Duration(nanoseconds=-1))
+        self._jumps = feeder.get_clock().create_jump_callback(
+            threshold, post_callback=self._on_jump
+        )
         self.executor: SingleThreadedExecutor | None = None
         if spin_thread or node is None:
             self._start()
 
     def _subscribe(self, topic: str, callback: Any, qos: QoSProfile | int) -> Any:
-        node: Any = self.node
-        subscription = node.create_subscription(
+        subscription = self.node.create_subscription(
             TFMessage, topic, callback, qos, callback_group=self.group
         )
         self.buffer.subscriptions.append(subscription)
         return subscription
 
     def _start(self) -> None:
-        node: Any = self.node
-        executor = self.executor = SingleThreadedExecutor(context=node.context)
-        executor.add_node(node)
+        executor = self.executor = SingleThreadedExecutor(context=self.node.context)
+        executor.add_node(self.node)
 
         def spin() -> None:
             try:
@@ -80,6 +86,12 @@ class TransformListener:
 
         self.dedicated_listener_thread = threading.Thread(target=spin, daemon=True)
         self.dedicated_listener_thread.start()
+
+    def _on_jump(self, jump: TimeJump) -> None:
+        is_back = jump.clock_change is ClockChange.ROS_TIME_NO_CHANGE
+        what = "jump back in time" if is_back else "time source change"
+        self.node.get_logger().warning(f"Detected {what}. Clearing TF buffer.")
+        self.buffer.clear()
 
     def callback(self, data: Any) -> None:
         """Take note of transforms that change."""
@@ -93,11 +105,11 @@ class TransformListener:
 
     def unregister(self) -> None:
         """Listen no more; may be called twice."""
-        node: Any = self.node
         for subscription in (self.tf_sub, self.tf_static_sub):
             if subscription in self.buffer.subscriptions:
                 self.buffer.subscriptions.remove(subscription)
-            node.destroy_subscription(subscription)
+            self.node.destroy_subscription(subscription)
+        self._jumps.unregister()
         if self.executor is not None:
             self.executor.shutdown(0)
         if self._own_node is not None:

@@ -1,0 +1,240 @@
+"""Buffers: waiting, remembering and transforming, without nodes."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+import threading
+import time
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot
+from zbot.errors import ArgumentTypeError
+from zbot.tf2 import (
+    Buffer,
+    BufferInterface,
+    ConvertRegistration,
+    ExtrapolationException,
+    LookupException,
+    NotImplementedException,
+    TransformRegistration,
+    TypeException,
+)
+
+from geometry_msgs.msg import PointStamped, PoseStamped, TransformStamped, Vector3Stamped
+
+if TYPE_CHECKING:
+    from zbot.log.record import Record
+
+QUARTER = (0.0, 0.0, math.sqrt(0.5), math.sqrt(0.5))  # 90 degrees about z
+LATEST = zbot.Time()
+
+
+def at(seconds: float) -> zbot.Time:
+    return zbot.Time(seconds=seconds)
+
+
+def told(
+    parent: str,
+    child: str,
+    seconds: float = 0.0,
+    move: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    turn: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 1.0),
+) -> TransformStamped:
+    message = TransformStamped(child_frame_id=child)
+    message.header.frame_id = parent
+    message.header.stamp = at(seconds).to_msg()
+    t, q = message.transform.translation, message.transform.rotation
+    t.x, t.y, t.z = move
+    q.x, q.y, q.z, q.w = turn
+    return message
+
+
+def numbers(found: Any) -> tuple[float, ...]:
+    t, q = found.transform.translation, found.transform.rotation
+    return (t.x, t.y, t.z, q.x, q.y, q.z, q.w)
+
+
+@pytest.fixture
+def robot() -> Buffer:
+    """map -> odom -> base -> laser, and base -> camera; laser and camera are static."""
+    buffer = Buffer()
+    buffer.set_transform(told("map", "odom", 10.0, (1.0, 0.0, 0.0)))
+    buffer.set_transform(told("map", "odom", 11.0, (2.0, 0.0, 0.0)))
+    buffer.set_transform(told("odom", "base", 10.0))
+    buffer.set_transform(told("odom", "base", 12.0, (2.0, 0.0, 0.0), QUARTER))
+    buffer.set_transform_static(told("base", "laser", 0.0, (0.5, 0.0, 0.2)))
+    buffer.set_transform_static(told("base", "camera", 0.0, (0.0, 0.0, 1.0)))
+    return buffer
+
+
+def test_the_shorter_way_round_is_taken() -> None:
+    buffer = Buffer()
+    buffer.set_transform(told("a", "b", 1.0))
+    x, y, z, w = QUARTER
+    buffer.set_transform(told("a", "b", 2.0, turn=(-x, -y, -z, -w)))  # the same rotation
+    turned = numbers(buffer.lookup_transform("a", "b", at(1.5)))[3:]
+    assert abs(turned[3]) == pytest.approx(math.cos(math.pi / 8))
+
+
+def test_siblings_need_no_time_of_frames_above_them(robot: Buffer) -> None:
+    assert robot.can_transform("camera", "laser", at(1000.0))
+
+
+def test_messages_of_time_do_as_well(robot: Buffer) -> None:
+    found = robot.lookup_transform("odom", "base", at(11.0).to_msg())
+    assert found.header.stamp.sec == 11
+
+
+def test_leading_slashes_of_old_programs_are_left_out() -> None:
+    buffer = Buffer()
+    buffer.set_transform_static(told("/a", "/b"))
+    assert buffer.can_transform("a", "b", LATEST)
+
+
+def test_transforms_may_come_out_of_order() -> None:
+    buffer = Buffer()
+    for second in (1.0, 3.0, 2.0):
+        buffer.set_transform(told("a", "b", second, (second, 0.0, 0.0)))
+    assert numbers(buffer.lookup_transform("a", "b", at(2.5)))[0] == pytest.approx(2.5)
+    assert buffer.lookup_transform("a", "b", LATEST).header.stamp.sec == 3
+
+
+def test_why_not(robot: Buffer) -> None:
+    assert robot.can_transform("map", "base", LATEST, return_debug_tuple=True) == (True, "")
+    answer = robot.can_transform("map", "nobody", LATEST, return_debug_tuple=True)
+    assert isinstance(answer, tuple)
+    assert not answer[0]
+    assert "nobody" in answer[1]
+
+
+def test_only_static_transforms_survive_clear(robot: Buffer) -> None:
+    robot.clear()
+    assert not robot.can_transform("odom", "base", LATEST)
+    assert robot.can_transform("camera", "laser", LATEST)
+
+
+def test_a_lookup_waits_for_another_thread() -> None:
+    buffer = Buffer()
+    later = threading.Timer(0.05, lambda: buffer.set_transform(told("a", "b", 1.0)))
+    later.start()
+    found = buffer.lookup_transform("a", "b", at(1.0), zbot.Duration(seconds=10))
+    assert found.child_frame_id == "b"
+    later.join()
+
+
+def test_a_lookup_ends_with_its_timeout() -> None:
+    began = time.monotonic()
+    with pytest.raises(LookupException):
+        Buffer().lookup_transform("a", "b", LATEST, zbot.Duration(seconds=0.05))
+    assert 0.05 <= time.monotonic() - began < 5
+
+
+def test_coroutines_wait() -> None:
+    buffer = Buffer()
+    waiting = buffer.wait_for_transform_async("a", "b", LATEST)
+    assert not waiting.done()
+    buffer.set_transform_static(told("c", "b"))
+    assert not waiting.done()
+    buffer.set_transform_static(told("c", "a"))
+    assert waiting.done()
+    found = asyncio.run(buffer.lookup_transform_async("a", "b", LATEST))
+    assert found.child_frame_id == "b"
+
+
+def test_points_vectors_and_poses() -> None:
+    buffer = Buffer()
+    buffer.set_transform_static(told("map", "laser", 0.0, (1.0, 0.0, 0.0), QUARTER))
+    point, vector, pose = PointStamped(), Vector3Stamped(), PoseStamped()
+    for one in (point, vector, pose):
+        one.header.frame_id = "laser"
+    point.point.x = vector.vector.x = pose.pose.position.x = 2.0
+    there = buffer.transform(point, "map")
+    assert isinstance(there, PointStamped)
+    assert there.header.frame_id == "map"
+    assert (there.point.x, there.point.y) == pytest.approx((1.0, 2.0))
+    arrow = buffer.transform(vector, "map")
+    assert (arrow.vector.x, arrow.vector.y) == pytest.approx((0.0, 2.0))
+    placed = buffer.transform(pose, "map")
+    assert (placed.pose.position.x, placed.pose.position.y) == pytest.approx((1.0, 2.0))
+    assert (placed.pose.orientation.z, placed.pose.orientation.w) == pytest.approx(QUARTER[2:])
+    assert point.point.x == 2.0  # what was given stays
+
+
+def test_objects_that_nobody_can_transform(robot: Buffer) -> None:
+    with pytest.raises(TypeException, match="TransformStamped"):
+        robot.transform(told("base", "x"), "map")
+
+
+def test_only_frames_on_the_way_must_be_known_at_the_time(robot: Buffer) -> None:
+    with pytest.raises(ExtrapolationException, match=r"latest data is at time 12\.000000"):
+        robot.lookup_transform("odom", "base", at(13.0))  # map -> odom ends at 11 s
+
+
+def test_a_frame_that_got_another_parent_is_found_in_the_old_one() -> None:
+    buffer = Buffer()
+    buffer.set_transform_static(told("room", "table"))
+    buffer.set_transform_static(told("room", "hand", 0.0, (5.0, 0.0, 0.0)))
+    buffer.set_transform(told("table", "cup", 1.0, (1.0, 0.0, 0.0)))
+    buffer.set_transform(told("table", "cup", 2.0, (2.0, 0.0, 0.0)))
+    buffer.set_transform(told("hand", "cup", 3.0))
+    buffer.set_transform(told("hand", "cup", 4.0))
+    assert numbers(buffer.lookup_transform("room", "cup", at(1.5)))[0] == pytest.approx(1.5)
+    assert numbers(buffer.lookup_transform("room", "cup", at(3.5)))[0] == pytest.approx(5.0)
+    assert numbers(buffer.lookup_transform("room", "cup", at(2.5)))[0] == pytest.approx(2.0)
+
+
+def test_the_latest_common_time(robot: Buffer) -> None:
+    assert robot.get_latest_common_time("map", "laser").nanoseconds == 11_000_000_000
+    assert robot.get_latest_common_time("camera", "laser").nanoseconds == 0
+
+
+def test_why_not_between_two_times(robot: Buffer) -> None:
+    answer = robot.can_transform_full_core("base", at(13.0), "laser", at(10.0), "odom")
+    assert not answer[0]
+    assert "into the future" in answer[1]
+
+
+def test_old_transforms_are_ignored_and_told_once(logged: list[Record]) -> None:
+    buffer = Buffer()
+    buffer.set_transform(told("a", "b", 100.0))
+    for _ in range(2):
+        assert not buffer.set_transform(told("a", "b", 1.0))
+    assert ["old transforms" in record.message for record in logged] == [True]
+
+
+def test_a_timeout_is_a_duration(robot: Buffer) -> None:
+    seconds: Any = 1.0
+    with pytest.raises(ArgumentTypeError, match=r"timeout must be a Duration, not float: 1\.0"):
+        robot.lookup_transform("map", "base", LATEST, seconds)
+
+
+class Tag:
+    """A class of a program's own."""
+
+    def __init__(self, header: Any, x: float) -> None:
+        self.header, self.x = header, x
+
+
+def test_classes_of_a_programs_own(robot: Buffer) -> None:
+    def move(tag: Tag, transform: TransformStamped) -> Tag:
+        return Tag(transform.header, tag.x + transform.transform.translation.x)
+
+    TransformRegistration().add(Tag, move)
+    ConvertRegistration().add_convert((Tag, float), lambda tag: tag.x)
+    tag = Tag(told("laser", "tag").header, 2.0)
+    assert robot.transform(tag, "camera").x == pytest.approx(2.5)
+    assert robot.transform(tag, "camera", new_type=float) == pytest.approx(2.5)
+    full = robot.transform_full(tag, "camera", at(11.0), "odom", new_type=Tag)
+    assert full.header.frame_id == "camera"
+    with pytest.raises(TypeException, match="Tag cannot be converted to str"):
+        robot.transform(tag, "camera", new_type=str)
+
+
+def test_an_interface_has_no_lookups() -> None:
+    with pytest.raises(NotImplementedException, match="BufferInterface has no lookup_transform"):
+        BufferInterface().lookup_transform("a", "b", LATEST)
+    with pytest.raises(NotImplementedException, match="lookup_transform_full"):
+        BufferInterface().lookup_transform_full("a", LATEST, "b", LATEST, "c")

@@ -1,0 +1,123 @@
+"""Transforming objects of registered classes, whoever looks the transforms up."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.tf2 import conversion
+from zbot.tf2.errors import NotImplementedException, TypeException
+from zbot.time import Duration, Time
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+NO_WAIT = Duration()
+_conversions: dict[tuple[type[Any], type[Any]], Callable[[Any], Any]] = {}
+
+
+class BufferInterface:
+    """What every buffer offers; a subclass writes the lookups."""
+
+    def lookup_transform(
+        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
+    ) -> Any:
+        """Return where `source_frame` is in `target_frame`, as `TransformStamped`."""
+        raise NotImplementedException(f"{type(self).__name__} has no lookup_transform")
+
+    def lookup_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+    ) -> Any:
+        """Return where `source_frame` was at one time, in `target_frame` at another."""
+        raise NotImplementedException(f"{type(self).__name__} has no lookup_transform_full")
+
+    def transform(
+        self,
+        object_stamped: Any,
+        target_frame: str,
+        timeout: Duration = NO_WAIT,
+        new_type: type[Any] | None = None,
+    ) -> Any:
+        """Return a point, vector or pose with header, in another frame.
+
+        Args:
+            object_stamped: Of a class that is registered.
+            target_frame: Where it shall be.
+            timeout: How long to wait until the transform is known.
+            new_type: The class to convert the result to.
+
+        Raises:
+            TypeException: Nobody knows how to transform or convert objects of its class.
+            TransformException: For the other errors see `Buffer.lookup_transform`.
+        """
+        do_transform = conversion.registered(type(object_stamped))
+        header = object_stamped.header
+        when = Time.from_msg(header.stamp)
+        found = self.lookup_transform(target_frame, header.frame_id, when, timeout)
+        moved = do_transform(object_stamped, found)
+        return moved if new_type is None else convert(moved, new_type)
+
+    def transform_full(
+        self,
+        object_stamped: Any,
+        target_frame: str,
+        target_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+        new_type: type[Any] | None = None,
+    ) -> Any:
+        """Return a point, vector or pose with header, in another frame at another time."""
+        do_transform = conversion.registered(type(object_stamped))
+        header = object_stamped.header
+        when = Time.from_msg(header.stamp)
+        found = self.lookup_transform_full(
+            target_frame, target_time, header.frame_id, when, fixed_frame, timeout
+        )
+        moved = do_transform(object_stamped, found)
+        return moved if new_type is None else convert(moved, new_type)
+
+
+def convert(value: Any, new_type: type[Any]) -> Any:
+    """Return an object as another class, by what was given to `ConvertRegistration`.
+
+    Raises:
+        TypeException: Nobody said how.
+    """
+    if type(value) is new_type:
+        return value
+    conversion_to = _conversions.get((type(value), new_type))
+    if conversion_to is None:
+        raise TypeException(
+            f"Type {type(value).__qualname__} cannot be converted to {new_type.__qualname__}: "
+            "register it with ConvertRegistration().add_convert"
+        )
+    return conversion_to(value)
+
+
+class TransformRegistration:
+    """Lets buffers transform objects of further classes."""
+
+    def add(self, key: type[Any], callback: Callable[[Any, Any], Any]) -> None:
+        """Register what takes an object and a `TransformStamped`, and returns a new object."""
+        conversion.add(key, callback)
+
+    def get(self, key: type[Any]) -> Callable[[Any, Any], Any]:
+        """Return what was registered.
+
+        Raises:
+            TypeException: Nothing was.
+        """
+        return conversion.registered(key)
+
+
+class ConvertRegistration:
+    """Lets `convert` make objects of one class from those of another."""
+
+    def add_convert(self, key: tuple[type[Any], type[Any]], callback: Callable[[Any], Any]) -> None:
+        """Register a conversion, by the classes it goes from and to."""
+        _conversions[key] = callback
