@@ -12,7 +12,7 @@ import os
 import zbot
 from zbot.arguments import remove_ros_args
 from zbot.tf2 import StaticTransformBroadcaster
-from zbot.tf2.rigid import Quaternion, multiply
+from zbot.tf2.rigid import Quaternion, multiply, normalized
 
 from geometry_msgs.msg import TransformStamped
 
@@ -31,14 +31,31 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
         turn = ("yaw", "pitch", "roll") if len(words) == _OLD_STYLE[0] else ("qx", "qy", "qz", "qw")
         names = ("x", "y", "z", *turn, "frame-id", "child-frame-id")
         words = [f"--{name}={word}" for name, word in zip(names, words, strict=True)]
-    return parser.parse_args(words)
+    options = parser.parse_args(words)
+    fault = _fault(options)
+    if fault:
+        parser.error(fault)
+    return options
+
+
+def _fault(options: argparse.Namespace) -> str:
+    """Return what would make listeners ignore the transform; nothing if it is fine."""
+    if options.frame_id.strip("/") == options.child_frame_id.strip("/"):
+        return f"cannot publish a transform from {options.frame_id!r} to itself"
+    numbers = (options.qx, options.qy, options.qz, options.qw)
+    if math.hypot(*numbers) == 0:
+        return "--qx, --qy, --qz and --qw are all 0: leave them out for no rotation"
+    if numbers != (0, 0, 0, 1) and (options.roll or options.pitch or options.yaw):
+        return "give the rotation by --roll, --pitch and --yaw, or by --qx to --qw, not by both"
+    return ""
 
 
 def rotation(options: argparse.Namespace) -> Quaternion:
     """Return the rotation that was asked for, by angles in rad or as a quaternion."""
     roll, pitch, yaw = options.roll / 2, options.pitch / 2, options.yaw / 2
     if not (roll or pitch or yaw):
-        return (options.qx, options.qy, options.qz, options.qw)
+        # 0.7 and 0.7 are meant as a quarter turn, but too short for listeners to take.
+        return normalized((options.qx, options.qy, options.qz, options.qw))
     about_x: Quaternion = (math.sin(roll), 0.0, 0.0, math.cos(roll))
     about_y: Quaternion = (0.0, math.sin(pitch), 0.0, math.cos(pitch))
     about_z: Quaternion = (0.0, 0.0, math.sin(yaw), math.cos(yaw))

@@ -112,17 +112,38 @@ def inverse_matrix(matrix: Any) -> Matrix:
     return np.linalg.inv(np.asarray(matrix, dtype=float))
 
 
-def compose_matrix(scale: Any = None, angles: Any = None, translate: Any = None) -> Matrix:
-    """Return the matrix that scales, then turns by the angles of `sxyz`, then moves."""
+def compose_matrix(
+    scale: Any = None,
+    shear: Any = None,
+    angles: Any = None,
+    translate: Any = None,
+    perspective: Any = None,
+) -> Matrix:
+    """Return the matrix that scales, shears, turns, moves and projects, in this order.
+
+    Args:
+        scale: Factors along x, y and z.
+        shear: How far x moves with y, x with z, and y with z.
+        angles: Of `sxyz`, in rad.
+        translate: Where the origin goes.
+        perspective: The last row.
+    """
     matrix = np.identity(4)
+    if perspective is not None:
+        matrix[3, :] = np.asarray(perspective, dtype=float)[:4]
     if translate is not None:
         matrix = matrix @ translation_matrix(translate)
     if angles is not None:
         roll, pitch, yaw = angles
         matrix = matrix @ euler_matrix(roll, pitch, yaw)
+    if shear is not None:
+        slant = np.identity(4)
+        slant[0, 1], slant[0, 2], slant[1, 2] = shear
+        matrix = matrix @ slant
     if scale is not None:
         matrix = matrix @ np.diag([*np.asarray(scale, dtype=float)[:3], 1.0])
-    return matrix
+    composed: Matrix = matrix / matrix[3, 3]
+    return composed
 
 
 def euler_matrix(ai: float, aj: float, ak: float, axes: str = "sxyz") -> Matrix:

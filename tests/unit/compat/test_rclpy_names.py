@@ -60,6 +60,18 @@ rclpy.validate_node_name: validate_node_name
 rclpy.expand_topic_name: expand_topic_name
 rclpy.impl.logging_severity: LoggingSeverity
 rclpy.impl.rcutils_logger: RcutilsLogger
+tf2_ros: Buffer BufferInterface TransformListener TransformBroadcaster StaticTransformBroadcaster
+tf2_ros: TransformException LookupException ConnectivityException ExtrapolationException
+tf2_ros: InvalidArgumentException TimeoutException TypeException NotImplementedException
+tf2_ros: TransformRegistration ConvertRegistration convert TransformStamped
+tf2_ros.buffer: Buffer
+tf2_ros.buffer_interface: BufferInterface TransformRegistration
+tf2_ros.transform_listener: TransformListener
+tf2_ros.transform_broadcaster: TransformBroadcaster
+tf2_ros.static_transform_broadcaster: StaticTransformBroadcaster
+tf2_py: BufferCore TransformException
+tf2_geometry_msgs: do_transform_point do_transform_pose do_transform_vector3 PointStamped
+tf_transformations: euler_from_quaternion quaternion_from_euler quaternion_multiply
 """
 
 

@@ -57,6 +57,38 @@ def test_products_and_inverses() -> None:
     assert tf.translation_from_matrix(composed) == pytest.approx([1, 0, 0])
 
 
+def test_a_composed_matrix_may_shear_and_project() -> None:
+    slanted = tf.compose_matrix((1, 1, 1), (0.5, 0, 0), (0, 0, 0), (1, 0, 0))
+    assert slanted @ [0, 2, 0, 1] == pytest.approx([2, 2, 0, 1])
+    projected = tf.compose_matrix(perspective=(0, 0, 1, 2))
+    assert projected[3] == pytest.approx([0, 0, 0.5, 1])
+
+
+TURNS = {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}
+
+
+@pytest.mark.parametrize("axes", sorted(tf._AXES))
+def test_every_order_of_axes_is_a_product_of_turns(axes: str) -> None:
+    angles = (0.3, -0.7, 1.1)
+    turns = [
+        tf.rotation_matrix(angle, TURNS[axis]) for angle, axis in zip(angles, axes[1:], strict=True)
+    ]
+    # About fixed axes the first turn is applied first; about the body's own it stands first.
+    product = tf.concatenate_matrices(*(turns if axes[0] == "r" else reversed(turns)))
+    assert tf.euler_matrix(*angles, axes) == pytest.approx(product)
+
+
+def test_quaternions_multiply_as_hamilton_says() -> None:
+    assert tf.quaternion_multiply([1, 0, 0, 0], [0, 1, 0, 0]) == pytest.approx([0, 0, 1, 0])
+    assert tf.quaternion_multiply([0, 1, 0, 0], [1, 0, 0, 0]) == pytest.approx([0, 0, -1, 0])
+
+
+@pytest.mark.parametrize("q", [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0.5, -0.5, 0.5, 0.5]])
+def test_large_turns_come_back_from_their_matrix(q: list[float]) -> None:
+    again = tf.quaternion_from_matrix(tf.quaternion_matrix(q))
+    assert abs(float(np.dot(again, q))) == pytest.approx(1)
+
+
 def test_half_way_between_two_rotations() -> None:
     a, b = tf.quaternion_from_euler(0, 0, 0), tf.quaternion_from_euler(0, 0, 1)
     half = tf.quaternion_slerp(a, b, 0.5)
