@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from zbot.errors import ZbotError
 from zbot.package.workspace import stay_in_workspace
 from zbot_cli.executables import is_file
 
@@ -22,6 +23,16 @@ if TYPE_CHECKING:
     from zbot_cli.executables import Executable
 
 _HERE = str(Path(__file__).parent) + os.sep
+
+
+class EntryPointError(ZbotError):
+    """A package declares a program that it does not have."""
+
+    def __init__(self, executable: Executable, reason: str) -> None:
+        self.executable, self.reason = executable, reason
+        self.hint = "zbot build tells where, and what may have been meant"
+        where = f"{executable.package} {executable.name}"
+        super().__init__(f"cannot run {where} ({executable.target}): {reason}")
 
 
 def become(executable: Executable, arguments: Sequence[str]) -> NoReturn:
@@ -42,7 +53,13 @@ def become(executable: Executable, arguments: Sequence[str]) -> NoReturn:
         sys.argv = [executable.target, *arguments]
         _run_file(executable.target)
     sys.argv = [executable.name, *arguments]
-    sys.exit(_function(executable.target)())
+    try:
+        function = _function(executable)
+    except EntryPointError as error:
+        from zbot_cli.report import report  # noqa: PLC0415 - only for errors
+
+        sys.exit(report(error))
+    sys.exit(function())
 
 
 def _place(executable: Executable) -> Path:
@@ -73,10 +90,17 @@ def _set_path(executable: Executable) -> None:
     sys.path[: int(has_own_entry)] = folders
 
 
-def _function(target: str) -> Any:
-    module_name, _, attributes = target.partition(":")
-    found: Any = importlib.import_module(module_name.strip())
-    for name in (attributes.strip() or "main").split("."):
+def _function(executable: Executable) -> Any:
+    module_name, _, attributes = (part.strip() for part in executable.target.partition(":"))
+    try:
+        found: Any = importlib.import_module(module_name)
+    except ModuleNotFoundError as error:
+        if not f"{module_name}.".startswith(f"{error.name}."):
+            raise  # the program's own import
+        raise EntryPointError(executable, f"there is no module {error.name}") from None
+    for name in (attributes or "main").split("."):
+        if not hasattr(found, name):
+            raise EntryPointError(executable, f"{module_name} has no {name}()")
         found = getattr(found, name)
     return found
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from enum import Enum
 from pathlib import Path
-from typing import Annotated, ClassVar
+from typing import TYPE_CHECKING, Annotated, ClassVar
 
 import typer
 
@@ -20,6 +20,9 @@ from zbot_cli.listing import AsJson, new_app, print_json
 from zbot_cli.many_values import ManyValuesCommand
 from zbot_cli.person import email_address, full_name
 from zbot_cli.run import PackageNotFoundError as UnknownPackageError
+
+if TYPE_CHECKING:
+    from xml.etree.ElementTree import Element
 
 app = new_app("Find packages, and create them")
 
@@ -210,9 +213,18 @@ def xml(
         raise NoManifestError(package.folder)
     root = read_tree(path)
     if not tag:
-        print(path.read_text(encoding="utf-8", errors="replace").rstrip("\n"))
+        print(_text(path, root).rstrip("\n"))
         return
     texts = ["".join(one.itertext()).strip() for one in root.iter(tag)]
     if not texts:
         raise TagNotFoundError(tag, sorted({one.tag for one in root.iter()}))
     print(*texts, sep="\n")
+
+
+def _text(path: Path, root: Element) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except UnicodeDecodeError:  # its first line says which encoding it has
+        from xml.etree.ElementTree import tostring  # noqa: PLC0415 - few files do
+
+        return tostring(root, encoding="unicode")

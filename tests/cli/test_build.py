@@ -322,6 +322,59 @@ def test_a_setup_py_that_does_not_parse(write: Write) -> None:
     assert problems(folder)[0].startswith("setup.py:2: ")
 
 
+@pytest.mark.parametrize(
+    ("files", "text"),
+    [
+        ({"setup.py": b"\x00\xff" * 100}, "setup.py: "),
+        ({"setup.py": b"setup(data_files=" + b"[] + " * 9999 + b"[])"}, "setup.py: "),
+        ({"package.xml": b"\xff\xfe\x00"}, "package.xml:1: no valid XML: "),
+        ({"package.xml": b"<package>" * 9999}, "package.xml:1: no valid XML: "),
+        ({"msg/A.msg": b"int32 \xff\n"}, "msg/A.msg: cannot be read: "),
+        ({"srv/A.srv": b"int32 a\n"}, "srv/A.srv: "),
+        ({"robot/a.py": b"\xff"}, "robot/a.py"),
+        ({"CMakeLists.txt": b"install(FILES \xff DESTINATION x)"}, "CMakeLists.txt:1: install() "),
+    ],
+)
+def test_hostile_files(write: Write, files: dict[str, bytes], text: str) -> None:
+    folder = write()
+    for name, content in files.items():
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_bytes(content)
+    assert problems(folder)[0].startswith(text)
+
+
+def test_files_in_other_encodings(write: Write) -> None:
+    folder = write()
+    setup = "# -*- coding: latin-1 -*-\n# ü\nfrom setuptools import setup\nsetup(name='robot')\n"
+    (folder / "setup.py").write_text(setup, encoding="latin-1")
+    assert problems(folder) == []
+
+
+def test_folders_where_files_belong(write: Write, zbot_command: Command) -> None:
+    folder = write()
+    (folder / "setup.py").unlink()
+    (folder / "setup.py").mkdir()
+    (folder / "launch").symlink_to(folder)
+    result = zbot_command("build")
+    assert result.code == 1
+    assert "src/robot/setup.py: " in result.err
+
+
+def test_packages_in_a_repository(write: Write, zbot_command: Command) -> None:
+    folder = write("repository/robot")
+    (folder.parent / "pyproject.toml").write_text("[tool.ruff]\n")
+    (folder.parent / "setup.cfg").write_text("[flake8]\n")
+    assert ">>> repository/robot\n" not in zbot_command("build").out
+    assert "1 package" in zbot_command("build").out
+
+
+def test_a_program_that_is_compiled(write: Write, zbot_command: Command) -> None:
+    folder = write(build_type="ament_cmake", **{"CMakeLists.txt": "add_executable(drive a.cpp)\n"})
+    told = "drive is not compiled: C++ needs ROS 2, zbot runs Python programs"
+    assert problems(folder) == [f"CMakeLists.txt:1: warning: {told}"]
+    assert "hint: drive is a C++ program" in zbot_command("run", "robot", "drive").err
+
+
 def test_imports_that_are_not_declared(write: Write) -> None:
     folder = write(
         more="<exec_depend>rclpy</exec_depend>\n",

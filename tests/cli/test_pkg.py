@@ -319,6 +319,27 @@ def test_a_manifest_is_printed(source: Path, zbot_command: Command) -> None:
     assert zbot_command("pkg", "xml", "a", "-t", "build_type").out == "ament_python\n"
 
 
+def test_a_manifest_in_another_encoding(source: Path, zbot_command: Command) -> None:
+    folder = write_package(source, "my_robot")
+    text = (
+        "<?xml version='1.0' encoding='latin-1'?>\n<package><name>my_robot</name><a>ü</a></package>"
+    )
+    (folder / "package.xml").write_text(text, encoding="latin-1")
+    assert "<a>ü</a>" in zbot_command("pkg", "xml", "my_robot").out
+    assert zbot_command("pkg", "xml", "my_robot", "-t", "a").out == "ü\n"
+
+
+def test_programs_among_data_files_are_executables(source: Path, zbot_command: Command) -> None:
+    folder = write_package(source, "my_robot")
+    (folder / "nodes").mkdir()
+    (folder / "nodes" / "wave.py").touch()
+    (folder / "setup.py").write_text(
+        "name = 'my_robot'\n"
+        "setup(data_files=[('lib/' + name, glob('nodes/*.py')), ('lib/other', ['setup.py'])])\n"
+    )
+    assert zbot_command("pkg", "executables", "my_robot").out == "my_robot wave.py\n"
+
+
 @pytest.mark.parametrize(
     ("words", "text"),
     [

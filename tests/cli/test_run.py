@@ -148,3 +148,28 @@ def test_a_program_finds_its_package_wherever_it_goes(workspace: Path, tmp_path:
     expected = f"{folder} my_robot.msg.Beep(times=2)\n"
     # By its path, from a folder outside of the workspace.
     assert zbot("run", str(folder / "my_robot" / "share.py"), cwd=tmp_path).out == expected
+
+
+@pytest.mark.parametrize(
+    ("target", "reason"),
+    [
+        ("my_robot.nowhere:main", "there is no module my_robot.nowhere"),
+        ("nobody.hello:main", "there is no module nobody"),
+        ("my_robot.hello:mian", "my_robot.hello has no mian()"),
+    ],
+)
+def test_an_entry_point_that_leads_nowhere(workspace: Path, target: str, reason: str) -> None:
+    setup = workspace / "src" / "my_robot" / "setup.py"
+    setup.write_text(SETUP.replace("my_robot.hello:main", target, 1))
+    done = zbot("run", "my_robot", "hello", cwd=workspace)
+    assert (done.code, done.out) == (1, "")
+    assert done.err.startswith(
+        f"cannot run my_robot hello ({target}): {reason}\n\nhint: zbot build"
+    )
+
+
+def test_an_import_of_the_program_that_fails_is_its_own(start: Start, workspace: Path) -> None:
+    (workspace / "src" / "my_robot" / "my_robot" / "words.py").write_text("import no_such_thing\n")
+    program = start("zbot", "run", "hello", env={"ZBOT_WORKSPACE": str(workspace)})
+    program.wait_for("ModuleNotFoundError: No module named 'no_such_thing'")
+    assert program.wait() == 1

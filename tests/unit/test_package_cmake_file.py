@@ -36,7 +36,7 @@ def read(folder: Path, text: str) -> Installation:
         "set(ALL nodes/a.py;nodes/b.py)\ninstall(PROGRAMS ${ALL} DESTINATION lib/robot)",
         "set(D nodes)\ninstall(PROGRAMS ${D}/a.py ${D}/b.py DESTINATION lib/robot OPTIONAL)",
         "file(GLOB ALL nodes/*.py)\ninstall(PROGRAMS ${ALL} DESTINATION lib/robot)",
-        "file(GLOB_RECURSE A ${PROJECT_SOURCE_DIR}/*.py)\ninstall(PROGRAMS ${A} DESTINATION lib/robot)",
+        "file(GLOB_RECURSE A nodes/*.py)\ninstall(PROGRAMS ${A} DESTINATION lib/robot)",
         "#[[ install(x\n) ]]\ninstall(PROGRAMS nodes/a.py nodes/b.py DESTINATION lib/robot)",
     ],
 )

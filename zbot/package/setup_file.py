@@ -78,8 +78,8 @@ def setup_arguments(path: Path, wanted: str = "setup") -> dict[str, Any]:
     Raises:
         SetupFileError: It is no Python, or no text.
     """
-    source = _text(path)
-    if wanted not in source:
+    source = _read(path)  # in bytes: its first lines may say which encoding it has
+    if wanted.encode() not in source:
         return {}
     import ast  # noqa: PLC0415 - 8 ms that only a setup.py needs
 
@@ -120,11 +120,18 @@ def _without_extras(target: str) -> str:
 
 def _text(path: Path) -> str:
     try:
-        return path.read_text(encoding="utf-8")
-    except FileNotFoundError:
-        return ""
-    except (OSError, UnicodeDecodeError) as exc:
+        return _read(path).decode()
+    except UnicodeDecodeError as exc:
         raise SetupFileError(path, str(exc)) from exc
+
+
+def _read(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except FileNotFoundError:
+        return b""
+    except OSError as exc:
+        raise SetupFileError(path, exc.strerror or str(exc)) from exc
 
 
 def _setup_py_scripts(path: Path) -> list[Any]:
