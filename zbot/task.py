@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import sys
 import threading
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
@@ -12,6 +13,25 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 T = TypeVar("T")
+
+
+class _Step(threading.local):
+    """The event loop of asyncio around the task's step that this thread runs, if any."""
+
+    loop: object = None
+
+
+_step = _Step()
+
+
+def _running_loop() -> object:
+    asyncio = sys.modules.get("asyncio")  # a program without it must not wait for its import
+    if asyncio is None:
+        return None
+    try:
+        return asyncio.get_running_loop()
+    except RuntimeError:
+        return None
 
 
 class Future(Generic[T]):
@@ -32,9 +52,10 @@ class Future(Generic[T]):
         self._callbacks: list[Callable[[Any], Any]] = []
         self._wakers: list[Callable[[], object]] = []
 
-    def __await__(self) -> Generator[Future[T], None, T | None]:
+    def __await__(self) -> Generator[Future[T] | None, None, T | None]:
         while not self.is_over:
-            yield self
+            # A loop that began inside the step, or without one, is who waits: it asks again later.
+            yield self if _running_loop() is _step.loop else None
         return self.result()
 
     def cancel(self) -> None:
@@ -160,12 +181,15 @@ class Task(Future[T]):
         """Run until the next `await` that is not ready, or to the end."""
         with self._stepping:
             if not self.is_over:
+                around, _step.loop = _step.loop, _running_loop()
                 try:
                     self._step()
                 except BaseException as exc:
                     self._complete("done", exception=exc)
                     if not isinstance(exc, Exception):
                         raise
+                finally:
+                    _step.loop = around
 
     def executing(self) -> bool:
         """Return whether a thread is running a step right now."""

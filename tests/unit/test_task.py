@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import asyncio
 import threading
 from typing import TYPE_CHECKING, Any
 
@@ -211,3 +212,30 @@ def test_cancelling_closes_a_coroutine_that_waits() -> None:
     future.set_result(1)
     queue.run()
     assert task.cancelled()
+
+
+async def waits_for(future: Future[Any]) -> Any:
+    return await future
+
+
+async def completed_meanwhile(queue: Queue) -> Any:
+    future = pending()
+    waiting = asyncio.ensure_future(waits_for(future))
+    task = queue.create_task(waits_for, future)
+    await asyncio.sleep(0)
+    queue.run()
+    assert queue.tasks == []  # the task waits for its future: it is not asked again and again
+    future.set_result(7)
+    queue.run()
+    return await waiting, task.result()
+
+
+def test_asyncio_and_a_task_inside_its_loop_await_the_same_future() -> None:
+    assert asyncio.run(completed_meanwhile(Queue())) == (7, 7)
+
+
+def test_a_step_may_run_a_loop_of_asyncio_of_its_own() -> None:
+    queue = Queue()
+    task = queue.create_task(lambda: asyncio.run(completed_meanwhile(Queue())))
+    queue.run()
+    assert task.result() == (7, 7)
