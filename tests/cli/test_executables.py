@@ -136,10 +136,8 @@ def test_an_unknown_package(zbot_command: Command) -> None:
 def test_an_unknown_executable_of_a_package(zbot_command: Command) -> None:
     result = zbot_command("run", "demo_nodes_py", "nope")
     assert result.code == 1
-    assert (
-        result.err
-        == "No executable found\n\nhint: demo_nodes_py has add_two_ints_client, add_two_ints_server, listener, talker\n"
-    )
+    nodes = "add_two_ints_client, add_two_ints_server, listener, talker"
+    assert result.err == f"No executable found\n\nhint: demo_nodes_py has {nodes}\n"
 
 
 @pytest.mark.usefixtures("workspace")

@@ -91,7 +91,9 @@ def test_a_declaration_is_checked_before_any_is_made() -> None:
 def test_a_parameter_declared_by_type_has_to_be_set_before_it_is_read() -> None:
     one = store()
     declare(one, "port", Type.INTEGER)
-    with pytest.raises(ParameterUninitializedException, match=r"'port' is not initialized: set it, .* -p port:="):
+    with pytest.raises(
+        ParameterUninitializedException, match=r"'port' is not initialized: set it, .* -p port:="
+    ):
         one.get("port")
     assert "expected 'integer' got 'string'" in set_to(one, port="usb")
     assert not set_to(one, port=3)

@@ -25,14 +25,17 @@ class Goal(Protocol):
     @property
     def key(self) -> bytes:
         """The goal's id, 16 bytes."""
+        ...
 
     @property
     def stamp_ns(self) -> int:
         """When it was accepted, nanoseconds."""
+        ...
 
     @property
     def state(self) -> GoalState:
         """Where it stands."""
+        ...
 
 
 GoalT = TypeVar("GoalT", bound=Goal)
