@@ -1,0 +1,56 @@
+import rclpy
+from rclpy.lifecycle import LifecycleNode, Publisher, State, TransitionCallbackReturn
+from rclpy.timer import Timer
+from std_msgs.msg import String
+
+
+class LifecycleTalker(LifecycleNode):
+    def __init__(self, node_name, **kwargs):
+        self._count = 0
+        self._pub: Publisher | None = None
+        self._timer: Timer | None = None
+        super().__init__(node_name, **kwargs)
+
+    def publish(self):
+        msg = String(data='Lifecycle HelloWorld #' + str(self._count))
+        self._count += 1
+        if self._pub is None or not self._pub.is_activated:
+            self.get_logger().info('Lifecycle publisher is inactive.')
+        else:
+            self.get_logger().info(f'Publishing: [{msg.data}]')
+        if self._pub is not None:
+            self._pub.publish(msg)
+
+    def on_configure(self, state: State) -> TransitionCallbackReturn:
+        self._pub = self.create_lifecycle_publisher(String, 'lifecycle_chatter', 10)
+        self._timer = self.create_timer(0.05, self.publish)
+        self.get_logger().info('on_configure() is called.')
+        return TransitionCallbackReturn.SUCCESS
+
+    def on_activate(self, state: State) -> TransitionCallbackReturn:
+        self.get_logger().info('on_activate() is called.')
+        return super().on_activate(state)
+
+    def on_deactivate(self, state: State) -> TransitionCallbackReturn:
+        self.get_logger().info('on_deactivate() is called.')
+        return super().on_deactivate(state)
+
+    def on_cleanup(self, state: State) -> TransitionCallbackReturn:
+        self.destroy_timer(self._timer)
+        self.destroy_publisher(self._pub)
+        return TransitionCallbackReturn.SUCCESS
+
+
+def main():
+    rclpy.init()
+    executor = rclpy.executors.SingleThreadedExecutor()
+    lc_node = LifecycleTalker('lc_talker')
+    executor.add_node(lc_node)
+    try:
+        executor.spin()
+    except (KeyboardInterrupt, rclpy.executors.ExternalShutdownException):
+        lc_node.destroy_node()
+
+
+if __name__ == '__main__':
+    main()
