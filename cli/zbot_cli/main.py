@@ -21,6 +21,7 @@ NOUNS = {
     "completion": "Complete words in your shell with Tab",
     "daemon": "Say that no daemon is needed",
     "doctor": "Check what could be wrong",
+    "graph": "Show which nodes talk to each other",
     "interface": "Look at message, service and action types",
     "launch": "Run a launch file",
     "lifecycle": "Lead managed nodes through their lives",
