@@ -201,7 +201,7 @@ def xml(
     package_name: PackageName,
     tag: Annotated[str, typer.Option("-t", "--tag", help="Print only the text of this tag")] = "",
 ) -> None:
-    """Print a package's manifest, or one tag of it."""
+    """Print a package's manifest, or one tag."""
     from zbot.package.manifest import read_tree  # noqa: PLC0415 - only this verb
 
     package = find_package(package_name)

@@ -54,7 +54,7 @@ CASES = [
     Case("parameters", ("Hello world! 2.0 True", "set to world")),
     Case("parameter_client", ("set True", "rate 2.0"), "parameters"),
     Case("lifecycle", ("on_configure() is called.", "is active. Publishing: [Lifecycle Hello")),
-    Case("tf_broadcaster", ()),
+    Case("tf_broadcaster", ("broadcasting",)),
     Case("tf_listener", ("turned by",), "tf_broadcaster"),
     Case("qos_sensor", ("matched 1", "closest 1.00 of 5")),
     Case("latched", ("got warehouse",)),

@@ -32,6 +32,7 @@ class FramePublisher(Node):
 
     def broadcast(self):
         self.angle += 0.1
+        self.get_logger().info('broadcasting', throttle_duration_sec=1.0)
         self.tf_broadcaster.sendTransform(self.make('world', 'base_link', 1.0, self.angle))
 
 
