@@ -24,6 +24,7 @@ from zbot.errors import (
     ServiceError,
 )
 from zbot.executor import LONGEST_WAIT_S, Signal, current_executor
+from zbot.foreign_call import called_by_zenoh
 from zbot.interfaces import type_name
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.service_introspection import Step, configured
@@ -99,6 +100,7 @@ class _Response(Future[ResponseT]):
         ended = partial(self._on_end, self._attempt)
         self._client.send(self._exchange, self._on_reply, ended)
 
+    @called_by_zenoh
     def _on_reply(self, reply: zenoh.Reply) -> None:
         # Zenoh's thread, as below.
         if not self._exchange.is_to_be_repeated(reply):
@@ -106,6 +108,7 @@ class _Response(Future[ResponseT]):
         elif self._client.is_pending(self):
             self.send()
 
+    @called_by_zenoh
     def _on_end(self, attempt: int) -> None:
         if attempt == self._attempt and not self.is_over:
             self._client.complete(self, None)
@@ -238,9 +241,13 @@ class Client(Generic[RequestT, ResponseT]):
             if self._querier is None:
                 raise InvalidHandleError(f"the client of {self.service_name}")
             if self._listener is None:
-                wake = zenoh.handlers.Callback(lambda _: self._arrival.set(), indirect=False)
+                wake = zenoh.handlers.Callback(self._on_match, indirect=False)
                 self._listener = self._querier.declare_matching_listener(wake)
                 self.context.add_waker(self._arrival.set)
+
+    @called_by_zenoh
+    def _on_match(self, _: object) -> None:
+        self._arrival.set()
 
     # -- calling -------------------------------------------------------------------------------
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 import zenoh
 
 from zbot.errors import NotAMessageTypeError, ResponseTypeError
+from zbot.foreign_call import called_by_zenoh
 from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
@@ -125,6 +126,7 @@ class Service(Generic[RequestT, ResponseT]):
         """The name of its node's logger."""
         return self._logger_name
 
+    @called_by_zenoh
     def _receive(self, query: zenoh.Query) -> None:
         # Zenoh's thread: nothing but the hand-over.
         self._queries.append((query, time.monotonic()))

@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.context import open_contexts
 from zbot.errors import ExternalShutdownException, NotInitializedError, SetupError
 from zbot.executor import spinning_in_main_thread
+from zbot.foreign_call import is_foreign
 
 if TYPE_CHECKING:
     from types import FrameType
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 _PACKAGE = str(Path(__file__).parent) + os.sep
 _TERMINATED = 128 + signal.SIGTERM
 _AGAIN_S = 0.001
+_MOMENT_S = 0.005  # longer than what Zenoh calls takes
 _PATIENCE_S = 0.3  # for a callback that is running when the program ends
 
 
@@ -88,10 +90,22 @@ def _interrupt_contexts() -> None:
         context.interrupt()
 
 
+def _is_postponed(number: int, frame: FrameType | None) -> bool:
+    """Return whether an exception would be lost here; the signal comes again in a moment then."""
+    if not is_foreign(frame):
+        return False
+    again = threading.Timer(_MOMENT_S, signal.raise_signal, [number])
+    again.daemon = True
+    again.start()
+    return True
+
+
 def _on_sigint(number: int, frame: FrameType | None) -> None:
     if _Process.ending:
         return
     _interrupt_contexts()
+    if _is_postponed(number, frame):
+        return
     previous = _Process.previous.get(number)
     if callable(previous) and previous is not signal.default_int_handler:
         previous(number, frame)
@@ -103,6 +117,8 @@ def _on_sigterm(number: int, frame: FrameType | None) -> None:
     if _Process.ending:
         return
     _interrupt_contexts()
+    if _is_postponed(number, frame):
+        return
     previous = _Process.previous.get(number)
     if callable(previous):
         previous(number, frame)

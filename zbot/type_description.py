@@ -7,6 +7,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import UnknownInterfaceError, UnknownPackageError
+from zbot.foreign_call import called_by_zenoh
 from zbot.interfaces import MessageSpec, get_spec, type_description, type_hash
 from zbot.interfaces.late import LateService
 from zbot.qos import qos_profile_services_default
@@ -32,6 +33,7 @@ SERVICE_TYPE = (
 class _UnspunService(Service[Any, Any]):
     """Answers in a thread of its own, so that a node that never spins answers too."""
 
+    @called_by_zenoh
     def _receive(self, query: zenoh.Query) -> None:
         threading.Thread(
             target=self.execute,

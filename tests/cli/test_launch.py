@@ -128,7 +128,7 @@ def test_output_is_prefixed_and_not_buffered(launch: Callable[..., Program]) -> 
     program.wait_for("[chatty-1] out")
     if "[chatty-1] err" not in program.output:  # two pipes, in no order
         program.wait_for("[chatty-1] err")
-    assert program.stop() == 0
+    assert program.stop(timeout_s=15) == 0
 
 
 def test_a_terminal_is_emulated(launch: Callable[..., Program]) -> None:

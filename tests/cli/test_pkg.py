@@ -242,6 +242,7 @@ def test_what_cannot_be_created(
 @pytest.mark.skipif(sys.platform == "win32", reason="takes a POSIX folder of scripts")
 def test_it_can_be_installed_by_pip(source: Path, zbot_command: Command, tmp_path: Path) -> None:
     pytest.importorskip("setuptools", reason="pip would have to fetch it")
+    pytest.importorskip("wheel", reason="older setuptools needs it beside itself")
     zbot_command("pkg", "create", "my_package", "--node-name", "my_node", *ME)
     done = subprocess.run(
         [

@@ -291,3 +291,25 @@ def test_a_parent_sees_that_a_child_died_of_sigterm_in_a_sleep(start: Start) -> 
     program = start(source=HEAD + "Robot()\nprint('asleep', flush=True)\ntime.sleep(60)\n")
     program.wait_for("asleep")
     assert end(program, signal.SIGTERM) == -signal.SIGTERM
+
+
+LOCAL_CALLS = """
+import zbot
+from std_srvs.srv import Trigger
+zbot.init()
+node = zbot.Node("both")
+node.create_service(Trigger, "ask", lambda request, response: response)
+client = node.create_client(Trigger, "ask")
+print("ready", flush=True)
+while zbot.ok():
+    zbot.spin_until_future_complete(node, client.call_async(Trigger.Request()))
+"""
+
+
+def test_ctrl_c_is_not_lost_in_what_zenoh_calls(start: Callable[..., Program]) -> None:
+    # A service of one's own process is called in the main thread, below Rust.
+    for turn in range(4):
+        program = start(source=LOCAL_CALLS)
+        program.wait_for("ready")
+        assert program.stop(signal.SIGINT, 3) in {0, -signal.SIGINT}, turn
+        assert "error" not in program.output.lower()
