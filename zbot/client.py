@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 import zenoh
 
+from zbot.endpoint import ServiceEndpoint
 from zbot.errors import (
     InvalidHandleError,
     NotInitializedError,
@@ -35,7 +36,6 @@ from zbot.wire.error_reply import unpack_error
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
-    from types import TracebackType
 
     from typing_extensions import Self
 
@@ -130,7 +130,7 @@ class _Response(Future[ResponseT]):
         return self._pop_callbacks()
 
 
-class Client(Generic[RequestT, ResponseT]):
+class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
     """Calls a service. Made by `Node.create_client`; all methods may be called from any thread.
 
     Args:
@@ -182,26 +182,6 @@ class Client(Generic[RequestT, ResponseT]):
     def handle(self) -> Any:
         """The Zenoh querier."""
         return self._querier
-
-    @property
-    def service_name(self) -> str:
-        """The service's full name."""
-        return self._token.name
-
-    @property
-    def qos_profile(self) -> QoSProfile:
-        """The quality of service it was made with."""
-        return self._token.qos
-
-    @property
-    def token(self) -> EndpointToken:
-        """What the graph shows of it."""
-        return self._token
-
-    @property
-    def logger_name(self) -> str:
-        """The name of its node's logger."""
-        return self._logger_name
 
     # -- is there a server? --------------------------------------------------------------------
 
@@ -526,14 +506,3 @@ class Client(Generic[RequestT, ResponseT]):
             if self._listener is not None:
                 self._listener.undeclare()
             querier.undeclare()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
-        self.destroy()

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
 
+from zbot.endpoint import TopicEndpoint
 from zbot.errors import InvalidHandleError, MessageTypeError, NotInitializedError
 from zbot.interfaces import type_name
 from zbot.memory import LARGE_BYTES, keep_freed_memory
@@ -17,13 +18,9 @@ from zbot.wire.attachment import GID_LENGTH, LAYOUT
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from types import TracebackType
-
-    from typing_extensions import Self
 
     from zbot.callback_group import CallbackGroup
     from zbot.context import Context
-    from zbot.qos import QoSProfile
     from zbot.time import Duration
     from zbot.wire.tokens import EndpointToken
 
@@ -37,7 +34,7 @@ _HEARTBEAT_S = 0.5
 _KEEP_ALL_CACHE = 1000
 
 
-class Publisher(Generic[MsgT]):
+class Publisher(TopicEndpoint, Generic[MsgT]):
     """Publishes messages of one type on one topic. Made by `Node.create_publisher`.
 
     `publish` may be called from any thread.
@@ -82,31 +79,6 @@ class Publisher(Generic[MsgT]):
     def is_open(self) -> bool:
         """Whether `publish` can still send."""
         return self._publisher is not None and not self._context.is_closed
-
-    @property
-    def topic_name(self) -> str:
-        """The topic's full name."""
-        return self._token.name
-
-    @property
-    def topic(self) -> str:
-        """The topic's full name."""
-        return self._token.name
-
-    @property
-    def qos_profile(self) -> QoSProfile:
-        """The quality of service it was made with."""
-        return self._token.qos
-
-    @property
-    def token(self) -> EndpointToken:
-        """What the graph shows of it."""
-        return self._token
-
-    @property
-    def logger_name(self) -> str:
-        """The name of its node's logger."""
-        return self._logger_name
 
     def publish(self, msg: MsgT | bytes) -> None:
         """Send a message, or the bytes of one: ROS 2's CDR, or a payload of zbot's own form.
@@ -190,17 +162,6 @@ class Publisher(Generic[MsgT]):
 
     def _refuse(self, payload: Any, **_: Any) -> None:  # noqa: ARG002 - stands in for Zenoh's put
         raise InvalidHandleError(f"the publisher of {self.topic_name}")
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
-        self.destroy()
 
 
 def _declare(context: Context, token: EndpointToken) -> Any:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
 
+from zbot.endpoint import ServiceEndpoint
 from zbot.errors import NotAMessageTypeError, ResponseTypeError
 from zbot.foreign_call import called_by_zenoh
 from zbot.interfaces import type_name
@@ -23,9 +24,6 @@ from zbot.wire.error_reply import ENCODING, pack_error
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
-    from types import TracebackType
-
-    from typing_extensions import Self
 
     from zbot.callback_group import CallbackGroup
     from zbot.clock import Clock
@@ -41,7 +39,7 @@ ResponseT = TypeVar("ResponseT")
 _NUMBER = Struct("<q")  # how an attachment begins
 
 
-class Service(Generic[RequestT, ResponseT]):
+class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
     """Answers the requests of a service with a function. Made by `Node.create_service`.
 
     What the function raises reaches the caller as `ServiceError`, and then leaves `spin()` like
@@ -105,26 +103,6 @@ class Service(Generic[RequestT, ResponseT]):
     def handle(self) -> Any:
         """The Zenoh queryable."""
         return self._queryable
-
-    @property
-    def service_name(self) -> str:
-        """The service's full name."""
-        return self._token.name
-
-    @property
-    def qos_profile(self) -> QoSProfile:
-        """The quality of service it was made with."""
-        return self._token.qos
-
-    @property
-    def token(self) -> EndpointToken:
-        """What the graph shows of it."""
-        return self._token
-
-    @property
-    def logger_name(self) -> str:
-        """The name of its node's logger."""
-        return self._logger_name
 
     @called_by_zenoh
     def _receive(self, query: zenoh.Query) -> None:
@@ -252,17 +230,6 @@ class Service(Generic[RequestT, ResponseT]):
     def _drop_queries(self) -> None:
         while (taken := self.take()) is not None:
             taken[0].drop()  # its caller learns that there is no answer
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
-        self.destroy()
 
 
 def check_service_type(srv_type: object) -> None:

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, TypedDict, TypeVar
 
 import zenoh
 
+from zbot.endpoint import TopicEndpoint
 from zbot.errors import CallbackSignatureError
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
@@ -30,14 +31,10 @@ from zbot.wire.codec import CodecError
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from types import TracebackType
-
-    from typing_extensions import Self
 
     from zbot.callback_group import CallbackGroup
     from zbot.context import Context
     from zbot.mailbox import Mailbox
-    from zbot.qos import QoSProfile
     from zbot.wire.tokens import EndpointToken
 
 MsgT = TypeVar("MsgT")
@@ -72,7 +69,7 @@ class _Source:
         self.is_special = bool(lifespan_ns or refusal)
 
 
-class Subscription(Generic[MsgT]):
+class Subscription(TopicEndpoint, Generic[MsgT]):
     """Calls a function for every message of a topic. Made by `Node.create_subscription`.
 
     Args:
@@ -157,31 +154,6 @@ class Subscription(Generic[MsgT]):
     def handle(self) -> Any:
         """The Zenoh subscriber."""
         return self._subscriber
-
-    @property
-    def topic_name(self) -> str:
-        """The topic's full name."""
-        return self._token.name
-
-    @property
-    def topic(self) -> str:
-        """The topic's full name."""
-        return self._token.name
-
-    @property
-    def qos_profile(self) -> QoSProfile:
-        """The quality of service it was made with."""
-        return self._token.qos
-
-    @property
-    def token(self) -> EndpointToken:
-        """What the graph shows of it."""
-        return self._token
-
-    @property
-    def logger_name(self) -> str:
-        """The name of its node's logger."""
-        return self._logger_name
 
     def get_publisher_count(self) -> int:
         """Return how many publishers the topic has in the whole domain."""
@@ -333,17 +305,6 @@ class Subscription(Generic[MsgT]):
             self._subscriber.undeclare()
         if self._is_waiting:
             self._rearm()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
-        self.destroy()
 
 
 def _wants_info(callback: Callable[..., Any]) -> bool:

@@ -1,0 +1,73 @@
+"""What publishers, subscriptions, services and clients have in common."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+    from typing_extensions import Self
+
+    from zbot.qos import QoSProfile
+    from zbot.wire.tokens import EndpointToken
+
+
+class Endpoint:
+    """A part of a node that has a place in the graph; leaving a `with` block destroys it."""
+
+    _token: EndpointToken
+    _logger_name: str
+
+    @property
+    def qos_profile(self) -> QoSProfile:
+        """The quality of service it was made with."""
+        return self._token.qos
+
+    @property
+    def token(self) -> EndpointToken:
+        """What the graph shows of it."""
+        return self._token
+
+    @property
+    def logger_name(self) -> str:
+        """The name of its node's logger."""
+        return self._logger_name
+
+    def destroy(self) -> None:
+        """Leave the graph."""
+        raise NotImplementedError
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.destroy()
+
+
+class TopicEndpoint(Endpoint):
+    """One that has a topic."""
+
+    @property
+    def topic_name(self) -> str:
+        """The topic's full name."""
+        return self._token.name
+
+    @property
+    def topic(self) -> str:
+        """The topic's full name."""
+        return self._token.name
+
+
+class ServiceEndpoint(Endpoint):
+    """One that has a service."""
+
+    @property
+    def service_name(self) -> str:
+        """The service's full name."""
+        return self._token.name
