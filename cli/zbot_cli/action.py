@@ -10,6 +10,14 @@ import typer
 from zbot.names import fully_qualified, validate_topic_name
 from zbot.wire.tokens import EntityKind
 from zbot_cli.action_type import UnknownActionError, suggestion
+from zbot_cli.form_options import (
+    Csv,
+    FlowStyle,
+    FullLength,
+    NoArr,
+    NoStr,
+    TruncateLength,
+)
 from zbot_cli.listing import AsJson, ShowTypes, new_app, print_json
 from zbot_cli.looking import full_name, snapshot
 
@@ -173,22 +181,12 @@ def echo(
         str | None,
         typer.Option("-i", "--interfaces", help="Only these, e.g. 'FEEDBACK_TOPIC|STATUS_TOPIC'"),
     ] = None,
-    csv: Annotated[bool, typer.Option("--csv", help="Print fields separated by commas")] = False,
-    full_length: Annotated[
-        bool, typer.Option("-f", "--full-length", help="Show everything")
-    ] = False,
-    truncate_length: Annotated[
-        int, typer.Option("-l", "--truncate-length", help="Elements and characters to show")
-    ] = 128,
-    no_arr: Annotated[
-        bool, typer.Option("--no-arr", help="Leave out the content of arrays")
-    ] = False,
-    no_str: Annotated[
-        bool, typer.Option("--no-str", help="Leave out the content of strings")
-    ] = False,
-    flow_style: Annotated[
-        bool, typer.Option("--flow-style", help="Print collections on one line")
-    ] = False,
+    csv: Csv = False,
+    full_length: FullLength = False,
+    truncate_length: TruncateLength = 128,
+    no_arr: NoArr = False,
+    no_str: NoStr = False,
+    flow_style: FlowStyle = False,
     as_json: AsJson = False,
 ) -> None:
     """Print an action's feedback, status and service events."""

@@ -9,6 +9,14 @@ import typer
 from zbot.errors import ZbotError
 from zbot.names import is_hidden, nearest
 from zbot.wire.tokens import EndpointToken, EntityKind
+from zbot_cli.form_options import (
+    Csv,
+    FlowStyle,
+    FullLength,
+    NoArr,
+    NoStr,
+    TruncateLength,
+)
 from zbot_cli.listing import (
     AsJson,
     NoDaemon,
@@ -248,25 +256,15 @@ def echo(
     qos_durability: Durability = None,
     qos_liveliness: Liveliness = None,
     qos_liveliness_lease_duration_seconds: LeaseDuration = None,
-    csv: Annotated[bool, typer.Option("--csv", help="Print fields separated by commas")] = False,
+    csv: Csv = False,
     field: Annotated[
         list[str] | None, typer.Option("--field", help="Only this field, e.g. pose.position")
     ] = None,
-    full_length: Annotated[
-        bool, typer.Option("-f", "--full-length", help="Show everything")
-    ] = False,
-    truncate_length: Annotated[
-        int, typer.Option("-l", "--truncate-length", help="Elements and characters to show")
-    ] = 128,
-    no_arr: Annotated[
-        bool, typer.Option("--no-arr", help="Leave out the content of arrays")
-    ] = False,
-    no_str: Annotated[
-        bool, typer.Option("--no-str", help="Leave out the content of strings")
-    ] = False,
-    flow_style: Annotated[
-        bool, typer.Option("--flow-style", help="Print collections on one line")
-    ] = False,
+    full_length: FullLength = False,
+    truncate_length: TruncateLength = 128,
+    no_arr: NoArr = False,
+    no_str: NoStr = False,
+    flow_style: FlowStyle = False,
     no_lost_messages: Annotated[
         bool, typer.Option("--no-lost-messages", help="Do not report losses")
     ] = False,
