@@ -63,9 +63,7 @@ class TF2Echo(zbot.Node):
         turn: Quaternion = (q.x, q.y, q.z, q.w)
         roll_pitch_yaw = angles(turn)
         roll, pitch, yaw = map(math.degrees, roll_pitch_yaw)
-        columns = [
-            rotate(turn, axis) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
-        ]
+        columns = [rotate(turn, axis) for axis in _AXES]
         place: Vector = (t.x, t.y, t.z)
         print(f"At time {stamp.sec}.{stamp.nanosec}")
         print(f"- Translation: {three(place)}")
