@@ -1,0 +1,203 @@
+"""The rig itself: what its machines can and cannot reach, and that nothing of it is left."""
+
+from __future__ import annotations
+
+import socket
+from typing import TYPE_CHECKING
+
+import pytest
+
+from tests.classroom.network import namespaces
+from tests.classroom.watch import Watch
+from tests.classroom.weather import Weather, spoil
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.classroom.machine import Machine
+    from tests.classroom.rig import Rig
+
+SERVE = """
+import socket
+server = socket.create_server(("0.0.0.0", 7000))
+print("serving", socket.gethostname(), flush=True)
+while True:
+    connection, _ = server.accept()
+    connection.close()
+"""
+DIAL = """
+import socket, sys
+try:
+    socket.create_connection((sys.argv[1], 7000), 1).close()
+    print("reached")
+except OSError as exc:
+    print(type(exc).__name__)
+"""
+SHOUT = """
+import socket
+sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+for _ in range(3):
+    sender.sendto(b"anybody?", ("224.0.0.224", 7446))
+"""
+HEAR = """
+import socket, struct
+receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+receiver.bind(("224.0.0.224", 7446))
+group = struct.pack("4s4s", socket.inet_aton("224.0.0.224"), socket.inet_aton("0.0.0.0"))
+receiver.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, group)
+receiver.settimeout(0.5)
+print("listening", flush=True)
+try:
+    receiver.recv(100)
+    print("heard", flush=True)
+except TimeoutError:
+    print("silence", flush=True)
+"""
+
+
+def serve(machine: Machine) -> str:
+    return machine.start("python", "-c", SERVE).wait_for("serving").split()[1]
+
+
+def dial(machine: Machine, other: Machine) -> str:
+    return machine.run("python", "-c", DIAL, other.address).out.strip()
+
+
+def test_laptops_reach_the_teacher_but_not_each_other(make_rig: Callable[[int], Rig]) -> None:
+    rig = make_rig(2)
+    one, two = rig.laptops
+
+    hosts = [serve(rig.teacher), serve(two)]
+
+    assert hosts == ["teacher", "laptop1"]
+    assert hosts[0] != socket.gethostname()
+    assert dial(one, rig.teacher) == "reached"
+    assert dial(one, two) in {"TimeoutError", "OSError"}  # no answer even to ARP
+    assert dial(rig.teacher, two) == "reached"
+
+
+def test_multicast_does_not_pass(make_rig: Callable[[int], Rig]) -> None:
+    rig = make_rig(1)
+    listener = rig.teacher.start("python", "-c", HEAR)
+    listener.wait_for("listening")
+
+    rig.laptops[0].run("python", "-c", SHOUT)
+
+    listener.wait_for("silence")
+
+
+@pytest.mark.parametrize("way", ["unplug", "leave_air", "block_port"])
+def test_a_laptop_can_be_cut_off_and_come_back(make_rig: Callable[[int], Rig], way: str) -> None:
+    rig = make_rig(1)
+    laptop = rig.laptops[0]
+    serve(rig.teacher)
+    cut, undo = {
+        "unplug": (laptop.unplug, laptop.plug_in),
+        "leave_air": (laptop.leave_air, laptop.return_to_air),
+        "block_port": (lambda: laptop.block_port(7000), laptop.unblock_ports),
+    }[way]
+
+    cut()
+    assert dial(laptop, rig.teacher) in {"TimeoutError", "OSError"}
+    undo()
+    assert dial(laptop, rig.teacher) == "reached"
+
+
+def test_a_blocked_port_leaves_the_others_open(make_rig: Callable[[int], Rig]) -> None:
+    rig = make_rig(1)
+    serve(rig.teacher)
+
+    rig.laptops[0].block_port(7447)
+
+    assert dial(rig.laptops[0], rig.teacher) == "reached"
+
+
+def test_traffic_is_counted(make_rig: Callable[[int], Rig]) -> None:
+    rig = make_rig(1)
+    serve(rig.teacher)
+    before = rig.teacher.traffic()
+
+    dial(rig.laptops[0], rig.teacher)
+
+    carried = rig.teacher.traffic() - before
+    assert carried.received_packets >= 3
+    assert carried.sent_bytes > 0
+
+
+def test_nothing_is_left_of_it(make_rig: Callable[[int], Rig]) -> None:
+    rig = make_rig(1)
+    laptop = rig.laptops[0]
+    background = laptop.start("python", "-c", "import time; print('there'); time.sleep(600)")
+    background.wait_for("there")
+    names = {machine.namespace for machine in rig.machines}
+    assert names <= set(namespaces())
+
+    rig.__exit__()
+
+    assert background.process.poll() is not None
+    assert not names & set(namespaces())
+    assert not laptop.home.exists()
+
+
+def test_without_a_class_nothing_leaves_the_laptop(make_rig: Callable[[int], Rig]) -> None:
+    rig = make_rig(1)
+    laptop = rig.laptops[0]
+    rig.teacher.start("plain_hub.py", "tcp/0.0.0.0:7447").wait_for("hub")
+    before = laptop.traffic()
+
+    laptop.start("zbot", "run", "sensor").wait_for("Temperature:")
+
+    assert laptop.run("zbot", "node", "list").out == "/temperature_sensor\n"
+    assert rig.teacher.run("zbot", "node", "list").out == ""
+    assert (laptop.traffic() - before).sent_bytes == 0
+
+
+def test_hubs_carry_nodes_from_laptops_to_the_teacher(make_rig: Callable[[int], Rig]) -> None:
+    rig = make_rig(1)
+    laptop = rig.laptops[0]
+    rig.teacher.start("plain_hub.py", "tcp/0.0.0.0:7447").wait_for("hub")
+    dialled = f"tcp/{rig.teacher.address}:7447"
+    laptop.start("plain_hub.py", "tcp/127.0.0.1:7447", dialled).wait_for("hub")
+    watch = Watch(rig.teacher)
+
+    pupil = laptop.start("pupil.py", "ana", "ana")
+
+    watch.until(lambda nodes: (0, "/ana") in nodes)
+    pupil.wait_for("hears")
+
+
+ROUND_TRIPS = """
+import socket, sys, time
+with socket.create_connection((sys.argv[1], 7001), 5) as connection:
+    for _ in range(20):
+        begun = time.monotonic()
+        connection.sendall(b"x" * 3000)
+        got = 0
+        while got < 3000:
+            got += len(connection.recv(5000))
+        print(time.monotonic() - begun)
+"""
+ECHO = """
+import socket
+server = socket.create_server(("0.0.0.0", 7001))
+print("serving", flush=True)
+connection, _ = server.accept()
+while data := connection.recv(5000):
+    connection.sendall(data)
+"""
+
+
+def test_bad_wifi_delays_everything_and_loses_nothing_of_tcp(
+    make_rig: Callable[[int], Rig],
+) -> None:
+    rig = make_rig(2)
+    spoil(rig, Weather(delay_ms=20, jitter_ms=10, loss=0.02), rig.laptops[:1])
+    rig.teacher.start("python", "-c", ECHO).wait_for("serving")
+
+    trips = rig.laptops[0].run("python", "-c", ROUND_TRIPS, rig.teacher.address).out.split()
+
+    took = sorted(map(float, trips))
+    assert len(took) == 20
+    assert took[0] > 0.02
+    assert 0.03 < took[10] < 0.3
+    assert dial(rig.laptops[0], rig.laptops[1]) in {"TimeoutError", "OSError"}
