@@ -1,0 +1,279 @@
+"""The rules of the teacher's hub, enforced by real Zenoh routers."""
+
+from __future__ import annotations
+
+import json
+import socket
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+import pytest
+import zenoh
+
+from tests.conftest import wait_until
+from zbot.security.access import (
+    MAX_MESSAGE_SIZE,
+    Share,
+    accepted_users,
+    credentials,
+    teacher_access,
+)
+from zbot.security.secret import Secret, write_private
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+STUDENTS = {"17": 17, "18": 18}
+_PING = "@class/teacher/ping"
+QUIET = {
+    "scouting/multicast/enabled": False,
+    "scouting/delay": 1,
+    "adminspace/enabled": True,
+    "timestamping/enabled": True,
+}
+
+
+def free_port() -> int:
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        return int(one.getsockname()[1])
+
+
+def open_session(paths: dict[str, Any]) -> zenoh.Session:
+    config = zenoh.Config()
+    for path, value in {**QUIET, **paths}.items():
+        config.insert_json5(path, json.dumps(value))
+    return zenoh.open(config)
+
+
+def _answers(session: zenoh.Session, key: str) -> bool:
+    return any(reply.ok for reply in session.get(key, timeout=1.0))
+
+
+class Room:
+    """A teacher's hub, and who is let in."""
+
+    def __init__(self, folder: Path, **rules: Any) -> None:
+        self.port = free_port()
+        self.secrets = {user: Secret.random() for user in ("teacher", *STUDENTS)}
+        self._folder = folder
+        self._opened: list[zenoh.Session] = []
+        self._pings: list[tuple[zenoh.Session, str]] = []
+        write_private(folder / "all", accepted_users(self.secrets))
+        self.hub = self._open(
+            {
+                "mode": "router",
+                "listen/endpoints": [f"tcp/127.0.0.1:{self.port}"],
+                **credentials("teacher", self.secrets["teacher"], folder / "all"),
+                **teacher_access(STUDENTS, **rules),
+            }
+        )
+        self.hub.declare_queryable(_PING, lambda query: query.reply(_PING, b""), complete=True)
+
+    def _open(self, paths: dict[str, Any]) -> zenoh.Session:
+        self._opened.append(open_session(paths))
+        return self._opened[-1]
+
+    def client(self, user: str, port: int | None = None) -> zenoh.Session:
+        """Open a session that dials a hub directly."""
+        session = self._open(
+            {
+                "mode": "client",
+                "connect/endpoints": [f"tcp/127.0.0.1:{port or self.port}"],
+                **credentials(user, self.secrets[user]),
+            }
+        )
+        key = f"{STUDENTS.get(user, 0)}/ping/{session.info.zid()}"
+        session.declare_queryable(key, lambda query: query.reply(key, b""), complete=True)
+        self._pings.append((session, key))
+        return session
+
+    def laptop(self, user: str) -> zenoh.Session:
+        """Open a session behind a hub of its own, as on a joined laptop."""
+        port, accepted = free_port(), self._folder / user
+        write_private(accepted, accepted_users({user: self.secrets[user]}))
+        self._open(
+            {
+                "mode": "router",
+                "listen/endpoints": [f"tcp/127.0.0.1:{port}"],
+                "connect/endpoints": [f"tcp/127.0.0.1:{self.port}"],
+                "connect/timeout_ms": 5000,
+                "connect/exit_on_failure": True,
+                **credentials(user, self.secrets[user], accepted),
+            }
+        )
+        return self.client(user, port)
+
+    def settle(self) -> None:
+        """Let everything sent so far arrive: a question and its answer overtake nothing."""
+        for session, key in self._pings:
+            assert wait_until(partial(_answers, session, _PING))
+            assert wait_until(partial(_answers, self.hub, key))
+
+    def hears(self, listener: zenoh.Session, speaker: zenoh.Session, key: str) -> bool:
+        """Return whether what one session publishes reaches the other."""
+        subscriber = listener.declare_subscriber(key, zenoh.handlers.FifoChannel(10))
+        self.settle()
+        speaker.put(key, b"x")
+        self.settle()
+        sample = subscriber.try_recv()
+        subscriber.undeclare()
+        return sample is not None
+
+    def sees(self, watcher: zenoh.Session, declarer: zenoh.Session, key: str) -> bool:
+        """Return whether a token that one session declares is seen by the other."""
+        token = declarer.liveliness().declare_token(key)
+        self.settle()
+        found = any(reply.ok for reply in watcher.liveliness().get(key, timeout=1.0))
+        token.undeclare()
+        return found
+
+    def reaches(self, client: zenoh.Session, server: zenoh.Session, key: str) -> bool:
+        """Return whether a service that one session offers answers the other."""
+        queryable = server.declare_queryable(key, lambda query: query.reply(key, b"mine"))
+        self.settle()
+        found = _answers(client, key)
+        queryable.undeclare()
+        return found
+
+    def close(self) -> None:
+        for session in reversed(self._opened):
+            session.close()
+
+
+@pytest.fixture
+def room(tmp_path: Path) -> Iterator[Room]:
+    made = Room(tmp_path)
+    yield made
+    made.close()
+
+
+OWN, FOREIGN = "17/x", "18/x"
+
+
+def test_student_and_teacher_talk_in_the_students_domain(room: Room) -> None:
+    laptop, teacher = room.laptop("17"), room.client("teacher")
+    assert room.hears(teacher, laptop, OWN)
+    assert room.hears(laptop, teacher, OWN)
+    assert room.reaches(teacher, laptop, OWN)
+    assert room.reaches(laptop, teacher, OWN)
+    assert room.sees(teacher, laptop, "@zbot/17/a/0/0/NN/%/%/x")
+    assert room.sees(laptop, teacher, "@zbot/17/a/0/0/NN/%/%/x")
+
+
+@pytest.fixture(params=["behind a hub", "dialling directly"])
+def student(request: pytest.FixtureRequest, room: Room) -> zenoh.Session:
+    """Return student 17: as a joined laptop, and as a program that dials the teacher itself."""
+    return room.laptop("17") if request.param == "behind a hub" else room.client("17")
+
+
+@pytest.mark.parametrize(
+    "key",
+    [
+        "18/x",
+        "18/x/@adv/pub/a/0/_",
+        "class/x",
+        "@class/student/18/x",
+        "@class/teacher/say",
+        "0/x",
+        "170/x",
+        "1",
+        "@ros2_lv/17/x",
+    ],
+)
+def test_student_says_nothing_outside_its_own_space(
+    room: Room, student: zenoh.Session, key: str
+) -> None:
+    teacher, other = room.client("teacher"), room.laptop("18")
+    assert not room.hears(teacher, student, key)
+    assert not room.hears(other, student, key)
+    assert not room.reaches(teacher, student, key)
+    assert not room.sees(teacher, student, key)
+    assert room.hears(teacher, student, OWN)
+
+
+@pytest.mark.parametrize("key", ["18/x", "@class/student/18/x", "18/x/@adv/pub/a/0/_", "0/x"])
+def test_student_hears_nothing_of_others(room: Room, student: zenoh.Session, key: str) -> None:
+    teacher, other = room.client("teacher"), room.laptop("18")
+    for speaker in (teacher, other):
+        assert not room.hears(student, speaker, key)
+        assert not room.reaches(student, speaker, key)
+        assert not room.sees(student, speaker, key)
+    assert room.hears(student, teacher, OWN)
+
+
+@pytest.mark.parametrize("key", ["**", "*/x", "18/**", "@class/student/**", "@/**", "@zbot/**"])
+def test_a_wide_declaration_widens_nothing(room: Room, student: zenoh.Session, key: str) -> None:
+    teacher, other = room.client("teacher"), room.laptop("18")
+    wide = student.declare_subscriber(key, zenoh.handlers.FifoChannel(10))
+    served = student.declare_queryable(key, zenoh.handlers.FifoChannel(10))
+    watcher = student.liveliness().declare_subscriber(key, zenoh.handlers.FifoChannel(10))
+    token = other.liveliness().declare_token("@zbot/18/a/0/0/NN/%/%/x")
+    assert room.hears(teacher, other, FOREIGN)
+    assert room.reaches(teacher, other, FOREIGN)
+    assert wide.try_recv() is None
+    asked = {str(query.key_expr) for query in iter(served.try_recv, None)}
+    assert not {key for key in asked if not key.startswith("17/ping")}
+    assert watcher.try_recv() is None
+    token.undeclare()
+
+
+def test_the_class_is_told_by_the_teacher(room: Room) -> None:
+    laptop, teacher = room.laptop("17"), room.client("teacher")
+    for key in ("class/x", "@class/teacher/say"):
+        assert room.hears(laptop, teacher, key)
+        assert room.reaches(laptop, teacher, key)
+        assert room.sees(laptop, teacher, key)
+
+
+def test_students_tell_of_themselves(room: Room) -> None:
+    laptop, teacher = room.laptop("17"), room.client("teacher")
+    key = "@class/student/17/x"
+    assert room.hears(teacher, laptop, key)
+    assert room.reaches(teacher, laptop, key)
+    assert room.sees(teacher, laptop, key)
+    assert not room.hears(laptop, teacher, key)
+
+
+def test_an_open_shared_space_lets_students_speak(tmp_path: Path) -> None:
+    room = Room(tmp_path, shared_is_open=True)
+    laptop, other = room.laptop("17"), room.laptop("18")
+    assert room.hears(other, laptop, "class/x")
+    assert room.reaches(other, laptop, "class/x")
+    assert not room.hears(other, laptop, FOREIGN)
+    room.close()
+
+
+def test_a_share_is_heard_by_its_reader_and_not_the_other_way(tmp_path: Path) -> None:
+    room = Room(tmp_path, shares=[Share(domain=18, reader="17")])
+    laptop, other = room.laptop("17"), room.laptop("18")
+    assert room.hears(laptop, other, FOREIGN)
+    assert room.reaches(laptop, other, FOREIGN)
+    assert room.sees(laptop, other, "@zbot/18/a/0/0/NN/%/%/x")
+    assert not room.hears(other, laptop, FOREIGN)
+    assert not room.hears(other, laptop, OWN)
+    room.close()
+
+
+@pytest.mark.parametrize("words", ["18 with the secret of 17", "nobody", "no name"])
+def test_without_the_right_secret_nobody_gets_in(room: Room, words: str) -> None:
+    known = credentials("17", room.secrets["17"])
+    given: dict[str, Any] = {
+        "18 with the secret of 17": known | {"transport/auth/usrpwd/user": "18"},
+        "nobody": known | {"transport/auth/usrpwd/user": "nobody"},
+        "no name": {},
+    }[words]
+    paths = {"mode": "client", "connect/endpoints": [f"tcp/127.0.0.1:{room.port}"]}
+    with pytest.raises(zenoh.ZError):
+        open_session({**paths, **given})
+
+
+def test_a_sample_above_the_limit_is_dropped_and_the_hub_goes_on(room: Room) -> None:
+    laptop, teacher = room.laptop("17"), room.client("teacher")
+    subscriber = teacher.declare_subscriber(OWN, zenoh.handlers.FifoChannel(10))
+    room.settle()
+    laptop.put(OWN, b"x" * (MAX_MESSAGE_SIZE + 1))
+    assert wait_until(lambda: room.hears(teacher, laptop, OWN), 20)
+    sizes = [len(sample.payload) for sample in iter(subscriber.try_recv, None)]
+    assert MAX_MESSAGE_SIZE + 1 not in sizes
