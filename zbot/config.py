@@ -11,14 +11,16 @@ from typing import Any
 
 import zenoh
 
-from zbot.errors import ConfigError, DiscoveryRangeError, DomainIdError
+from zbot import membership
+from zbot.errors import ConfigError, DiscoveryRangeError, DomainIdError, PortError
 
 MAX_DOMAIN_ID = 232  #: ROS 2's own limit, kept so that lesson sheets stay true
 MEETING_PORT = 7450  #: domain 0 meets here on 127.0.0.1, domain n on 7450 + n
-HUB_PORT = 7447  #: Zenoh's router port, where a machine's hub listens
+HUB_PORT = 7447  #: Zenoh's router port, where hubs listen
 
 _FILE_VARIABLES = ("ZBOT_CONFIG", "ZENOH_CONFIG")
 _DOMAIN_VARIABLES = ("ZBOT_DOMAIN_ID", "ROS_DOMAIN_ID")
+_MAX_PORT = 65535
 _RANGE_VARIABLES = ("ZBOT_DISCOVERY_RANGE", "ROS_AUTOMATIC_DISCOVERY_RANGE")
 
 
@@ -35,7 +37,7 @@ def _first_set(variables: tuple[str, ...]) -> tuple[str, str] | None:
 
 
 def domain_id(given: int | None = None) -> int:
-    """Return the domain: `given`, else `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
+    """Return the domain: `given`, `$ZBOT_DOMAIN_ID`, `$ROS_DOMAIN_ID`, the student's number or 0.
 
     Raises:
         DomainIdError: It is no integer from 0 to 232.
@@ -43,7 +45,10 @@ def domain_id(given: int | None = None) -> int:
     if given is not None:
         return _checked_domain("domain_id", given)
     found = _first_set(_DOMAIN_VARIABLES)
-    return 0 if found is None else _checked_domain(*found)
+    if found is not None:
+        return _checked_domain(*found)
+    joined = membership.load()
+    return 0 if joined is None else _checked_domain("the student's number", joined.number)
 
 
 def _checked_domain(source: str, value: object) -> int:
@@ -54,6 +59,18 @@ def _checked_domain(source: str, value: object) -> int:
     if not 0 <= number <= MAX_DOMAIN_ID:
         raise DomainIdError(source, value, MAX_DOMAIN_ID)
     return number
+
+
+def hub_port() -> int:
+    """Return the port of this machine's own hub: `$ZBOT_HUB_PORT`, else 7447.
+
+    Raises:
+        PortError: The variable holds no port.
+    """
+    text = os.environ.get("ZBOT_HUB_PORT") or str(HUB_PORT)
+    if not (text.isascii() and text.isdigit() and 0 < int(text) <= _MAX_PORT):
+        raise PortError("ZBOT_HUB_PORT", text)
+    return int(text)
 
 
 def discovery_range() -> DiscoveryRange:

@@ -218,6 +218,14 @@ class DiscoveryRangeError(SetupError, ValueError):
         super().__init__(f"{source} is {value!r}: use LOCALHOST, SUBNET or OFF")
 
 
+class PortError(SetupError, ValueError):
+    """A variable that should hold a TCP port holds something else."""
+
+    def __init__(self, source: str, value: str) -> None:
+        self.source, self.value = source, value
+        super().__init__(f"{source} is {value!r}, but a port is a number from 1 to 65535")
+
+
 class ConfigError(SetupError, ValueError):
     """A Zenoh configuration file cannot be read or understood."""
 

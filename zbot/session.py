@@ -14,15 +14,13 @@ import sys
 import threading
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import zenoh
 
-from zbot.config import HUB_PORT, MEETING_PORT, DiscoveryRange
+from zbot import membership
+from zbot.config import MEETING_PORT, DiscoveryRange, SessionConfig, hub_port
 from zbot.errors import SessionError
-
-if TYPE_CHECKING:
-    from zbot.config import SessionConfig
 
 LOOPBACK = "127.0.0.1"
 # Links are listed, and listed no more, a moment after their event.
@@ -30,6 +28,7 @@ _LINK_PAUSE_S = 0.005
 _LISTING_TIMEOUT_S = 0.1
 _LONGEST_PAUSE_S = 1.0
 _OPEN_TIMEOUT_MS = 500
+_NO_FILE = SessionConfig("the configuration between hubs", "{}")
 _RETRY = {"period_init_ms": 20, "period_max_ms": 500, "period_increase_factor": 2}
 
 
@@ -70,7 +69,58 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
         # A blocked reader may stop the world for this long before its link is given up
         # (microseconds).
         "transport/link/tx/queue/congestion_control/block/wait_before_close": 60_000_000,
+        **membership.session_settings(membership.load()),
     }
+
+
+def open_hub(
+    listen: list[str], connect: list[str], settings: dict[str, Any], facts: dict[str, Any]
+) -> zenoh.Session:
+    """Open the router session that links this machine with others.
+
+    Args:
+        listen: Zenoh endpoints that must be free.
+        connect: Those that are dialled, again and again while they do not answer.
+        settings: Zenoh's configuration paths and values beyond those that every session has.
+        facts: See `process_facts`.
+
+    Raises:
+        SessionError: An endpoint to listen on is taken, or a setting makes no sense.
+    """
+    force = {
+        "mode": "router",
+        "listen/endpoints": listen,
+        "listen/timeout_ms": 0,
+        "listen/exit_on_failure": True,
+        "connect/endpoints": connect,
+        "scouting/multicast/enabled": False,
+        **settings,
+    }
+    return _open("the hub", _NO_FILE.build(_common(facts), force))
+
+
+def hub_endpoint() -> str:
+    """Return where this machine's hub listens, if it has one."""
+    return f"tcp/{LOOPBACK}:{hub_port()}"
+
+
+def open_hub_client(endpoint: str | None = None) -> zenoh.Session | None:
+    """Open a session that sees what a hub sees, this machine's if no other is named.
+
+    Returns:
+        `None` if there is none, or it does not let this machine in.
+    """
+    settings = {
+        "mode": "client",
+        "connect/endpoints": [endpoint or hub_endpoint()],
+        "connect/timeout_ms": 0,
+        "connect/exit_on_failure": True,
+        "scouting/multicast/enabled": False,
+    }
+    try:
+        return _open("a Zenoh session", _NO_FILE.build(_common({}), settings))
+    except SessionError:
+        return None
 
 
 class MeetingPoint:
@@ -125,7 +175,7 @@ class MeetingPoint:
                 "listen/endpoints": listen,
                 "listen/timeout_ms": 0,
                 "listen/exit_on_failure": True,
-                "connect/endpoints": [f"tcp/{LOOPBACK}:{HUB_PORT}"],
+                "connect/endpoints": [hub_endpoint()],
                 **self._multicast(),
             }
             try:
@@ -155,12 +205,17 @@ class MeetingPoint:
         return _open("a Zenoh session", self._config.build(fill))
 
     def open_client(self) -> zenoh.Session | None:
-        """Open a session that sees the domain through its router; `None` if nobody is there."""
+        """Open a session that sees the domain through its router, else through the machine's hub.
+
+        Returns:
+            `None` if nobody is there.
+        """
         if self._reach is DiscoveryRange.OFF:
             return None
         fill = {
             "mode": "client",
-            "connect/endpoints": [self.endpoint],
+            # The hub knows the nodes of other machines where there are none here.
+            "connect/endpoints": [self.endpoint, hub_endpoint()],
             **_common(self._facts),
             "connect/timeout_ms": 0,
             "connect/exit_on_failure": True,

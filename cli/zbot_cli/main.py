@@ -18,18 +18,23 @@ if TYPE_CHECKING:
 NOUNS = {
     "action": "Look at actions, and send goals",
     "build": "Check packages; nothing needs building",
+    "class": "Open a class, and look after it",
     "completion": "Complete words in your shell with Tab",
     "daemon": "Say that no daemon is needed",
     "doctor": "Check what could be wrong",
     "graph": "Show which nodes talk to each other",
+    "hub": "Link other machines to this one",
     "interface": "Look at message, service and action types",
+    "join": "Join a class, or another machine",
     "launch": "Run a launch file",
+    "leave": "Leave what this machine has joined",
     "lifecycle": "Lead managed nodes through their lives",
     "node": "Look at nodes",
     "param": "Look at parameters and set them",
     "pkg": "Find packages, and create them",
     "run": "Run a node",
     "service": "Look at services, and call them",
+    "status": "Show what this machine has joined",
     "topic": "Look at topics, listen and publish",
 }
 _ALIASES = {"wtf": "doctor"}

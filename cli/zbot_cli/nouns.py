@@ -7,13 +7,17 @@ from typing import Any
 
 import typer.main
 
+# `class` is a word of Python's, and exit codes are in `status`.
+_MODULES = {"class": "class_", "status": "status_"}
+
 
 def load(noun: str) -> Any:
     """Return the command of a noun; only its own module is imported.
 
     Typer's commands belong to a copy of click that it hides: hence no better type.
     """
-    command: Any = typer.main.get_command(importlib.import_module(f"zbot_cli.{noun}").app)
+    module = importlib.import_module(f"zbot_cli.{_MODULES.get(noun, noun)}")
+    command: Any = typer.main.get_command(module.app)
     for verb in verbs(command).values():
         # A list of verbs is no prose: each is described in a phrase, without a full stop.
         verb.short_help = (verb.help or "").partition("\n")[0].rstrip(".")

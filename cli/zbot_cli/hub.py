@@ -1,0 +1,44 @@
+"""`zbot hub`: a plain router, for machines that just want each other."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from zbot_cli.listing import new_app
+
+app = new_app("Link other machines to this one", has_verbs=False)
+
+ALL_INTERFACES = "0.0.0.0"  # noqa: S104 - being reached by others is what a hub is for
+
+
+@app.callback(invoke_without_command=True)
+def hub(
+    listen: Annotated[
+        list[str] | None,
+        typer.Option("--listen", help="ADDRESS[:PORT] to be reached at; 0.0.0.0:7447 by default"),
+    ] = None,
+    connect: Annotated[
+        list[str] | None, typer.Option("--connect", help="HOST[:PORT] of a hub to link with")
+    ] = None,
+) -> None:
+    """Link machines that `zbot join` this one, until Ctrl-C."""
+    from zbot.classroom.address import own_addresses, parse_address  # noqa: PLC0415 - help is quick
+    from zbot.classroom.hub import HubSettings  # noqa: PLC0415 - as above
+    from zbot.classroom.serving import serve  # noqa: PLC0415 - as above
+
+    addresses = [parse_address(word) for word in listen or [ALL_INTERFACES]]
+    dialled = [parse_address(word) for word in connect or []]
+    settings = HubSettings(
+        tuple(one.endpoint for one in addresses), tuple(one.endpoint for one in dialled)
+    )
+
+    def tell() -> None:
+        print(f"the hub listens on {', '.join(map(str, addresses))}; Ctrl-C ends it")
+        for host in own_addresses()[:1]:
+            port = addresses[0].port
+            shown = host if port == parse_address(host).port else f"{host}:{port}"
+            print(f"on the other machines: zbot join {shown}", flush=True)
+
+    serve("hub", settings, tell)

@@ -1,0 +1,98 @@
+"""Addresses of machines: what a user types, and what this machine has itself."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+from dataclasses import dataclass
+
+from zbot.classroom.errors import AddressError
+from zbot.config import HUB_PORT
+
+#: Documentation addresses (RFC 5737): a UDP socket "connected" to one sends nothing, but the system
+#: chooses the address that it would send from. The first leads to the default route.
+_PROBES = ("192.0.2.1", "10.255.255.254", "172.31.255.254", "192.168.255.254")
+_MAX_PORT = 65535
+
+
+@dataclass(frozen=True)
+class Address:
+    """Where a hub listens."""
+
+    host: str  #: a name or an IP address
+    port: int = HUB_PORT
+
+    def __str__(self) -> str:
+        return f"[{self.host}]:{self.port}" if ":" in self.host else f"{self.host}:{self.port}"
+
+    @property
+    def endpoint(self) -> str:
+        """The same as a Zenoh endpoint."""
+        return f"tcp/{self}"
+
+
+def parse_address(text: str, default_port: int = HUB_PORT) -> Address:
+    """Read `HOST`, `HOST:PORT`, `[IPv6]` or `[IPv6]:PORT`.
+
+    Raises:
+        AddressError: The port is no number from 1 to 65535, or a part is missing.
+    """
+    host, port = _split(text.strip())
+    if not host or any(char.isspace() or not char.isprintable() for char in host):
+        raise AddressError(text, "write a name or IP address, such as 192.168.1.10")
+    if set(host) & set("/#?;"):
+        raise AddressError(text, "a name or IP address has no such characters: / # ? ;")
+    if port is None:
+        return Address(host, default_port)
+    if not (port.isascii() and port.isdigit() and 0 < int(port) <= _MAX_PORT):
+        raise AddressError(text, f"its port must be a number from 1 to {_MAX_PORT}")
+    return Address(host, int(port))
+
+
+def _split(text: str) -> tuple[str, str | None]:
+    if text.startswith("["):
+        host, bracket, rest = text[1:].partition("]")
+        return (host, rest[1:] if rest.startswith(":") else None) if bracket else ("", None)
+    if text.count(":") > 1:
+        return text, None
+    host, colon, port = text.partition(":")
+    return host, port if colon else None
+
+
+def own_addresses() -> list[str]:
+    """Return this machine's IPv4 addresses, that of the default route first, without loopback.
+
+    Asks the system only, sends nothing, and knows the same on every system. Networks that lead to
+    no other machine may be missing.
+    """
+    found = [_source_towards(probe) for probe in _PROBES]
+    with contextlib.suppress(OSError):
+        found += socket.gethostbyname_ex(socket.gethostname())[2]
+    found += _addresses_of_interfaces()
+    known = dict.fromkeys(address for address in found if address)
+    return [address for address in known if not address.startswith(("127.", "0."))]
+
+
+def _source_towards(target: str) -> str:
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.connect((target, 9))
+            return str(probe.getsockname()[0])
+        except OSError:
+            return ""
+
+
+def _addresses_of_interfaces() -> list[str]:
+    """Ask Linux for the address of each interface; other systems tell by their host name."""
+    try:
+        import fcntl  # noqa: PLC0415 - Windows has none
+    except ImportError:
+        return []
+    request = getattr(socket, "SIOCGIFADDR", 0x8915)  # linux/sockios.h
+    found = []
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asking:
+        for _, name in socket.if_nameindex():
+            with contextlib.suppress(OSError):
+                answer = fcntl.ioctl(asking.fileno(), request, name.encode()[:15].ljust(40, b"\0"))
+                found.append(socket.inet_ntoa(answer[20:24]))
+    return found

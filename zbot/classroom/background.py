@@ -1,0 +1,164 @@
+"""The hub as a process of its own, which outlives the terminal it was started from.
+
+One machine and user has one at most: a locked file says that it lives, and the system unlocks it
+whatever way the process ends.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import asdict, dataclass
+from typing import IO, TYPE_CHECKING, Any
+
+from zbot.classroom.errors import AlreadyJoinedError, HubStartError
+from zbot.membership import folder, write_private
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+READY = "ready"
+_STOP_TIMEOUT_S = 5.0
+_PAUSE_S = 0.02
+
+
+@dataclass(frozen=True)
+class RunningHub:
+    """What a hub says of itself in its state file."""
+
+    pid: int
+    role: str
+    listen: list[str]
+    connect: list[str]
+    started_ns: int  #: since the epoch
+
+
+def log_path() -> Path:
+    """Return the file that a hub in the background writes to."""
+    return folder() / "hub.log"
+
+
+def _state_path() -> Path:
+    return folder() / "hub.json"
+
+
+def _lock(file: IO[str]) -> bool:
+    """Lock a file until this process ends; `False` if another holds it."""
+    try:
+        if sys.platform == "win32":
+            import msvcrt  # noqa: PLC0415 - Windows only
+
+            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+        else:
+            import fcntl  # noqa: PLC0415 - Windows has none
+
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        return False
+    return True
+
+
+@contextlib.contextmanager
+def the_only_one() -> Iterator[None]:
+    """Be the machine's hub for the length of a block.
+
+    Raises:
+        AlreadyJoinedError: There is one.
+    """
+    folder().mkdir(parents=True, exist_ok=True, mode=0o700)
+    with (folder() / "hub.lock").open("w", encoding="utf-8") as file:
+        if not _lock(file):
+            running = find()
+            raise AlreadyJoinedError(f"has a hub already ({running.role if running else 'busy'})")
+        try:
+            yield
+        finally:
+            _state_path().unlink(missing_ok=True)
+
+
+def announce(role: str, listen: tuple[str, ...], connect: tuple[str, ...]) -> None:
+    """Write the state file, which says that the hub is ready."""
+    state = RunningHub(os.getpid(), role, list(listen), list(connect), time.time_ns())
+    write_private(_state_path(), json.dumps(asdict(state)) + "\n")
+
+
+def find() -> RunningHub | None:
+    """Return the machine's hub if it lives."""
+    if not _is_locked():
+        return None
+    try:
+        return RunningHub(**json.loads(_state_path().read_text(encoding="utf-8")))
+    except (OSError, ValueError, TypeError):
+        return None  # it has just started, or is about to end
+
+
+def _is_locked() -> bool:
+    try:
+        with (folder() / "hub.lock").open("r+", encoding="utf-8") as file:
+            return not _lock(file)
+    except OSError:
+        return False
+
+
+def start(role: str) -> None:
+    """Start the hub and wait until it is ready; what it needs to know is in the membership file.
+
+    Raises:
+        HubStartError: It ended instead, and said why.
+    """
+    folder().mkdir(parents=True, exist_ok=True, mode=0o700)
+    write_private(log_path(), "")
+    with log_path().open("a", encoding="utf-8") as log:
+        process = subprocess.Popen(  # noqa: S603 - this Python, and a word of ours
+            [sys.executable, "-m", "zbot.classroom", role],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=log,
+            cwd=folder(),
+            env={**os.environ, "PYTHONUNBUFFERED": "1"},
+            encoding="utf-8",
+            **_detached(),
+        )
+    assert process.stdout is not None
+    with process.stdout as lines:
+        said = [line.strip() for line in lines]
+    if READY not in said:
+        process.wait(_STOP_TIMEOUT_S)
+        raise HubStartError(str(log_path()), said[-1] if said else "")
+    # It is nobody's child from here on: without this, Python warns that it still runs.
+    process.returncode = 0
+
+
+def _detached() -> dict[str, Any]:
+    if sys.platform == "win32":
+        return {"creationflags": subprocess.DETACHED_PROCESS | subprocess.CREATE_NEW_PROCESS_GROUP}
+    return {"start_new_session": True}
+
+
+def say_ready() -> None:
+    """Tell the process that started this one, and write to the log from now on."""
+    print(READY, flush=True)
+    sys.stdout = sys.stderr
+    os.dup2(2, 1)
+
+
+def stop() -> bool:
+    """End the hub and wait for it; return whether there was one."""
+    hub = find()
+    if hub is None:
+        return False
+    with contextlib.suppress(ProcessLookupError):
+        os.kill(hub.pid, signal.SIGTERM)
+    deadline = time.monotonic() + _STOP_TIMEOUT_S
+    while _is_locked():
+        if time.monotonic() > deadline:
+            os.kill(hub.pid, getattr(signal, "SIGKILL", signal.SIGTERM))
+            deadline += _STOP_TIMEOUT_S
+        time.sleep(_PAUSE_S)
+    return True

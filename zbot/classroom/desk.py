@@ -1,0 +1,84 @@
+"""Questions that a hub answers about itself, for the commands of its machine and its teacher."""
+
+from __future__ import annotations
+
+import json
+import threading
+from typing import TYPE_CHECKING, Any
+
+import zenoh
+
+from zbot.log import get_logger
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+_QUEUE = 256
+_JOIN_TIMEOUT_S = 2.0
+
+Answer = dict[str, Any]
+
+
+class Desk:
+    """Answers the queries on one key, one after the other, in a thread of its own.
+
+    Close the session first, then `join()`.
+
+    Args:
+        session: The hub's.
+        key: Key expression, without wildcards.
+        answer: Gets a query's document and returns another; what it raises is told to the asker.
+    """
+
+    def __init__(
+        self, session: zenoh.Session, key: str, answer: Callable[[Answer], Answer | None]
+    ) -> None:
+        self._key = key
+        self._answer = answer
+        self._queryable = session.declare_queryable(
+            key, zenoh.handlers.FifoChannel(_QUEUE), complete=True
+        )
+        self._thread = threading.Thread(target=self._run, name=f"zbot desk {key}", daemon=True)
+        self._thread.start()
+
+    def _run(self) -> None:
+        receive = self._queryable.handler.recv
+        while True:
+            try:
+                query = receive()
+            except zenoh.ZError:
+                return  # the session was closed
+            self._serve(query)
+
+    def _serve(self, query: zenoh.Query) -> None:
+        with query:
+            try:
+                answer = self._answer(document_of(query.payload))
+                if answer is not None:
+                    query.reply(self._key, json.dumps(answer))
+            except zenoh.ZError:
+                return  # the asker has gone
+            except Exception as exc:  # noqa: BLE001 - one bad question must not end the desk
+                get_logger("hub").error(f"a question on {self._key} failed: {exc!r}")
+                query.reply_err(json.dumps({"error": type(exc).__name__, "message": str(exc)}))
+
+    def join(self) -> None:
+        """Wait for the thread to end; call it after the session was closed."""
+        self._thread.join(_JOIN_TIMEOUT_S)
+
+
+def document_of(payload: zenoh.ZBytes | None) -> Answer:
+    """Return the JSON object of a payload; empty if it is none."""
+    try:
+        found = json.loads(payload.to_bytes()) if payload is not None else {}
+    except (ValueError, RecursionError):
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
+def ask(
+    session: zenoh.Session, key: str, question: Answer | None = None, *, timeout_s: float
+) -> list[Answer]:
+    """Return the answers to a question, those that come in time."""
+    replies = session.get(key, payload=json.dumps(question or {}), timeout=timeout_s)
+    return [document_of(reply.ok.payload) for reply in replies if reply.ok is not None]

@@ -1,0 +1,132 @@
+"""The code that a teacher writes on the board: where the class is, in four or eight characters.
+
+It needs no name service and no multicast, because it is the address itself, in Crockford's base 32
+(no I, L, O, U; I, L and O are understood). Four characters are enough for laptops whose address
+begins like the teacher's; eight hold any address and one of sixteen ports. The last four bits check
+the others, so most typos are known as such before anything is sent.
+"""
+
+from __future__ import annotations
+
+import ipaddress
+import re
+from typing import TYPE_CHECKING
+
+from zbot.classroom.address import Address
+from zbot.classroom.errors import AddressError, CodeError
+from zbot.config import HUB_PORT
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+#: Ports that a code can name, by their number in it: the usual one, then those that strict
+#: firewalls let out. The order is part of the code.
+PORTS = (
+    HUB_PORT,
+    443,
+    8447,
+    80,
+    8080,
+    8443,
+    *range(7440, 7447),
+    7448,
+    7449,
+    17447,
+)
+
+_ALPHABET = "0123456789ABCDEFGHJKMNPQRSTVWXYZ"
+_VALUES = {char: value for value, char in enumerate(_ALPHABET)} | {"I": 1, "L": 1, "O": 0}
+_LOOKS_LIKE_CODE = re.compile(r"[0-9A-Za-z]{4}(?:[- ]?[0-9A-Za-z]{4})?", re.ASCII)
+_SHORT, _LONG = 4, 8
+_CHECK_BITS = 4
+_POLYNOMIAL = 0b10011  # x^4 + x + 1 (CRC-4-ITU): finds every error within four neighbouring bits
+
+
+def looks_like_code(text: str) -> bool:
+    """Return whether a text has the form of a code rather than that of an address."""
+    return _LOOKS_LIKE_CODE.fullmatch(text.strip()) is not None
+
+
+def short_code(address: Address) -> str | None:
+    """Return four characters for laptops of the same /16; `None` if the port is not the usual."""
+    if address.port != HUB_PORT:
+        return None
+    number = _number(address)
+    return _text((number & 0xFFFF) << _CHECK_BITS | _short_check(number), _SHORT)
+
+
+def long_code(address: Address) -> str | None:
+    """Return eight characters, `XXXX-XXXX`, for any laptop; `None` for unlisted ports."""
+    if address.port not in PORTS:
+        return None
+    payload = _number(address) << 4 | PORTS.index(address.port)
+    text = _text(payload << _CHECK_BITS | _check(payload, 36), _LONG)
+    return f"{text[:_SHORT]}-{text[_SHORT:]}"
+
+
+def decode(text: str, own_addresses: Iterable[str]) -> list[Address]:
+    """Return where a code may lead to: one address, or one for each network of this machine.
+
+    Args:
+        text: The code as it was typed, in any case, with or without its hyphen.
+        own_addresses: This machine's IPv4 addresses; only a short code needs them.
+
+    Raises:
+        CodeError: It has another length, a character that no code has, or its check fails.
+    """
+    typed = text.strip().upper().replace("-", "").replace(" ", "")
+    strange = next((char for char in typed if char not in _VALUES), None)
+    if strange is not None:
+        raise CodeError(text, f"no code has a {strange}")
+    value = 0
+    for char in typed:
+        value = value << 5 | _VALUES[char]
+    if len(typed) == _LONG:
+        return [_long_address(text, value)]
+    if len(typed) == _SHORT:
+        return _short_addresses(text, value, own_addresses)
+    raise CodeError(text, f"it has {len(typed)} characters and codes have 4 or 8")
+
+
+def _long_address(text: str, value: int) -> Address:
+    payload = value >> _CHECK_BITS
+    if _check(payload, 36) != value & 0xF:
+        raise CodeError(text, "its characters do not fit together")
+    return Address(str(ipaddress.IPv4Address(payload >> 4)), PORTS[payload & 0xF])
+
+
+def _short_addresses(text: str, value: int, own_addresses: Iterable[str]) -> list[Address]:
+    prefixes = dict.fromkeys(int(ipaddress.IPv4Address(one)) & 0xFFFF0000 for one in own_addresses)
+    numbers = (prefix | value >> _CHECK_BITS for prefix in prefixes)
+    found = [number for number in numbers if _short_check(number) == value & 0xF]
+    if not found:
+        raise CodeError(
+            text,
+            "its characters do not fit together here (if they are right, this machine is in "
+            "another network than the teacher's: use the long code or the address)",
+        )
+    return [Address(str(ipaddress.IPv4Address(number))) for number in found]
+
+
+def _number(address: Address) -> int:
+    try:
+        return int(ipaddress.IPv4Address(address.host))
+    except ValueError as exc:
+        raise AddressError(address.host, "a code needs an IPv4 address") from exc
+
+
+def _short_check(number: int) -> int:
+    return _check(number << 16 | HUB_PORT, 48)
+
+
+def _check(payload: int, bits: int) -> int:
+    """Return the remainder of a division by the polynomial, over GF(2)."""
+    value = payload << _CHECK_BITS
+    for position in range(bits + _CHECK_BITS - 1, _CHECK_BITS - 1, -1):
+        if value >> position & 1:
+            value ^= _POLYNOMIAL << position - _CHECK_BITS
+    return value
+
+
+def _text(value: int, length: int) -> str:
+    return "".join(_ALPHABET[value >> 5 * place & 31] for place in range(length - 1, -1, -1))

@@ -1,0 +1,99 @@
+"""Why nothing answers: a look at a TCP port, before Zenoh gives its one answer to all of it."""
+
+from __future__ import annotations
+
+import errno
+import queue
+import socket
+import threading
+from typing import TYPE_CHECKING
+
+from zbot.classroom.errors import (
+    AddressError,
+    BlockedPortError,
+    ClassroomError,
+    ClosedPortError,
+    DeadHostError,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from zbot.classroom.address import Address
+
+#: A connection in one building takes milliseconds; one lost packet costs Linux a second.
+_TIMEOUT_S = 1.5
+# Ports that hardly any machine leaves unanswered: a refusal there shows that it is on.
+_SIGN_OF_LIFE_PORTS = (22, 80, 135, 445, 5000, 7)
+_REFUSED = {errno.ECONNREFUSED, getattr(errno, "WSAECONNREFUSED", errno.ECONNREFUSED)}
+
+
+def first_that_answers(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S) -> Address:
+    """Return the first of some addresses that accepts a TCP connection; all are tried at once.
+
+    Raises:
+        DeadHostError: Nobody is at the (most promising) address.
+        BlockedPortError: A machine is, and something swallows what is sent to its port.
+        ClosedPortError: A machine is, and no program listens.
+        AddressError: The name is unknown.
+    """
+    answers: queue.SimpleQueue[tuple[Address, ClassroomError | None]] = queue.SimpleQueue()
+
+    def look(address: Address) -> None:
+        answers.put((address, problem_at(address, timeout_s)))
+
+    for candidate in candidates:
+        threading.Thread(target=look, args=(candidate,), daemon=True).start()
+    problems: list[ClassroomError] = []
+    for _ in candidates:
+        address, problem = answers.get()
+        if problem is None:
+            return address
+        problems.append(problem)
+    raise min(problems, key=_distance)
+
+
+def _distance(problem: ClassroomError) -> int:
+    """Order problems by how near they are to an open class."""
+    order = (ClosedPortError, BlockedPortError, DeadHostError)
+    return next((place for place, kind in enumerate(order) if isinstance(problem, kind)), 9)
+
+
+def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomError | None:
+    """Return why an address cannot be reached, `None` if it can; takes `timeout_s` at most."""
+    signs = _SignsOfLife(address.host)
+    try:
+        with socket.create_connection((address.host, address.port), timeout_s):
+            return None
+    except socket.gaierror:
+        return AddressError(address.host, "no machine of that name is known here")
+    except TimeoutError:
+        seen = signs.seen
+        return (BlockedPortError if seen else DeadHostError)(address.host, address.port)
+    except OSError as exc:
+        if exc.errno in _REFUSED:
+            return ClosedPortError(address.host, address.port)
+        return DeadHostError(address.host, address.port)
+
+
+class _SignsOfLife:
+    """Knocks at other ports meanwhile: any answer, even a refusal, shows a machine."""
+
+    def __init__(self, host: str) -> None:
+        self._host = host
+        self._seen = threading.Event()
+        for port in _SIGN_OF_LIFE_PORTS:
+            threading.Thread(target=self._knock, args=(port,), daemon=True).start()
+
+    @property
+    def seen(self) -> bool:
+        """Whether there was an answer by now."""
+        return self._seen.is_set()
+
+    def _knock(self, port: int) -> None:
+        try:
+            with socket.create_connection((self._host, port), _TIMEOUT_S):
+                self._seen.set()
+        except OSError as exc:
+            if exc.errno in _REFUSED:
+                self._seen.set()
