@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import threading
+import time
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -61,15 +62,14 @@ def end_processes(within: Iterable[str]) -> None:
     """Kill every process in some namespaces, and wait until they are gone."""
     names = list(within)
     pause = threading.Event()
-    for _ in range(500):
-        found = {pid for name in names for pid in processes(name)}
-        if not found:
-            return
+    deadline = time.monotonic() + 5
+    while found := {pid for name in names for pid in processes(name)}:
+        if time.monotonic() > deadline:
+            message = f"processes {found} survive SIGKILL"
+            raise RuntimeError(message)
         for pid in found:
             try:
                 os.kill(pid, signal.SIGKILL)
             except ProcessLookupError:
                 continue
         pause.wait(0.01)
-    message = f"processes {found} survive SIGKILL"
-    raise RuntimeError(message)
