@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import socket
+import sys
 from dataclasses import dataclass
 
 from zbot.classroom.errors import AddressError
@@ -66,9 +67,7 @@ def own_addresses() -> list[str]:
     no other machine may be missing.
     """
     found = [_source_towards(probe) for probe in _PROBES]
-    with contextlib.suppress(OSError):
-        found += socket.gethostbyname_ex(socket.gethostname())[2]
-    found += _addresses_of_interfaces()
+    found += _addresses_of_interfaces() or _addresses_of_host_name()
     known = dict.fromkeys(address for address in found if address)
     return [address for address in known if not address.startswith(("127.", "0."))]
 
@@ -82,13 +81,25 @@ def _source_towards(target: str) -> str:
             return ""
 
 
+def _addresses_of_host_name() -> list[str]:
+    """Look up the host's own name, which Windows knows without asking anybody.
+
+    Others ask a name server, and wait 10 s for one that is out of reach.
+    """
+    try:
+        return socket.gethostbyname_ex(socket.gethostname())[2]
+    except OSError:
+        return []
+
+
 def _addresses_of_interfaces() -> list[str]:
-    """Ask Linux for the address of each interface; other systems tell by their host name."""
+    """Ask the system for the address of each interface; Windows tells by the host's name."""
     try:
         import fcntl  # noqa: PLC0415 - Windows has none
     except ImportError:
         return []
-    request = getattr(socket, "SIOCGIFADDR", 0x8915)  # linux/sockios.h
+    # SIOCGIFADDR in linux/sockios.h and in sys/sockio.h of macOS
+    request = 0xC0206921 if sys.platform == "darwin" else 0x8915
     found = []
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as asking:
         for _, name in socket.if_nameindex():

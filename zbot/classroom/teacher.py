@@ -22,12 +22,15 @@ EVERYWHERE = "0.0.0.0"  # noqa: S104 - a class is there to be reached
 def start(name: str, port: int) -> Membership:
     """Open a class: leave a hub running that students can join.
 
+    A class whose hub has died, with its machine say, is opened again.
+
     Raises:
         AlreadyJoinedError: This machine takes part in something.
         HubStartError: The port is taken.
     """
     present = membership.load()
-    if present is not None or background.find() is not None:
+    has_died = present is not None and present.role == "teacher" and background.find() is None
+    if (present is not None and not has_died) or background.find() is not None:
         what = present.class_name or present.host if present else "something"
         raise AlreadyJoinedError(f"has joined {what}")
     host = next(iter(own_addresses()), LOOPBACK)
