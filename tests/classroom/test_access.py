@@ -12,6 +12,8 @@ import zenoh
 
 from tests.conftest import wait_until
 from zbot.security.access import (
+    LOBBY,
+    LOBBY_SECRET,
     MAX_MESSAGE_SIZE,
     Share,
     accepted_users,
@@ -26,6 +28,7 @@ if TYPE_CHECKING:
 
 STUDENTS = {"17": 17, "18": 18}
 _PING = "@class/teacher/ping"
+_DOOR = "@class/lobby/door"
 QUIET = {
     "scouting/multicast/enabled": False,
     "scouting/delay": 1,
@@ -57,6 +60,7 @@ class Room:
     def __init__(self, folder: Path, **rules: Any) -> None:
         self.port = free_port()
         self.secrets = {user: Secret.random() for user in ("teacher", *STUDENTS)}
+        self.secrets[LOBBY] = LOBBY_SECRET
         self._folder = folder
         self._opened: list[zenoh.Session] = []
         self._pings: list[tuple[zenoh.Session, str]] = []
@@ -87,6 +91,19 @@ class Room:
         key = f"{STUDENTS.get(user, 0)}/ping/{session.info.zid()}"
         session.declare_queryable(key, lambda query: query.reply(key, b""), complete=True)
         self._pings.append((session, key))
+        return session
+
+    def visitor(self) -> zenoh.Session:
+        """Open a session of somebody who has not joined."""
+        session = self._open(
+            {
+                "mode": "client",
+                "connect/endpoints": [f"tcp/127.0.0.1:{self.port}"],
+                **credentials(LOBBY, LOBBY_SECRET),
+            }
+        )
+        self.hub.declare_queryable(_DOOR, lambda query: query.reply(_DOOR, b""), complete=True)
+        assert wait_until(partial(_answers, session, _DOOR))
         return session
 
     def laptop(self, user: str) -> zenoh.Session:
@@ -176,6 +193,7 @@ def student(request: pytest.FixtureRequest, room: Room) -> zenoh.Session:
         "class/x",
         "@class/student/18/x",
         "@class/teacher/say",
+        "@class/lobby/join",
         "0/x",
         "170/x",
         "1",
@@ -277,3 +295,17 @@ def test_a_sample_above_the_limit_is_dropped_and_the_hub_goes_on(room: Room) -> 
     assert wait_until(lambda: room.hears(teacher, laptop, OWN), 20)
     sizes = [len(sample.payload) for sample in iter(subscriber.try_recv, None)]
     assert MAX_MESSAGE_SIZE + 1 not in sizes
+
+
+def test_the_lobby_asks_and_does_nothing_else(room: Room) -> None:
+    key, visitor = "@class/lobby/join", room.visitor()
+    teacher, other = room.client("teacher"), room.laptop("17")
+    assert room.reaches(visitor, room.hub, key)
+    for forbidden in (key, "class/x", "17/x", "0/x", "@class/teacher/say", "@class/student/17/x"):
+        for one in (teacher, other):
+            assert not room.hears(one, visitor, forbidden)
+            assert not room.hears(visitor, one, forbidden)
+            assert not room.reaches(one, visitor, forbidden)
+            assert not room.sees(one, visitor, forbidden)
+            assert not room.sees(visitor, one, forbidden)
+            assert forbidden == key or not room.reaches(visitor, one, forbidden)

@@ -13,7 +13,11 @@ The key spaces of a class, in which `<n>` is the student's domain:
 | `class/**`, `@zbot/class/**` | hears; all if the space is open | all |
 | `@class/student/<n>/**` | tells | all |
 | `@class/teacher/**` | hears | all |
+| `@class/lobby/**` | asks | all |
 | everything else, the admin space `@/**` included | nothing | all |
+
+Everybody who has not joined yet is the user `lobby`, whose password is no secret, and who may ask
+in the lobby and nothing else: there a PIN is checked (`zbot.security.pin`) and a secret handed out.
 
 *Tells* means: publishes, serves, declares tokens. *Hears* means: subscribes, calls, sees tokens.
 
@@ -28,17 +32,20 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import SetupError
+from zbot.security.secret import Secret
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
     from pathlib import Path
 
-    from zbot.security.secret import Secret
-
 TEACHER = "teacher"  #: user name of the teacher's own programs
 SHARED_SPACE = "class"  #: in a key, this stands where a domain would: `/class/demo` is `class/demo`
 STUDENT_SPACE = "@class/student"  #: what students tell of themselves: `@class/student/17/...`
 TEACHER_SPACE = "@class/teacher"  #: what the teacher tells everybody
+
+LOBBY_SPACE = "@class/lobby"  #: where who wants to join asks the hub
+LOBBY = "lobby"  #: user name of whoever has not joined yet
+LOBBY_SECRET = Secret("lobby")  #: known to all: Zenoh wants a password from each user
 
 #: A message between laptops is refused above this size (bytes): two uncompressed 4K images.
 MAX_MESSAGE_SIZE = 64 * 1024 * 1024
@@ -59,7 +66,7 @@ class UserNameError(SetupError, ValueError):
         self.name = name
         super().__init__(
             f"{name!r} is no user name: use up to 64 letters, digits, '.', '_' and '-' "
-            f"(and not {TEACHER!r})"
+            f"(and neither {TEACHER!r} nor {LOBBY!r})"
         )
 
 
@@ -95,10 +102,13 @@ def teacher_access(
     Raises:
         UserNameError: A user's name cannot be one.
     """
-    policies = [(TEACHER, _tells(TEACHER, _EVERYWHERE) + _hears(TEACHER, _EVERYWHERE))]
+    policies = [
+        (TEACHER, _tells(TEACHER, _EVERYWHERE) + _hears(TEACHER, _EVERYWHERE)),
+        (LOBBY, _asks(LOBBY)),
+    ]
     opened = list(shares)
     for user, domain in students.items():
-        if user == TEACHER:
+        if user in {TEACHER, LOBBY}:
             raise UserNameError(user)
         rules = _student_rules(_checked(user), domain, shared_is_open)
         heard = sorted({share.domain for share in opened if share.reader == user})
@@ -176,6 +186,7 @@ def _student_rules(user: str, domain: int, shared_is_open: bool) -> list[dict[st
         *_hears(f"{name} shared", shared),
         *_tells(f"{name} itself", (f"{STUDENT_SPACE}/{domain}/**",)),
         *_hears(f"{name} teacher", (f"{TEACHER_SPACE}/**",)),
+        *_asks(name),
     ]
     return rules + (_tells(f"{name} shared", shared) if shared_is_open else [])
 
@@ -197,6 +208,14 @@ def _hears(name: str, keys: tuple[str, ...]) -> list[dict[str, Any]]:
     return [
         _rule(f"{name}: asks", "ingress", _ASKING, keys),
         _rule(f"{name}: is told", "egress", _SAYING, keys),
+    ]
+
+
+def _asks(name: str) -> list[dict[str, Any]]:
+    keys = (f"{LOBBY_SPACE}/**",)
+    return [
+        _rule(f"{name} lobby: asks", "ingress", ("query",), keys),
+        _rule(f"{name} lobby: is told", "egress", ("reply", "declare_queryable"), keys),
     ]
 
 

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 @pytest.mark.parametrize(
-    "name", ["", "a:b", "a\nb", "../17", "a/b", "a b", "<b>", "ä", "x" * 65, "teacher"]
+    "name", ["", "a:b", "a\nb", "../17", "a/b", "a b", "<b>", "ä", "x" * 65, "teacher", "lobby"]
 )
 def test_some_names_are_no_user_names(name: str) -> None:
     with pytest.raises(UserNameError, match="is no user name"):
