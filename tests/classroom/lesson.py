@@ -1,11 +1,14 @@
-"""A class on the rig: a teacher's hub, joined laptops, and pupils' nodes that talk to each other."""
+"""A class on the rig: a teacher, joined laptops, and on each some nodes that talk to each other."""
 
 from __future__ import annotations
 
 import json
+import os
 import signal
 import time
-from typing import TYPE_CHECKING, Any
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 from tests.classroom.watch import Watch
 
@@ -17,41 +20,101 @@ if TYPE_CHECKING:
 Node = tuple[int, str]  #: domain and name
 
 
+@dataclass(frozen=True)
+class Heard:
+    """What a pupil heard from its neighbour."""
+
+    received: int
+    lost: int
+    delays_us: list[int]
+
+
 class Lesson:
+    """An open class, and everybody's nodes.
+
+    Args:
+        rig: The machines.
+        nodes: How many each laptop runs.
+    """
+
     def __init__(self, rig: Rig, nodes: int) -> None:
         self.rig = rig
-        self.nodes = nodes
-        self.pupils: dict[Node, Program] = {}
-        self.hub = self.open_hub()
+        self._nodes = nodes
+        self._pupils: dict[Node, Program] = {}
+        self.seen_after_s = 0.0  #: from the last node's start until the teacher saw all
+        self.code = self.open_class()
         self.watch = Watch(rig.teacher)
 
-    def open_hub(self) -> Program:
-        hub = self.rig.teacher.start("plain_hub.py", "tcp/0.0.0.0:7447")
-        hub.wait_for("hub")
-        return hub
+    # -- teacher -------------------------------------------------------------------------------
+
+    def open_class(self) -> str:
+        """Open the class, or open it again; return its code."""
+        opened = self.rig.teacher.run("zbot", "class", "start", "Robots", "--json")
+        assert opened.code == 0, opened.err
+        return str(json.loads(opened.out)["code"])
+
+    def kill_hub(self) -> None:
+        """Kill the teacher's hub as a power cut would; see that it is gone."""
+        os.kill(hub_pid(self.rig.teacher), signal.SIGKILL)
+        self.watch.until(lambda nodes: not nodes)
+
+    # -- students ------------------------------------------------------------------------------
+
+    def number_of(self, laptop: Machine) -> int:
+        """Return a laptop's number in the class, which is its domain."""
+        return 1 + self.rig.laptops.index(laptop)
 
     def join(self) -> None:
-        dialled = f"tcp/{self.rig.teacher.address}:7447"
-        hubs = [l.start("plain_hub.py", "tcp/127.0.0.1:7447", dialled) for l in self.rig.laptops]
-        for hub in hubs:
-            hub.wait_for("hub")
+        """Let all laptops join by the code, at the same time."""
+        with ThreadPoolExecutor(4) as pool:
+            list(pool.map(self._join, self.rig.laptops))
 
-    def start(self) -> float:
-        for index, laptop in enumerate(self.rig.laptops):
-            number = index + 1
-            for n in range(self.nodes):
-                key = (number, f"/pupil{n}")
-                nb = f"pupil{(n + 1) % self.nodes}"
-                self.pupils[key] = laptop.start("pupil.py", f"pupil{n}", nb, env={"ZBOT_DOMAIN_ID": str(number)})
+    def _join(self, laptop: Machine) -> None:
+        joined = laptop.run("zbot", "join", self.code)
+        assert joined.code == 0, joined.err
+
+    def domain_of(self, laptop: Machine) -> dict[str, str]:
+        """Return the environment in which a laptop's programs are in its own domain."""
+        return {"ZBOT_DOMAIN_ID": str(self.number_of(laptop))}
+
+    def start_nodes(self) -> None:
+        """Start everybody's nodes, and wait until the teacher sees all."""
+        for laptop in self.rig.laptops:
+            for position in range(self._nodes):
+                neighbour = f"pupil{(position + 1) % self._nodes}"
+                self.start_node(laptop, f"pupil{position}", neighbour)
         last = time.monotonic()
-        seen = self.watch.until(lambda nodes: self.pupils.keys() <= nodes, 60)
-        return seen - last
+        self.seen_after_s = self.watch.until(self.all_there, 60) - last
 
-    def stop(self):
-        for p in self.pupils.values():
-            p.process.send_signal(signal.SIGINT)
-        return [self.result(p) for p in self.pupils.values()]
+    def start_node(self, laptop: Machine, name: str, neighbour: str) -> Program:
+        """Start a pupil's node."""
+        program = laptop.start("pupil.py", name, neighbour, env=self.domain_of(laptop))
+        self._pupils[self.number_of(laptop), f"/{name}"] = program
+        return program
 
-    def result(self, p) -> dict[str, Any]:
-        p.wait(10)
-        return json.loads(p.lines[-1])
+    def all_there(self, nodes: set[Node]) -> bool:
+        """Return whether every started node is among those that the teacher sees."""
+        return self._pupils.keys() <= nodes
+
+    def nodes_of(self, laptop: Machine) -> set[Node]:
+        """Return the nodes that were started on a laptop."""
+        return {node for node in self._pupils if node[0] == self.number_of(laptop)}
+
+    def end_nodes(self) -> list[Heard]:
+        """Interrupt all nodes; return what each heard."""
+        for program in self._pupils.values():
+            program.process.send_signal(signal.SIGINT)
+        heard = [self._last_words(program) for program in self._pupils.values()]
+        self._pupils.clear()
+        return heard
+
+    @staticmethod
+    def _last_words(program: Program) -> Heard:
+        program.wait(20)
+        return Heard(**json.loads(program.lines[-1]))
+
+
+def hub_pid(machine: Machine) -> int:
+    """Return the process id of the hub that a command left running on a machine."""
+    state = machine.home / ".config" / "zbot" / "hub.json"
+    return int(json.loads(state.read_text(encoding="utf-8"))["pid"])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -180,6 +181,18 @@ class Machine:
     def processes(self) -> set[int]:
         """Return the ids of all processes in it, also of those in the background."""
         return processes(self.namespace)
+
+    def sleep(self) -> None:
+        """Stop every process where it is, and the network with them."""
+        self.leave_air()
+        for pid in self.processes():
+            os.kill(pid, signal.SIGSTOP)
+
+    def wake_up(self) -> None:
+        """Undo `sleep()`."""
+        for pid in self.processes():
+            os.kill(pid, signal.SIGCONT)
+        self.return_to_air()
 
     def forget_programs(self) -> None:
         """Wait for the programs that were killed."""

@@ -4,8 +4,8 @@ Run:        control_room.py
 Subscribes: telemetry (std_msgs/String, reliable, keep all)
 Serves:     check (std_srvs/Trigger)
 
-Prints `receiving`, `first` with the first message, `gap FIRST NEXT TIME` when numbers are missing, and
-when interrupted a line of JSON: received, gaps (from, to), and how many losses zbot told it of.
+Prints `receiving`, `first` with the first message, `gap FIRST NEXT TIME` when numbers are missing,
+and when interrupted a line of JSON: received, gaps (from, to), how many losses zbot told it of.
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@ import threading
 import time
 from typing import Any
 
-import msgpack
+import msgpack  # type: ignore[import-untyped]
 import zenoh
 
 
