@@ -36,6 +36,7 @@ NOUNS = {
     "service": "Look at services, and call them",
     "status": "Show what this machine has joined",
     "topic": "Look at topics, listen and publish",
+    "web": "Show the running system in a browser",
 }
 _ALIASES = {"wtf": "doctor"}
 _HIDDEN = {"complete"}

@@ -1,0 +1,80 @@
+"""`zbot web`: the live page of the running system, in a browser."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from zbot.errors import ZbotError
+from zbot_cli.listing import new_app
+
+app = new_app("Show the running system in a browser", has_verbs=False)
+
+
+class NoWebExtraError(ZbotError):
+    """The page needs packages that are not installed."""
+
+    def __init__(self, missing: str) -> None:
+        self.missing = missing
+        super().__init__(f"the page needs {missing}: pip install 'zbot[web]'")
+
+
+@app.callback(invoke_without_command=True)
+def web(
+    panel: Annotated[str, typer.Argument(help="Which panel to open first, e.g. topics")] = "",
+    host: Annotated[str, typer.Option("--host", help="What to listen on")] = "127.0.0.1",
+    port: Annotated[int, typer.Option("--port", help="Where, or at the next free port")] = 8080,
+    no_browser: Annotated[bool, typer.Option("--no-browser", help="Open no browser")] = False,
+    read_only: Annotated[bool, typer.Option("--read-only", help="Look, change nothing")] = False,
+) -> None:
+    """Show the running system in a browser."""
+    serve_page(
+        f"/{panel.lstrip('/')}",
+        host=host,
+        port=port,
+        open_browser=not no_browser,
+        read_only=read_only,
+    )
+
+
+def serve_page(
+    path: str,
+    *,
+    host: str = "127.0.0.1",
+    port: int = 8080,
+    open_browser: bool = True,
+    read_only: bool = False,
+) -> None:
+    """Serve the page until Ctrl-C, opened at a path.
+
+    Raises:
+        NoWebExtraError: The extra is not installed.
+    """
+    from zbot.signals import SignalHandlerOptions, install  # noqa: PLC0415 - `--help` does without
+
+    check_extra()
+    from zbot.web.browser import has_desktop  # noqa: PLC0415 - as above
+    from zbot.web.server import serve  # noqa: PLC0415 - as above
+
+    install(SignalHandlerOptions.ALL)
+    serve(
+        host,
+        port,
+        open_browser=open_browser and has_desktop(),
+        read_only=read_only,
+        start_path=path,
+    )
+
+
+def check_extra() -> None:
+    """Refuse to begin without the packages of the extra `web`.
+
+    Raises:
+        NoWebExtraError: One is not installed.
+    """
+    from importlib.util import find_spec  # noqa: PLC0415 - only the page needs it
+
+    for name in ("nicegui", "psutil"):
+        if find_spec(name) is None:
+            raise NoWebExtraError(name)

@@ -1,0 +1,131 @@
+"""Pages in a real browser: Chromium as the machine has it, driven by Playwright."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from typing import TYPE_CHECKING, Any
+from urllib.parse import urlsplit
+
+import pytest
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from playwright.sync_api import Browser, Page
+
+    from tests.conftest import Program
+
+_LOCAL = {"127.0.0.1", "localhost"}
+_ARGUMENTS = [
+    "--no-sandbox",  # it refuses to run as root otherwise
+    "--disable-gpu",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--no-first-run",
+]
+#: Generous: other tests use the machine's cores at the same time.
+PATIENCE_MS = 20_000
+
+
+def chromium() -> str | None:
+    """Return the path of this machine's Chromium or Chrome, if there is one."""
+    names = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
+    return next(filter(None, map(shutil.which, names)), None)
+
+
+@pytest.fixture(scope="session")
+def browser() -> Iterator[Browser]:
+    pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
+    playwright = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
+    path = chromium()
+    if path is None:
+        pytest.skip("there is no Chromium on this machine")
+    with playwright.sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=path, args=_ARGUMENTS)
+        yield browser
+        browser.close()
+
+
+class Visit:
+    """One browser window; everything that it asked for and complained about."""
+
+    def __init__(self, browser: Browser, **options: Any) -> None:
+        self.context = browser.new_context(**options)
+        self.requests: list[str] = []
+        self.errors: list[str] = []
+        self.page = self.new_page()
+
+    def new_page(self) -> Page:
+        page = self.context.new_page()
+        page.set_default_timeout(PATIENCE_MS)
+        page.on("request", lambda request: self.requests.append(request.url))
+        page.on("websocket", lambda socket: self.requests.append(socket.url))
+        page.on("pageerror", lambda error: self.errors.append(str(error)))
+        page.on("console", self._note)
+        return page
+
+    def _note(self, message: Any) -> None:
+        if message.type == "error":
+            self.errors.append(message.text)
+
+    @property
+    def foreign_requests(self) -> list[str]:
+        hosts = ((url, urlsplit(url)) for url in self.requests)
+        return [url for url, parts in hosts if parts.hostname and parts.hostname not in _LOCAL]
+
+
+@pytest.fixture
+def visit(browser: Browser) -> Iterator[Callable[..., Visit]]:
+    """Return a function that opens a browser window of its own."""
+    visits: list[Visit] = []
+
+    def open_window(**options: Any) -> Visit:
+        visits.append(Visit(browser, **options))
+        return visits[-1]
+
+    yield open_window
+    for one in visits:
+        one.context.close()
+    for one in visits:
+        assert one.foreign_requests == []
+        assert one.errors == []
+
+
+@pytest.fixture
+def page(visit: Callable[..., Visit]) -> Page:
+    """Return a browser's page; at the end it must not have asked other machines for anything."""
+    return visit().page
+
+
+class Server:
+    """A running `zbot web`."""
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        self.address = program.wait_for("zbot web: ", 30).partition("zbot web: ")[2].rstrip("/")
+
+    def stop(self) -> int:
+        return self.program.stop(timeout_s=15)
+
+
+@pytest.fixture
+def serve(browser: Browser, start: Callable[..., Program]) -> Callable[..., Server]:  # noqa: ARG001
+    """Return a function that starts `zbot web` in the test's domain, on a free port."""
+
+    def run(*words: str) -> Server:
+        return Server(start("zbot", "web", "--no-browser", "--port", "0", *words))
+
+    return run
+
+
+@pytest.fixture
+def server(serve: Callable[..., Server]) -> Server:
+    """Return a running `zbot web`."""
+    return serve()
+
+
+def pytest_configure() -> None:
+    # Playwright's driver would otherwise look for proxies, and ask them for 127.0.0.1.
+    os.environ.setdefault("NO_PROXY", "127.0.0.1,localhost")

@@ -1,0 +1,182 @@
+"""Who may talk to the server: nobody but pages of its own, and with a token off this machine.
+
+A page of another site that the same browser shows can send requests to 127.0.0.1 too, under its own
+name (Origin) or, by DNS rebinding, under a name that it made lead here (Host).
+"""
+
+from __future__ import annotations
+
+import hmac
+import ipaddress
+import socket
+from typing import TYPE_CHECKING, Any
+from urllib.parse import parse_qsl, urlencode, urlsplit
+
+if TYPE_CHECKING:
+    from collections.abc import Awaitable, Callable, Mapping, MutableMapping
+
+    Scope = MutableMapping[str, Any]
+    Receive = Callable[[], Awaitable[MutableMapping[str, Any]]]
+    Send = Callable[[MutableMapping[str, Any]], Awaitable[None]]
+    App = Callable[[Scope, Receive, Send], Awaitable[None]]
+
+_LOCAL_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
+_PARAMETER = "token"
+# What the browser enforces on top: whatever a page may contain, nothing is fetched from elsewhere
+# and no other site frames it. NiceGUI's templates are compiled in the browser: hence unsafe-eval.
+_POLICY = (
+    "default-src 'self' data: blob: 'unsafe-inline' 'unsafe-eval'; "
+    "connect-src 'self' ws://{host} wss://{host}; object-src 'none'; base-uri 'none'; "
+    "form-action 'self'; frame-ancestors 'none'"
+)
+
+
+def is_loopback(host: str) -> bool:
+    """Return whether a host name or address can only be reached from this machine."""
+    if host.lower() == "localhost":
+        return True
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return False
+
+
+class Guard:
+    """Refuses requests and websockets that do not come from a page of this server.
+
+    Args:
+        app: The server's application (ASGI).
+        host: What the server listens on.
+        token: What the address must tell, once a browser; None if this machine alone can ask.
+    """
+
+    def __init__(self, app: App, *, host: str, token: str | None) -> None:
+        self.app = app
+        self._names = _LOCAL_NAMES | {host.lower(), *_own_names()}
+        self._token = token
+
+    async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
+        """Pass a request on, or refuse it."""
+        if scope["type"] not in {"http", "websocket"}:
+            await self.app(scope, receive, send)
+            return
+        headers = _headers(scope)
+        reason = self._refusal(headers)
+        if reason is None and self._token is not None and not self._has_cookie(scope, headers):
+            if scope["type"] == "http" and self._has_token(scope):
+                await _redirect(scope, send, self._cookie(scope))
+                return
+            reason = "open the address that `zbot web` printed: it has a token in it"
+        if reason is not None:
+            await _refuse(scope, send, reason)
+            return
+        # A proxy's header that NiceGUI would build addresses from; there is no proxy here.
+        scope["headers"] = [one for one in scope["headers"] if one[0] != b"x-forwarded-prefix"]
+        await self.app(scope, receive, _with_policy(send, headers.get("host", "")))
+
+    def _refusal(self, headers: Mapping[str, str]) -> str | None:
+        host = headers.get("host", "")
+        if not self._is_ours(host):
+            return f"this server is not called {host!r}"
+        origin = headers.get("origin")
+        if origin is not None and urlsplit(origin).netloc != host:
+            return f"a page of {origin} may not talk to zbot"
+        # The address bar and links may lead here from anywhere, pictures and scripts may not.
+        if headers.get("sec-fetch-site", "none") in {"cross-site", "same-site"}:
+            is_visit = headers.get("sec-fetch-dest") == "document"
+            if not is_visit:
+                return "a page of another site may not talk to zbot"
+        return None
+
+    def _is_ours(self, host: str) -> bool:
+        name = (urlsplit(f"//{host}").hostname or "").lower()
+        if name in self._names:
+            return True
+        # With a token, any address will do: the machine may have several, and may get new ones.
+        return self._token is not None and _is_address(name)
+
+    def _cookie_name(self, scope: Scope) -> str:
+        # Cookies do not know ports: two servers of one machine must not forget each other's.
+        return f"zbot_{scope['server'][1]}"
+
+    def _cookie(self, scope: Scope) -> str:
+        return f"{self._cookie_name(scope)}={self._token}; Path=/; HttpOnly; SameSite=Lax"
+
+    def _has_cookie(self, scope: Scope, headers: Mapping[str, str]) -> bool:
+        name = self._cookie_name(scope)
+        for pair in headers.get("cookie", "").split(";"):
+            key, _, value = pair.strip().partition("=")
+            if key == name and self._matches(value):
+                return True
+        return False
+
+    def _has_token(self, scope: Scope) -> bool:
+        given = dict(parse_qsl(scope["query_string"].decode("latin-1"))).get(_PARAMETER, "")
+        return self._matches(given)
+
+    def _matches(self, given: str) -> bool:
+        return hmac.compare_digest(given.encode(), str(self._token).encode())
+
+
+def address(host: str, port: int, path: str, token: str | None) -> str:
+    """Return the address to type into a browser."""
+    name = f"[{host}]" if ":" in host else host
+    query = f"?{urlencode({_PARAMETER: token})}" if token else ""
+    return f"http://{name}:{port}{path}{query}"
+
+
+def _own_names() -> set[str]:
+    name = socket.gethostname().lower()
+    return {name, f"{name}.local", name.partition(".")[0]}
+
+
+def _is_address(name: str) -> bool:
+    try:
+        ipaddress.ip_address(name)
+    except ValueError:
+        return False
+    return True
+
+
+def _headers(scope: Scope) -> dict[str, str]:
+    return {name.decode("latin-1"): value.decode("latin-1") for name, value in scope["headers"]}
+
+
+def _with_policy(send: Send, host: str) -> Send:
+    extra = [
+        (b"content-security-policy", _POLICY.format(host=host).encode("latin-1")),
+        (b"x-content-type-options", b"nosniff"),
+        (b"referrer-policy", b"no-referrer"),
+    ]
+
+    async def send_with_policy(message: MutableMapping[str, Any]) -> None:
+        if message["type"] == "http.response.start":
+            message["headers"] = [*message.get("headers", ()), *extra]
+        await send(message)
+
+    return send_with_policy
+
+
+async def _redirect(scope: Scope, send: Send, cookie: str) -> None:
+    """Give the browser its cookie, and an address without the token to show and to bookmark."""
+    query = scope["query_string"].decode("latin-1")
+    kept = [pair for pair in parse_qsl(query, keep_blank_values=True) if pair[0] != _PARAMETER]
+    target = scope["path"] + (f"?{urlencode(kept)}" if kept else "")
+    # Two slashes at its beginning would make it another server's address.
+    headers = [
+        (b"location", ("/" + target.lstrip("/")).encode("latin-1", "replace")),
+        (b"set-cookie", cookie.encode("latin-1")),
+        (b"referrer-policy", b"no-referrer"),
+        (b"cache-control", b"no-store"),
+    ]
+    await send({"type": "http.response.start", "status": 303, "headers": headers})
+    await send({"type": "http.response.body", "body": b""})
+
+
+async def _refuse(scope: Scope, send: Send, reason: str) -> None:
+    if scope["type"] == "websocket":
+        await send({"type": "websocket.close", "code": 1008, "reason": reason[:100]})
+        return
+    headers = [(b"content-type", b"text/plain; charset=utf-8"), (b"cache-control", b"no-store")]
+    await send({"type": "http.response.start", "status": 403, "headers": headers})
+    await send({"type": "http.response.body", "body": f"403: {reason}\n".encode()})

@@ -1,0 +1,86 @@
+"""What stands around every panel: the list of panels, the title, and the strip with the command."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from nicegui import app, ui
+
+from zbot.version import __version__
+from zbot.web.panel import Frame
+from zbot.web.panels import PANELS
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.web.panel import Panel
+    from zbot.web.system import System
+
+_STATIC = Path(__file__).parent / "static"
+_ADDRESS = f"/_zbot/{__version__}"
+_ICON = (
+    '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 32 32">'
+    '<rect width="32" height="32" rx="8" fill="#0b6bcb"/>'
+    '<path d="M9 10h14L9 22h14" fill="none" stroke="#fff" stroke-width="3" '
+    'stroke-linecap="round" stroke-linejoin="round"/></svg>'
+)
+
+
+def add_pages(system: System) -> None:
+    """Serve every panel at its address, and the first one at `/`."""
+    app.add_static_files(_ADDRESS, str(_STATIC))
+    for name in ("page.js", "plot.js"):
+        ui.add_head_html(f'<script src="{_ADDRESS}/{name}"></script>', shared=True)
+    ui.add_head_html(f'<link rel="stylesheet" href="{_ADDRESS}/page.css">', shared=True)
+    for panel in PANELS:
+        ui.page(panel.path, title=f"{panel.title} - zbot", favicon=_ICON)(_page(panel, system))
+    ui.page("/", title=f"{PANELS[0].title} - zbot", favicon=_ICON)(_page(PANELS[0], system))
+
+
+def _page(panel: Panel, system: System) -> Callable[[], None]:
+    def build() -> None:
+        client = ui.context.client
+        frame = Frame(client, system, client.request.query_params)
+        with ui.element("div").classes("zb-page"):
+            _rail(panel, system)
+            with ui.element("main").classes("zb-main"):
+                with ui.element("header").classes("zb-top"):
+                    ui.label(panel.title).classes("zb-title")
+                    frame.toolbar = ui.element("div").classes("zb-toolbar")
+                body = ui.element("div").classes("zb-body")
+            _strip(frame)
+        with body:
+            panel.build(frame)
+
+    return build
+
+
+def _rail(current: Panel, system: System) -> None:
+    with ui.element("nav").classes("zb-rail").props('aria-label="Panels"'):
+        with ui.element("a").props('href="/"').classes("zb-brand"):
+            ui.html(_ICON, sanitize=False).classes("zb-logo")
+            ui.label("zbot").classes("zb-brand-name")
+        for panel in PANELS:
+            link = ui.element("a").props(f'href="{panel.path}"').classes("zb-link")
+            if panel is current:
+                link.classes("zb-current").props('aria-current="page"')
+            with link:
+                ui.icon(panel.icon).classes("zb-link-icon")
+                ui.label(panel.title).classes("zb-link-text")
+        ui.element("div").classes("zb-spring")
+        if system.read_only:
+            ui.label("read-only").classes("zb-badge")
+        with ui.element("div").classes("zb-foot"):
+            ui.label(f"domain {system.domain_id}").classes("zb-domain")
+            button = ui.button(icon="contrast").props('flat round dense aria-label="Light or dark"')
+            button.on("click", js_handler="() => zbot.switchTheme()")
+
+
+def _strip(frame: Frame) -> None:
+    with ui.element("footer").classes("zb-strip"):
+        ui.label("$").classes("zb-prompt")
+        text = ui.label().classes("zb-command").props('aria-label="The same on the command line"')
+        button = ui.button(icon="content_copy").props('flat dense size=sm aria-label="Copy"')
+        button.on("click", js_handler="() => zbot.copyCommand()")
+    frame.on_command(text.set_text)

@@ -1,0 +1,118 @@
+"""The server of the live page: `serve()` runs it until Ctrl-C."""
+
+from __future__ import annotations
+
+import errno
+import secrets
+import socket
+import sys
+
+from zbot.errors import ZbotError
+from zbot.web.browser import open_page
+from zbot.web.guard import Guard, address, is_loopback
+from zbot.web.system import System
+
+DEFAULT_HOST = "127.0.0.1"
+DEFAULT_PORT = 8080
+_MOST_PORTS = 100
+_BACKLOG = 128
+
+
+class ServerError(ZbotError, OSError):
+    """The server cannot listen where it was asked to."""
+
+    def __init__(self, host: str, port: int, reason: str) -> None:
+        self.host, self.port, self.reason = host, port, reason
+        super().__init__(f"cannot listen on {host}:{port}: {reason}")
+
+
+def serve(
+    host: str = DEFAULT_HOST,
+    port: int = DEFAULT_PORT,
+    *,
+    open_browser: bool = False,
+    read_only: bool = False,
+    start_path: str = "/",
+) -> None:
+    """Serve the live page of this process's domain until a signal ends it.
+
+    Args:
+        host: What to listen on; other machines can reach it unless it is a loopback address.
+        port: Where, or at the next free one; 0 for any.
+        open_browser: Whether to show it in the user's browser.
+        read_only: Whether pages may only look.
+        start_path: Which page to open first, with its query: `/plot?curve=/pose.x`.
+
+    Raises:
+        ServerError: It cannot listen there.
+        SessionError: Zenoh cannot open a session.
+    """
+    listener = listen(host, port)
+    token = None if is_loopback(host) else secrets.token_urlsafe(16)
+    try:
+        with System(read_only=read_only) as system:
+            addresses = _addresses(host, listener.getsockname()[1], start_path, token)
+
+            def tell() -> None:
+                print("\n".join(f"zbot web: {one}" for one in addresses), flush=True)
+                if open_browser:
+                    open_page(addresses[0])
+
+            # Half a second of imports, which nothing but a running server needs.
+            from zbot.web.application import run  # noqa: PLC0415
+
+            run(system, listener, lambda app: Guard(app, host=host, token=token), tell)
+    finally:
+        listener.close()
+
+
+def listen(host: str, port: int) -> socket.socket:
+    """Return a socket that listens on a port or, if that is taken, on the next free one.
+
+    Raises:
+        ServerError: The host is none of this machine, or all these ports are taken.
+    """
+    try:
+        family = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0][0]
+    except OSError as error:
+        raise ServerError(host, port, error.strerror or str(error)) from error
+    last = port if port == 0 else min(port + _MOST_PORTS, 65_535)
+    for candidate in range(port, last + 1):
+        try:
+            return _bound(family, host, candidate)
+        except OSError as error:
+            if error.errno not in {errno.EADDRINUSE, errno.EACCES} or candidate == last:
+                raise ServerError(host, candidate, error.strerror or str(error)) from error
+    raise ServerError(host, port, "a port is a number from 0 to 65535")
+
+
+def _bound(family: int, host: str, port: int) -> socket.socket:
+    listener = socket.socket(family, socket.SOCK_STREAM)
+    try:
+        # On Windows the same option would let two servers share a port, to the first one's loss.
+        option = "SO_EXCLUSIVEADDRUSE" if sys.platform == "win32" else "SO_REUSEADDR"
+        listener.setsockopt(socket.SOL_SOCKET, getattr(socket, option), 1)
+        listener.bind((host, port))
+        listener.listen(_BACKLOG)
+    except OSError:
+        listener.close()
+        raise
+    return listener
+
+
+def _addresses(host: str, port: int, path: str, token: str | None) -> list[str]:
+    if host not in {"0.0.0.0", "::"}:  # noqa: S104 - it is compared, not bound
+        return [address(host, port, path, token)]
+    return [address(one, port, path, token) for one in _own_addresses()]
+
+
+def _own_addresses() -> list[str]:
+    import psutil  # noqa: PLC0415 - of the extra
+
+    found = [
+        one.address
+        for interface in psutil.net_if_addrs().values()
+        for one in interface
+        if one.family is socket.AF_INET
+    ]
+    return sorted(found, key=is_loopback) or [DEFAULT_HOST]

@@ -1,0 +1,351 @@
+"""The running system as pages see it: one hidden node for all browsers, in a thread of its own."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import threading
+import traceback
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from zbot.action import ActionClient
+from zbot.context import Context
+from zbot.errors import ExternalShutdownException, NotInitializedError, ZbotError
+from zbot.executor import SingleThreadedExecutor
+from zbot.interfaces import get_interface
+from zbot.log import LoggingSeverity, get_logger, set_logger_level
+from zbot.node import Node
+from zbot.qos import qos_profile_rosout_default
+from zbot.remote_types import learn_type
+from zbot.rosout import ROSOUT_TOPIC
+from zbot.web.lease import Leases
+from zbot.web.log_ring import LogRing
+from zbot.web.watch import Feed, NoTypeError, Watch, profile_for
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from typing_extensions import Self
+
+    from zbot.client import Client
+    from zbot.graph import Snapshot, Token
+    from zbot.publisher import Publisher
+    from zbot.task import Future
+    from zbot.web.lease import Lease
+
+T = TypeVar("T")
+
+_PUBLISH_DEPTH = 10
+
+
+class ReadOnlyError(ZbotError):
+    """A page that may only look wanted to change something."""
+
+    def __init__(self, what: str) -> None:
+        self.what = what
+        super().__init__(f"this page is read-only: {what} is not possible (zbot web --read-only)")
+
+
+class System:
+    """Who is there, what they say, and a voice among them. Any thread may call any method.
+
+    Args:
+        read_only: Refuse whatever could change something.
+        domain_id: 0 to 232; `$ZBOT_DOMAIN_ID` or `$ROS_DOMAIN_ID`, else 0, if left out.
+
+    Attributes:
+        logs: The last lines of `/rosout`.
+        revision: Grows with every change of the graph: equal means nothing changed.
+
+    Raises:
+        SessionError: Zenoh cannot open a session.
+        ConfigError: The Zenoh configuration file is unusable.
+        DomainIdError: The domain is out of range.
+    """
+
+    def __init__(self, *, read_only: bool = False, domain_id: int | None = None) -> None:
+        self.read_only = read_only
+        self.logs = LogRing()
+        self.revision = 0
+        self._callbacks: list[Callable[[], None]] = []
+        self._lock = threading.RLock()
+        self._feeds: dict[tuple[str, str | None], Feed] = {}
+        self._leases = Leases()
+        self._seen: tuple[int, Snapshot] | None = None
+        self.context = Context()
+        self.context.init([], domain_id=domain_id)
+        try:
+            self._open()
+        except BaseException:
+            self.context.shutdown()
+            raise
+
+    def _open(self) -> None:
+        self.node = Node(
+            f"_zbot_web_{os.getpid()}",
+            context=self.context,
+            use_global_arguments=False,
+            enable_rosout=False,
+            start_parameter_services=False,
+        )
+        # Pages say what is wrong with a topic; the terminal behind them should not repeat it.
+        set_logger_level(self.node.get_logger().name, LoggingSeverity.FATAL)
+        self._executor = SingleThreadedExecutor(context=self.context)
+        self._executor.add_node(self.node)
+        log_type: Any = get_interface("rcl_interfaces/msg/Log")
+        self.node.create_subscription(
+            log_type, ROSOUT_TOPIC, self.logs.add, qos_profile_rosout_default
+        )
+        self.context.graph.add_listener(self._on_token)
+        self.context.start_thread("zbot web", self._spin, self._executor.wake)
+
+    def _spin(self) -> None:
+        while self.context.ok():
+            try:
+                self._executor.spin()
+            except ExternalShutdownException:
+                return
+            except Exception:  # noqa: BLE001 - one faulty callback must not blind every browser
+                get_logger("zbot.web").error(traceback.format_exc())
+
+    @property
+    def domain_id(self) -> int:
+        """The domain, 0 to 232."""
+        return self.context.get_domain_id()
+
+    def close(self) -> None:
+        """Leave the domain; may be called twice."""
+        self.context.shutdown()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    # -- who is there --------------------------------------------------------------------------
+
+    def snapshot(self) -> Snapshot:
+        """Return the graph as it is now; the same object while nothing changes."""
+        seen = self._seen
+        revision = self.revision
+        if seen is None or seen[0] != revision:
+            seen = self._seen = (revision, self.context.graph.snapshot())
+        return seen[1]
+
+    def on_change(self, callback: Callable[[], None]) -> Callable[[], None]:
+        """Call a quick function at each change of the graph, in the thread that noticed it.
+
+        Returns:
+            A function that ends this; it may be called twice.
+        """
+        with self._lock:
+            self._callbacks.append(callback)
+
+        def undo() -> None:
+            with self._lock:
+                if callback in self._callbacks:
+                    self._callbacks.remove(callback)
+
+        return undo
+
+    def _on_token(self, _token: Token, _appeared: bool) -> None:
+        # Without the lock: whoever holds it may be declaring something, which waits for this thread
+        # when many tokens come at once.
+        self.revision += 1
+        for feed in list(self._feeds.values()):
+            if feed.is_wanted and feed.type_name is None:
+                self._executor.create_task(self._subscribe, feed)
+        for callback in list(self._callbacks):
+            callback()
+
+    # -- watching ------------------------------------------------------------------------------
+
+    def watch(
+        self, topic: str, type_name: str | None = None, *, keep: int = 0, is_active: bool = True
+    ) -> Watch:
+        """Watch a topic; all who watch it share one subscription.
+
+        Args:
+            topic: Full name; nobody needs to use it yet.
+            type_name: Full name of the type; the one that the graph tells if left out.
+            keep: How many messages to keep for `Watch.since`.
+            is_active: Whether to want its messages at once, or after `Watch.resume`.
+        """
+        key = (topic, type_name)
+        with self._lock:
+            feed = self._feeds.get(key)
+            if feed is None:
+                feed = Feed(topic, type_name, self._subscribe, self._unsubscribe)
+                self._feeds[key] = feed
+            return Watch(feed, keep=keep, is_active=is_active, forget=self._forget)
+
+    @property
+    def watched_topics(self) -> list[str]:
+        """The topics that are subscribed to now, sorted."""
+        with self._lock:
+            return sorted(one.topic for one in self._feeds.values() if one.subscription is not None)
+
+    def _subscribe(self, feed: Feed) -> None:
+        with self._lock:
+            if feed.subscription is not None or not feed.is_wanted:
+                return
+            publishers = self.snapshot().publishers(feed.topic)
+            feed.type_name = feed.asked_type or self._type_of(feed.topic)
+            if feed.type_name is None:
+                return
+            try:
+                message_type = get_interface(feed.type_name)
+            except LookupError:
+                self._learn(feed)
+                return
+            self._open_subscription(feed, message_type, profile_for(publishers))
+
+    def _open_subscription(self, feed: Feed, message_type: Any, profile: Any) -> None:
+        feed.problem = ""
+        feed.decode = self.context.dialect.codec_for(message_type).decode
+        try:
+            subscription = self.node.create_subscription(
+                message_type, feed.topic, feed.take, profile, raw="payload"
+            )
+        except NotInitializedError:
+            return  # the end of the program came first
+        # From here on it looks at what samples say of their type: what another type's publisher
+        # sends on a disputed topic would otherwise be read as messages full of zeros.
+        subscription.raw = False
+        subscription.report_losses_to(_ignore)
+        feed.subscription = subscription
+
+    def _type_of(self, topic: str) -> str | None:
+        ends = self.snapshot().publishers(topic) or self.snapshot().subscriptions(topic)
+        own = self.node.get_name()
+        return next((end.type_name for end in ends if end.node != own), None)
+
+    def _learn(self, feed: Feed) -> None:
+        name = str(feed.type_name)
+        feed.problem = f"asking the nodes that use it what {name} is"
+
+        def learn() -> None:
+            try:
+                self.interface(name)
+            except ZbotError as error:
+                feed.problem = str(error)
+                return
+            self._executor.create_task(self._subscribe, feed)
+
+        self.context.start_thread(f"zbot type {name}", learn)
+
+    def _unsubscribe(self, feed: Feed) -> None:
+        with self._lock:
+            subscription = None if feed.is_wanted else feed.forget_subscription()
+        if subscription is not None and self.context.ok():
+            self.node.destroy_subscription(subscription)
+
+    def _forget(self, feed: Feed) -> None:
+        with self._lock:
+            key = (feed.topic, feed.asked_type)
+            if feed.is_abandoned and self._feeds.get(key) is feed:
+                del self._feeds[key]
+
+    # -- speaking ------------------------------------------------------------------------------
+
+    def interface(self, type_name: str) -> Any:
+        """Return the class of a message, service or action type.
+
+        Asks the nodes that use it if this machine does not know it, which may take seconds: call
+        it with `nicegui.run.io_bound` where the type can be foreign.
+
+        Raises:
+            NoTypeError: Nobody knows it.
+        """
+        try:
+            return get_interface(type_name)
+        except LookupError:
+            if learn_type(self.context, type_name) is None:
+                raise NoTypeError(type_name) from None
+            return get_interface(type_name)
+
+    def publisher(self, topic: str, type_name: str) -> Lease[Publisher[Any]]:
+        """Return a lease of a publisher.
+
+        Raises:
+            ReadOnlyError: The page may only look.
+            NoTypeError: Nobody knows the type.
+            InvalidTopicNameError: The name breaks ROS 2's grammar.
+        """
+        self._check_writable("publishing")
+        message_type = self.interface(type_name)
+        return self._leases.get(
+            ("publisher", topic, type_name),
+            lambda: self.node.create_publisher(message_type, topic, _PUBLISH_DEPTH),
+            self.node.destroy_publisher,
+        )
+
+    def client(self, name: str, type_name: str) -> Lease[Client[Any, Any]]:
+        """Return a lease of a service's client; await its answers with `answer`.
+
+        Raises:
+            ReadOnlyError: The page may only look.
+            NoTypeError: Nobody knows the type.
+        """
+        self._check_writable("calling services")
+        return self._client(name, type_name)
+
+    def reader(self, name: str, type_name: str) -> Lease[Client[Any, Any]]:
+        """Return a client of a service that changes nothing, e.g. one that gets parameters.
+
+        Raises:
+            NoTypeError: Nobody knows the type.
+        """
+        return self._client(name, type_name)
+
+    def _client(self, name: str, type_name: str) -> Lease[Client[Any, Any]]:
+        service_type = self.interface(type_name)
+        return self._leases.get(
+            ("client", name, type_name),
+            lambda: self.node.create_client(service_type, name),
+            self.node.destroy_client,
+        )
+
+    def action_client(self, name: str, type_name: str) -> Lease[ActionClient[Any, Any, Any]]:
+        """Return a lease of an action's client; await its answers with `answer`.
+
+        Raises:
+            ReadOnlyError: The page may only look.
+            NoTypeError: Nobody knows the type.
+        """
+        self._check_writable("sending goals")
+        action_type = self.interface(type_name)
+        return self._leases.get(
+            ("action", name, type_name),
+            lambda: ActionClient(self.node, action_type, name),
+            ActionClient.destroy,
+        )
+
+    def _check_writable(self, what: str) -> None:
+        if self.read_only:
+            raise ReadOnlyError(what)
+
+
+async def answer(future: Future[T], timeout_s: float | None = None) -> T:
+    """Wait in asyncio's loop for a future that zbot's thread completes.
+
+    Args:
+        future: E.g. of `Client.call_async`.
+        timeout_s: The longest wait; None for ever.
+
+    Raises:
+        asyncio.TimeoutError: Nothing came in time.
+        Exception: What the future was completed with, e.g. a ServiceError.
+    """
+    loop = asyncio.get_running_loop()
+    is_over = asyncio.Event()
+    future.add_waker(lambda: loop.call_soon_threadsafe(is_over.set))
+    await asyncio.wait_for(is_over.wait(), timeout_s)
+    if future.cancelled():
+        raise asyncio.CancelledError
+    return future.result()  # type: ignore[return-value] # it is over
+
+
+def _ignore(_missing: int) -> None:
+    """Losses are counted by the subscription; a page shows them."""

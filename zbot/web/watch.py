@@ -1,0 +1,295 @@
+"""What is watched: topics, with their newest message, their rates and, if wanted, their history.
+
+Messages are kept as the bytes that came. They become messages when somebody looks, and not more
+often than a page can show.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from zbot.errors import CodecError, ZbotError
+from zbot.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from zbot.web.meter import Meter
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from typing_extensions import Self
+
+    from zbot.subscription import MessageInfo
+    from zbot.wire.tokens import EndpointToken
+
+#: A browser shows 30 pictures a second; who looks in between gets what the last look gave.
+_DECODE_PERIOD_NS = 10**9 // 30
+#: Messages that Zenoh keeps while the executor is busy; losses are counted all the same.
+_DEPTH = 100
+_MOST_HISTORY_BYTES = 32_000_000
+
+
+class Record(NamedTuple):
+    """A message as it came."""
+
+    number: int  #: from 1, for each topic
+    stamp_ns: int  #: when it was published, nanoseconds since the epoch; 0 if unknown
+    received_ns: int  #: when it came
+    payload: bytes
+
+    @property
+    def time_ns(self) -> int:
+        """When it was published or, for a plain Zenoh program, came."""
+        return self.stamp_ns or self.received_ns
+
+
+class Feed:
+    """One topic, for all who watch it.
+
+    Args:
+        topic: Full name.
+        type_name: Full name of its type; None to take what the graph says, once it knows.
+        subscribe: Called with the feed when the first one wants its messages.
+        unsubscribe: Called when the last one does no more.
+    """
+
+    def __init__(
+        self,
+        topic: str,
+        type_name: str | None,
+        subscribe: Callable[[Feed], None],
+        unsubscribe: Callable[[Feed], None],
+    ) -> None:
+        self.topic = topic
+        self.asked_type = type_name
+        self.type_name = type_name
+        self.problem = ""  #: why there are no messages, in a sentence
+        self.subscription: Any = None
+        self.decode: Callable[[bytes], Any] | None = None
+        self.meter = Meter()
+        self.newest: Record | None = None
+        self.count = 0
+        self._lost_before = 0
+        self._subscribe, self._unsubscribe = subscribe, unsubscribe
+        self._watches: set[Watch] = set()
+        self._lock = threading.Lock()
+        self._decode_lock = threading.Lock()
+        self._decoded: tuple[int, Any] = (0, None)
+        self._decoded_ns = 0
+        self._history: deque[Record] = deque(maxlen=0)
+        self._history_bytes = 0
+
+    # -- who watches ---------------------------------------------------------------------------
+
+    @property
+    def is_wanted(self) -> bool:
+        """Whether anybody wants its messages now."""
+        return any(watch.is_active for watch in self._watches)
+
+    @property
+    def is_abandoned(self) -> bool:
+        """Whether nobody holds it."""
+        return not self._watches
+
+    def update(self, watch: Watch, *, is_held: bool) -> None:
+        """Note that a watch came, went, paused or goes on."""
+        with self._lock:
+            (self._watches.add if is_held else self._watches.discard)(watch)
+            keep = max((one.keep for one in self._watches), default=0)
+            if keep != self._history.maxlen:
+                self._history = deque(self._history, maxlen=keep)
+                self._history_bytes = sum(len(one.payload) for one in self._history)
+            wanted = self.is_wanted
+        (self._subscribe if wanted else self._unsubscribe)(self)
+
+    # -- messages ------------------------------------------------------------------------------
+
+    def take(self, payload: bytes, info: MessageInfo) -> None:
+        """Keep a message; the subscription's callback."""
+        received_ns = info["received_timestamp"]
+        self.count += 1
+        record = Record(self.count, info["source_timestamp"], received_ns, payload)
+        self.newest = record
+        self.meter.add(received_ns, len(payload))
+        if self._history.maxlen:
+            self._remember(record)
+
+    def _remember(self, record: Record) -> None:
+        with self._lock:
+            history = self._history
+            if history and len(history) == history.maxlen:
+                self._history_bytes -= len(history[0].payload)
+            history.append(record)
+            self._history_bytes += len(record.payload)
+            while self._history_bytes > _MOST_HISTORY_BYTES and len(history) > 1:
+                self._history_bytes -= len(history.popleft().payload)
+
+    @property
+    def lost(self) -> int:
+        """How many messages came faster than they could be taken."""
+        subscription = self.subscription
+        return self._lost_before + (subscription.lost_count if subscription is not None else 0)
+
+    def forget_subscription(self) -> Any:
+        """Return the subscription, which is to be destroyed, and be without one."""
+        self._lost_before = self.lost
+        subscription, self.subscription = self.subscription, None
+        return subscription
+
+    def latest(self) -> Any:
+        """Return the newest message, decoded at most 30 times a second; None if there is none."""
+        newest = self.newest
+        if newest is None:
+            return None
+        with self._decode_lock:
+            now_ns = time.monotonic_ns()
+            is_due = now_ns - self._decoded_ns >= _DECODE_PERIOD_NS
+            if self._decoded[0] != newest.number and (is_due or self._decoded[1] is None):
+                self._decoded = (newest.number, self.read(newest))
+                self._decoded_ns = now_ns
+            return self._decoded[1]
+
+    def read(self, record: Record) -> Any:
+        """Return a kept message decoded; None if it is none of the type, which `problem` tells."""
+        if self.decode is None:
+            return None
+        try:
+            return self.decode(record.payload)
+        except CodecError as error:
+            self.problem = f"a message cannot be read: {error}"
+            return None
+
+    def since(self, number: int) -> Sequence[Record]:
+        """Return the kept messages after a number, the oldest first."""
+        with self._lock:
+            return [record for record in self._history if record.number > number]
+
+
+class Watch:
+    """One page's, or one curve's, look at a topic. All methods may be called from any thread.
+
+    Args:
+        feed: The topic, shared with all others who watch it.
+        keep: How many messages `since` can return.
+        is_active: Whether messages are wanted at once.
+        forget: Called after the last watch of the feed was released.
+    """
+
+    def __init__(
+        self, feed: Feed, *, keep: int, is_active: bool, forget: Callable[[Feed], None]
+    ) -> None:
+        self.keep = keep
+        self.is_active = is_active
+        self._feed = feed
+        self._forget = forget
+        self._is_held = True
+        feed.update(self, is_held=True)
+
+    @property
+    def topic(self) -> str:
+        """The topic's full name."""
+        return self._feed.topic
+
+    @property
+    def type_name(self) -> str | None:
+        """The type's full name; None until anybody uses the topic."""
+        return self._feed.type_name
+
+    @property
+    def problem(self) -> str:
+        """Why nothing comes, or cannot be read, in a sentence; empty if all is well."""
+        return self._feed.problem
+
+    @property
+    def latest(self) -> Any:
+        """The newest message, decoded at most 30 times a second; None if none came yet."""
+        return self._feed.latest()
+
+    @property
+    def newest(self) -> Record | None:
+        """The newest message as it came."""
+        return self._feed.newest
+
+    @property
+    def count(self) -> int:
+        """How many messages came since somebody began to watch; unchanged means: nothing new."""
+        return self._feed.count
+
+    @property
+    def lost(self) -> int:
+        """How many came faster than they could be taken."""
+        return self._feed.lost
+
+    @property
+    def rate_hz(self) -> float:
+        """Messages a second, over the last five."""
+        return self._feed.meter.rates(time.time_ns())[0]
+
+    @property
+    def bytes_per_second(self) -> float:
+        """Bytes of payload a second, over the last five."""
+        return self._feed.meter.rates(time.time_ns())[1]
+
+    def since(self, number: int) -> Sequence[Record]:
+        """Return the kept messages after a number (0: all), the oldest first; see `keep`."""
+        return self._feed.since(number)
+
+    def read(self, record: Record) -> Any:
+        """Return a kept message decoded; None if it cannot be, which `problem` tells."""
+        return self._feed.read(record)
+
+    def pause(self) -> None:
+        """Want no messages for now; what came stays."""
+        self._set(is_active=False)
+
+    def resume(self) -> None:
+        """Want messages again."""
+        self._set(is_active=True)
+
+    def _set(self, *, is_active: bool) -> None:
+        if self._is_held and is_active != self.is_active:
+            self.is_active = is_active
+            self._feed.update(self, is_held=True)
+
+    def release(self) -> None:
+        """End; may be called twice."""
+        if self._is_held:
+            self._is_held = self.is_active = False
+            self._feed.update(self, is_held=False)
+            self._forget(self._feed)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.release()
+
+
+class NoTypeError(ZbotError):
+    """A type has no definition on this machine, and nobody tells it."""
+
+    def __init__(self, type_name: str) -> None:
+        self.type_name = type_name
+        super().__init__(
+            f"the type {type_name} is unknown here: put its file into a package of your workspace"
+        )
+
+
+def profile_for(publishers: Sequence[EndpointToken]) -> QoSProfile:
+    """Return the profile to watch a topic with: it hears whatever its publishers offer.
+
+    Transient local if all are, so that a page which comes late still shows what a latched topic
+    holds.
+    """
+    is_latched = bool(publishers) and all(
+        end.qos.durability is DurabilityPolicy.TRANSIENT_LOCAL for end in publishers
+    )
+    is_reliable = bool(publishers) and all(
+        end.qos.reliability is ReliabilityPolicy.RELIABLE for end in publishers
+    )
+    return QoSProfile(
+        depth=_DEPTH,
+        reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
+        durability=DurabilityPolicy.TRANSIENT_LOCAL if is_latched else DurabilityPolicy.VOLATILE,
+    )
