@@ -1,0 +1,238 @@
+"""TLS between hubs: real Zenoh routers on loopback, with every certificate that could go wrong."""
+
+from __future__ import annotations
+
+import socket
+import ssl
+from datetime import datetime, timedelta, timezone
+from typing import TYPE_CHECKING, Any
+
+import pytest
+import zenoh
+
+from tests.classroom.test_access import free_port, open_session
+from tests.conftest import wait_until
+from zbot.security.certificate import Validity
+from zbot.security.errors import (
+    EarlyCertificateError,
+    ExpiredCertificateError,
+    ForeignCertificateError,
+    MissingFileError,
+    NoServerCertificateError,
+    NoTlsError,
+    RefusedCertificateError,
+    SecurityError,
+    WrongAddressError,
+)
+from zbot.security.keystore import Identity, Keystore
+from zbot.security.tls import check_dialling, check_listening, tls_settings
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from pathlib import Path
+
+pytest.importorskip("cryptography", reason="the extra zbot[security] is not installed")
+
+HERE = "127.0.0.1"
+NOW = datetime.now(timezone.utc)
+PAST = Validity(NOW - timedelta(days=3), NOW - timedelta(days=1))
+FUTURE = Validity(NOW + timedelta(days=1), NOW + timedelta(days=3))
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Keystore:
+    return Keystore.create(tmp_path / "keys")
+
+
+@pytest.fixture
+def foreign(tmp_path: Path) -> Keystore:
+    return Keystore.create(tmp_path / "foreign")
+
+
+@pytest.fixture
+def listen() -> Iterator[Callable[..., int]]:
+    """Return a function that opens a hub and returns its port."""
+    opened: list[zenoh.Session] = []
+
+    def start(identity: Identity | None, **more: Any) -> int:
+        port = free_port()
+        protocol, settings = ("tls", tls_settings(identity)) if identity else ("tcp", {})
+        endpoints = {"listen/endpoints": [f"{protocol}/{HERE}:{port}"]}
+        opened.append(open_session({"mode": "router", **endpoints, **settings, **more}))
+        return port
+
+    yield start
+    for session in opened:
+        session.close()
+
+
+def links(port: int, settings: dict[str, Any], protocol: str = "tls") -> bool:
+    """Return whether a hub that dials a port is let in."""
+    dial = {
+        "mode": "router",
+        "listen/endpoints": [],
+        "connect/endpoints": [f"{protocol}/{HERE}:{port}"],
+        "connect/timeout_ms": 500,
+        "connect/exit_on_failure": True,
+    }
+    try:
+        session = open_session({**dial, **settings})
+    except zenoh.ZError:
+        return False
+    linked = wait_until(lambda: bool(session.info.routers_zid()))
+    session.close()
+    return linked
+
+
+def test_two_machines_of_one_keystore_are_linked(
+    store: Keystore, listen: Callable[..., int]
+) -> None:
+    teacher, ana = store.issue("teacher", [HERE]), store.issue("ana")
+    port = listen(teacher)
+    assert check_listening(teacher, [HERE]).name == "teacher"
+    assert check_dialling(ana, HERE, port).name == "teacher"
+    assert links(port, tls_settings(ana))
+
+
+def spoilt(store: Keystore, foreign: Keystore, what: str) -> Identity:
+    """Return a student's certificate that should not be accepted."""
+    if what == "foreign":
+        found = foreign.issue("ana")
+        found.authority.write_bytes((store.root / "public/ca.cert.pem").read_bytes())
+        return found
+    return store.issue("ana", validity={"expired": PAST, "early": FUTURE}[what])
+
+
+@pytest.mark.parametrize(
+    ("what", "error"),
+    [
+        ("expired", ExpiredCertificateError),
+        ("early", EarlyCertificateError),
+        ("foreign", ForeignCertificateError),
+    ],
+)
+def test_a_spoilt_certificate_is_refused_here_and_by_the_hub(
+    store: Keystore,
+    foreign: Keystore,
+    listen: Callable[..., int],
+    what: str,
+    error: type[SecurityError],
+) -> None:
+    port, ana = listen(store.issue("teacher", [HERE])), spoilt(store, foreign, what)
+    with pytest.raises(error):
+        check_dialling(ana, HERE, port)
+    assert not links(port, tls_settings(ana))
+    assert links(port, tls_settings(store.issue("ben")))
+
+
+def test_without_a_certificate_nobody_is_let_in(
+    store: Keystore, listen: Callable[..., int]
+) -> None:
+    port, ana = listen(store.issue("teacher", [HERE])), store.issue("ana")
+    anonymous = {
+        path: value for path, value in tls_settings(ana).items() if "/connect_" not in path
+    }
+    assert not links(port, anonymous)
+    assert not links(port, {}, "tcp")
+    ana.certificate.unlink()
+    with pytest.raises(MissingFileError):
+        check_dialling(ana, HERE, port)
+
+
+@pytest.mark.parametrize(
+    ("what", "error"),
+    [
+        ("expired", ExpiredCertificateError),
+        ("early", EarlyCertificateError),
+        ("foreign", ForeignCertificateError),
+        ("a student's", NoServerCertificateError),
+        ("for another address", WrongAddressError),
+    ],
+)
+def test_a_hub_with_a_spoilt_certificate_is_not_trusted(
+    store: Keystore,
+    foreign: Keystore,
+    listen: Callable[..., int],
+    what: str,
+    error: type[SecurityError],
+) -> None:
+    ana = store.issue("ana")
+    made = {
+        "expired": lambda: store.issue("rogue", [HERE], PAST),
+        "early": lambda: store.issue("rogue", [HERE], FUTURE),
+        "foreign": lambda: foreign.issue("rogue", [HERE]),
+        "a student's": lambda: store.issue("rogue"),
+        "for another address": lambda: store.issue("rogue", ["10.9.9.9"]),
+    }
+    port = listen(made[what]())
+    with pytest.raises(error):
+        check_dialling(ana, HERE, port)
+    assert not links(port, tls_settings(ana))
+
+
+def test_a_students_certificate_makes_no_hub_even_without_a_look_at_the_address(
+    store: Keystore, listen: Callable[..., int]
+) -> None:
+    port = listen(store.issue("eve"))
+    trusting = tls_settings(store.issue("ana"))
+    trusting["transport/link/tls/verify_name_on_connect"] = False
+    assert not links(port, trusting)
+
+
+@pytest.mark.parametrize("what", ["expired", "a student's", "for another address"])
+def test_a_hub_does_not_start_with_a_certificate_of_no_use(store: Keystore, what: str) -> None:
+    made, error = {
+        "expired": (store.issue("a", [HERE], PAST), ExpiredCertificateError),
+        "a student's": (store.issue("b"), NoServerCertificateError),
+        "for another address": (store.issue("c", ["10.9.9.9", "host"]), WrongAddressError),
+    }[what]
+    with pytest.raises(error):
+        check_listening(made, [HERE])
+
+
+def test_a_hub_that_does_not_accept_our_certificate_is_told(
+    store: Keystore, foreign: Keystore, listen: Callable[..., int]
+) -> None:
+    teacher, ana = store.issue("teacher", [HERE]), store.issue("ana")
+    teacher.authority.write_bytes((foreign.root / "public/ca.cert.pem").read_bytes())
+    port = listen(teacher)
+    with pytest.raises(RefusedCertificateError, match="does not accept this machine's certificate"):
+        check_dialling(ana, HERE, port)
+    assert not links(port, tls_settings(ana))
+
+
+def test_a_hub_without_a_keystore_is_told(store: Keystore, listen: Callable[..., int]) -> None:
+    port = listen(None)
+    with pytest.raises(NoTlsError, match="without --keystore"):
+        check_dialling(store.issue("ana"), HERE, port)
+
+
+def test_a_link_ends_when_its_certificate_expires(
+    store: Keystore, listen: Callable[..., int]
+) -> None:
+    port = listen(store.issue("teacher", [HERE]))
+    soon = Validity(PAST.since, datetime.now(timezone.utc) + timedelta(seconds=3))
+    settings = tls_settings(store.issue("ana", validity=soon))
+    session = open_session(
+        {
+            "mode": "router",
+            "listen/endpoints": [],
+            "connect/endpoints": [f"tls/{HERE}:{port}"],
+            **settings,
+        }
+    )
+    assert wait_until(lambda: bool(session.info.routers_zid()))
+    assert wait_until(lambda: not list(session.info.routers_zid()), 15)
+    session.close()
+
+
+def test_what_travels_between_hubs_is_encrypted(
+    store: Keystore, listen: Callable[..., int]
+) -> None:
+    port, ana = listen(store.issue("teacher", [HERE])), store.issue("ana")
+    context = ssl.create_default_context(cafile=ana.authority)
+    context.load_cert_chain(ana.certificate, ana.key)
+    with socket.create_connection((HERE, port), 2) as plain:
+        wrapped = context.wrap_socket(plain, server_hostname=HERE)
+        assert wrapped.version() == "TLSv1.3"
+        wrapped.close()

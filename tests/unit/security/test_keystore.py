@@ -1,0 +1,241 @@
+from __future__ import annotations
+
+import os
+import stat
+from datetime import datetime, timedelta, timezone
+from typing import TYPE_CHECKING
+
+import pytest
+
+from zbot.security import certificate
+from zbot.security.certificate import MOST_DAYS, Validity
+from zbot.security.errors import (
+    AddressNameError,
+    EarlyCertificateError,
+    EnclaveExistsError,
+    EnclaveNameError,
+    ExpiredCertificateError,
+    ForeignCertificateError,
+    ForeignKeyError,
+    KeystoreExistsError,
+    MissingFileError,
+    NoAuthorityKeyError,
+    NoCryptographyError,
+    NoKeystoreError,
+    UnknownEnclaveError,
+    UnreadableFileError,
+    ValidityError,
+)
+from zbot.security.keystore import Identity, Keystore, identity
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+pytest.importorskip("cryptography", reason="the extra zbot[security] is not installed")
+
+NOW = datetime.now(timezone.utc)
+PAST = Validity(NOW - timedelta(days=3), NOW - timedelta(days=1))
+FUTURE = Validity(NOW + timedelta(days=1), NOW + timedelta(days=3))
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Keystore:
+    return Keystore.create(tmp_path / "keys")
+
+
+def test_a_certificate_says_whose_it_is_and_until_when(store: Keystore) -> None:
+    said = store.issue("teacher", ["10.0.0.5", "laptop.local", "fe80::1"]).check()
+    assert said.name == "teacher"
+    assert said.addresses == ("10.0.0.5", "laptop.local", "fe80::1")
+    assert said.is_server
+    assert abs(said.until - NOW - timedelta(days=365)) < timedelta(minutes=5)
+    assert said.since < NOW
+
+
+def test_a_machine_without_addresses_is_no_hub(store: Keystore) -> None:
+    assert not store.issue("ana").check().is_server
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no file modes")
+def test_everything_in_a_keystore_is_for_its_owner_only(store: Keystore) -> None:
+    store.issue("/robots/one", ["10.0.0.5"])
+    paths = [store.root, *store.root.rglob("*")]
+    modes = {path.is_dir(): set() for path in paths}  # type: dict[bool, set[int]]
+    for path in paths:
+        modes[path.is_dir()].add(stat.S_IMODE(path.stat().st_mode))
+    assert modes == {True: {0o700}, False: {0o600}}
+    assert len(paths) == 11
+
+
+def test_a_machine_is_not_given_the_authoritys_key(store: Keystore) -> None:
+    given = store.issue("ana")
+    authority_key = (store.root / "private" / "ca.key.pem").read_bytes()
+    assert {path.name for path in given.folder.iterdir()} == {"cert.pem", "key.pem", "ca.cert.pem"}
+    assert all(path.read_bytes() != authority_key for path in given.folder.iterdir())
+
+
+def test_nothing_is_overwritten(store: Keystore, tmp_path: Path) -> None:
+    with pytest.raises(KeystoreExistsError, match=r"Unable to create keystore: keystore .* exists"):
+        Keystore.create(store.root)
+    before = store.issue("ana").key.read_bytes()
+    with pytest.raises(EnclaveExistsError, match="--renew"):
+        store.issue("/ana")
+    assert (store.root / "enclaves/ana/key.pem").read_bytes() == before
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "thesis.txt").write_text("x")
+    with pytest.raises(KeystoreExistsError, match="folder"):
+        Keystore.create(tmp_path / "mine")
+    with pytest.raises(KeystoreExistsError, match="file"):
+        Keystore.create(tmp_path / "mine" / "thesis.txt")
+
+
+def test_an_empty_folder_becomes_a_keystore(tmp_path: Path) -> None:
+    (tmp_path / "keys").mkdir()
+    assert Keystore.create(tmp_path / "keys").enclaves() == []
+
+
+def test_renewing_replaces_key_and_certificate(store: Keystore) -> None:
+    first = store.issue("ana", validity=PAST)
+    old = first.key.read_bytes()
+    with pytest.raises(ExpiredCertificateError):
+        first.check()
+    assert store.issue("ana", renew=True).check().until > NOW
+    assert first.key.read_bytes() != old
+
+
+def test_enclaves_are_listed_by_name(store: Keystore) -> None:
+    for name in ("/robots/one", "ana", "/robots"):
+        store.issue(name)
+    (store.root / "enclaves" / ".draft").mkdir()
+    (store.root / "enclaves" / ".draft" / "cert.pem").touch()
+    assert store.enclaves() == ["/ana", "/robots", "/robots/one"]
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "",
+        "/",
+        "..",
+        "../ana",
+        "a/../b",
+        "a//b",
+        "a/",
+        "//a",
+        ".hidden",
+        "a b",
+        "a\nb",
+        "a\x00b",
+        "C:\\x",
+        "<b>",
+        "$(id)",
+        "ä",
+        "a" * 65,
+    ],
+)
+def test_names_that_would_leave_the_keystore_are_refused(store: Keystore, name: str) -> None:
+    before = sorted(store.root.parent.rglob("*"))
+    with pytest.raises(EnclaveNameError, match="not a valid enclave name"):
+        store.issue(name)
+    assert sorted(store.root.parent.rglob("*")) == before
+
+
+@pytest.mark.parametrize("address", ["", "a b", "10.0.0.5/24", "a..b", "x" * 254, "http://a", "ä"])
+def test_addresses_that_are_none_are_refused(store: Keystore, address: str) -> None:
+    with pytest.raises(AddressNameError, match="neither a host's name nor an IP address"):
+        store.issue("teacher", [address])
+    assert store.enclaves() == []
+
+
+@pytest.mark.parametrize("days", [0, -1, MOST_DAYS + 1])
+def test_a_validity_has_limits(days: int) -> None:
+    with pytest.raises(ValidityError):
+        Validity.days(days)
+
+
+def test_an_expired_certificate_is_told_from_an_early_one(store: Keystore) -> None:
+    with pytest.raises(ExpiredCertificateError, match=r"the certificate of old .* expired on"):
+        store.issue("old", validity=PAST).check()
+    with pytest.raises(EarlyCertificateError, match=r"new .* valid only from .* clock"):
+        store.issue("new", validity=FUTURE).check()
+
+
+def test_a_foreign_certificate_is_recognised(store: Keystore, tmp_path: Path) -> None:
+    foreign = Keystore.create(tmp_path / "other").issue("ana")
+    foreign.authority.write_bytes((store.root / "public" / "ca.cert.pem").read_bytes())
+    with pytest.raises(ForeignCertificateError, match="not made with the keystore"):
+        foreign.check()
+
+
+def test_an_authority_of_the_same_name_is_still_another(store: Keystore, tmp_path: Path) -> None:
+    one, other = store.issue("ana"), Keystore.create(tmp_path / "other").issue("ana")
+    one.authority.write_bytes(other.authority.read_bytes())
+    with pytest.raises(ForeignCertificateError):
+        one.check()
+
+
+def test_an_expired_authority_is_told(tmp_path: Path) -> None:
+    store = Keystore.create(tmp_path / "keys", PAST)
+    with pytest.raises(ExpiredCertificateError, match="zbot keystore"):
+        store.issue("ana").check()
+
+
+@pytest.mark.parametrize("name", ["cert.pem", "key.pem", "ca.cert.pem"])
+def test_missing_and_damaged_files_are_named(store: Keystore, name: str) -> None:
+    ana = store.issue("ana")
+    path = ana.folder / name
+    path.write_bytes(b"-----BEGIN CERTIFICATE-----\nnonsense\n-----END CERTIFICATE-----\n")
+    with pytest.raises(UnreadableFileError, match=f"{name} is no readable"):
+        ana.check()
+    path.unlink()
+    with pytest.raises(MissingFileError, match=f"there is no (key|certificate) at .*{name}"):
+        ana.check()
+
+
+def test_anothers_key_is_recognised(store: Keystore) -> None:
+    ana, ben = store.issue("ana"), store.issue("ben")
+    ana.key.write_bytes(ben.key.read_bytes())
+    with pytest.raises(ForeignKeyError):
+        ana.check()
+
+
+def test_a_copy_without_the_authoritys_key_makes_no_certificates(store: Keystore) -> None:
+    (store.root / "private" / "ca.key.pem").unlink()
+    with pytest.raises(NoAuthorityKeyError, match="no key to sign with"):
+        store.issue("ana")
+
+
+def test_a_folder_that_is_no_keystore_is_named(tmp_path: Path) -> None:
+    with pytest.raises(NoKeystoreError, match="is not a valid keystore"):
+        Keystore(tmp_path)
+
+
+def test_which_machine_of_a_keystore_is_meant(
+    store: Keystore, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    with pytest.raises(UnknownEnclaveError, match="none"):
+        identity(store.root)
+    ana = store.issue("ana")
+    assert identity(store.root) == ana
+    assert identity(ana.folder) == ana
+    ben = store.issue("ben")
+    monkeypatch.setattr("socket.gethostname", lambda: "ben")
+    assert identity(store.root) == ben
+    monkeypatch.setattr("socket.gethostname", lambda: "eve")
+    with pytest.raises(UnknownEnclaveError, match="ana, ben"):
+        identity(store.root)
+    with pytest.raises(MissingFileError):
+        identity(tmp_path / "nowhere")
+    with pytest.raises(MissingFileError):
+        Identity(tmp_path).check()
+
+
+def test_without_the_package_the_sentence_says_how_to_get_it(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "cryptography", None)
+    with pytest.raises(NoCryptographyError, match=r"pip install 'zbot\[security\]'"):
+        Keystore.create(tmp_path / "keys")
+    with pytest.raises(NoCryptographyError):
+        certificate.facts(tmp_path / "x")
+    assert not (tmp_path / "keys").exists()

@@ -1,0 +1,339 @@
+"""X.509 certificates: making them, and saying in a sentence what is wrong with one.
+
+Keys are on the curve P-256, signatures ECDSA with SHA-256: what every TLS library accepts.
+"""
+
+from __future__ import annotations
+
+import ipaddress
+import re
+from dataclasses import dataclass
+from datetime import datetime, timedelta, timezone
+from typing import TYPE_CHECKING
+
+from zbot.security.errors import (
+    AddressNameError,
+    EarlyCertificateError,
+    ExpiredCertificateError,
+    ForeignCertificateError,
+    ForeignKeyError,
+    MissingFileError,
+    NoCryptographyError,
+    UnreadableFileError,
+    ValidityError,
+)
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+    from pathlib import Path
+
+    from cryptography import x509
+    from cryptography.hazmat.primitives.asymmetric.ec import EllipticCurvePrivateKey
+
+MOST_DAYS = 3650  #: ten years
+AUTHORITY_NAME = "zbot keystore"
+#: Clocks of classroom machines differ, and some wake up without one.
+_EARLIER = timedelta(days=1)
+_HOST_NAME = re.compile(
+    r"(?=.{1,253}$)[A-Za-z0-9_]([A-Za-z0-9_-]{0,62})(\.[A-Za-z0-9_][A-Za-z0-9_-]{0,62})*"
+)
+
+
+@dataclass(frozen=True)
+class KeyPair:
+    """A key and its certificate, as PEM files hold them."""
+
+    key: bytes
+    certificate: bytes
+
+
+@dataclass(frozen=True)
+class Facts:
+    """What a certificate says."""
+
+    name: str
+    since: datetime
+    until: datetime
+    addresses: tuple[str, ...]  #: host names and IP addresses at which others reach the machine
+    is_server: bool  #: whether others may join it
+
+
+@dataclass(frozen=True)
+class Validity:
+    """From when until when a certificate is valid."""
+
+    since: datetime
+    until: datetime
+
+    @classmethod
+    def days(cls, count: int) -> Validity:
+        """Return the days from now on, with a day before for clocks that are slow.
+
+        Raises:
+            ValidityError: They are too many or too few.
+        """
+        if not 1 <= count <= MOST_DAYS:
+            raise ValidityError(count, MOST_DAYS)
+        now = datetime.now(timezone.utc)
+        return cls(now - _EARLIER, now + timedelta(days=count))
+
+
+def need_cryptography() -> None:
+    """Check that certificates can be handled at all.
+
+    Raises:
+        NoCryptographyError: Their package is not installed.
+    """
+    try:
+        import cryptography  # noqa: F401, PLC0415 - an extra
+    except ImportError as exc:
+        raise NoCryptographyError from exc
+
+
+def make_authority(validity: Validity) -> KeyPair:
+    """Return a new authority: a key that signs certificates, and the certificate to check them."""
+    need_cryptography()
+    from cryptography import x509  # noqa: PLC0415 - an extra
+    from cryptography.hazmat.primitives.asymmetric import ec  # noqa: PLC0415 - an extra
+
+    key = ec.generate_private_key(ec.SECP256R1())
+    name = _named(AUTHORITY_NAME)
+    usage = _usage(key_cert_sign=True, crl_sign=True)
+    builder = (
+        _builder(name, name, key, validity)
+        .add_extension(x509.BasicConstraints(ca=True, path_length=0), critical=True)
+        .add_extension(usage, critical=True)
+    )
+    return _signed(builder, key, key)
+
+
+def issue(authority: KeyPair, name: str, addresses: Iterable[str], validity: Validity) -> KeyPair:
+    """Return a new key and a certificate for it.
+
+    Args:
+        authority: Signs.
+        name: The machine's: the certificate's common name.
+        addresses: Host names and IP addresses at which others reach it. A machine without any can
+            join others, but nobody takes it for a hub: its certificate is a client's only.
+        validity: From when until when.
+
+    Raises:
+        AddressNameError: An address is none.
+    """
+    need_cryptography()
+    from cryptography import x509  # noqa: PLC0415 - an extra
+    from cryptography.hazmat.primitives.asymmetric import ec  # noqa: PLC0415 - an extra
+    from cryptography.hazmat.primitives.serialization import (  # noqa: PLC0415 - an extra
+        load_pem_private_key,
+    )
+    from cryptography.x509.oid import ExtendedKeyUsageOID as Purpose  # noqa: PLC0415 - an extra
+
+    names = [_general_name(address) for address in addresses]
+    purposes = [Purpose.CLIENT_AUTH, *([Purpose.SERVER_AUTH] if names else [])]
+    signer = load_pem_private_key(authority.key, None)
+    issuer = x509.load_pem_x509_certificate(authority.certificate)
+    assert isinstance(signer, ec.EllipticCurvePrivateKey)  # ours, made above
+    key = ec.generate_private_key(ec.SECP256R1())
+    builder = (
+        _builder(_named(name), issuer.subject, key, validity)
+        .add_extension(x509.BasicConstraints(ca=False, path_length=None), critical=True)
+        .add_extension(_usage(digital_signature=True), critical=True)
+        .add_extension(x509.ExtendedKeyUsage(purposes), critical=False)
+        .add_extension(
+            x509.AuthorityKeyIdentifier.from_issuer_public_key(signer.public_key()), critical=False
+        )
+    )
+    if names:
+        builder = builder.add_extension(x509.SubjectAlternativeName(names), critical=False)
+    return _signed(builder, key, signer)
+
+
+def _named(name: str) -> x509.Name:
+    from cryptography import x509  # noqa: PLC0415 - an extra
+    from cryptography.x509.oid import NameOID  # noqa: PLC0415 - an extra
+
+    return x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, name)])
+
+
+def _general_name(address: str) -> x509.GeneralName:
+    from cryptography import x509  # noqa: PLC0415 - an extra
+
+    try:
+        return x509.IPAddress(ipaddress.ip_address(address))
+    except ValueError:
+        if not _HOST_NAME.fullmatch(address):
+            raise AddressNameError(address) from None
+        return x509.DNSName(address)
+
+
+def _usage(
+    *, digital_signature: bool = False, key_cert_sign: bool = False, crl_sign: bool = False
+) -> x509.KeyUsage:
+    from cryptography import x509  # noqa: PLC0415 - an extra
+
+    return x509.KeyUsage(
+        digital_signature=digital_signature,
+        key_cert_sign=key_cert_sign,
+        crl_sign=crl_sign,
+        content_commitment=False,
+        key_encipherment=False,
+        data_encipherment=False,
+        key_agreement=False,
+        encipher_only=False,
+        decipher_only=False,
+    )
+
+
+def _builder(
+    subject: x509.Name, issuer: x509.Name, key: EllipticCurvePrivateKey, validity: Validity
+) -> x509.CertificateBuilder:
+    from cryptography import x509  # noqa: PLC0415 - an extra
+
+    identifier = x509.SubjectKeyIdentifier.from_public_key(key.public_key())
+    return (
+        x509.CertificateBuilder()
+        .subject_name(subject)
+        .issuer_name(issuer)
+        .public_key(key.public_key())
+        .serial_number(x509.random_serial_number())
+        .not_valid_before(validity.since)
+        .not_valid_after(validity.until)
+        .add_extension(identifier, critical=False)
+    )
+
+
+def _signed(
+    builder: x509.CertificateBuilder, key: EllipticCurvePrivateKey, signer: EllipticCurvePrivateKey
+) -> KeyPair:
+    from cryptography.hazmat.primitives import hashes, serialization  # noqa: PLC0415 - an extra
+
+    certificate = builder.sign(signer, hashes.SHA256())
+    private = key.private_bytes(
+        serialization.Encoding.PEM,
+        serialization.PrivateFormat.PKCS8,
+        serialization.NoEncryption(),
+    )
+    return KeyPair(private, certificate.public_bytes(serialization.Encoding.PEM))
+
+
+def facts(certificate: Path) -> Facts:
+    """Return what a certificate's file says.
+
+    Raises:
+        CertificateError: There is none, or it cannot be read.
+    """
+    return _facts(_certificate(certificate))
+
+
+def _facts(certificate: x509.Certificate) -> Facts:
+    from cryptography import x509  # noqa: PLC0415 - an extra
+    from cryptography.x509.oid import ExtendedKeyUsageOID, NameOID  # noqa: PLC0415 - an extra
+
+    names = certificate.subject.get_attributes_for_oid(NameOID.COMMON_NAME)
+    extensions = certificate.extensions
+    try:
+        listed = extensions.get_extension_for_class(x509.SubjectAlternativeName).value
+        addresses = tuple(str(one.value) for one in listed)
+    except x509.ExtensionNotFound:
+        addresses = ()
+    try:
+        purposes = list(extensions.get_extension_for_class(x509.ExtendedKeyUsage).value)
+    except x509.ExtensionNotFound:
+        purposes = [ExtendedKeyUsageOID.SERVER_AUTH]
+    return Facts(
+        str(names[0].value) if names else "nobody",
+        certificate.not_valid_before_utc,
+        certificate.not_valid_after_utc,
+        addresses,
+        ExtendedKeyUsageOID.SERVER_AUTH in purposes,
+    )
+
+
+def check(certificate: Path, key: Path, authority: Path, now: datetime | None = None) -> Facts:
+    """Return what a machine's certificate says, having checked all that others will check.
+
+    Args:
+        certificate: Its file.
+        key: That of its key.
+        authority: That of the certificate of the keystore's authority.
+        now: The time to check for; the present one by default.
+
+    Raises:
+        CertificateError: It is missing, damaged, expired, not valid yet, or not of this authority,
+            or the key is another's: each is a class of its own.
+    """
+    moment = now or datetime.now(timezone.utc)
+    issuer, own = _certificate(authority), _certificate(certificate)
+    _check_key(key, own)
+    said = _facts(own)
+    if not _is_signed_by(own, issuer):
+        raise ForeignCertificateError(certificate, said.name, authority)
+    _check_time(authority, _facts(issuer), moment)
+    _check_time(certificate, said, moment)
+    return said
+
+
+def check_issued(der: bytes, shown_by: str, authority: Path, now: datetime | None = None) -> Facts:
+    """Return what a certificate says that another machine has shown, having checked it.
+
+    Raises:
+        CertificateError: As `check`.
+    """
+    need_cryptography()
+    from cryptography import x509  # noqa: PLC0415 - an extra
+
+    shown = x509.load_der_x509_certificate(der)
+    said = _facts(shown)
+    if not _is_signed_by(shown, _certificate(authority)):
+        raise ForeignCertificateError(shown_by, said.name, authority)
+    _check_time(shown_by, said, now or datetime.now(timezone.utc))
+    return said
+
+
+def _check_time(path: Path | str, said: Facts, now: datetime) -> None:
+    if now > said.until:
+        raise ExpiredCertificateError(path, said.name, said.until)
+    if now < said.since:
+        raise EarlyCertificateError(path, said.name, said.since)
+
+
+def _is_signed_by(certificate: x509.Certificate, issuer: x509.Certificate) -> bool:
+    from cryptography.exceptions import InvalidSignature  # noqa: PLC0415 - an extra
+
+    try:
+        certificate.verify_directly_issued_by(issuer)
+    except (ValueError, TypeError, InvalidSignature):
+        return False
+    return True
+
+
+def _check_key(path: Path, certificate: x509.Certificate) -> None:
+    from cryptography.hazmat.primitives.serialization import (  # noqa: PLC0415 - an extra
+        load_pem_private_key,
+    )
+
+    try:
+        key = load_pem_private_key(_content(path, "key"), None)
+    except (ValueError, TypeError) as exc:
+        raise UnreadableFileError(path, "key", "it is damaged or has a password") from exc
+    if key.public_key() != certificate.public_key():
+        raise ForeignKeyError(path)
+
+
+def _certificate(path: Path) -> x509.Certificate:
+    need_cryptography()
+    from cryptography import x509  # noqa: PLC0415 - an extra
+
+    try:
+        return x509.load_pem_x509_certificate(_content(path, "certificate"))
+    except ValueError as exc:
+        raise UnreadableFileError(path, "certificate", "it is damaged") from exc
+
+
+def _content(path: Path, what: str) -> bytes:
+    try:
+        return path.read_bytes()
+    except FileNotFoundError:
+        raise MissingFileError(path, what) from None
+    except OSError as exc:
+        raise UnreadableFileError(path, what, exc.strerror or str(exc)) from exc
