@@ -9,11 +9,14 @@ from __future__ import annotations
 import json
 import os
 import sys
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, field, fields
 from pathlib import Path
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from zbot.errors import SetupError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
 
 FILE = "membership.json"
 USERS_FILE = "users.txt"
@@ -40,7 +43,8 @@ class Membership:
     number: int = 0  #: the student's number, which is this machine's domain; 0 otherwise
     name: str = ""  #: of the student
     user: str = ""  #: with which sessions introduce themselves; empty where nobody asks
-    secret: str = ""
+    secret: str = field(default="", repr=False)
+    claim: str = ""  #: tells this claim of the number from others
 
     @property
     def in_class(self) -> bool:
@@ -89,9 +93,20 @@ def _parsed(path: Path, text: str) -> Membership:
         raise MembershipError(path, str(exc)) from exc
 
 
-def save(membership: Membership) -> None:
-    """Write what this machine has joined, for its user's eyes only."""
-    write_private(folder() / FILE, json.dumps(asdict(membership), indent=2) + "\n")
+def save(membership: Membership, users: Iterable[tuple[str, str]] = ()) -> None:
+    """Write what this machine has joined, for its user's eyes only.
+
+    Args:
+        membership: What.
+        users: Whom its sessions let in, with their secrets; where they introduce themselves.
+    """
+    from zbot.security.secret import make_private_folder, write_private  # noqa: PLC0415 - seldom
+
+    make_private_folder(folder())
+    if membership.user:
+        lines = "".join(f"{user}:{secret}\n" for user, secret in users)
+        write_private(folder() / USERS_FILE, lines.encode())
+    write_private(folder() / FILE, json.dumps(asdict(membership), indent=2).encode() + b"\n")
 
 
 def forget() -> None:
@@ -100,21 +115,11 @@ def forget() -> None:
         (folder() / name).unlink(missing_ok=True)
 
 
-def write_private(path: Path, text: str) -> None:
-    """Replace a file at once, readable by its user only."""
-    path.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
-    draft = path.with_name(f"{path.name}.{os.getpid()}")
-    descriptor = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-    try:
-        with os.fdopen(descriptor, "w", encoding="utf-8") as file:
-            file.write(text)
-        draft.replace(path)
-    finally:
-        draft.unlink(missing_ok=True)
-
-
 def session_settings(membership: Membership | None) -> dict[str, Any]:
-    """Return what Zenoh needs to know for a session of this machine to be let in by the others."""
+    """Return what Zenoh needs to know for a session of this machine to be let in by the others.
+
+    A session that introduces itself refuses whoever does not, so all of a machine's must.
+    """
     if membership is None or not membership.user:
         return {}
     return {

@@ -104,8 +104,14 @@ def hub_endpoint() -> str:
     return f"tcp/{LOOPBACK}:{hub_port()}"
 
 
-def open_hub_client(endpoint: str | None = None) -> zenoh.Session | None:
-    """Open a session that sees what a hub sees, this machine's if no other is named.
+def open_hub_client(
+    endpoint: str | None = None, more: dict[str, Any] | None = None
+) -> zenoh.Session | None:
+    """Open a session that sees what a hub sees.
+
+    Args:
+        endpoint: The hub's; this machine's if left out.
+        more: Zenoh's configuration paths and values, such as another user than this machine's.
 
     Returns:
         `None` if there is none, or it does not let this machine in.
@@ -116,6 +122,7 @@ def open_hub_client(endpoint: str | None = None) -> zenoh.Session | None:
         "connect/timeout_ms": 0,
         "connect/exit_on_failure": True,
         "scouting/multicast/enabled": False,
+        **(more or {}),
     }
     try:
         return _open("a Zenoh session", _NO_FILE.build(_common({}), settings))

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from zbot_cli.listing import AsJson, new_app, print_json
+
+if TYPE_CHECKING:
+    from zbot.classroom.record import ClassRecord
+    from zbot.membership import Membership
 
 app = new_app("Open a class, and look after it")
 
@@ -19,28 +25,88 @@ def options() -> None:
 @app.command("start")
 def start(
     name: Annotated[str, typer.Argument(help="What the class is called")] = "class",
+    pin: Annotated[
+        bool, typer.Option("--pin", help="Ask students for a PIN, which is made and shown")
+    ] = False,
     port: Annotated[
         int | None, typer.Option("--port", min=1, max=65535, help="TCP port; 7447 by default")
+    ] = None,
+    students: Annotated[
+        Path | None, typer.Option("--students", help="File with lines of number,name")
     ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Open a class."""
     from zbot.classroom import teacher  # noqa: PLC0415 - help is quick
-    from zbot.classroom.address import Address  # noqa: PLC0415 - as above
-    from zbot.classroom.join_code import long_code, short_code  # noqa: PLC0415 - as above
+    from zbot.classroom.register import clean_name, load_roster  # noqa: PLC0415 - as above
     from zbot.config import hub_port  # noqa: PLC0415 - as above
 
-    opened = teacher.start(name, port or hub_port())
-    address = Address(opened.host, opened.port)
+    expected = load_roster(students) if students else None
+    chosen = (os.environ.get("ZBOT_PIN") or teacher.new_pin()) if pin else ""
+    opened, record = teacher.start(
+        clean_name(name), port or hub_port(), pin=chosen, expected=expected
+    )
+    board = _board(opened, record)
+    print_json(board) if as_json else print(_board_text(board))
+
+
+def _board(opened: Membership, record: ClassRecord) -> dict[str, object]:
+    """Return what a teacher writes on the board."""
+    from zbot.classroom.join_code import long_code, short_code  # noqa: PLC0415 - help is quick
+    from zbot.classroom.teacher import address_of  # noqa: PLC0415 - as above
+
+    address = address_of(opened)
+    return {
+        "class": opened.class_name,
+        "code": short_code(address) or long_code(address),
+        "long_code": long_code(address),
+        "host": address.host,
+        "port": address.port,
+        "pin": record.pin or None,
+    }
+
+
+def _board_text(board: dict[str, object]) -> str:
+    lines = [f'Class "{board["class"]}" is open. Students type:', ""]
+    if board["code"]:
+        lines.append(f"    zbot join {board['code']}")
+    lines += [f"    zbot join {board['host']}:{board['port']}    (if the code does not work)", ""]
+    if board["pin"]:
+        lines.append(f"PIN: {board['pin']}")
+    return "\n".join([*lines, "`zbot class list` shows who is there, `zbot class stop` ends it"])
+
+
+@app.command("list")
+def list_students(as_json: AsJson = False) -> None:
+    """List the students: who is there, with what, and their last errors."""
+    from zbot.classroom.teacher import command  # noqa: PLC0415 - help is quick
+
+    found = command({"op": "list"})
     if as_json:
-        codes = {"code": short_code(address), "long_code": long_code(address)}
-        print_json({"class": opened.class_name, "address": str(address), **codes})
+        print_json(found)
         return
-    code = short_code(address) or long_code(address)
-    print(f'Class "{opened.class_name}" is open. Students type:')
-    if code:
-        print(f"    zbot join {code}")
-    print(f"    zbot join {address}")
+    from zbot_cli.class_table import table  # noqa: PLC0415 - help is quick
+
+    print(table(found))
+
+
+@app.command("say")
+def say(text: Annotated[list[str], typer.Argument(help="What everybody is to read")]) -> None:
+    """Say something to everybody."""
+    from zbot.classroom.teacher import command  # noqa: PLC0415 - help is quick
+
+    heard = command({"op": "say", "text": " ".join(text)})["heard"]
+    print(f"said to {heard} student{'' if heard == 1 else 's'}")
+
+
+@app.command("free")
+def free(
+    number: Annotated[int, typer.Argument(min=1, max=232, help="Number of a student")],
+) -> None:
+    """Take a number back that a student lost with his laptop."""
+    from zbot.classroom.teacher import command  # noqa: PLC0415 - help is quick
+
+    print(f"number {number} is free; {command({'op': 'free', 'number': number})['name']} had it")
 
 
 @app.command("stop")

@@ -10,10 +10,8 @@ from zbot_cli.listing import new_app
 
 app = new_app("Link other machines to this one", has_verbs=False)
 
-ALL_INTERFACES = "0.0.0.0"  # noqa: S104 - being reached by others is what a hub is for
 
-
-@app.callback(invoke_without_command=True)
+@app.command()
 def hub(
     listen: Annotated[
         list[str] | None,
@@ -24,11 +22,15 @@ def hub(
     ] = None,
 ) -> None:
     """Link machines that `zbot join` this one, until Ctrl-C."""
-    from zbot.classroom.address import own_addresses, parse_address  # noqa: PLC0415 - help is quick
+    from zbot.classroom.address import (  # noqa: PLC0415 - help is quick
+        EVERYWHERE,
+        own_addresses,
+        parse_address,
+    )
     from zbot.classroom.hub import HubSettings  # noqa: PLC0415 - as above
     from zbot.classroom.serving import serve  # noqa: PLC0415 - as above
 
-    addresses = [parse_address(word) for word in listen or [ALL_INTERFACES]]
+    addresses = [parse_address(word) for word in listen or [EVERYWHERE]]
     dialled = [parse_address(word) for word in connect or []]
     settings = HubSettings(
         tuple(one.endpoint for one in addresses), tuple(one.endpoint for one in dialled)
@@ -41,4 +43,4 @@ def hub(
             shown = host if port == parse_address(host).port else f"{host}:{port}"
             print(f"on the other machines: zbot join {shown}", flush=True)
 
-    serve("hub", settings, tell)
+    serve("hub", lambda: settings, tell)

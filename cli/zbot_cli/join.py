@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from typing import Annotated
 
 import typer
@@ -11,14 +13,34 @@ from zbot_cli.listing import new_app
 app = new_app("Join a class, or another machine", has_verbs=False)
 
 
-@app.callback(invoke_without_command=True)
+@app.command()
 def join(
     target: Annotated[
         str, typer.Argument(metavar="CODE|HOST[:PORT]", help="The teacher's code, or an address")
     ],
+    name: Annotated[str | None, typer.Option("--name", help="Your name")] = None,
+    number: Annotated[
+        int | None, typer.Option("--number", help="Your number in the class, 1 to 232")
+    ] = None,
 ) -> None:
     """Join a class, or another machine that runs `zbot hub`."""
     from zbot.classroom import student  # noqa: PLC0415 - help is quick
 
-    joined = student.join(target)
-    print(f"joined {joined.host}:{joined.port}; `zbot leave` ends it")
+    joined = student.join(target, name=name, number=number, ask_pin=_ask_pin)
+    if joined.in_class:
+        print(f'joined "{joined.class_name}": {joined.name}, you are number {joined.number}')
+        print("restart nodes that run already; `zbot leave` ends it")
+    else:
+        print(f"joined {joined.host}:{joined.port}; `zbot leave` ends it")
+
+
+def _ask_pin(class_name: str) -> str | None:
+    """Return the PIN: from `$ZBOT_PIN`, else typed unseen, else a line of standard input."""
+    given = os.environ.get("ZBOT_PIN")
+    if given:
+        return given.strip()
+    if sys.stdin.isatty():
+        from getpass import getpass  # noqa: PLC0415 - only here
+
+        return getpass(f'PIN of "{class_name}": ').strip()
+    return sys.stdin.readline().strip() or None

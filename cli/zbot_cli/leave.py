@@ -7,7 +7,7 @@ from zbot_cli.listing import new_app
 app = new_app("Leave what this machine has joined", has_verbs=False)
 
 
-@app.callback(invoke_without_command=True)
+@app.command()
 def leave() -> None:
     """Leave what this machine has joined."""
     from zbot.classroom import student  # noqa: PLC0415 - help is quick

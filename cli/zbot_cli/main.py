@@ -34,6 +34,7 @@ NOUNS = {
     "pkg": "Find packages, and create them",
     "run": "Run a node",
     "service": "Look at services, and call them",
+    "share": "Let a student see another's topics",
     "status": "Show what this machine has joined",
     "topic": "Look at topics, listen and publish",
     "web": "Show the running system in a browser",

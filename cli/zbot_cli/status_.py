@@ -9,7 +9,7 @@ from zbot_cli.listing import AsJson, new_app, print_json
 app = new_app("Show what this machine has joined", has_verbs=False)
 
 
-@app.callback(invoke_without_command=True)
+@app.command()
 def status(as_json: AsJson = False) -> None:
     """Show what this machine has joined, and whether it is linked."""
     from zbot.classroom.state import present_state  # noqa: PLC0415 - help is quick

@@ -15,6 +15,8 @@ from zbot.config import HUB_PORT
 _PROBES = ("192.0.2.1", "10.255.255.254", "172.31.255.254", "192.168.255.254")
 _MAX_PORT = 65535
 
+EVERYWHERE = "0.0.0.0"  #: every network that a machine is in  # noqa: S104 - said by the user
+
 
 @dataclass(frozen=True)
 class Address:

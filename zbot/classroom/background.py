@@ -17,7 +17,8 @@ from dataclasses import asdict, dataclass
 from typing import IO, TYPE_CHECKING, Any
 
 from zbot.classroom.errors import AlreadyJoinedError, HubStartError
-from zbot.membership import folder, write_private
+from zbot.membership import folder
+from zbot.security.secret import make_private_folder, write_private
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -71,7 +72,7 @@ def the_only_one() -> Iterator[None]:
     Raises:
         AlreadyJoinedError: There is one.
     """
-    folder().mkdir(parents=True, exist_ok=True, mode=0o700)
+    make_private_folder(folder())
     with (folder() / "hub.lock").open("w", encoding="utf-8") as file:
         if not _lock(file):
             running = find()
@@ -85,7 +86,7 @@ def the_only_one() -> Iterator[None]:
 def announce(role: str, listen: tuple[str, ...], connect: tuple[str, ...]) -> None:
     """Write the state file, which says that the hub is ready."""
     state = RunningHub(os.getpid(), role, list(listen), list(connect), time.time_ns())
-    write_private(_state_path(), json.dumps(asdict(state)) + "\n")
+    write_private(_state_path(), json.dumps(asdict(state)).encode())
 
 
 def find() -> RunningHub | None:
@@ -112,8 +113,8 @@ def start(role: str) -> None:
     Raises:
         HubStartError: It ended instead, and said why.
     """
-    folder().mkdir(parents=True, exist_ok=True, mode=0o700)
-    write_private(log_path(), "")
+    make_private_folder(folder())
+    write_private(log_path(), b"")
     with log_path().open("a", encoding="utf-8") as log:
         process = subprocess.Popen(  # noqa: S603 - this Python, and a word of ours
             [sys.executable, "-m", "zbot.classroom", role],

@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 _QUEUE = 256
-_JOIN_TIMEOUT_S = 2.0
 
 Answer = dict[str, Any]
 
@@ -22,7 +21,7 @@ Answer = dict[str, Any]
 class Desk:
     """Answers the queries on one key, one after the other, in a thread of its own.
 
-    Close the session first, then `join()`.
+    Its `thread` ends when the session is closed.
 
     Args:
         session: The hub's.
@@ -38,8 +37,9 @@ class Desk:
         self._queryable = session.declare_queryable(
             key, zenoh.handlers.FifoChannel(_QUEUE), complete=True
         )
-        self._thread = threading.Thread(target=self._run, name=f"zbot desk {key}", daemon=True)
-        self._thread.start()
+        self._at_work = threading.Lock()
+        self.thread = threading.Thread(target=self._run, name=f"zbot desk {key}", daemon=True)
+        self.thread.start()
 
     def _run(self) -> None:
         receive = self._queryable.handler.recv
@@ -48,10 +48,16 @@ class Desk:
                 query = receive()
             except zenoh.ZError:
                 return  # the session was closed
-            self._serve(query)
+            with self._at_work:
+                self._serve(query)
+
+    def finish(self) -> None:
+        """Wait until the question that is being answered, if any, is."""
+        with self._at_work:
+            return
 
     def _serve(self, query: zenoh.Query) -> None:
-        with query:
+        with query:  # the asker waits until it is left
             try:
                 answer = self._answer(document_of(query.payload))
                 if answer is not None:
@@ -61,10 +67,6 @@ class Desk:
             except Exception as exc:  # noqa: BLE001 - one bad question must not end the desk
                 get_logger("hub").error(f"a question on {self._key} failed: {exc!r}")
                 query.reply_err(json.dumps({"error": type(exc).__name__, "message": str(exc)}))
-
-    def join(self) -> None:
-        """Wait for the thread to end; call it after the session was closed."""
-        self._thread.join(_JOIN_TIMEOUT_S)
 
 
 def document_of(payload: zenoh.ZBytes | None) -> Answer:

@@ -107,3 +107,39 @@ class NoClassError(ClassroomError):
 
     def __init__(self) -> None:
         super().__init__("no class is open on this machine: `zbot class start` opens one")
+
+
+class WrongPinError(ClassroomError, PermissionError):
+    """The PIN of a class is another."""
+
+    def __init__(self) -> None:
+        super().__init__("the PIN is wrong: ask the teacher for it")
+
+
+class PinNeededError(ClassroomError, PermissionError):
+    """A class asks for a PIN, and nobody can be asked for it."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "the class asks for a PIN: run `zbot join` in a terminal, or set ZBOT_PIN for it"
+        )
+
+
+class RefusedError(ClassroomError, PermissionError):
+    """The class does not let this machine in; the sentence is the class's own."""
+
+    def __init__(self, kind: str, sentence: str) -> None:
+        self.kind = kind
+        super().__init__(sentence)
+
+
+class SilentHubError(ClassroomError, TimeoutError):
+    """A hub was reached and its class does not answer."""
+
+    def __init__(self, host: str, port: int) -> None:
+        self.host, self.port = host, port
+        super().__init__(f"the class at {host}:{port} does not answer: try again in a moment")
+
+
+class ClassCommandError(ClassroomError):
+    """The class cannot do what its teacher asks; the sentence says why."""

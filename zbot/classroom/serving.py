@@ -23,24 +23,37 @@ if TYPE_CHECKING:
 HUB_KEY = "@hub"
 
 
+_JOIN_TIMEOUT_S = 2.0
+
+
 class Serving:
     """A hub that is open.
 
     Args:
         session: The router's.
         settings: How it is linked.
+        wake: Called to have the hub opened anew, with new settings.
     """
 
-    def __init__(self, session: zenoh.Session, settings: HubSettings) -> None:
+    def __init__(
+        self, session: zenoh.Session, settings: HubSettings, wake: Callable[[], None]
+    ) -> None:
         self.session = session
+        self.reopen = wake
         self._settings = settings
-        self._desks = [self.desk(f"{HUB_KEY}/{os.getpid()}", self._facts)]
+        self._threads: list[threading.Thread] = []
+        self._desks: list[Desk] = []
+        self.desk(f"{HUB_KEY}/{os.getpid()}", self._facts)
 
-    def desk(self, key: str, answer: Callable[[dict[str, Any]], dict[str, Any] | None]) -> Desk:
+    def desk(self, key: str, answer: Callable[[dict[str, Any]], dict[str, Any] | None]) -> None:
         """Answer queries on a key for as long as the hub is open."""
-        made = Desk(self.session, key, answer)
-        self._desks = [*getattr(self, "_desks", []), made]
-        return made
+        desk = Desk(self.session, key, answer)
+        self._desks.append(desk)
+        self.join_later(desk.thread)
+
+    def join_later(self, thread: threading.Thread) -> None:
+        """Wait, when the hub is closed, for a thread that ends with the session."""
+        self._threads.append(thread)
 
     def _facts(self, _question: dict[str, Any]) -> dict[str, Any]:
         return {
@@ -51,24 +64,41 @@ class Serving:
         }
 
     def close(self) -> None:
-        """Close the session, then wait for the desks."""
-        self.session.close()
+        """Close the session once nobody waits for an answer, then wait for the threads."""
         for desk in self._desks:
-            desk.join()
+            desk.finish()
+        self.session.close()
+        for thread in self._threads:
+            thread.join(_JOIN_TIMEOUT_S)
+
+
+class _Signals:
+    """What the process waits for: its end, or a wish to be opened anew."""
+
+    def __init__(self) -> None:
+        self.is_over = False
+        self._happened = threading.Event()
+
+    def reopen(self) -> None:
+        self._happened.set()
+
+    def end(self, _number: int, _frame: Any) -> None:
+        self.is_over = True
+        self._happened.set()
+
+    def wait(self) -> None:
+        self._happened.wait()
+        self._happened.clear()
 
 
 @contextlib.contextmanager
-def ending() -> Iterator[threading.Event]:
-    """Yield an event that SIGTERM and Ctrl-C set; the former handlers come back afterwards."""
-    over = threading.Event()
-
-    def end(_number: int, _frame: Any) -> None:
-        over.set()
-
+def _signals() -> Iterator[_Signals]:
+    """Yield what SIGTERM and Ctrl-C set; the former handlers come back afterwards."""
+    caught = _Signals()
     numbers = (signal.SIGTERM, signal.SIGINT)
-    before = {number: signal.signal(number, end) for number in numbers}
+    before = {number: signal.signal(number, caught.end) for number in numbers}
     try:
-        yield over
+        yield caught
     finally:
         for number, handler in before.items():
             signal.signal(number, handler)
@@ -76,7 +106,7 @@ def ending() -> Iterator[threading.Event]:
 
 def serve(
     role: str,
-    settings: HubSettings,
+    settings: Callable[[], HubSettings],
     on_ready: Callable[[], None],
     equip: Callable[[Serving], None] | None = None,
 ) -> None:
@@ -84,21 +114,29 @@ def serve(
 
     Args:
         role: Shown by `zbot status`.
-        settings: How it is linked.
+        settings: Returns how it is linked; asked again when it is opened anew.
         on_ready: Called once others can connect.
-        equip: Adds what this role needs.
+        equip: Adds what this role needs, each time it is opened.
 
     Raises:
         AlreadyJoinedError: This machine has a hub.
         HubPortError: Its port is taken.
     """
-    with background.the_only_one(), ending() as over:
-        serving = Serving(open_router(settings), settings)
-        try:
-            if equip is not None:
-                equip(serving)
-            background.announce(role, settings.listen, settings.connect)
-            on_ready()
-            over.wait()
-        finally:
-            serving.close()
+    with background.the_only_one(), _signals() as signals:
+        tell = on_ready
+        while not signals.is_over:
+            present = settings()
+            serving = Serving(open_router(present), present, signals.reopen)
+            try:
+                if equip is not None:
+                    equip(serving)
+                background.announce(role, present.listen, present.connect)
+                tell()
+                signals.wait()
+            finally:
+                serving.close()
+            tell = _say_nothing
+
+
+def _say_nothing() -> None:
+    """Stand in for `on_ready` when the hub is opened again."""

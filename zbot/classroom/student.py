@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
+import secrets
+import socket
 from typing import TYPE_CHECKING
 
 from zbot import membership
-from zbot.classroom import background
+from zbot.classroom import background, teacher
 from zbot.classroom.address import Address, own_addresses, parse_address
+from zbot.classroom.enrolment import Wish, knock, release
 from zbot.classroom.errors import AlreadyJoinedError
 from zbot.classroom.hub import HubSettings
 from zbot.classroom.join_code import decode, looks_like_code
+from zbot.classroom.presence import Presence
 from zbot.classroom.probe import first_that_answers
 from zbot.classroom.serving import serve
-from zbot.membership import Membership
-from zbot.session import hub_endpoint
+from zbot.security.secret import make_private_folder, write_private
+from zbot.session import hub_endpoint, open_hub_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+
+    from zbot.membership import Membership
+
+_MACHINE_BYTES = 8
 
 
 def find_hub(target: str) -> Address:
@@ -32,35 +40,73 @@ def find_hub(target: str) -> Address:
     return first_that_answers([parse_address(target)])
 
 
-def join(target: str) -> Membership:
-    """Link this machine to the hub at a code or address, and leave a hub running that keeps to it.
+def join(
+    target: str,
+    *,
+    name: str | None = None,
+    number: int | None = None,
+    ask_pin: Callable[[str], str | None] = lambda _class_name: None,
+) -> Membership:
+    """Join what is behind a code or address, and leave a hub running that keeps to it.
+
+    Args:
+        target: As the teacher shows it.
+        name: The student's.
+        number: The student's; the class chooses one if it is left out.
+        ask_pin: Returns the PIN of the class that it is given the name of.
 
     Raises:
-        AlreadyJoinedError: It has joined something.
-        ClassroomError: The hub cannot be found or used; see `find_hub`.
+        AlreadyJoinedError: This machine has joined something.
+        ClassroomError: The hub cannot be found (`find_hub`) or lets nobody in (`knock`).
     """
-    present = membership.load()
-    if present is not None:
-        raise AlreadyJoinedError(f"has joined {present.class_name or present.host}")
-    if background.find() is not None:
-        raise AlreadyJoinedError("runs a hub")
+    _require_alone()
     address = find_hub(target)
-    joined = Membership("partner", address.host, address.port)
-    membership.save(joined)
+    membership.forget()
+    wish = Wish(machine_id(), socket.gethostname(), name, number)
+    joined = knock(address, wish, ask_pin)
+    membership.save(joined, [(joined.user, joined.secret)])
     try:
-        background.start("partner")
+        background.start(joined.role)
     except BaseException:
         membership.forget()
         raise
     return joined
 
 
+def _require_alone() -> None:
+    present, runs = membership.load(), background.find() is not None
+    # One that was switched off in between has joined and no hub: it joins anew.
+    if present is not None and (runs or present.role == "teacher"):
+        raise AlreadyJoinedError(f"has joined {present.class_name or present.host}")
+    if runs:
+        raise AlreadyJoinedError("runs a hub")
+
+
+def machine_id() -> str:
+    """Return what tells this user's machine from others; random, and the same from then on."""
+    path = membership.folder() / "machine"
+    try:
+        return path.read_text(encoding="utf-8").strip()
+    except FileNotFoundError:
+        made = secrets.token_hex(_MACHINE_BYTES)
+        make_private_folder(membership.folder())
+        write_private(path, made.encode())
+        return made
+
+
 def leave() -> Membership | None:
-    """End this machine's hub and forget what it had joined; return what that was."""
+    """Give the number back, end this machine's hub and forget the class; return what that was."""
     try:
         present = membership.load()
     except membership.MembershipError:
         present = None
+    if present is not None and present.role == "teacher":
+        return teacher.stop()
+    if present is not None and present.role == "student":
+        session = open_hub_client()
+        if session is not None:
+            with session:
+                release(session, present)
     background.stop()
     membership.forget()
     return present
@@ -69,4 +115,6 @@ def leave() -> Membership | None:
 def run_student(joined: Membership, on_ready: Callable[[], None]) -> None:
     """Be the hub of a machine that has joined another, until a signal comes."""
     dialled = Address(joined.host, joined.port)
-    serve(joined.role, HubSettings((hub_endpoint(),), (dialled.endpoint,)), on_ready)
+    settings = HubSettings((hub_endpoint(),), (dialled.endpoint,))
+    presence = Presence(joined) if joined.in_class else None
+    serve(joined.role, lambda: settings, on_ready, presence.equip if presence else None)

@@ -1,51 +1,85 @@
-"""The teacher's side: opening a class, and the hub that runs until it is over."""
+"""The teacher's side: opening a class, asking it something, and closing it."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import secrets
+from typing import TYPE_CHECKING, Any
 
 from zbot import membership
 from zbot.classroom import background
 from zbot.classroom.address import Address, own_addresses
-from zbot.classroom.errors import AlreadyJoinedError, NoClassError
-from zbot.classroom.hub import HubSettings
+from zbot.classroom.classroom import Classroom
+from zbot.classroom.desk import ask
+from zbot.classroom.door import GUEST, GUEST_SECRET
+from zbot.classroom.errors import AlreadyJoinedError, ClassCommandError, NoClassError
+from zbot.classroom.keys import DESK_KEY
+from zbot.classroom.record import ClassRecord, load_record, record_path
 from zbot.classroom.serving import serve
 from zbot.membership import Membership
-from zbot.session import LOOPBACK
+from zbot.security.access import TEACHER
+from zbot.session import LOOPBACK, open_hub_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-EVERYWHERE = "0.0.0.0"  # noqa: S104 - a class is there to be reached
+_MASTER_BYTES = 32
+_PIN_DIGITS = 6
+_ANSWER_TIMEOUT_S = 5.0
 
 
-def start(name: str, port: int) -> Membership:
+def new_pin() -> str:
+    """Return a PIN that nobody knows yet."""
+    return f"{secrets.randbelow(10**_PIN_DIGITS):0{_PIN_DIGITS}}"
+
+
+def start(
+    name: str, port: int, *, pin: str = "", expected: dict[int, str] | None = None
+) -> tuple[Membership, ClassRecord]:
     """Open a class: leave a hub running that students can join.
 
-    A class whose hub has died, with its machine say, is opened again.
+    One that was open under the same name, before this machine was switched off, goes on: its
+    students come back by themselves, with their numbers.
+
+    Args:
+        name: Shown to students.
+        port: TCP port to be reached at.
+        pin: Asked of students; empty for none, and for that of a class that goes on.
+        expected: Names of students, by number.
 
     Raises:
         AlreadyJoinedError: This machine takes part in something.
         HubStartError: The port is taken.
     """
-    present = membership.load()
-    has_died = present is not None and present.role == "teacher" and background.find() is None
-    if (present is not None and not has_died) or background.find() is not None:
-        what = present.class_name or present.host if present else "something"
-        raise AlreadyJoinedError(f"has joined {what}")
+    record = _present_record(name)
+    record.pin = pin or record.pin
+    record.register.expected = expected or record.register.expected
     host = next(iter(own_addresses()), LOOPBACK)
-    opened = Membership("teacher", host, port, class_name=name)
-    membership.save(opened)
+    opened = Membership(
+        "teacher", host, port, class_name=name, user=TEACHER, secret=record.secret_of(TEACHER)
+    )
+    record.save()
+    membership.save(opened, [*record.users(), (GUEST, GUEST_SECRET)])
     try:
         background.start("teacher")
     except BaseException:
-        membership.forget()
+        _forget()
         raise
-    return opened
+    return opened, record
+
+
+def _present_record(name: str) -> ClassRecord:
+    present, runs = membership.load(), background.find() is not None
+    if present is not None and (runs or present.role != "teacher"):
+        raise AlreadyJoinedError(f"has joined {present.class_name or present.host}")
+    if runs:
+        raise AlreadyJoinedError("runs a hub")
+    if present is not None and present.class_name == name:
+        return load_record()
+    return ClassRecord(name, secrets.token_hex(_MASTER_BYTES))
 
 
 def stop() -> Membership:
-    """Close the class that is open on this machine.
+    """Close the class that is open on this machine; the students' laptops stay joined to nothing.
 
     Raises:
         NoClassError: There is none.
@@ -54,10 +88,42 @@ def stop() -> Membership:
     if present is None or present.role != "teacher":
         raise NoClassError
     background.stop()
-    membership.forget()
+    _forget()
     return present
+
+
+def _forget() -> None:
+    membership.forget()
+    record_path().unlink(missing_ok=True)
+
+
+def command(question: dict[str, Any]) -> dict[str, Any]:
+    """Ask the class that is open on this machine.
+
+    Raises:
+        NoClassError: There is none.
+        ClassCommandError: It refuses; its sentence says why.
+    """
+    present = membership.load()
+    if present is None or present.role != "teacher":
+        raise NoClassError
+    session = open_hub_client()
+    if session is None:
+        raise ClassCommandError("the class does not run: `zbot class start` lets it go on")
+    with session:
+        answers = ask(session, DESK_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
+    if not answers or "error" in answers[0]:
+        told = answers[0]["error"] if answers else "the class does not answer: try again"
+        raise ClassCommandError(str(told))
+    return answers[0]
 
 
 def run_teacher(opened: Membership, on_ready: Callable[[], None]) -> None:
     """Be the hub of a class until a signal comes."""
-    serve("teacher", HubSettings((Address(EVERYWHERE, opened.port).endpoint,)), on_ready)
+    classroom = Classroom(load_record(), opened.port)
+    serve("teacher", classroom.settings, on_ready, classroom.equip)
+
+
+def address_of(opened: Membership) -> Address:
+    """Return where students find a class."""
+    return Address(opened.host, opened.port)

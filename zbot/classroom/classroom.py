@@ -1,0 +1,179 @@
+"""The class itself, in the process of the teacher's hub: its door, and the teacher's desk."""
+
+from __future__ import annotations
+
+import json
+import time
+from typing import TYPE_CHECKING, Any
+
+from zbot.classroom.address import EVERYWHERE, Address
+from zbot.classroom.door import GUEST, Door
+from zbot.classroom.errors import ClassroomError
+from zbot.classroom.hub import HubSettings
+from zbot.classroom.keys import DESK_KEY, DOOR_KEY, NOTICE_KEY, NOTICES_KEY
+from zbot.classroom.record import MOST_NOTICES, ClassRecord, user_of
+from zbot.classroom.register import NumberError
+from zbot.classroom.seats import Seats
+from zbot.config import MAX_DOMAIN_ID
+from zbot.security.access import Share, teacher_access
+from zbot.session import hub_endpoint
+
+if TYPE_CHECKING:
+    from zbot.classroom.register import Student
+    from zbot.classroom.serving import Serving
+
+Document = dict[str, Any]
+
+
+class Classroom:
+    """An open class.
+
+    Args:
+        record: What it remembers.
+        port: The TCP port that it is reached at.
+    """
+
+    def __init__(self, record: ClassRecord, port: int) -> None:
+        self._record = record
+        self._port = port
+        self._seats = Seats()
+        self._serving: Serving | None = None
+        self._door = Door(
+            record.name,
+            record.pin,
+            record.register,
+            secret_of=record.student_secret,
+            changed=self._on_claim,
+        )
+
+    def settings(self) -> HubSettings:
+        """Return how the hub is linked, and who may do what through it."""
+        reached = Address(EVERYWHERE, self._port).endpoint
+        own = hub_endpoint()
+        listen = (reached,) if own.endswith(f":{self._port}") else (reached, own)
+        students = {user_of(number): number for number in range(1, MAX_DOMAIN_ID + 1)}
+        shares = [Share(owner, user_of(reader)) for owner, reader in self._record.shares]
+        settings = teacher_access(students, shared_is_open=self._record.is_open, shares=shares)
+        access = settings.pop("access_control")
+        _let_guests_knock(access)
+        return HubSettings(listen, access=access, extra=settings)
+
+    def equip(self, serving: Serving) -> None:
+        """Open the door and the desk."""
+        self._serving = serving
+        serving.desk(DOOR_KEY, self._door.answer)
+        serving.desk(DESK_KEY, self._serve_teacher)
+        serving.desk(NOTICES_KEY, lambda _question: {"notices": self._record.notices})
+        self._seats.equip(serving, self._record.register.students)
+
+    def _on_claim(self, number: int) -> None:
+        self._record.save()
+        if number in self._record.register.students:
+            self._seats.watch(number)
+        else:
+            self._seats.forget(number)
+
+    def _serve_teacher(self, question: Document) -> Document:
+        verbs = {
+            "list": self._list,
+            "say": self._say,
+            "free": self._free,
+            "share": self._share,
+            "open": self._open,
+        }
+        verb = verbs.get(str(question.get("op")))
+        if verb is None:
+            return {"error": "the class does not know this command: is its zbot older?"}
+        try:
+            return verb(question)
+        except ClassroomError as error:
+            return {"error": str(error)}
+
+    def _list(self, _question: Document) -> Document:
+        self._seats.refresh()
+        nodes = self._seats.nodes()
+        students = sorted(self._record.register.students.values(), key=lambda one: one.number)
+        missing = self._record.register.expected.keys() - self._record.register.students.keys()
+        return {
+            "class": self._record.name,
+            "students": [self._row(one, nodes.get(one.number, [])) for one in students],
+            "expected": [
+                {"number": number, "name": self._record.register.expected[number]}
+                for number in sorted(missing)
+            ],
+            "open": self._record.is_open,
+            "shares": [list(share) for share in self._record.shares],
+        }
+
+    def _row(self, student: Student, nodes: list[str]) -> Document:
+        seat = self._seats.seat(student.number)
+        return {
+            "number": student.number,
+            "name": student.name,
+            "host": student.host,
+            "here": seat.is_here,
+            "since": seat.since_ns / 1e9 or None,
+            "nodes": sorted(nodes),
+            "last_error": seat.last_error,
+            "clock_offset": seat.clock_offset_s,
+            "version": seat.version,
+            "system": seat.system,
+        }
+
+    def _say(self, question: Document) -> Document:
+        assert self._serving is not None
+        notice = {"text": str(question.get("text", "")), "time": time.time()}
+        self._record.notices = [*self._record.notices, notice][-MOST_NOTICES:]
+        self._record.save()
+        self._serving.session.put(NOTICE_KEY, json.dumps(notice))
+        return {"heard": len(self._seats.present())}
+
+    def _free(self, question: Document) -> Document:
+        number = _number(question.get("number"))
+        student = self._record.register.free(number)
+        if student is None:
+            return {"error": f"nobody has number {number}"}
+        self._on_claim(number)
+        return {"freed": number, "name": student.name}
+
+    def _share(self, question: Document) -> Document:
+        share = (_number(question.get("owner")), _number(question.get("reader")))
+        others = [one for one in self._record.shares if one != share]
+        self._record.shares = [*others, share] if question.get("on", True) else others
+        self._apply()
+        return {"shares": [list(one) for one in self._record.shares]}
+
+    def _open(self, question: Document) -> Document:
+        self._record.is_open = bool(question.get("on", True))
+        self._apply()
+        return {"open": self._record.is_open}
+
+    def _apply(self) -> None:
+        """Let the hub's rules change: Zenoh reads them when a session opens."""
+        assert self._serving is not None
+        self._record.save()
+        self._serving.reopen()
+
+
+def _number(value: object) -> int:
+    if not isinstance(value, int) or not 1 <= value <= MAX_DOMAIN_ID:
+        raise NumberError(value)
+    return value
+
+
+def _let_guests_knock(access: Document) -> None:
+    """Add a user whom anybody may be, and who can ask at the door and do nothing else."""
+    messages = {"ingress": ["query"], "egress": ["reply"]}
+    rules = [
+        {
+            "id": f"{GUEST} {flow}",
+            "permission": "allow",
+            "flows": [flow],
+            "messages": allowed,
+            "key_exprs": [DOOR_KEY],
+        }
+        for flow, allowed in messages.items()
+    ]
+    access["rules"] += rules
+    access["subjects"].append({"id": GUEST, "usernames": [GUEST]})
+    access["policies"].append({"subjects": [GUEST], "rules": [rule["id"] for rule in rules]})

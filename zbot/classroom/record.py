@@ -1,0 +1,98 @@
+"""What a class remembers while it is open, also over a restart of the teacher's machine."""
+
+from __future__ import annotations
+
+import hashlib
+import hmac
+import json
+from dataclasses import asdict, dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from zbot.classroom.errors import ClassroomError, NoClassError
+from zbot.classroom.register import Register, Student
+from zbot.config import MAX_DOMAIN_ID
+from zbot.membership import folder
+from zbot.security.access import TEACHER
+from zbot.security.secret import make_private_folder, write_private
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+#: The last ones that a student who joins late is shown.
+MOST_NOTICES = 20
+
+
+class RecordError(ClassroomError, ValueError):
+    """The file of an open class is damaged."""
+
+    def __init__(self, path: Path, reason: str) -> None:
+        self.path, self.reason = path, reason
+        super().__init__(f"cannot read {path} ({reason}): `zbot class stop` removes it")
+
+
+@dataclass
+class ClassRecord:
+    """An open class."""
+
+    name: str
+    master: str = field(repr=False)  #: from which every user's secret is made
+    pin: str = field(default="", repr=False)
+    register: Register = field(default_factory=Register)
+    is_open: bool = False  #: whether students may publish in the shared space
+    shares: list[tuple[int, int]] = field(default_factory=list)  #: whose domain, who may hear it
+    notices: list[dict[str, Any]] = field(default_factory=list)
+
+    def secret_of(self, user: str) -> str:
+        """Return a user's secret; the same for as long as the class is open."""
+        return hmac.new(self.master.encode(), user.encode(), hashlib.sha256).hexdigest()
+
+    def student_secret(self, number: int) -> tuple[str, str]:
+        """Return user name and secret of a student."""
+        user = user_of(number)
+        return user, self.secret_of(user)
+
+    def users(self) -> Iterator[tuple[str, str]]:
+        """Yield every user that the hub knows, with its secret."""
+        yield TEACHER, self.secret_of(TEACHER)
+        for number in range(1, MAX_DOMAIN_ID + 1):
+            yield self.student_secret(number)
+
+    def save(self) -> None:
+        """Write the file, for its user's eyes only."""
+        make_private_folder(folder())
+        write_private(record_path(), json.dumps(asdict(self), indent=1).encode())
+
+
+def user_of(number: int) -> str:
+    """Return a student's user name."""
+    return f"student{number}"
+
+
+def record_path() -> Path:
+    """Return where the open class is kept."""
+    return folder() / "class.json"
+
+
+def load_record() -> ClassRecord:
+    """Read the open class.
+
+    Raises:
+        NoClassError: There is none.
+        RecordError: The file is damaged.
+    """
+    path = record_path()
+    try:
+        return _parsed(json.loads(path.read_text(encoding="utf-8")))
+    except FileNotFoundError as exc:
+        raise NoClassError from exc
+    except (OSError, ValueError, TypeError, KeyError) as exc:
+        raise RecordError(path, str(exc)) from exc
+
+
+def _parsed(document: dict[str, Any]) -> ClassRecord:
+    register = document.pop("register")
+    students = {int(number): Student(**one) for number, one in register["students"].items()}
+    expected = {int(number): name for number, name in register["expected"].items()}
+    shares = [(int(owner), int(reader)) for owner, reader in document.pop("shares")]
+    return ClassRecord(register=Register(expected, students), shares=shares, **document)
