@@ -40,9 +40,10 @@ def start(
     from zbot.classroom import teacher  # noqa: PLC0415 - help is quick
     from zbot.classroom.register import clean_name, load_roster  # noqa: PLC0415 - as above
     from zbot.config import hub_port  # noqa: PLC0415 - as above
+    from zbot.security.pin import random_pin  # noqa: PLC0415 - as above
 
     expected = load_roster(students) if students else None
-    chosen = (os.environ.get("ZBOT_PIN") or teacher.new_pin()) if pin else ""
+    chosen = (os.environ.get("ZBOT_PIN") or random_pin().reveal()) if pin else ""
     opened, record = teacher.start(
         clean_name(name), port or hub_port(), pin=chosen, expected=expected
     )

@@ -7,7 +7,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.address import EVERYWHERE, Address
-from zbot.classroom.door import GUEST, Door
+from zbot.classroom.door import Door
 from zbot.classroom.errors import ClassroomError
 from zbot.classroom.hub import HubSettings
 from zbot.classroom.keys import DESK_KEY, DOOR_KEY, NOTICE_KEY, NOTICES_KEY
@@ -54,9 +54,7 @@ class Classroom:
         students = {user_of(number): number for number in range(1, MAX_DOMAIN_ID + 1)}
         shares = [Share(owner, user_of(reader)) for owner, reader in self._record.shares]
         settings = teacher_access(students, shared_is_open=self._record.is_open, shares=shares)
-        access = settings.pop("access_control")
-        _let_guests_knock(access)
-        return HubSettings(listen, access=access, extra=settings)
+        return HubSettings(listen, extra=settings)
 
     def equip(self, serving: Serving) -> None:
         """Open the door and the desk."""
@@ -159,21 +157,3 @@ def _number(value: object) -> int:
     if not isinstance(value, int) or not 1 <= value <= MAX_DOMAIN_ID:
         raise NumberError(value)
     return value
-
-
-def _let_guests_knock(access: Document) -> None:
-    """Add a user whom anybody may be, and who can ask at the door and do nothing else."""
-    messages = {"ingress": ["query"], "egress": ["reply"]}
-    rules = [
-        {
-            "id": f"{GUEST} {flow}",
-            "permission": "allow",
-            "flows": [flow],
-            "messages": allowed,
-            "key_exprs": [DOOR_KEY],
-        }
-        for flow, allowed in messages.items()
-    ]
-    access["rules"] += rules
-    access["subjects"].append({"id": GUEST, "usernames": [GUEST]})
-    access["policies"].append({"subjects": [GUEST], "rules": [rule["id"] for rule in rules]})

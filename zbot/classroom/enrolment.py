@@ -3,21 +3,18 @@
 from __future__ import annotations
 
 import time
+from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from zbot.classroom import pake
 from zbot.classroom.desk import ask
-from zbot.classroom.door import GUEST, GUEST_SECRET
-from zbot.classroom.errors import (
-    NoHubError,
-    PinNeededError,
-    RefusedError,
-    SilentHubError,
-    WrongPinError,
-)
+from zbot.classroom.door import release_proof
+from zbot.classroom.errors import NoHubError, PinNeededError, RefusedError, SilentHubError
 from zbot.classroom.keys import DOOR_KEY
-from zbot.classroom.register import clean_name
+from zbot.classroom.register import clean_name, clean_sentence
 from zbot.membership import Membership
+from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
+from zbot.security.pin import PinGuest, WrongPinError
+from zbot.security.secret import Secret
 from zbot.session import open_hub_client
 
 if TYPE_CHECKING:
@@ -26,40 +23,16 @@ if TYPE_CHECKING:
     import zenoh
 
     from zbot.classroom.address import Address
+    from zbot.classroom.door import Wish
+
+    AskPin = Callable[[str], str | None]
 
 _ANSWER_TIMEOUT_S = 5.0
+_RELEASE_TIMEOUT_S = 1.0
 _LONGEST_WAIT_S = 30.0  # behind somebody who guesses PINs
 
-_GUEST_SETTINGS = {
-    "transport/auth/usrpwd/user": GUEST,
-    "transport/auth/usrpwd/password": GUEST_SECRET,
-}
 
-
-class Wish:
-    """What a student would like to be.
-
-    Args:
-        machine: Tells this laptop from others.
-        host: What the laptop calls itself.
-        name: The student's.
-        number: The student's; the class chooses one if it is left out.
-    """
-
-    def __init__(
-        self, machine: str, host: str, name: str | None = None, number: int | None = None
-    ) -> None:
-        self.machine, self.host = machine, clean_name(host)
-        self.name = clean_name(name or "") or None
-        self.number = number
-
-    @property
-    def facts(self) -> list[Any]:
-        """What the proof of the PIN is bound to."""
-        return [self.number, self.name, self.machine, self.host]
-
-
-def knock(address: Address, wish: Wish, ask_pin: Callable[[str], str | None]) -> Membership:
+def knock(address: Address, wish: Wish, ask_pin: AskPin) -> Membership:
     """Ask whoever is behind an address to be let in.
 
     Args:
@@ -72,11 +45,12 @@ def knock(address: Address, wish: Wish, ask_pin: Callable[[str], str | None]) ->
 
     Raises:
         NoHubError: It is no hub.
-        WrongPinError: Or none was given; `PinNeededError`.
+        WrongPinError: The PIN is another.
+        PinNeededError: Nobody could be asked for it.
         RefusedError: The number is taken, or there is none like it.
         SilentHubError: The class does not answer.
     """
-    session = open_hub_client(address.endpoint, _GUEST_SETTINGS)
+    session = open_hub_client(address.endpoint, credentials(LOBBY, LOBBY_SECRET))
     if session is None:
         return _plain_hub(address)
     with session:
@@ -96,56 +70,41 @@ class _Visit:
         self._session = session
         self._address = address
 
-    def enrol(self, wish: Wish, ask_pin: Callable[[str], str | None]) -> Membership:
-        hello = self._ask({"op": "hello"})
+    def enrol(self, wish: Wish, ask_pin: AskPin) -> Membership:
+        hello = self._ask("hello", {})
         pin = ask_pin(clean_name(str(hello.get("class")))) if hello.get("pin") else ""
         if pin is None:
             raise PinNeededError
-        key, welcome = self._prove(wish, pin)
-        try:
-            given = pake.unseal(key, welcome)
-        except pake.ProofError as exc:
-            raise WrongPinError from exc
-        return _membership(self._address, given)
+        guest = PinGuest(Secret(pin))
+        challenge = self._ask("enrol", guest.hello())
+        sealed = self._ask("claim", guest.claim(challenge, asdict(wish)))
+        return _membership(self._address, guest.opened(sealed))
 
-    def _prove(self, wish: Wish, pin: str) -> tuple[bytes, dict[str, Any]]:
-        side = pake.StudentSide()
-        request = {"number": wish.number, "name": wish.name, "machine": wish.machine}
-        opened = self._ask({"op": "enrol", "public": side.public, "host": wish.host, **request})
-        key = side.key(pin, bytes.fromhex(str(opened.get("salt"))), opened.get("public"))
-        question = {
-            "op": "prove",
-            "visit": opened.get("visit"),
-            "proof": pake.proof(key, *wish.facts),
-        }
+    def _ask(self, verb: str, question: dict[str, Any]) -> dict[str, Any]:
         deadline = time.monotonic() + _LONGEST_WAIT_S
-        answer = self._ask(question)
-        while answer.get("refused") == "wait" and time.monotonic() < deadline:
-            time.sleep(min(float(answer.get("wait_s", 1.0)), _LONGEST_WAIT_S))
-            answer = self._ask(question)
-        _check(answer)
-        return key, answer
-
-    def _ask(self, question: dict[str, Any]) -> dict[str, Any]:
-        answers = ask(self._session, DOOR_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
-        if not answers:
-            raise SilentHubError(self._address.host, self._address.port)
-        return answers[0]
+        while True:
+            question["op"] = verb
+            answers = ask(self._session, DOOR_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
+            if not answers:
+                raise SilentHubError(self._address.host, self._address.port)
+            wait_s = _wait_s(answers[0])
+            if wait_s is None or time.monotonic() + wait_s > deadline:
+                return _checked(answers[0])
+            time.sleep(wait_s)
 
 
-def _check(answer: dict[str, Any]) -> None:
+def _wait_s(answer: dict[str, Any]) -> float | None:
+    wait_s = answer.get("wait_s")
+    return max(wait_s, 0.0) if isinstance(wait_s, (int, float)) else None
+
+
+def _checked(answer: dict[str, Any]) -> dict[str, Any]:
     kind = answer.get("refused")
     if kind == "pin":
         raise WrongPinError
-    if kind == "wait":
-        raise RefusedError("wait", "somebody tries PINs just now: try again in a minute")
     if kind is not None:
-        raise RefusedError(str(kind), clean_sentence(answer.get("sentence")))
-
-
-def clean_sentence(text: object) -> str:
-    """Return a sentence of another machine as it may be shown."""
-    return " ".join("".join(c if c.isprintable() else " " for c in str(text)).split())[:500]
+        raise RefusedError(str(kind), clean_sentence(str(answer.get("sentence"))))
+    return answer
 
 
 def _membership(address: Address, given: dict[str, Any]) -> Membership:
@@ -169,7 +128,10 @@ def release(session: zenoh.Session, joined: Membership) -> bool:
         session: A client of this machine's hub.
         joined: The class.
     """
-    mark = pake.proof(joined.secret.encode(), "release", joined.claim)
-    question = {"op": "release", "number": joined.number, "proof": mark}
-    answers = ask(session, DOOR_KEY, question, timeout_s=1.0)
+    question = {
+        "op": "release",
+        "number": joined.number,
+        "proof": release_proof(joined.secret, joined.claim),
+    }
+    answers = ask(session, DOOR_KEY, question, timeout_s=_RELEASE_TIMEOUT_S)
     return any(answer.get("released") is True for answer in answers)

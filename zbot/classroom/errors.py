@@ -109,13 +109,6 @@ class NoClassError(ClassroomError):
         super().__init__("no class is open on this machine: `zbot class start` opens one")
 
 
-class WrongPinError(ClassroomError, PermissionError):
-    """The PIN of a class is another."""
-
-    def __init__(self) -> None:
-        super().__init__("the PIN is wrong: ask the teacher for it")
-
-
 class PinNeededError(ClassroomError, PermissionError):
     """A class asks for a PIN, and nobody can be asked for it."""
 

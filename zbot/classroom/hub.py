@@ -68,8 +68,9 @@ class HubSettings:
 
     listen: tuple[str, ...]  #: Zenoh endpoints; one must be that which this machine's nodes dial
     connect: tuple[str, ...] = ()  #: those of the hub that it dials
-    access: dict[str, Any] = field(default_factory=open_access)  #: Zenoh's `access_control`
-    extra: dict[str, Any] = field(default_factory=dict)  #: more of Zenoh's configuration
+    extra: dict[str, Any] = field(
+        default_factory=dict
+    )  #: more of Zenoh's configuration, which wins
 
     def zenoh_settings(self) -> dict[str, Any]:
         """Return Zenoh's configuration paths and values."""
@@ -79,7 +80,7 @@ class HubSettings:
             "transport/unicast/open_timeout": _HANDSHAKE_MS,
             "transport/unicast/accept_timeout": _HANDSHAKE_MS,
             "connect/retry": _RETRY,
-            "access_control": self.access,
+            "access_control": open_access(),
             **self.extra,
         }
 

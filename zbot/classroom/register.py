@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 MAX_NAME_LENGTH = 64
+MAX_SENTENCE_LENGTH = 500
 _CLAIM_BYTES = 8
 
 
@@ -61,8 +62,13 @@ def clean_name(text: str) -> str:
 
     Control characters and those that turn the direction of writing become spaces.
     """
+    return clean_sentence(text)[:MAX_NAME_LENGTH].rstrip()
+
+
+def clean_sentence(text: str) -> str:
+    """Return a sentence of another machine as it may be shown: like names, with 500 at most."""
     shown = "".join(char if char.isprintable() else " " for char in text)
-    return " ".join(shown.split())[:MAX_NAME_LENGTH]
+    return " ".join(shown.split())[:MAX_SENTENCE_LENGTH]
 
 
 @dataclass(frozen=True)

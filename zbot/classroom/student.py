@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 from zbot import membership
 from zbot.classroom import background, teacher
 from zbot.classroom.address import Address, own_addresses, parse_address
-from zbot.classroom.enrolment import Wish, knock, release
+from zbot.classroom.door import Wish
+from zbot.classroom.enrolment import knock, release
 from zbot.classroom.errors import AlreadyJoinedError
 from zbot.classroom.hub import HubSettings
 from zbot.classroom.join_code import decode, looks_like_code

@@ -10,26 +10,19 @@ from zbot.classroom import background
 from zbot.classroom.address import Address, own_addresses
 from zbot.classroom.classroom import Classroom
 from zbot.classroom.desk import ask
-from zbot.classroom.door import GUEST, GUEST_SECRET
 from zbot.classroom.errors import AlreadyJoinedError, ClassCommandError, NoClassError
 from zbot.classroom.keys import DESK_KEY
 from zbot.classroom.record import ClassRecord, load_record, record_path
 from zbot.classroom.serving import serve
 from zbot.membership import Membership
-from zbot.security.access import TEACHER
+from zbot.security.access import LOBBY, LOBBY_SECRET, TEACHER
 from zbot.session import LOOPBACK, open_hub_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
 _MASTER_BYTES = 32
-_PIN_DIGITS = 6
 _ANSWER_TIMEOUT_S = 5.0
-
-
-def new_pin() -> str:
-    """Return a PIN that nobody knows yet."""
-    return f"{secrets.randbelow(10**_PIN_DIGITS):0{_PIN_DIGITS}}"
 
 
 def start(
@@ -58,7 +51,7 @@ def start(
         "teacher", host, port, class_name=name, user=TEACHER, secret=record.secret_of(TEACHER)
     )
     record.save()
-    membership.save(opened, [*record.users(), (GUEST, GUEST_SECRET)])
+    membership.save(opened, [*record.users(), (LOBBY, LOBBY_SECRET.reveal())])
     try:
         background.start("teacher")
     except BaseException:
