@@ -24,10 +24,11 @@ from zbot.errors import (
     RequestTypeError,
     ServiceError,
 )
-from zbot.executor import LONGEST_WAIT_S, Signal, current_executor
-from zbot.foreign_call import called_by_zenoh
+from zbot.executor import current_executor
+from zbot.foreign_call import called_by_zenoh, keep_thread_state
 from zbot.interfaces import type_name
 from zbot.memory import LARGE_BYTES, keep_freed_memory
+from zbot.semaphore import LONGEST_WAIT_S, BinarySemaphore, Haste
 from zbot.service_introspection import Step, configured
 from zbot.task import Future
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
@@ -103,6 +104,7 @@ class _Response(Future[ResponseT]):
     @called_by_zenoh
     def _on_reply(self, reply: zenoh.Reply) -> None:
         # Zenoh's thread, as below.
+        keep_thread_state()
         if not self._exchange.is_to_be_repeated(reply):
             self._client.complete(self, reply)
         elif self._client.is_pending(self):
@@ -171,7 +173,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._lock = threading.Lock()
         self._pending: dict[_Response[ResponseT], int] = {}
         self._completed: deque[_Response[ResponseT]] = deque()
-        self._arrival = Signal()
+        self._arrival = BinarySemaphore()
+        self._haste = Haste()
         self._listener: Any = None
         self._querier: Any = context.session.declare_querier(
             dialect.topic_key(context.get_domain_id(), token.name)
@@ -321,6 +324,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             while serve():
                 pass
             left = LONGEST_WAIT_S if deadline is None else deadline - time.monotonic()
+            self._haste.begin(arrivals.qsize)
             try:
                 arrived = arrivals.get(timeout=max(0.0, min(left, LONGEST_WAIT_S)))
             except Empty:
@@ -328,6 +332,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
                     sentence = f"{self.service_name}: there was no response in time"
                     raise TimeoutError(sentence) from None
                 continue
+            self._haste.end(came=True)
             if arrived == attempt:
                 return None
             if arrived is _WOKEN:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import contextlib
 import os
-import sys
 import threading
 import time
 from collections import deque
@@ -24,6 +23,7 @@ from zbot.errors import (
     NotInitializedError,
     ShutdownError,
 )
+from zbot.semaphore import BinarySemaphore
 from zbot.task import Future, Task
 
 if TYPE_CHECKING:
@@ -35,12 +35,6 @@ if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.mailbox import Entity
     from zbot.node import Node
-
-# Ctrl-C does not interrupt a lock's acquire() on Windows, and elsewhere not if it comes just before
-# Python goes to sleep: wait in slices.
-#: Seconds.
-LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
-
 
 _main_spins = 0
 
@@ -63,25 +57,6 @@ def current_executor() -> Executor | None:
 def spinning_in_main_thread() -> bool:
     """Return whether the main thread is inside an executor right now."""
     return _main_spins > 0
-
-
-class Signal:
-    """A binary semaphore: `set` any number of times, `wait` for at least one of them."""
-
-    def __init__(self) -> None:
-        self._lock = threading.Lock()
-        self._lock.acquire()
-
-    def set(self) -> None:
-        """Let the present or next `wait` return."""
-        try:
-            self._lock.release()
-        except RuntimeError:
-            return  # set already
-
-    def wait(self, timeout_s: float) -> bool:
-        """Wait until set, at most `timeout_s` seconds; return whether it was set."""
-        return self._lock.acquire(timeout=min(timeout_s, LONGEST_WAIT_S))
 
 
 class _Step:
@@ -130,7 +105,7 @@ class Executor:
         self._ready: deque[Entity] = deque()
         self._queued: set[Entity] = set()
         self._agenda = Agenda()
-        self._signal = Signal()
+        self._signal = BinarySemaphore()
         self._is_shutdown = False
         # Whether somebody wants to be looked at before the same entity's next callback.
         self._is_disturbed = True

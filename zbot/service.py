@@ -12,7 +12,7 @@ import zenoh
 
 from zbot.endpoint import ServiceEndpoint
 from zbot.errors import NotAMessageTypeError, ResponseTypeError
-from zbot.foreign_call import called_by_zenoh
+from zbot.foreign_call import called_by_zenoh, keep_thread_state
 from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
@@ -107,6 +107,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
     @called_by_zenoh
     def _receive(self, query: zenoh.Query) -> None:
         # Zenoh's thread: nothing but the hand-over.
+        keep_thread_state()
         self._queries.append((query, time.monotonic()))
         if self._is_destroyed:
             self._drop_queries()

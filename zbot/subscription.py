@@ -2,9 +2,9 @@
 
 A thread of ours waits for the first sample of a burst, hands it over and posts the subscription to
 its executor; the executor then drains Zenoh's queue itself, and re-arms the thread when nothing is
-left. So a burst costs one wake-up, the two threads never compete, and an idle subscription uses no
-CPU. A keep-last queue is Zenoh's ring channel: what does not fit is dropped there and never touched
-by Python.
+left and nothing comes in a moment. So a burst costs one wake-up, the two threads never compete, and
+an idle subscription uses no CPU. A keep-last queue is Zenoh's ring channel: what does not fit is
+dropped there and never touched by Python.
 """
 
 from __future__ import annotations
@@ -25,6 +25,7 @@ from zbot.errors import CallbackSignatureError
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy
+from zbot.semaphore import Haste
 from zbot.serialization import raw_decoder
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.codec import CodecError
@@ -132,6 +133,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._try_recv = self._channel.try_recv
         self._armed = threading.Lock()
         self._is_waiting = False
+        self._haste = Haste()
         self._is_destroyed = False
         self._liveliness = context.graph.announce(token)
 
@@ -168,6 +170,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
                 sample = receive()
             except zenoh.ZError:
                 return  # undeclared, or the session was closed
+            self._haste.end(came=True)
             queue.append(sample)
             self._is_waiting = True
             self.mailbox.post(self)
@@ -176,20 +179,28 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
     def take(self) -> zenoh.Sample | None:
         """Return the oldest sample that the profile's history still keeps, if any."""
         queue = self._queue
-        if self._is_waiting:
-            # A keep-last queue always takes all that came, so that the oldest drop out. A keep-all
-            # queue is emptied before it takes more: refilling a channel that is full costs its
-            # writer a wake-up.
-            if not (queue and self._keep_all):
-                try:
-                    # The loop is C's; a publisher that never pauses does not make it endless.
-                    queue.extend(islice(iter(self._try_recv, None), _KEEP_ALL_QUEUE))
-                except zenoh.ZError:
-                    return None  # another thread undeclared it or closed the session just now
-            if queue:
-                return queue.popleft()
-            self._rearm()
-        return None
+        # A keep-last queue always takes all that came, so that the oldest drop out. A keep-all
+        # queue is emptied before it takes more: refilling a channel that is full costs its writer
+        # a wake-up.
+        if self._is_waiting and not (queue and self._keep_all):
+            try:
+                # The loop is C's; a publisher that never pauses does not make it endless.
+                queue.extend(islice(iter(self._try_recv, None), _KEEP_ALL_QUEUE))
+                if not (queue or self._haste.begin(self._fetch)):
+                    self._rearm()
+            except zenoh.ZError:
+                return None  # another thread undeclared it or closed the session just now
+        try:
+            return queue.popleft()
+        except IndexError:
+            return None
+
+    def _fetch(self) -> bool:
+        sample = self._try_recv()
+        if sample is None:
+            return False
+        self._queue.append(sample)
+        return True
 
     def _rearm(self) -> None:
         self._is_waiting = False

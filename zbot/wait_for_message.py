@@ -6,9 +6,9 @@ import time
 from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 from zbot.callback_group import ReentrantCallbackGroup
-from zbot.executor import LONGEST_WAIT_S, Signal
 from zbot.mailbox import Mailbox
 from zbot.qos import as_profile
+from zbot.semaphore import LONGEST_WAIT_S, BinarySemaphore
 from zbot.subscription import Subscription
 from zbot.wire.tokens import EntityKind
 
@@ -43,7 +43,7 @@ def wait_for_message(
         InvalidTopicNameError: The name breaks ROS 2's grammar.
     """
     arrived: list[MsgT] = []
-    signal, mailbox = Signal(), Mailbox()
+    signal, mailbox = BinarySemaphore(), Mailbox()
     mailbox.attach(None, lambda _: signal.set())
     handle, context = node.handle, node.context
     name = node.resolve_topic_name(topic)

@@ -6,7 +6,8 @@ import time as clock
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ArgumentTypeError
-from zbot.executor import LONGEST_WAIT_S, current_executor
+from zbot.executor import current_executor
+from zbot.semaphore import LONGEST_WAIT_S
 from zbot.task import Future
 from zbot.tf2.buffer_core import BufferCore
 from zbot.tf2.buffer_interface import NO_WAIT, BufferInterface

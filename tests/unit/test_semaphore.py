@@ -1,0 +1,96 @@
+from __future__ import annotations
+
+import threading
+from dataclasses import dataclass
+
+import pytest
+
+from zbot import semaphore as module
+from zbot.semaphore import BinarySemaphore, Haste
+
+
+def test_a_wait_returns_for_what_was_set_before_it() -> None:
+    semaphore = BinarySemaphore()
+    semaphore.set()
+    semaphore.set()
+    assert semaphore.wait(0)
+    assert not semaphore.wait(0)
+
+
+def test_a_wait_ends_when_another_thread_sets() -> None:
+    semaphore = BinarySemaphore()
+    setter = threading.Timer(0.05, semaphore.set)
+    setter.start()
+    while not semaphore.wait(10):
+        pass  # it waits in slices
+    setter.join()
+
+
+def test_an_awake_wait_ends_when_another_thread_sets() -> None:
+    semaphore, answer = BinarySemaphore(), BinarySemaphore()
+
+    def reply() -> None:
+        for _ in range(200):
+            while not semaphore.wait(10):
+                pass
+            answer.set()
+
+    replier = threading.Thread(target=reply)
+    replier.start()
+    for _ in range(200):
+        semaphore.set()
+        while not answer.wait(10):
+            pass
+    replier.join()
+
+
+@dataclass
+class Clock:
+    now_us: int = 0
+
+    def monotonic_ns(self) -> int:
+        return self.now_us * 1000
+
+
+@pytest.fixture
+def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
+    clock = Clock()
+    monkeypatch.setattr(module, "time", clock)
+    return clock
+
+
+def wait(haste: Haste, clock: Clock, *, comes_after_us: int, came: bool = True) -> int:
+    """Wait once; how often it looked for what comes."""
+    looks, end_us = 0, clock.now_us + comes_after_us
+
+    def has_come() -> bool:
+        nonlocal looks
+        looks += 1
+        clock.now_us += 10
+        return clock.now_us >= end_us
+
+    if not haste.begin(has_come):
+        clock.now_us = max(clock.now_us, end_us)
+        haste.end(came=came)
+    return looks
+
+
+def test_after_a_short_wait_the_next_ones_stay_awake(clock: Clock) -> None:
+    haste = Haste()
+    assert wait(haste, clock, comes_after_us=100) == 0
+    assert wait(haste, clock, comes_after_us=100) == 10
+    assert wait(haste, clock, comes_after_us=100) == 10
+
+
+def test_after_a_long_wait_the_next_one_sleeps(clock: Clock) -> None:
+    haste = Haste()
+    wait(haste, clock, comes_after_us=100)
+    assert wait(haste, clock, comes_after_us=1000) == 50  # it gave up after half a millisecond
+    assert wait(haste, clock, comes_after_us=100) == 0
+    assert wait(haste, clock, comes_after_us=1000) > 0
+
+
+def test_an_end_of_patience_tells_nothing(clock: Clock) -> None:
+    haste = Haste()
+    wait(haste, clock, comes_after_us=100, came=False)
+    assert wait(haste, clock, comes_after_us=100) == 0
