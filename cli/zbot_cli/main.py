@@ -33,6 +33,7 @@ NOUNS = {
     "param": "Look at parameters and set them",
     "pkg": "Find packages, and create them",
     "run": "Run a node",
+    "security": "Make certificates for machines",
     "service": "Look at services, and call them",
     "share": "Let a student see another's topics",
     "status": "Show what this machine has joined",

@@ -32,7 +32,9 @@ class ManyValuesCommand(TyperCommand):
                 open_option = ""
                 yield word
             else:
-                yield f"{open_option}={word}"
+                yield (
+                    f"{open_option}={word}" if open_option.startswith("--") else open_option + word
+                )
 
     def _goes_on(self, option: str, word: str) -> bool:
         return option in self.verbatim or (option in self.many and not word.startswith("-"))

@@ -1,0 +1,183 @@
+"""`zbot security`: certificates for the machines that may be linked, in the words of ros2."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar
+
+import typer
+
+from zbot.errors import SetupError
+from zbot_cli.listing import AsJson, new_app, print_json
+from zbot_cli.many_values import ManyValuesCommand
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.security.certificate import Facts, Validity
+    from zbot.security.keystore import Identity
+
+    Verb = Callable[..., None]
+
+app = new_app("Make certificates for machines that trust each other")
+
+Root = Annotated[Path, typer.Argument(metavar="ROOT", help="Folder of the keystore")]
+Name = Annotated[str, typer.Argument(metavar="NAME", help="Of the machine, such as /ana")]
+Addresses = Annotated[
+    list[str] | None,
+    typer.Option("--host", "--ip", help="Address at which others join it; may be repeated"),
+]
+Days = Annotated[int | None, typer.Option("--days", help="How long it is valid")]
+Renew = Annotated[bool, typer.Option("--renew", help="Replace the key and certificate there are")]
+
+
+class NoKeystoreNamedError(SetupError, ValueError):
+    """No keystore was given."""
+
+    def __init__(self) -> None:
+        super().__init__(
+            "which keystore? Name it with -k ROOT, or set ROS_SECURITY_KEYSTORE to its folder"
+        )
+
+
+class NoPoliciesError(SetupError, NotImplementedError):
+    """ROS 2's permission files are asked for."""
+
+    def __init__(self, verb: str) -> None:
+        self.verb = verb
+        self.hint = "`zbot class start --pin` keeps students out of each other's domains"
+        super().__init__(
+            f"{verb}: zbot has no permission files; who may say what is up to the class"
+        )
+
+
+def _both_spellings(name: str, **options: Any) -> Callable[[Verb], Verb]:
+    """Register a verb as ros2 spells it, and with dashes as other tools do."""
+
+    def register(verb: Verb) -> Verb:
+        app.command(name, **options)(verb)
+        app.command(name.replace("_", "-"), **{**options, "hidden": True})(verb)
+        return verb
+
+    return register
+
+
+def _validity(days: int | None) -> Validity | None:
+    from zbot.security.certificate import Validity  # noqa: PLC0415 - help is quick
+
+    return None if days is None else Validity.days(days)
+
+
+@_both_spellings("create_keystore")
+def create_keystore(root: Root, days: Days = None) -> None:
+    """Create a keystore with a new authority."""
+    from zbot.security.keystore import Keystore  # noqa: PLC0415 - help is quick
+
+    Keystore.create(root, _validity(days))
+    print(f"created keystore {root}; keep {root / 'private'} on this machine")
+
+
+@_both_spellings("create_enclave")
+def create_enclave(
+    root: Root, name: Name, addresses: Addresses = None, days: Days = None, renew: Renew = False
+) -> None:
+    """Make a certificate for a machine."""
+    from zbot.security.keystore import Keystore  # noqa: PLC0415 - help is quick
+
+    made = Keystore(root).issue(name, addresses or (), _validity(days), renew=renew)
+    _tell(made)
+
+
+app.command("create_certificate", hidden=True)(create_enclave)
+app.command("create-certificate", hidden=True)(create_enclave)
+
+
+def _tell(made: Identity) -> None:
+    said = made.check()
+    role = f"others join it at {', '.join(said.addresses)}" if said.is_server else "it joins others"
+    print(f"created {made.folder}: /{said.name} until {said.until:%Y-%m-%d}, {role}")
+
+
+@_both_spellings("list_enclaves")
+def list_enclaves(root: Root, as_json: AsJson = False) -> None:
+    """List the machines of a keystore."""
+    from zbot.security.keystore import Keystore  # noqa: PLC0415 - help is quick
+
+    names = Keystore(root).enclaves()
+    if as_json:
+        print_json(names)
+        return
+    for name in names:
+        print(name)
+
+
+@_both_spellings("check_certificate")
+def check_certificate(
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="As given to --keystore")],
+    as_json: AsJson = False,
+) -> None:
+    """Check a certificate as other machines will."""
+    from zbot.security.keystore import identity  # noqa: PLC0415 - help is quick
+
+    said = identity(folder).check()
+    if as_json:
+        print_json(_document(said))
+        return
+    print(f"name: {said.name}")
+    print(f"valid: {said.since:%Y-%m-%d %H:%M} to {said.until:%Y-%m-%d %H:%M} UTC")
+    print(f"others join it at: {', '.join(said.addresses) or 'nowhere, it only joins'}")
+
+
+def _document(said: Facts) -> dict[str, Any]:
+    return {
+        "name": said.name,
+        "since": said.since.isoformat(),
+        "until": said.until.isoformat(),
+        "addresses": list(said.addresses),
+        "is_server": said.is_server,
+    }
+
+
+class _ArtifactsCommand(ManyValuesCommand):
+    many: ClassVar[frozenset[str]] = frozenset({"-e", "--enclaves", "-p", "--policy-files"})
+
+
+@_both_spellings("generate_artifacts", cls=_ArtifactsCommand)
+def generate_artifacts(
+    root: Annotated[
+        Path | None,
+        typer.Option("-k", "--keystore-root-path", envvar="ROS_SECURITY_KEYSTORE", help="Keystore"),
+    ] = None,
+    enclaves: Annotated[
+        list[str] | None, typer.Option("-e", "--enclaves", help="Names of machines")
+    ] = None,
+    policy_files: Annotated[
+        list[Path] | None, typer.Option("-p", "--policy-files", hidden=True, help="Not needed")
+    ] = None,
+) -> None:
+    """Make the keystore and certificates that are missing."""
+    from zbot.security.keystore import Keystore, enclave_name, is_keystore  # noqa: PLC0415 - as above
+
+    if policy_files:
+        raise NoPoliciesError("generate_artifacts")
+    if root is None:
+        raise NoKeystoreNamedError
+    wanted = [enclave_name(name) for name in enclaves or ()]
+    if not is_keystore(root):
+        create_keystore(root)
+    store = Keystore(root)
+    for name in wanted:
+        if f"/{name}" not in store.enclaves():
+            _tell(store.issue(name))
+
+
+@_both_spellings("create_permission", hidden=True)
+def create_permission(root: Root, name: Name, policy: Path) -> None:
+    """Say that there are no permission files."""
+    raise NoPoliciesError("create_permission")
+
+
+@_both_spellings("generate_policy", hidden=True)
+def generate_policy(policy: Path) -> None:
+    """Say that there are no permission files."""
+    raise NoPoliciesError("generate_policy")
