@@ -1,8 +1,8 @@
 """A class's PIN: how a student shows that it knows it, and gets a secret of its own for that.
 
 Student (`PinGuest`) and teacher's hub (`PinDoor`) exchange four small documents over any transport,
-a readable one too: neither the PIN nor the secret can be found out from them, and none works a
-second time.
+a readable one too: neither the PIN nor what is asked for and answered can be found out from them,
+and none works a second time.
 
     student                                  teacher
     hello   {public}                 ->
@@ -11,8 +11,8 @@ second time.
             {answer, tag}            <-      admit, seal
 
 The key comes from SRP-6a (`zbot.security.srp`): each wrong guess costs a visit, and the door counts
-those. Both directions are authenticated, so nobody without the PIN can play the teacher; the answer
-is encrypted.
+those. Claim and answer are authenticated and encrypted, so nobody without the PIN can play the
+teacher, or read which laptop asks.
 """
 
 from __future__ import annotations
@@ -93,7 +93,7 @@ class PinGuest:
 
         Args:
             challenge: From the door.
-            wish: What is asked for, such as name and number; readable on the way.
+            wish: What is asked for, such as name and number.
 
         Raises:
             PinMessageError: The challenge is none.
@@ -102,8 +102,8 @@ class PinGuest:
         exponent = _pin_exponent(salt, self._pin)
         visit = str(challenge.get("visit"))
         self._key = _key(self._side.shared(public, exponent), self._side.public, public, visit)
-        text = json.dumps(wish)
-        return {"visit": visit, "claim": text, "proof": _tag(self._key, "claim", text.encode())}
+        data = _mixed(self._key, "claim", json.dumps(wish).encode())
+        return {"visit": visit, "claim": data.hex(), "proof": _tag(self._key, "claim", data)}
 
     def opened(self, sealed: Document) -> Document:
         """Return the answer that was sealed for this guest alone.
@@ -114,7 +114,7 @@ class PinGuest:
         data = _bytes(sealed, "answer")
         if not _is_tag(sealed.get("tag"), self._key, "answer", data):
             raise PinMessageError("the answer does not come from somebody who knows it")
-        return _document(_mixed(self._key, data))
+        return _document(_mixed(self._key, "answer", data))
 
 
 @dataclass(frozen=True)
@@ -130,7 +130,7 @@ class Admission:
 
     def seal(self, answer: Document) -> Document:
         """Return an answer that only this guest can read; one for each admission."""
-        data = _mixed(self._key, json.dumps(answer).encode())
+        data = _mixed(self._key, "answer", json.dumps(answer).encode())
         return {"answer": data.hex(), "tag": _tag(self._key, "answer", data)}
 
 
@@ -177,7 +177,7 @@ class PinDoor:
             PinMessageError: The claim belongs to no visit or to one that is over, if recorded.
             TooManyGuessesError: Nobody is let in now.
         """
-        visit, text = str(claim.get("visit")), _encoded(claim.get("claim"))
+        visit, data = str(claim.get("visit")), _bytes(claim, "claim")
         with self._lock:
             self._check_patience()
             begun, public, side = self._visits.pop(visit, (0.0, 0, None))
@@ -186,13 +186,13 @@ class PinDoor:
             # Counted before it is checked, so that a hundred at once are no hundred guesses.
             self._guesses -= 1
         key = _key(side.shared(public), public, side.public, visit)
-        if not _is_tag(claim.get("proof"), key, "claim", text):
+        if not _is_tag(claim.get("proof"), key, "claim", data):
             with self._lock:
                 self.wrong += 1
             raise WrongPinError
         with self._lock:
             self._guesses += 1
-        return Admission(_document(text), key)
+        return Admission(_document(_mixed(key, "claim", data)), key)
 
     def _check_patience(self) -> None:
         now = self._now()
@@ -229,10 +229,10 @@ def _encoded(found: object) -> bytes:
     return str(found).encode(errors="backslashreplace")
 
 
-def _mixed(key: bytes, data: bytes) -> bytes:
-    """Encrypt or decrypt: HMAC in counter mode; a key is used for one answer only."""
-    blocks = range((len(data) + 31) // 32)
-    stream = b"".join(hmac.digest(key, b"stream:%d" % number, "sha256") for number in blocks)
+def _mixed(key: bytes, purpose: str, data: bytes) -> bytes:
+    """Encrypt or decrypt: HMAC in counter mode; a key serves for one claim and one answer only."""
+    blocks = (f"{purpose} {number}".encode() for number in range((len(data) + 31) // 32))
+    stream = b"".join(hmac.digest(key, block, "sha256") for block in blocks)
     return bytes(one ^ other for one, other in zip(data, stream, strict=False))
 
 

@@ -71,8 +71,10 @@ def test_neither_pin_nor_wrong_pin_can_be_read_on_the_way(door: PinDoor) -> None
     said += [guest.claim(said[1], WISH)]
     said += [door.admit(said[2]).seal({"secret": "s3cret"})]
     text = json.dumps(said)
-    assert "471100" not in text
-    assert "s3cret" not in text
+    carried = bytes.fromhex(said[2]["claim"]) + bytes.fromhex(said[3]["answer"])
+    for word in ("471100", "s3cret", "Ana"):
+        assert word not in text
+        assert word.encode() not in carried
 
 
 def test_a_recorded_claim_is_worth_nothing(door: PinDoor) -> None:
@@ -87,7 +89,10 @@ def test_a_recorded_claim_is_worth_nothing(door: PinDoor) -> None:
 
 
 def test_a_claim_that_was_changed_on_the_way_is_refused(door: PinDoor) -> None:
-    changed = claim(door) | {"claim": json.dumps(WISH | {"number": 18})}
+    honest = claim(door)
+    flipped = bytearray.fromhex(honest["claim"])
+    flipped[-3] ^= 1
+    changed = honest | {"claim": flipped.hex()}
     with pytest.raises(WrongPinError):
         door.admit(changed)
 
@@ -120,8 +125,8 @@ def test_guessing_is_slowed_down_and_a_student_gets_in_again(door: PinDoor, cloc
 
 
 def test_a_minute_of_guessing_is_worth_forty_guesses_at_most(door: PinDoor, clock: Clock) -> None:
-    for _ in range(120):
-        clock.now += 0.5
+    for _ in range(60):
+        clock.now += 1
         with pytest.raises((WrongPinError, TooManyGuessesError)):
             door.admit(claim(door, Secret("0")))
     assert door.wrong <= 40
@@ -166,14 +171,14 @@ def test_nonsense_for_a_first_word_is_refused(door: PinDoor, hello: dict[str, An
         door.challenge(hello)
 
 
-@pytest.mark.parametrize("changed", [{"visit": "x"}, {"visit": 3}, {"visit": None}])
+@pytest.mark.parametrize("changed", [{"visit": "x"}, {"visit": 3}, {"claim": "\ud800"}])
 def test_a_claim_without_a_visit_is_refused(door: PinDoor, changed: dict[str, Any]) -> None:
     with pytest.raises(PinMessageError):
         door.admit(claim(door) | changed)
 
 
 @pytest.mark.parametrize(
-    "changed", [{"proof": "é"}, {"proof": 3}, {"proof": None}, {"claim": "\ud800"}]
+    "changed", [{"proof": "é"}, {"proof": 3}, {"proof": None}, {"claim": "00"}]
 )
 def test_a_claim_without_a_proof_is_refused(door: PinDoor, changed: dict[str, Any]) -> None:
     with pytest.raises(WrongPinError):
