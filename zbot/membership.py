@@ -45,6 +45,7 @@ class Membership:
     user: str = ""  #: with which sessions introduce themselves; empty where nobody asks
     secret: str = field(default="", repr=False)
     claim: str = ""  #: tells this claim of the number from others
+    hub_id: str = ""  #: the Zenoh id that a class knows this machine's hub by
 
     @property
     def in_class(self) -> bool:

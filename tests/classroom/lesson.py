@@ -70,7 +70,8 @@ class Lesson:
             list(pool.map(self._join, self.rig.laptops))
 
     def _join(self, laptop: Machine) -> None:
-        joined = laptop.run("zbot", "join", self.code)
+        number = str(self.number_of(laptop))
+        joined = laptop.run("zbot", "join", self.code, "--number", number)
         assert joined.code == 0, joined.err
 
     def domain_of(self, laptop: Machine) -> dict[str, str]:

@@ -50,19 +50,13 @@ def knock(address: Address, wish: Wish, ask_pin: AskPin) -> Membership:
         RefusedError: The number is taken, or there is none like it.
         SilentHubError: The class does not answer.
     """
-    session = open_hub_client(address.endpoint, credentials(LOBBY, LOBBY_SECRET))
-    if session is None:
-        return _plain_hub(address)
-    with session:
-        return _Visit(session, address).enrol(wish, ask_pin)
-
-
-def _plain_hub(address: Address) -> Membership:
-    session = open_hub_client(address.endpoint)
-    if session is None:
-        raise NoHubError(address.host, address.port)
-    session.close()
-    return Membership("partner", address.host, address.port)
+    # A hub that asks for users refuses whoever has none, and the other way round.
+    for settings in ({}, credentials(LOBBY, LOBBY_SECRET)):
+        session = open_hub_client(address.endpoint, settings)
+        if session is not None:
+            with session:
+                return _Visit(session, address).enrol(wish, ask_pin)
+    raise NoHubError(address.host, address.port)
 
 
 class _Visit:
@@ -71,7 +65,10 @@ class _Visit:
         self._address = address
 
     def enrol(self, wish: Wish, ask_pin: AskPin) -> Membership:
-        hello = self._ask("hello", {})
+        greetings = ask(self._session, DOOR_KEY, {"op": "hello"}, timeout_s=_ANSWER_TIMEOUT_S)
+        if not greetings:  # at once: nobody serves a door there
+            return Membership("partner", self._address.host, self._address.port)
+        hello = greetings[0]
         pin = ask_pin(clean_name(str(hello.get("class")))) if hello.get("pin") else ""
         if pin is None:
             raise PinNeededError
@@ -115,9 +112,10 @@ def _membership(address: Address, given: dict[str, Any]) -> Membership:
         class_name=clean_name(str(given["class"])),
         number=int(given["number"]),
         name=clean_name(str(given["name"])),
-        user=str(given["user"]),
-        secret=str(given["secret"]),
+        user=str(given.get("user", "")),
+        secret=str(given.get("secret", "")),
         claim=str(given["claim"]),
+        hub_id=str(given["hub_id"]),
     )
 
 
@@ -131,7 +129,7 @@ def release(session: zenoh.Session, joined: Membership) -> bool:
     question = {
         "op": "release",
         "number": joined.number,
-        "proof": release_proof(joined.secret, joined.claim),
+        "proof": release_proof(joined.claim),
     }
     answers = ask(session, DOOR_KEY, question, timeout_s=_RELEASE_TIMEOUT_S)
     return any(answer.get("released") is True for answer in answers)

@@ -9,6 +9,7 @@ import time
 from typing import TYPE_CHECKING, Any
 
 import zenoh
+import zenoh.ext as advanced
 
 from zbot.classroom.keys import facts_key, here_key
 from zbot.errors import CodecError
@@ -41,8 +42,12 @@ class Presence:
     def equip(self, serving: Serving) -> None:
         """Begin to answer the teacher, and be seen."""
         number = self._joined.number
-        self._logs = serving.session.declare_subscriber(
-            f"{number}/rosout", zenoh.handlers.RingChannel(_QUEUE)
+        # Nodes keep their latest lines, as their first ones may come before this hub is linked.
+        self._logs = advanced.declare_advanced_subscriber(
+            serving.session,
+            f"{number}/rosout",
+            zenoh.handlers.RingChannel(_QUEUE),
+            history=advanced.HistoryConfig(detect_late_publishers=True, max_samples=_QUEUE),
         )
         thread = threading.Thread(target=self._read_logs, name="zbot last error", daemon=True)
         thread.start()

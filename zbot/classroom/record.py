@@ -12,7 +12,7 @@ from zbot.classroom.errors import ClassroomError, NoClassError
 from zbot.classroom.register import Register, Student
 from zbot.config import MAX_DOMAIN_ID
 from zbot.membership import folder
-from zbot.security.access import TEACHER
+from zbot.security.access import LOBBY, LOBBY_SECRET, TEACHER
 from zbot.security.secret import make_private_folder, write_private
 
 if TYPE_CHECKING:
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 #: The last ones that a student who joins late is shown.
 MOST_NOTICES = 20
+_ID_DIGITS = 31  # after the first; Zenoh's ids have 16 bytes
 
 
 class RecordError(ClassroomError, ValueError):
@@ -47,16 +48,26 @@ class ClassRecord:
         """Return a user's secret; the same for as long as the class is open."""
         return hmac.new(self.master.encode(), user.encode(), hashlib.sha256).hexdigest()
 
-    def student_secret(self, number: int) -> tuple[str, str]:
-        """Return user name and secret of a student."""
-        user = user_of(number)
-        return user, self.secret_of(user)
+    def hub_id(self, number: int) -> str:
+        """Return the Zenoh id of a student's hub: lower-case hex that does not begin with 0."""
+        return "f" + self.secret_of(f"hub of {user_of(number)}")[:_ID_DIGITS]
+
+    def credentials(self, number: int) -> dict[str, str]:
+        """Return what a student's laptop needs to be let through by the hub.
+
+        Where there is a PIN, user name and secret; otherwise the hub just goes by ids, so that any
+        Zenoh program can talk to a laptop's nodes without a secret.
+        """
+        found = {"hub_id": self.hub_id(number)}
+        if self.pin:
+            found |= {"user": user_of(number), "secret": self.secret_of(user_of(number))}
+        return found
 
     def users(self) -> Iterator[tuple[str, str]]:
         """Yield every user that the hub knows, with its secret."""
-        yield TEACHER, self.secret_of(TEACHER)
-        for number in range(1, MAX_DOMAIN_ID + 1):
-            yield self.student_secret(number)
+        yield LOBBY, LOBBY_SECRET.reveal()
+        for user in (TEACHER, *map(user_of, range(1, MAX_DOMAIN_ID + 1))):
+            yield user, self.secret_of(user)
 
     def save(self) -> None:
         """Write the file, for its user's eyes only."""

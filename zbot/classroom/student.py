@@ -116,6 +116,7 @@ def leave() -> Membership | None:
 def run_student(joined: Membership, on_ready: Callable[[], None]) -> None:
     """Be the hub of a machine that has joined another, until a signal comes."""
     dialled = Address(joined.host, joined.port)
-    settings = HubSettings((hub_endpoint(),), (dialled.endpoint,))
+    known_as = {"id": joined.hub_id} if joined.hub_id else {}
+    settings = HubSettings((hub_endpoint(),), (dialled.endpoint,), known_as)
     presence = Presence(joined) if joined.in_class else None
     serve(joined.role, lambda: settings, on_ready, presence.equip if presence else None)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import secrets
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from zbot import membership
@@ -15,7 +16,7 @@ from zbot.classroom.keys import DESK_KEY
 from zbot.classroom.record import ClassRecord, load_record, record_path
 from zbot.classroom.serving import serve
 from zbot.membership import Membership
-from zbot.security.access import LOBBY, LOBBY_SECRET, TEACHER
+from zbot.security.access import TEACHER
 from zbot.session import LOOPBACK, open_hub_client
 
 if TYPE_CHECKING:
@@ -47,11 +48,11 @@ def start(
     record.pin = pin or record.pin
     record.register.expected = expected or record.register.expected
     host = next(iter(own_addresses()), LOOPBACK)
-    opened = Membership(
-        "teacher", host, port, class_name=name, user=TEACHER, secret=record.secret_of(TEACHER)
-    )
+    opened = Membership("teacher", host, port, class_name=name)
+    if record.pin:
+        opened = replace(opened, user=TEACHER, secret=record.secret_of(TEACHER))
     record.save()
-    membership.save(opened, [*record.users(), (LOBBY, LOBBY_SECRET.reveal())])
+    membership.save(opened, record.users())
     try:
         background.start("teacher")
     except BaseException:
