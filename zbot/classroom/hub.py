@@ -76,6 +76,9 @@ class HubSettings:
         """Return Zenoh's configuration paths and values."""
         return {
             "transport/link/tx/lease": _LEASE_MS,
+            # While a hub waits to get rid of what must not be dropped it does not redial (in
+            # microseconds).
+            "transport/link/tx/queue/congestion_control/block/wait_before_close": _LEASE_MS * 1000,
             "transport/unicast/accept_pending": _ACCEPT_PENDING,
             "transport/unicast/open_timeout": _HANDSHAKE_MS,
             "transport/unicast/accept_timeout": _HANDSHAKE_MS,

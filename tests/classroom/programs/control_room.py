@@ -1,15 +1,17 @@
 """Counts what telemetry.py sends, knows what it missed, and answers its questions.
 
-Run:        control_room.py
+Run:        control_room.py [--last N]
 Subscribes: telemetry (std_msgs/String, reliable, keep all)
 Serves:     check (std_srvs/Trigger)
 
 Prints `receiving`, `first` with the first message, `gap FIRST NEXT TIME` when numbers are missing,
-and when interrupted a line of JSON: received, gaps (from, to), how many losses zbot told it of.
+`last` with number N, and when interrupted a line of JSON: received, gaps (from, to), how many
+losses zbot told it of.
 """
 
 from __future__ import annotations
 
+import argparse
 import contextlib
 import json
 import time
@@ -25,8 +27,9 @@ NOTHING_LOST = QoSProfile(history=HistoryPolicy.KEEP_ALL, reliability=Reliabilit
 
 
 class ControlRoom(zbot.Node):
-    def __init__(self) -> None:
+    def __init__(self, last: int) -> None:
         super().__init__("control_room")
+        self.last = last
         self.received = 0
         self.heard: int | None = None
         self.repeated = 0
@@ -40,7 +43,7 @@ class ControlRoom(zbot.Node):
         self.create_service(Trigger, "check", self.on_check)
 
     def on_number(self, msg: String) -> None:
-        number, sent_ns = map(int, msg.data.split())
+        number, sent_ns = map(int, msg.data.split()[:2])
         self.received += 1
         self.slowest_ms = max(self.slowest_ms, (time.monotonic_ns() - sent_ns) / 1e6)
         if self.heard is None:
@@ -51,6 +54,8 @@ class ControlRoom(zbot.Node):
             self.gaps.append((self.heard, number))
             print("gap", self.heard, number, time.monotonic_ns(), flush=True)
         self.heard = number
+        if number == self.last:
+            print("last", flush=True)
 
     def on_lost(self, info: QoSMessageLostInfo) -> None:
         self.told_lost = info.total_count
@@ -61,8 +66,11 @@ class ControlRoom(zbot.Node):
 
 
 def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--last", type=int, default=0)
+    options, _ = parser.parse_known_args()
     with zbot.init():
-        room = ControlRoom()
+        room = ControlRoom(options.last)
         print("receiving", flush=True)
         with contextlib.suppress(zbot.ExternalShutdownException, KeyboardInterrupt):
             zbot.spin(room)

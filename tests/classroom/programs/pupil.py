@@ -53,7 +53,7 @@ def main() -> None:
     parser.add_argument("name")
     parser.add_argument("neighbour")
     parser.add_argument("--hz", type=float, default=10)
-    options = parser.parse_args()
+    options, _ = parser.parse_known_args()
     with zbot.init():
         pupil = Pupil(options.name, options.neighbour, options.hz)
         with contextlib.suppress(zbot.ExternalShutdownException, KeyboardInterrupt):

@@ -1,11 +1,12 @@
 """Sends numbers that must not be lost, and asks a question every second.
 
-Run:       telemetry.py [--hz 20]
-Publishes: telemetry (std_msgs/String, reliable, keep all), a number and the monotonic time in ns
+Run:       telemetry.py [--hz 20] [--size 20] [--count N]      endless without a count
+Publishes: telemetry (std_msgs/String, reliable, keep all), a number, the monotonic time in ns,
+           and zeros up to SIZE characters
 Calls:     check (std_srvs/Trigger), waiting 5 s at most
 
-Prints `sending`, and when interrupted a line of JSON: sent, the longest that a publish() took in
-ms, and the calls: [seconds it took, outcome] each.
+Prints `sending`, `answered` after each call that was, and when interrupted a line of JSON: sent,
+the longest that a publish() took in ms, and the calls: [seconds it took, outcome] each.
 """
 
 from __future__ import annotations
@@ -28,9 +29,11 @@ PATIENCE_S = 5.0
 
 
 class Telemetry(zbot.Node):
-    def __init__(self, hz: float) -> None:
+    def __init__(self, hz: float, size: int, count: int) -> None:
         super().__init__("telemetry")
         self.sent = 0
+        self.size = size
+        self.count = count
         self.longest_ms = 0.0
         self.calls: list[tuple[float, str]] = []
         self.numbers = self.create_publisher(String, "telemetry", NOTHING_LOST)
@@ -38,9 +41,11 @@ class Telemetry(zbot.Node):
         self.create_timer(1 / hz, self.send)
 
     def send(self) -> None:
+        if self.sent == self.count:
+            return
         begun = time.monotonic_ns()
         self.sent += 1
-        self.numbers.publish(String(data=f"{self.sent} {begun}"))
+        self.numbers.publish(String(data=f"{self.sent} {begun} ".ljust(self.size, "0")))
         self.longest_ms = max(self.longest_ms, (time.monotonic_ns() - begun) / 1e6)
 
     def ask(self, stopped: threading.Event) -> None:
@@ -50,6 +55,7 @@ class Telemetry(zbot.Node):
             try:
                 self.check.call(Trigger.Request(), timeout_sec=PATIENCE_S)
                 outcome = "answered"
+                print(outcome, flush=True)
             except TimeoutError:
                 outcome = "timeout"
             except ServiceError as exc:
@@ -60,10 +66,12 @@ class Telemetry(zbot.Node):
 def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--hz", type=float, default=20)
-    hz = parser.parse_args().hz
+    parser.add_argument("--size", type=int, default=20)
+    parser.add_argument("--count", type=int, default=0)
+    options, _ = parser.parse_known_args()
     stopped = threading.Event()
     with zbot.init():
-        node = Telemetry(hz)
+        node = Telemetry(options.hz, options.size, options.count)
         asking = threading.Thread(target=node.ask, args=(stopped,))
         asking.start()
         print("sending", flush=True)

@@ -1,0 +1,91 @@
+"""What keeps a student out, each in its own sentence and soon enough to try again."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from tests.classroom.lesson import Lesson
+from tests.classroom.rig import Rig, obstacle
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+LIMIT_S = 2.0
+
+
+@pytest.fixture(scope="module")
+def lesson() -> Iterator[Lesson]:
+    """An open class of two laptops, which have not joined yet."""
+    reason = obstacle()
+    if reason is not None:
+        pytest.skip(reason)
+    with Rig(2) as rig:
+        yield Lesson(rig, 1)
+
+
+def refusal(lesson: Lesson, *words: str) -> str:
+    """Return the sentence with which `zbot join` fails, in time and without joining."""
+    laptop = lesson.rig.laptops[0]
+    refused = laptop.run("zbot", "join", *words)
+    assert refused.code == 1
+    assert refused.out == ""
+    assert len(refused.err.splitlines()) == 1
+    assert refused.took_s < LIMIT_S
+    assert not laptop.processes()
+    assert "joined nothing" in laptop.run("zbot", "status").out
+    return refused.err.strip()
+
+
+def test_a_mistyped_code(lesson: Lesson) -> None:
+    last = lesson.code[-1]
+    typo = lesson.code[:-1] + ("2" if last != "2" else "3")
+
+    assert f"the code '{typo}' has a typo" in refusal(lesson, typo)
+
+
+def test_a_teacher_who_is_not_there(lesson: Lesson) -> None:
+    assert "nobody answers at 10.77.200.1:7447" in refusal(lesson, "10.77.200.1")
+
+
+def test_a_teacher_without_a_class(lesson: Lesson) -> None:
+    sentence = refusal(lesson, f"{lesson.rig.teacher.address}:7448")
+
+    assert "10.77.0.1 is there, but no class" in sentence
+    assert "zbot class start" in sentence
+
+
+def test_a_blocked_port(lesson: Lesson) -> None:
+    laptop = lesson.rig.laptops[0]
+    laptop.block_port(7447)
+    try:
+        sentence = refusal(lesson, lesson.code)
+    finally:
+        laptop.unblock_ports()
+
+    assert "10.77.0.1 is there but its port 7447 is blocked" in sentence
+    assert "firewall" in sentence
+
+
+def test_a_laptop_without_a_network(lesson: Lesson) -> None:
+    laptop = lesson.rig.laptops[0]
+    laptop.unplug()
+    try:
+        sentence = refusal(lesson, lesson.rig.teacher.address)
+    finally:
+        laptop.plug_in()
+
+    assert "nobody answers at 10.77.0.1:7447" in sentence
+
+
+def test_the_code_and_the_address_both_work(lesson: Lesson) -> None:
+    for laptop, target in zip(
+        lesson.rig.laptops, (lesson.code.lower(), lesson.rig.teacher.address), strict=True
+    ):
+        joined = laptop.run("zbot", "join", target)
+        assert joined.code == 0, joined.err
+        assert joined.took_s < 3
+        left = laptop.run("zbot", "leave")
+        assert left.code == 0, left.err
+        assert not laptop.processes()

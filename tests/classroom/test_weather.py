@@ -1,0 +1,63 @@
+"""Bad Wi-Fi that breaks off: what was promised arrives, and what cannot is counted."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+from tests.classroom.lesson import Lesson
+from tests.classroom.weather import Weather, spoil
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.classroom.rig import Rig
+    from tests.conftest import Program
+
+HZ, COUNT = 50, 600
+PATIENCE_S = 5.0  # of telemetry.py's calls
+
+
+def end(program: Program) -> dict[str, Any]:
+    """Interrupt a program; return what it says of its work."""
+    assert program.stop(timeout_s=3 * PATIENCE_S) == 0
+    assert program.lines[-1].startswith("{"), program.output
+    report: dict[str, Any] = json.loads(program.lines[-1])
+    return report
+
+
+def test_reliable_numbers_arrive_or_are_known_to_be_lost(make_rig: Callable[[int], Rig]) -> None:
+    rig = make_rig(1)
+    lesson, laptop = Lesson(rig, 1), rig.laptops[0]
+    lesson.join()
+    spoil(rig, Weather(delay_ms=20, jitter_ms=10, loss=0.02), [laptop])
+    domain = lesson.domain_of(laptop)
+    room = rig.teacher.start("control_room.py", "--last", str(COUNT), env=domain)
+    room.wait_for("receiving")
+    here = laptop.start(
+        *("control_room.py", "--last", str(COUNT), "--ros-args", "-r", "__node:=here"), env=domain
+    )
+    here.wait_for("receiving")
+    telemetry = laptop.start("telemetry.py", "--hz", str(HZ), "--count", str(COUNT), env=domain)
+    first = int(room.wait_for("first").split()[1])
+    telemetry.wait_for("answered")
+    lesson.watch.until(lambda nodes: (1, "/telemetry") in nodes)
+
+    # The teacher's hub gives the laptop up, which is how everybody learns of the break.
+    laptop.leave_air()
+    lesson.watch.until(lambda nodes: (1, "/telemetry") not in nodes)
+    laptop.return_to_air()
+    lesson.watch.until(lambda nodes: (1, "/telemetry") in nodes)
+    room.wait_for("last", 30)
+    here.wait_for("last", 30)
+
+    sent, far, near = (end(program) for program in (telemetry, room, here))
+    assert near["gaps"] == []
+    assert near["received"] == COUNT
+    assert len(far["gaps"]) == 1
+    assert far["repeated"] == 0
+    assert far["received"] + far["told_lost"] == COUNT - first + 1
+    outcomes = [outcome for _, outcome in sent["calls"]]
+    assert outcomes[0] == outcomes[-1] == "answered"
+    assert {"server_gone", "timeout"} & set(outcomes)
+    assert max(took_s for took_s, _ in sent["calls"]) < PATIENCE_S + 1
