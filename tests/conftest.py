@@ -150,12 +150,14 @@ def spin(make_context: object) -> Iterator[Callable[..., Spinner]]:  # noqa: ARG
 class Program:
     """A Python program in a process of its own, whose lines a test can wait for."""
 
-    def __init__(self, command: list[str], cwd: Path, env: dict[str, str]) -> None:
+    def __init__(
+        self, command: list[str], cwd: Path, env: dict[str, str], stdin: int = subprocess.DEVNULL
+    ) -> None:
         self.process = subprocess.Popen(
             command,
             cwd=cwd,
             env=env,
-            stdin=subprocess.DEVNULL,
+            stdin=stdin,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             encoding="utf-8",

@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.executor import Signal
 from zbot_cli.looking import full_name, hidden_node, snapshot
+from zbot_cli.pause import Pause
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -191,8 +191,7 @@ class Pub:
         limit = len(templates) if self._yaml_file is not None else self._pace.times
         print("publisher: beginning loop", flush=True)
         begun, sent = time.monotonic(), 0
-        pause = Signal()  # a signal handler sets it: an Event could wait for itself
-        node.context.add_waker(pause.set)
+        pause = Pause(node.context)
         while node.context.ok():
             index = sent % len(templates)
             if templates[index].is_stamped:
@@ -202,10 +201,10 @@ class Pub:
             if self._pace.print_every and sent % self._pace.print_every == 0:
                 print(f"publishing #{sent}: {messages[index]!r}\n", flush=True)
             if limit and sent >= limit:
-                pause.wait(self._pace.keep_alive_s)
+                pause.until(time.monotonic() + self._pace.keep_alive_s)
                 return
             # Reckoned from the beginning, so that the mean rate is exact.
-            pause.wait(max(0.0, begun + sent / self._pace.rate_hz - time.monotonic()))
+            pause.until(begun + sent / self._pace.rate_hz)
 
 
 def read_values(path: str) -> str:

@@ -7,9 +7,9 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.executor import Signal
 from zbot_cli.listing import print_json
 from zbot_cli.looking import hidden_node
+from zbot_cli.pause import Pause
 from zbot_cli.service_type import (
     check_served,
     resolve_service_type,
@@ -145,8 +145,7 @@ class ServiceCall:
 
     def _call(self, node: Node, client: Client[Any, Any], template: Template) -> None:
         now_ns = lambda: node.get_clock().now().nanoseconds  # noqa: E731 - one expression
-        pause = Signal()  # a signal handler sets it: an Event could wait for itself
-        node.context.add_waker(pause.set)
+        pause = Pause(node.context)
         begun, count = time.monotonic(), 0
         while node.context.ok():
             self._call_once(client, template.make(now_ns))
@@ -154,7 +153,7 @@ class ServiceCall:
             if self._rate_hz is None:
                 return
             # Reckoned from the beginning, so that the mean rate is exact.
-            pause.wait(max(0.0, begun + count / self._rate_hz - time.monotonic()))
+            pause.until(begun + count / self._rate_hz)
 
     def _call_once(self, client: Client[Any, Any], request: Any) -> None:
         if not self._as_json:

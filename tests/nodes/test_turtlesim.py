@@ -101,6 +101,18 @@ def test_parameters_have_their_ranges(turtlesim: Program, start: Start) -> None:
     assert "256" in refused.output
 
 
+def test_it_goes_on_at_the_wall(turtlesim: Program, start: Start) -> None:
+    for theta in ("0.0", "1.57"):
+        where = f"{{x: 11.0, y: 11.0, theta: {theta}}}"
+        teleport = ("/turtle1/teleport_absolute", "turtlesim/srv/TeleportAbsolute", where)
+        output(start, "service", "call", *teleport)
+        command = ("/turtle1/cmd_vel", "geometry_msgs/msg/Twist", "{linear: {x: 2.0}}")
+        output(start, "topic", "pub", "--once", *command)
+        turtlesim.wait_for("Oh no! I hit the wall! (Clamping from ")
+    output(start, "service", "call", "/spawn", "turtlesim/srv/Spawn", "{name: turtle1}")
+    turtlesim.wait_for("A turtle named [turtle1] already exists")
+
+
 def test_a_square_is_drawn(turtlesim: Program, start: Start) -> None:
     square = start("zbot", "run", "turtlesim", "draw_square")
     square.wait_for("New goal [7.544445 5.544445, 0.000000]")

@@ -44,6 +44,7 @@ class Package:
     origin: Origin
     prefix: Path | None = None  #: where it was installed to; None where nothing was installed
     only: tuple[str, ...] = ()  #: the folders in it that are the package's; all if there are none
+    launch: Path | None = None  #: where its launch files are if not in its folder
 
 
 def all_packages() -> dict[str, Package]:
@@ -83,7 +84,13 @@ def _bundled() -> Iterator[Package]:
     for parent in (_DEFINITIONS, _STAND_INS):
         if parent.is_dir():
             folders = (entry for entry in parent.iterdir() if entry.name.isidentifier())
-            yield from (Package(one.name, one, Origin.BUNDLED) for one in folders if one.is_dir())
+            yield from (_brought(one, share) for one in folders if one.is_dir())
+
+
+def _brought(folder: Path, share: Path) -> Package:
+    launch = share / "launch" / folder.name
+    own = launch if launch.is_dir() else None
+    return Package(folder.name, folder, Origin.BUNDLED, launch=own)
 
 
 def prefixes() -> list[Path]:

@@ -43,7 +43,7 @@ def share_folder(package: Package) -> Path:
     """
     if package.origin is Origin.WORKSPACE and moved_files(package):
         return prefix_folder(package) / "share" / package.name
-    if package.only:
+    if package.only or package.launch is not None:
         return prefix_folder(package) / "share" / package.name
     return package.folder
 
@@ -128,6 +128,8 @@ def _shared(package: Package) -> dict[str, Path]:
         folders = (package.folder / part for part in package.only)
         return {_relative(file, package): file for one in folders for file in files_below(one)}
     files = {_relative(file, package): file for file in files_below(package.folder)}
+    if package.launch is not None:
+        files.update({f"launch/{file.name}": file for file in files_below(package.launch)})
     if package.origin is Origin.WORKSPACE:
         installed = installed_files(package)
         elsewhere = {_relative(file, package) for file in moved_files(package).values()}

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import itertools
+from collections import deque
 from typing import NamedTuple
 
+from zbot_nodes.turtlesim.picture import png
+
 WIDTH = HEIGHT = 500  #: pixels
-_UNTOUCHED = (255, 255, 255)
+_UNTOUCHED = (255, 255, 255, 0)  # the colour sensor sees white there, a page what is behind
+_MOST_LINES = 2000  # half a minute of a turtle; whoever asks less often gets the picture
 
 
 class Pen(NamedTuple):
@@ -29,21 +34,24 @@ class Line(NamedTuple):
 
 
 class Drawing:
-    """A sheet of 500 x 500 pixels."""
+    """A sheet of 500 x 500 pixels, and the lines that were drawn on it of late."""
 
     def __init__(self) -> None:
-        self.lines: list[Line] = []
-        self._pixels = bytearray(WIDTH * HEIGHT * 3)
+        self.lines: deque[Line] = deque(maxlen=_MOST_LINES)
+        self.until = 0  #: how many lines, and times that the sheet was wiped
+        self._pixels = bytearray()
         self.clear()
 
     def clear(self) -> None:
         """Remove every line."""
         self.lines.clear()
+        self.until += 1
         self._pixels[:] = bytes(_UNTOUCHED) * (WIDTH * HEIGHT)
 
     def add(self, line: Line) -> None:
         """Draw a line: square ends, hard edges; what lies outside the sheet is lost."""
         self.lines.append(line)
+        self.until += 1
         # A square of the pen's width on each pixel of the way: that is what square caps look like.
         steps = max(1, round(max(abs(line.x1 - line.x0), abs(line.y1 - line.y0))))
         for step in range(steps + 1):
@@ -54,21 +62,36 @@ class Drawing:
                 line.pen,
             )
 
+    def since(self, until: int) -> list[Line] | None:
+        """Return the lines that were added after `until` had a value.
+
+        Returns:
+            The lines, or `None` if they do not tell all: the sheet was wiped, or they are too many.
+        """
+        first = self.until - len(self.lines)
+        if not first <= until <= self.until:
+            return None
+        return list(itertools.islice(self.lines, until - first, None))
+
+    def picture(self) -> bytes:
+        """Return everything that was drawn as a PNG file, transparent where nobody drew."""
+        return png(WIDTH, HEIGHT, self._pixels)
+
     def _stamp(self, x: int, y: int, pen: Pen) -> None:
         left = max(0, x - pen.width // 2)
         right = min(WIDTH, x - pen.width // 2 + pen.width)
         if right <= left:
             return
-        row = bytes((pen.r, pen.g, pen.b)) * (right - left)
+        row = bytes((pen.r, pen.g, pen.b, 255)) * (right - left)
         top = y - pen.width // 2
         for line in range(max(0, top), min(HEIGHT, top + pen.width)):
-            begin = (line * WIDTH + left) * 3
+            begin = (line * WIDTH + left) * 4
             self._pixels[begin : begin + len(row)] = row
 
     def colour_at(self, x: float, y: float) -> tuple[int, int, int]:
         """Return red, green and blue of the pixel nearest to a point, white where nobody drew."""
         column = min(max(round(x), 0), WIDTH - 1)
         row = min(max(round(y), 0), HEIGHT - 1)
-        begin = (row * WIDTH + column) * 3
+        begin = (row * WIDTH + column) * 4
         r, g, b = self._pixels[begin : begin + 3]
         return r, g, b

@@ -1,0 +1,59 @@
+"""What a page shows of a turtlesim, told to whoever asks."""
+
+from __future__ import annotations
+
+import secrets
+from typing import TYPE_CHECKING
+
+from turtlesim.msg import Color
+from zbot_msgs.msg import SceneTurtle
+
+if TYPE_CHECKING:
+    from zbot_nodes.turtlesim.world import Turtle, TurtleWorld
+
+    from zbot_msgs.srv import TurtleScene
+
+#: The service's name; below the node's own, and hidden as the last part begins with `_`.
+SCENE = "~/_scene"
+
+
+class Scene:
+    """Answers a page's requests, each with what is new since the one before.
+
+    Args:
+        world: What is to be seen.
+    """
+
+    def __init__(self, world: TurtleWorld) -> None:
+        self._world = world
+        self._run = secrets.randbits(32)
+        self.background = Color()
+
+    def tell(
+        self, request: TurtleScene.Request, response: TurtleScene.Response
+    ) -> TurtleScene.Response:
+        """Fill in an answer."""
+        drawing = self._world.drawing
+        lines = drawing.since(request.until) if request.run == self._run else None
+        if lines is None:
+            response.sheet = drawing.picture()
+        for line in lines or ():
+            response.lines.extend(line[:4])
+            response.pens.extend(line.pen[:4])
+        response.run, response.until = self._run, drawing.until
+        response.background = self.background
+        response.turtles = [_seen(turtle) for turtle in self._world.turtles.values()]
+        return response
+
+
+def _seen(turtle: Turtle) -> SceneTurtle:
+    pen = turtle.pen
+    return SceneTurtle(
+        name=turtle.name,
+        x=turtle.x,
+        y=turtle.y_up,
+        theta=turtle.heading,
+        pen=Color(r=pen.r, g=pen.g, b=pen.b),
+        pen_width=pen.width,
+        is_pen_down=pen.is_down,
+    )
