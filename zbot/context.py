@@ -8,14 +8,14 @@ import threading
 import weakref
 from typing import TYPE_CHECKING, Literal
 
-from zbot import config
+from zbot import config, membership
 from zbot.arguments import Arguments
 from zbot.errors import ContextInitializedError, NotInitializedError
 from zbot.graph import Graph
 from zbot.log import configure, get_logger, get_logging_severity_from_string
 from zbot.session import MeetingPoint, MeetingWatch, process_facts
 from zbot.version import __version__
-from zbot.wire.dialect import NATIVE
+from zbot.wire.dialect import IN_CLASS, NATIVE
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -89,6 +89,8 @@ class Context:
                 raise ContextInitializedError
             self._domain = config.domain_id(domain_id)
             self.arguments = Arguments.parse(sys.argv if args is None else args)
+            joined = membership.load()
+            self.dialect = IN_CLASS if joined is not None and joined.in_class else NATIVE
             if initialize_logging:
                 _configure_logging(self.arguments)
             self._state = "valid"

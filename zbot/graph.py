@@ -145,7 +145,7 @@ class Graph:
         self._start_thread = start_thread
         self._dialect = dialect
         self._domain = domain
-        self._key = dialect.tokens_key(domain)
+        self._keys = dialect.tokens_keys(domain)
         self._tokens: dict[str, Token] = {}
         self._by_gid: dict[bytes, EndpointToken] = {}
         self._lock = threading.Lock()
@@ -166,13 +166,17 @@ class Graph:
         if self._asks_first:
             self._complete()
         # A callback would run inside `declare_token` too, where Zenoh swallows a Ctrl-C.
-        self._subscriber = self._session.liveliness().declare_subscriber(
-            self._key, zenoh.handlers.FifoChannel(_QUEUE), history=True
-        )
-        self._start_thread("zbot graph", self._follow)
+        self._subscribers = [self._subscribe(key) for key in self._keys]
 
-    def _follow(self) -> None:
-        receive = self._subscriber.handler.recv
+    def _subscribe(self, key: str) -> Any:
+        subscriber = self._session.liveliness().declare_subscriber(
+            key, zenoh.handlers.FifoChannel(_QUEUE), history=True
+        )
+        receive = subscriber.handler.recv
+        self._start_thread("zbot graph", lambda: self._follow(receive))
+        return subscriber
+
+    def _follow(self, receive: Callable[[], zenoh.Sample]) -> None:
         while True:
             try:
                 sample = receive()
@@ -199,7 +203,7 @@ class Graph:
     def snapshot(self) -> Snapshot:
         """Return the graph as it is now, complete from the first call on (1 to 25 ms then)."""
         if not self._watching:
-            return Snapshot(tuple(self._ask(self._key)))
+            return Snapshot(tuple(self._ask()))
         if not self._is_complete:
             self._complete()
         with self._lock:
@@ -217,7 +221,7 @@ class Graph:
         return True
 
     def _complete(self) -> None:
-        tokens = list(self._ask(self._key))
+        tokens = list(self._ask())
         for token in tokens:
             self._add(token)
         with self._lock:
@@ -251,11 +255,12 @@ class Graph:
         with self._lock:
             self._listeners = [ref for ref in self._listeners if ref() not in {None, listener}]
 
-    def _ask(self, key: str) -> Iterator[Token]:
+    def _ask(self) -> Iterator[Token]:
         self._settle()
-        for reply in self._session.liveliness().get(key, timeout=2.0):
-            if reply.ok is not None:
-                token = self._parse(str(reply.ok.key_expr))
+        asked = [self._session.liveliness().get(key, timeout=2.0) for key in self._keys]
+        for replies in asked:
+            for reply in replies:
+                token = None if reply.ok is None else self._parse(str(reply.ok.key_expr))
                 if token is not None:
                     yield token
 

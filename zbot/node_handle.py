@@ -90,7 +90,7 @@ class NodeHandle:
     ) -> EndpointToken:
         """Return the token of a new endpoint whose type is given by its name and hash."""
         return EndpointToken(
-            domain=self.token.domain,
+            domain=self.context.dialect.domain_of(self.token.domain, name),
             zid=self.token.zid,
             nid=self.token.nid,
             eid=self.context.next_entity_id(),

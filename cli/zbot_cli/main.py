@@ -123,6 +123,10 @@ def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
         from zbot_cli.complete import complete  # noqa: PLC0415 - only shells ask
 
         return complete(words[1:], NOUNS)
+    if any(word[:1] == "/" and word[1:2].isdigit() for word in words):
+        from zbot_cli import domain_names  # noqa: PLC0415 - only for names of another domain
+
+        words = domain_names.enter_domain(words) if noun in domain_names.NOUNS else words
     import typer  # noqa: PLC0415 - `zbot --help` and `zbot run` do without
 
     from zbot_cli.nouns import load  # noqa: PLC0415 - as above

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from zbot.wire.codec import Codec
     from zbot.wire.tokens import EndpointToken, NodeToken
 
-__all__ = ["NATIVE", "Dialect"]
+__all__ = ["IN_CLASS", "NATIVE", "Dialect"]
 
 MessageT = TypeVar("MessageT")
 
@@ -30,8 +30,12 @@ class Dialect(Protocol):
         """Return domain and name of a key, or None if it is no topic's."""
         ...
 
-    def tokens_key(self, domain: int) -> str:
-        """Return the key expression of every liveliness token of a domain."""
+    def domain_of(self, domain: int, name: str) -> int:
+        """Return the domain that a topic or service of a node belongs to, usually the node's."""
+        ...
+
+    def tokens_keys(self, domain: int) -> tuple[str, ...]:
+        """Return the key expressions of every liveliness token that a domain's nodes should see."""
         ...
 
     def parse_token(self, key: str) -> NodeToken | EndpointToken:
@@ -50,12 +54,40 @@ class Dialect(Protocol):
 class _Native:
     """zbot's own dialect: plain keys and MessagePack, readable by any Zenoh program."""
 
-    topic_key = staticmethod(keys.topic_key)
+    @staticmethod
+    def topic_key(domain: int, name: str) -> str:
+        return keys.topic_key(domain, name)
+
     parse_key = staticmethod(keys.parse_key)
-    tokens_key = staticmethod(tokens.token_selector)
+
+    @staticmethod
+    def domain_of(domain: int, _name: str) -> int:
+        return domain
+
+    @staticmethod
+    def tokens_keys(domain: int) -> tuple[str, ...]:
+        return (tokens.token_selector(domain),)
+
     parse_token = staticmethod(tokens.parse_token)
     encoding = staticmethod(keys.encoding)
     codec_for = staticmethod(codec.codec_for)
 
 
+class _InClass(_Native):
+    """The same where domains are those of students, which have the names in `/class/` in common."""
+
+    @staticmethod
+    def topic_key(domain: int, name: str) -> str:
+        return name[1:] if keys.is_shared(name) else keys.topic_key(domain, name)
+
+    @staticmethod
+    def domain_of(domain: int, name: str) -> int:
+        return keys.SHARED_DOMAIN if keys.is_shared(name) else domain
+
+    @staticmethod
+    def tokens_keys(domain: int) -> tuple[str, ...]:
+        return (tokens.token_selector(domain), tokens.token_selector(keys.SHARED_DOMAIN))
+
+
 NATIVE: Dialect = _Native()
+IN_CLASS: Dialect = _InClass()

@@ -4,14 +4,21 @@ from __future__ import annotations
 
 __all__ = [
     "ENCODING_PREFIX",
+    "SHARED_DOMAIN",
+    "SHARED_SPACE",
     "domain_selector",
+    "domain_text",
     "encoded_type",
     "encoding",
+    "is_shared",
     "parse_key",
     "topic_key",
 ]
 
 ENCODING_PREFIX = "application/msgpack;"
+#: The space that the domains of a class have in common, and what stands for its domain in keys.
+SHARED_DOMAIN = 255
+SHARED_SPACE = "class"
 _MAX_DOMAIN_DIGITS = 3
 
 
@@ -26,6 +33,16 @@ def parse_key(key: str) -> tuple[int, str] | None:
     if not name or not is_number(domain) or len(domain) > _MAX_DOMAIN_DIGITS:
         return None
     return int(domain), slash + name
+
+
+def is_shared(name: str) -> bool:
+    """Return whether a class has a fully qualified name in common: `/class/...`."""
+    return name.startswith(f"/{SHARED_SPACE}/")
+
+
+def domain_text(domain: int) -> str:
+    """Return what stands for a domain in keys and tokens."""
+    return SHARED_SPACE if domain == SHARED_DOMAIN else str(domain)
 
 
 def domain_selector(domain: int) -> str:

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 from zbot.errors import TokenError
 from zbot.wire.attachment import GID_LENGTH
-from zbot.wire.keys import is_number
+from zbot.wire.keys import SHARED_DOMAIN, SHARED_SPACE, domain_text, is_number
 from zbot.wire.qos import parse_qos, qos_text
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ class NodeToken:
 class EndpointToken:
     """A publisher, subscription, service or client of a node."""
 
-    domain: int
+    domain: int  #: `SHARED_DOMAIN` if all domains of a class have it in common
     zid: str  #: id of the Zenoh session, as Zenoh prints it
     nid: int  #: number of the node in its session
     eid: int  #: number of the endpoint in its session
@@ -119,7 +119,7 @@ class EndpointToken:
 
 def token_selector(domain: int) -> str:
     """Return the key expression of every token of a domain."""
-    return f"{TOKEN_PREFIX}/{domain}/**"
+    return f"{TOKEN_PREFIX}/{domain_text(domain)}/**"
 
 
 # A graph asks for the same few gids again and again: with every message's info.
@@ -149,7 +149,7 @@ def parse_token(key: str) -> NodeToken | EndpointToken:
 
 def _node_token(key: str, chunks: list[str]) -> NodeToken:
     return NodeToken(
-        domain=_number(key, chunks[1]),
+        domain=_domain(key, chunks[1]),
         zid=chunks[2],
         nid=_number(key, chunks[3]),
         enclave=_demangle(chunks[6]),
@@ -168,7 +168,7 @@ def _endpoint_token(key: str, chunks: list[str]) -> EndpointToken:
     except ValueError as error:
         raise TokenError(key, str(error)) from error
     return EndpointToken(
-        domain=_number(key, chunks[1]),
+        domain=_domain(key, chunks[1]),
         zid=chunks[2],
         nid=_number(key, chunks[3]),
         eid=_number(key, chunks[4]),
@@ -185,7 +185,7 @@ def _endpoint_token(key: str, chunks: list[str]) -> EndpointToken:
 
 
 def _mangled_key(token: NodeToken | EndpointToken, eid: int, kind: EntityKind) -> str:
-    ids = f"{token.domain}/{token.zid}/{token.nid}/{eid}/{kind.value}"
+    ids = f"{domain_text(token.domain)}/{token.zid}/{token.nid}/{eid}/{kind.value}"
     names = "/".join(map(_mangle, (token.enclave, token.namespace, token.node)))
     return f"{TOKEN_PREFIX}/{ids}/{names}"
 
@@ -197,6 +197,10 @@ def _mangle(field: str) -> str:
 
 def _demangle(chunk: str) -> str:
     return chunk.replace("%", "/")
+
+
+def _domain(key: str, chunk: str) -> int:
+    return SHARED_DOMAIN if chunk == SHARED_SPACE else _number(key, chunk)
 
 
 def _number(key: str, chunk: str) -> int:
