@@ -79,7 +79,7 @@ def _board_text(board: dict[str, object]) -> str:
 
 @app.command("list")
 def list_students(as_json: AsJson = False) -> None:
-    """List the students: who is there, with what, and their last errors."""
+    """List the students and how they are."""
     from zbot.classroom.teacher import command  # noqa: PLC0415 - help is quick
 
     found = command({"op": "list"})
@@ -104,7 +104,7 @@ def say(text: Annotated[list[str], typer.Argument(help="What everybody is to rea
 def free(
     number: Annotated[int, typer.Argument(min=1, max=232, help="Number of a student")],
 ) -> None:
-    """Take a number back that a student lost with his laptop."""
+    """Take a number back from a lost laptop."""
     from zbot.classroom.teacher import command  # noqa: PLC0415 - help is quick
 
     print(f"number {number} is free; {command({'op': 'free', 'number': number})['name']} had it")
