@@ -9,7 +9,7 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot_cli.field_path import FieldPath, fields_of, is_message
+from zbot.field_path import FieldPath, fields_of, is_message
 from zbot_cli.yaml_text import Flow, dump
 
 if TYPE_CHECKING:

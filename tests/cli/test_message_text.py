@@ -12,7 +12,7 @@ import yaml
 from hypothesis import strategies
 
 import zbot  # noqa: F401 - makes the message packages importable
-from zbot_cli.field_path import FieldPath, FieldPathError
+from zbot.field_path import FieldPath, FieldPathError
 from zbot_cli.message_text import Form, Formatter
 from zbot_cli.values import Template
 from zbot_cli.yaml_text import dump

@@ -35,7 +35,8 @@ def chromium() -> str | None:
     return next(filter(None, map(shutil.which, names)), None)
 
 
-@pytest.fixture(scope="session")
+# Not for the whole session: while Playwright is there, asyncio.run() is not possible in its thread.
+@pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
     pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
     playwright = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# A browser asks at its display's pace, a bit early or late: 33.3 ms are over after 31.
-_EARLY = 0.93
+# A browser asks at its display's pace, a bit early or late.
+_EARLY_S = 0.003
 
 
 class Pace:
@@ -26,7 +26,7 @@ class Pace:
     def add(self, update: Callable[[], None], max_hz: float) -> Callable[[], None]:
         """Run a function from now on; return a function that ends this."""
         key = object()
-        self._updates[key] = (update, _EARLY / max_hz)
+        self._updates[key] = (update, 1 / max_hz - _EARLY_S)
 
         def undo() -> None:
             self._updates.pop(key, None)

@@ -30,7 +30,7 @@ _ICON = (
 def add_pages(system: System) -> None:
     """Serve every panel at its address, and the first one at `/`."""
     app.add_static_files(_ADDRESS, str(_STATIC))
-    for name in ("page.js", "plot.js"):
+    for name in ("page.js", "table.js", "picture.js", "plot.js"):
         ui.add_head_html(f'<script src="{_ADDRESS}/{name}"></script>', shared=True)
     ui.add_head_html(f'<link rel="stylesheet" href="{_ADDRESS}/page.css">', shared=True)
     for panel in PANELS:

@@ -20,6 +20,7 @@ from zbot.remote_types import learn_type
 from zbot.rosout import ROSOUT_TOPIC
 from zbot.web.lease import Leases
 from zbot.web.log_ring import LogRing
+from zbot.web.repetition import Repetition
 from zbot.web.watch import Feed, NoTypeError, Watch, profile_for
 
 if TYPE_CHECKING:
@@ -280,6 +281,23 @@ class System:
             lambda: self.node.create_publisher(message_type, topic, _PUBLISH_DEPTH),
             self.node.destroy_publisher,
         )
+
+    def repeat(
+        self, topic: str, type_name: str, make: Callable[[], Any], rate_hz: float
+    ) -> Repetition:
+        """Publish at a rate until what is returned is released.
+
+        Args:
+            topic: Full name.
+            type_name: Full name of its type.
+            make: Returns the message; called each time.
+            rate_hz: How often.
+
+        Raises:
+            ReadOnlyError: The page may only look.
+            NoTypeError: Nobody knows the type.
+        """
+        return Repetition(self.node, self.publisher(topic, type_name), make, rate_hz)
 
     def client(self, name: str, type_name: str) -> Lease[Client[Any, Any]]:
         """Return a lease of a service's client; await its answers with `answer`.

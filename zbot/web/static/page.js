@@ -81,5 +81,10 @@ window.zbot = (() => {
     URL.revokeObjectURL(link.href);
   }
 
-  return { answered, copyCommand, copyText, isDark, save, switchTheme };
+  function setQuery(query) {
+    const words = new URLSearchParams(query).toString();
+    history.replaceState(history.state, "", words ? `?${words}` : location.pathname);
+  }
+
+  return { answered, copyCommand, copyText, isDark, save, setQuery, switchTheme };
 })();

@@ -1,4 +1,4 @@
-"""Parts of a message that a path on the command line names: `poses[0].position`."""
+"""Parts of a message that a path names: `poses[0].position`."""
 
 from __future__ import annotations
 

@@ -1,0 +1,146 @@
+from __future__ import annotations
+
+import asyncio
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from zbot.web.guard import Guard, address, is_loopback
+
+if TYPE_CHECKING:
+    from collections.abc import MutableMapping
+
+PORT = 8080
+
+
+async def application(_scope: Any, _receive: Any, send: Any) -> None:
+    await send({"type": "http.response.start", "status": 200, "headers": []})
+    await send({"type": "http.response.body", "body": b"page"})
+
+
+def ask(guard: Guard, path: str = "/", kind: str = "http", **headers: str) -> Any:
+    """Return what a request gets: its first message, headers as a dictionary."""
+    sent: list[MutableMapping[str, Any]] = []
+    path, _, query = path.partition("?")
+    named = {"host": f"127.0.0.1:{PORT}"} | {
+        name.replace("_", "-"): value for name, value in headers.items()
+    }
+    scope = {
+        "type": kind,
+        "path": path,
+        "query_string": query.encode(),
+        "server": ("127.0.0.1", PORT),
+        "headers": [(name.encode(), value.encode()) for name, value in named.items()],
+    }
+
+    async def send(message: MutableMapping[str, Any]) -> None:
+        sent.append(message)
+
+    async def receive() -> MutableMapping[str, Any]:
+        return {"type": "http.request"}
+
+    asyncio.run(guard(scope, receive, send))
+    first = dict(sent[0])
+    first["headers"] = {name.decode(): value.decode() for name, value in first.get("headers", ())}
+    return first
+
+
+def local() -> Guard:
+    return Guard(application, host="127.0.0.1", token=None)
+
+
+def guarded() -> Guard:
+    return Guard(application, host="0.0.0.0", token="secret")
+
+
+@pytest.mark.parametrize(
+    ("headers", "status"),
+    [
+        ({}, 200),
+        ({"host": "localhost:8080"}, 200),
+        ({"host": "LOCALHOST:8080"}, 200),
+        ({"host": "[::1]:8080"}, 200),
+        ({"host": "rebound.example:8080"}, 403),
+        ({"host": "192.168.1.7:8080"}, 403),
+        ({"host": ""}, 403),
+        ({"host": "127.0.0.1.evil.example"}, 403),
+        ({"origin": "http://127.0.0.1:8080"}, 200),
+        ({"origin": "http://127.0.0.1:9090"}, 403),
+        ({"origin": "http://evil.example"}, 403),
+        ({"origin": "null"}, 403),
+        ({"sec_fetch_site": "same-origin"}, 200),
+        ({"sec_fetch_site": "cross-site", "sec_fetch_dest": "document"}, 200),
+        ({"sec_fetch_site": "cross-site", "sec_fetch_dest": "iframe"}, 403),
+        ({"sec_fetch_site": "cross-site", "sec_fetch_dest": "image"}, 403),
+        ({"sec_fetch_site": "same-site", "sec_fetch_dest": "empty"}, 403),
+    ],
+)
+def test_only_pages_of_this_server_are_answered(headers: dict[str, str], status: int) -> None:
+    assert ask(local(), **headers)["status"] == status
+
+
+@pytest.mark.parametrize("origin", ["http://evil.example", "null", "http://127.0.0.1:1"])
+def test_websocket_of_another_site_is_closed(origin: str) -> None:
+    closed = ask(local(), kind="websocket", origin=origin)
+    assert (closed["type"], closed["code"]) == ("websocket.close", 1008)
+
+
+def test_token_in_the_address_becomes_a_cookie() -> None:
+    guard = guarded()
+    assert ask(guard)["status"] == 403
+    assert ask(guard, "/?token=wrong")["status"] == 403
+    answer = ask(guard, "/plot?token=secret&curve=%2Fpose.x")
+    assert answer["status"] == 303
+    assert answer["headers"]["location"] == "/plot?curve=%2Fpose.x"
+    cookie = answer["headers"]["set-cookie"]
+    assert "HttpOnly" in cookie
+    pair = cookie.partition(";")[0]
+    assert ask(guard, "/plot", cookie=f"other=1; {pair}")["status"] == 200
+    assert ask(guard, "/plot", cookie=f"{pair}x")["status"] == 403
+
+
+def test_websocket_needs_the_cookie() -> None:
+    guard = guarded()
+    assert ask(guard, kind="websocket")["type"] == "websocket.close"
+    assert ask(guard, "/?token=secret", kind="websocket")["type"] == "websocket.close"
+    cookie = f"zbot_{PORT}=secret"
+    assert ask(guard, kind="websocket", cookie=cookie)["type"] == "http.response.start"
+
+
+def test_token_does_not_redirect_to_another_server() -> None:
+    answer = ask(guarded(), "//evil.example/?token=secret")
+    assert answer["headers"]["location"] == "/evil.example/"
+
+
+def test_any_address_of_the_machine_does_with_a_token_but_no_foreign_name() -> None:
+    cookie = f"zbot_{PORT}=secret"
+    assert ask(guarded(), host="192.168.1.7:8080", cookie=cookie)["status"] == 200
+    assert ask(guarded(), host="rebound.example:8080", cookie=cookie)["status"] == 403
+
+
+def test_answers_forbid_the_browser_to_fetch_from_elsewhere() -> None:
+    policy = ask(local())["headers"]["content-security-policy"]
+    assert "default-src 'self'" in policy
+    assert "frame-ancestors 'none'" in policy
+    assert "ws://127.0.0.1:8080" in policy
+
+
+@pytest.mark.parametrize(
+    ("host", "expected"),
+    [
+        ("127.0.0.1", True),
+        ("127.1.2.3", True),
+        ("::1", True),
+        ("localhost", True),
+        ("0.0.0.0", False),
+        ("192.168.1.7", False),
+        ("teacher.local", False),
+    ],
+)
+def test_loopback_is_told_from_the_network(host: str, expected: bool) -> None:
+    assert is_loopback(host) is expected
+
+
+def test_address_is_what_a_browser_takes() -> None:
+    assert address("127.0.0.1", 8080, "/", None) == "http://127.0.0.1:8080/"
+    assert address("::1", 80, "/plot", "a b") == "http://[::1]:80/plot?token=a+b"

@@ -1,0 +1,211 @@
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+
+from geometry_msgs.msg import Twist
+from sensor_msgs.msg import Image, LaserScan
+from std_msgs.msg import Float64, String
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from playwright.sync_api import Page
+
+    from tests.conftest import Spinner
+    from tests.web.conftest import Server, Visit
+
+
+@pytest.fixture
+def node(make_context: Callable[[], zbot.Context]) -> zbot.Node:
+    return zbot.Node("robot", context=make_context())
+
+
+def row(topic: str) -> str:
+    return f".zb-list tr[data-key='{topic}']"
+
+
+def test_list_shows_who_uses_a_topic_and_how_much_comes(
+    server: Server, page: Page, node: zbot.Node, spin: Callable[..., Spinner]
+) -> None:
+    publisher = node.create_publisher(String, "chatter", 10)
+    node.create_timer(0.02, lambda: publisher.publish(String(data="hello")))
+    node.create_subscription(Twist, "cmd_vel", print, 10)
+    spin(node)
+    page.goto(f"{server.address}/topics")
+    page.wait_for_selector(f"{row('/chatter')}:has-text('std_msgs/msg/String')")
+    page.wait_for_selector(f"{row('/chatter')}:has-text('Hz'):has-text('hello')")
+    cells = page.locator(f"{row('/cmd_vel')} td").all_inner_texts()
+    assert cells[2:4] == ["0", "1"]
+    page.fill("input[aria-label=Filter]", "chat")
+    page.wait_for_selector(row("/cmd_vel"), state="detached")
+    page.wait_for_selector(row("/chatter"))
+
+
+def test_topic_comes_and_goes_within_a_moment(server: Server, page: Page, node: zbot.Node) -> None:
+    page.goto(f"{server.address}/topics")
+    page.wait_for_selector(".zb-list")
+    publisher = node.create_publisher(String, "chatter", 10)
+    page.wait_for_selector(row("/chatter"))
+    node.destroy_publisher(publisher)
+    page.wait_for_selector(row("/chatter"), state="detached")
+
+
+def test_script_in_a_message_is_text(
+    server: Server, page: Page, node: zbot.Node, spin: Callable[..., Spinner]
+) -> None:
+    evil = "<script>window.pwned = 1</script><img src=x onerror='window.pwned = 2'>`${pwned=3}`"
+    publisher = node.create_publisher(String, "evil", 10)
+    node.create_timer(0.05, lambda: publisher.publish(String(data=evil)))
+    spin(node)
+    page.goto(f"{server.address}/topics?topic=/evil")
+    page.wait_for_function("document.querySelector('.zb-tree')?.textContent.includes('<script>')")
+    page.wait_for_function("document.querySelector('.zb-list')?.textContent.includes('<script>')")
+    assert page.evaluate("window.pwned") is None
+    assert page.locator(".zb-main img").count() == 0
+
+
+def test_details_show_the_tree_and_lead_to_the_plot(
+    server: Server, page: Page, node: zbot.Node, spin: Callable[..., Spinner]
+) -> None:
+    publisher = node.create_publisher(Twist, "cmd_vel", 10)
+    message = Twist()
+    message.linear.x = 1.25
+    node.create_timer(0.05, lambda: publisher.publish(message))
+    spin(node)
+    page.goto(f"{server.address}/topics")
+    page.click(row("/cmd_vel"))
+    field = page.locator(".zb-tree tr[data-key='linear.x']")
+    assert field.locator("td").nth(1).inner_text() == "1.25"
+    assert page.inner_text(".zb-command") == "zbot topic echo /cmd_vel"
+    assert page.url.endswith("?topic=%2Fcmd_vel")
+    assert field.locator("a").get_attribute("href") == "/plot?curve=%2Fcmd_vel.linear.x"
+    page.reload()
+    page.wait_for_selector(".zb-tree tr[data-key='linear.x']")
+
+
+def test_publish_form_publishes_once_and_again(
+    server: Server, page: Page, node: zbot.Node, spin: Callable[..., Spinner]
+) -> None:
+    came: list[float] = []
+    node.create_subscription(Twist, "cmd_vel", lambda message: came.append(message.linear.x), 10)
+    spin(node)
+    page.goto(f"{server.address}/topics?topic=/cmd_vel")
+    page.fill("input[aria-label='linear.x']", "2.5")
+    page.click("text=Publish once")
+    assert wait_until(lambda: came == [2.5], 10)
+    command = page.inner_text(".zb-command")
+    assert command == (
+        "zbot topic pub --once /cmd_vel geometry_msgs/msg/Twist '{linear: {x: 2.5}}'"
+    )
+    page.fill("input[aria-label='Rate in Hz']", "50")
+    page.click("text=Repeat")
+    assert wait_until(lambda: len(came) > 20, 10)
+    page.fill("input[aria-label='linear.x']", "-1")
+    assert wait_until(lambda: came[-1] == -1.0, 10)
+    page.click("text=Stop")
+    assert wait_until(lambda: not node.get_publishers_info_by_topic("/cmd_vel"), 10)
+
+
+def test_publish_form_says_what_is_wrong(server: Server, page: Page, node: zbot.Node) -> None:
+    node.create_subscription(Float64, "x", print, 10)
+    page.goto(f"{server.address}/topics?topic=/x")
+    page.fill("input[aria-label='data']", "1,5")
+    page.wait_for_selector("text=write 1.5 with a point")
+    assert page.locator("button:has-text('Publish once')").is_disabled()
+
+
+def test_images_and_scans_are_pictures(
+    server: Server, page: Page, node: zbot.Node, spin: Callable[..., Spinner]
+) -> None:
+    camera = node.create_publisher(Image, "camera", 10)
+    laser = node.create_publisher(LaserScan, "scan", 10)
+    image = Image(width=64, height=48, encoding="rgb8", data=bytes(64 * 48 * 3))
+    scan = LaserScan(
+        angle_increment=0.1, range_min=0.1, range_max=10.0, ranges=[2.0, 50.0, float("nan"), 3.0]
+    )
+
+    def publish() -> None:
+        camera.publish(image)
+        laser.publish(scan)
+
+    node.create_timer(0.05, publish)
+    spin(node)
+    page.goto(f"{server.address}/topics?topic=/camera")
+    page.wait_for_function("document.querySelector('.zb-picture img')?.naturalWidth === 64")
+    page.goto(f"{server.address}/topics?topic=/scan")
+    page.wait_for_selector(".zb-scan-hit", state="attached")
+    drawn = page.get_attribute(".zb-scan-hit", "d") or ""
+    assert drawn.count("M") == 2
+
+
+def test_read_only_page_has_no_form(
+    serve: Callable[..., Server], page: Page, node: zbot.Node
+) -> None:
+    node.create_subscription(Float64, "x", print, 10)
+    page.goto(f"{serve('--read-only').address}/topics?topic=/x")
+    page.wait_for_selector("text=read-only")
+    page.wait_for_selector(".zb-side >> text=std_msgs/msg/Float64")
+    assert page.locator(".zb-publish").count() == 0
+
+
+def test_reloads_and_windows_leave_no_subscription(
+    server: Server, visit: Callable[..., Visit], node: zbot.Node
+) -> None:
+    node.create_publisher(String, "chatter", 10)
+    first, second = visit(), visit()
+    for one in (first, second):
+        one.page.goto(f"{server.address}/topics?topic=/chatter")
+        one.page.wait_for_selector(row("/chatter"))
+    assert wait_until(lambda: node.count_subscribers("/chatter") == 1, 10)
+    for _ in range(50):
+        first.page.reload(wait_until="domcontentloaded")
+    first.page.wait_for_selector(row("/chatter"))
+    assert node.count_subscribers("/chatter") == 1
+    for one in (first, second):
+        one.page.close()
+    # Whoever has gone is given some seconds to come back.
+    assert wait_until(lambda: node.count_subscribers("/chatter") == 0, 30)
+
+
+def test_hidden_page_subscribes_to_nothing(server: Server, page: Page, node: zbot.Node) -> None:
+    node.create_publisher(String, "chatter", 10)
+    page.goto(f"{server.address}/topics")
+    page.wait_for_selector(row("/chatter"))
+    assert wait_until(lambda: node.count_subscribers("/chatter") == 1, 10)
+    pretend = """hidden => {
+        Object.defineProperty(document, "hidden", {value: hidden, configurable: true});
+        document.dispatchEvent(new Event("visibilitychange"));
+    }"""
+    page.evaluate(pretend, True)
+    assert wait_until(lambda: node.count_subscribers("/chatter") == 0, 10)
+    page.evaluate(pretend, False)
+    assert wait_until(lambda: node.count_subscribers("/chatter") == 1, 10)
+
+
+def test_command_can_be_copied(server: Server, visit: Callable[..., Visit]) -> None:
+    window = visit(permissions=["clipboard-read", "clipboard-write"])
+    window.page.goto(f"{server.address}/topics")
+    window.page.click("button[aria-label=Copy]")
+    window.page.wait_for_selector("text=Copied")
+    assert window.page.evaluate("navigator.clipboard.readText()") == "zbot topic list -t"
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_theme_follows_the_system_until_somebody_chooses(
+    server: Server, visit: Callable[..., Visit], scheme: str
+) -> None:
+    page = visit(color_scheme=scheme).page
+    page.goto(f"{server.address}/topics")
+    is_dark = "document.body.classList.contains('body--dark')"
+    page.wait_for_function(f"{is_dark} === {str(scheme == 'dark').lower()}")
+    page.click("button[aria-label='Light or dark']")
+    page.wait_for_function(f"{is_dark} === {str(scheme != 'dark').lower()}")
+    page.reload()
+    page.wait_for_function(f"{is_dark} === {str(scheme != 'dark').lower()}")
+    assert re.match(r"rgb\(\d+, \d+, \d+\)", page.evaluate("getComputedStyle(document.body).color"))

@@ -1,0 +1,106 @@
+"""Publishing by hand: a form made from the type, once or at a rate."""
+
+from __future__ import annotations
+
+import shlex
+from typing import TYPE_CHECKING, Any
+
+from nicegui import run, ui
+
+from zbot.errors import ZbotError
+from zbot.web.form_view import FormView
+
+if TYPE_CHECKING:
+    from zbot.web.panel import Part
+    from zbot.web.repetition import Repetition
+    from zbot.web.watch import Watch
+
+_FASTEST_HZ = 1000.0
+
+
+def add_publish_form(part: Part, watch: Watch) -> None:
+    """Add a form for a topic's messages where this is called, once its type is known."""
+    # Where nobody publishes, somebody probably wants to.
+    is_open = not part.system.snapshot().publishers(watch.topic)
+    expansion = ui.expansion("Publish", icon="send", value=is_open)
+    expansion.classes("zb-publish").props("dense")
+    type_name: str | None = None
+
+    async def update() -> None:
+        try:
+            message_type = await run.io_bound(part.system.interface, str(type_name))
+        except ZbotError as error:
+            with expansion:
+                ui.label(str(error)).classes("zb-bad")
+            return
+        if message_type is None:
+            return  # the server is about to end
+        with expansion:
+            _PublishForm(part, watch.topic, str(type_name), message_type)
+
+    def look() -> None:
+        nonlocal type_name
+        if watch.type_name is not None:
+            type_name = watch.type_name
+            undo()
+            ui.timer(0, update, once=True)
+
+    undo = part.live(look, 5.0)
+
+
+class _PublishForm:
+    def __init__(self, part: Part, topic: str, type_name: str, message_type: type[Any]) -> None:
+        self.part, self.topic, self.type_name = part, topic, type_name
+        self.repetition: Repetition | None = None
+        self.view = FormView(message_type, self.changed)
+        with ui.element("div").classes("zb-row"):
+            self.once = ui.button("Publish once", on_click=self.publish).props("unelevated dense")
+            self.rate = ui.number("Hz", value=10, min=0.01, max=_FASTEST_HZ, on_change=self.changed)
+            self.rate.props('dense outlined aria-label="Rate in Hz"').classes("zb-rate")
+            self.repeat = ui.button("Repeat", on_click=self.toggle).props("outline dense")
+            self.said = ui.label().classes("zb-muted")
+
+    def changed(self) -> None:
+        """Follow what was typed: a repeated message changes at once."""
+        is_right = not self.view.problems
+        self.once.set_enabled(is_right)
+        self.repeat.set_enabled(is_right or self.repetition is not None)
+        if is_right:
+            self.show_command()
+            if self.repetition is not None:
+                self.repetition.change(self.view.maker(), self.rate_hz)
+
+    @property
+    def rate_hz(self) -> float:
+        """How often to repeat it, within what is possible."""
+        return min(max(float(self.rate.value or 1.0), 0.01), _FASTEST_HZ)
+
+    def show_command(self) -> None:
+        """Show what does the same on the command line."""
+        how = f"-r {self.rate_hz:g}" if self.repetition is not None else "--once"
+        words = [self.topic, self.type_name, self.view.yaml()]
+        self.part.frame.show_command(f"zbot topic pub {how} {shlex.join(words)}")
+
+    def publish(self) -> None:
+        """Send the message once."""
+        if self.view.problems:
+            return
+        with self.part.system.publisher(self.topic, self.type_name) as lease:
+            lease.entity.publish(self.view.message())
+        self.said.set_text("published")
+        self.show_command()
+
+    def toggle(self) -> None:
+        """Begin or end repeating the message."""
+        if self.repetition is None:
+            self.repetition = self.part.keep(
+                self.part.system.repeat(self.topic, self.type_name, self.view.maker(), self.rate_hz)
+            )
+            self.repeat.set_text("Stop")
+            self.said.set_text("publishing")
+        else:
+            self.part.drop(self.repetition)
+            self.repetition = None
+            self.repeat.set_text("Repeat")
+            self.said.set_text("")
+        self.changed()

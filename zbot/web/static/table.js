@@ -1,0 +1,68 @@
+// Tables whose rows the server changes one by one. Whatever is in a cell is text, never HTML.
+"use strict";
+zbot.table = (() => {
+  // A cell is a text, or {t: text, c: classes, i: indent, h: address on this page, d: title}.
+  function fill(element, cell) {
+    const one = typeof cell === "string" ? { t: cell } : cell;
+    let inner = element;
+    if (one.h && one.h.startsWith("/") && !one.h.startsWith("//")) {
+      inner = document.createElement("a");
+      inner.setAttribute("href", one.h);
+      element.replaceChildren(inner);
+    }
+    inner.textContent = one.t;
+    element.className = `${element.dataset.c ?? ""} ${one.c ?? ""}`;
+    element.title = one.d ?? "";
+    element.style.paddingLeft = one.i ? `${10 + 16 * one.i}px` : "";
+  }
+
+  function newRow(body, key, columns) {
+    const row = document.createElement("tr");
+    row.dataset.key = key;
+    if (body.closest(".zb-choosable")) row.tabIndex = 0;
+    for (const classes of columns) {
+      const cell = document.createElement("td");
+      cell.dataset.c = classes;
+      row.append(cell);
+    }
+    return row;
+  }
+
+  // `order` has the keys of all rows, or is null if they stay; `changed` has the cells of some.
+  function show(id, columns, order, changed, chosen) {
+    const body = getHtmlElement(id)?.querySelector("tbody");
+    if (!body) return;
+    const rows = new Map([...body.children].map((row) => [row.dataset.key, row]));
+    for (const key of order ?? []) {
+      if (!rows.has(key)) rows.set(key, newRow(body, key, columns));
+    }
+    for (const [key, cells] of Object.entries(changed)) {
+      const row = rows.get(key);
+      cells.forEach((cell, index) => cell !== null && fill(row.children[index], cell));
+    }
+    if (order) arrange(body, order.map((key) => rows.get(key)));
+    for (const row of body.children) row.classList.toggle("zb-chosen", row.dataset.key === chosen);
+  }
+
+  // Rows that stay in place are left alone: the browser keeps what is selected and scrolled to.
+  function arrange(body, rows) {
+    const kept = new Set(rows);
+    for (const row of [...body.children]) if (!kept.has(row)) row.remove();
+    rows.forEach((row, index) => {
+      if (body.children[index] !== row) body.insertBefore(row, body.children[index] ?? null);
+    });
+  }
+
+  document.addEventListener("click", (event) => {
+    const row = event.target.closest?.(".zb-choosable tbody tr");
+    if (!row || event.target.closest("a")) return;
+    emitEvent("zbot_choose", row.closest(".zb-choosable").id, row.dataset.key);
+  });
+  document.addEventListener("keydown", (event) => {
+    if (event.key === "Enter" && event.target.matches?.(".zb-choosable tbody tr")) {
+      event.target.click();
+    }
+  });
+
+  return { show };
+})();

@@ -1,0 +1,131 @@
+"""Tables that change while they are looked at: only cells that are new go to the browser."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from nicegui import ui
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping, Sequence
+
+    from zbot.web.panel import Frame
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """One column.
+
+    Attributes:
+        title: Its heading.
+        classes: CSS classes of its cells, e.g. `zb-mono` or `zb-number`.
+        width: CSS width; what its cells need if empty.
+    """
+
+    title: str
+    classes: str = ""
+    width: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """What stands in one place: always text, never HTML."""
+
+    text: str
+    classes: str = ""  #: added to those of the column, e.g. `zb-bad`
+    indent: int = 0
+    address: str = ""  #: where a click leads, on this page: `/plot?curve=/pose.x`
+    hint: str = ""  #: shown when the mouse rests on it
+
+
+class Table:
+    """A table of the page, changed row by row.
+
+    Args:
+        frame: The page.
+        columns: Its columns.
+        on_choose: Called with a row's key when it is clicked; rows cannot be chosen without.
+    """
+
+    def __init__(
+        self,
+        frame: Frame,
+        columns: Sequence[Column],
+        on_choose: Callable[[str], None] | None = None,
+    ) -> None:
+        self._frame = frame
+        self._classes = [column.classes for column in columns]
+        self._order: list[str] = []
+        self._cells: dict[str, list[Any]] = {}
+        self._chosen: str | None = None
+        self._shown_choice: str | None = None
+        self.element = ui.element("table").classes("zb-table")
+        with self.element:
+            _head(columns)
+            ui.element("tbody")
+        if on_choose is not None:
+            self.element.classes("zb-choosable")
+            frame.on_choose(f"c{self.element.id}", on_choose)
+
+    def choose(self, key: str | None) -> None:
+        """Mark a row as chosen, from the next `show` on."""
+        self._chosen = key
+
+    def show(self, rows: Mapping[str, Sequence[str | Cell]]) -> None:
+        """Show rows in their order; nothing is sent if nothing is new."""
+        order = list(rows)
+        cells = {key: [_plain(cell) for cell in row] for key, row in rows.items()}
+        changed = {
+            key: _difference(self._cells.get(key), row)
+            for key, row in cells.items()
+            if self._cells.get(key) != row
+        }
+        is_same = order == self._order
+        if is_same and not changed and self._chosen == self._shown_choice:
+            return
+        self._order, self._cells, self._shown_choice = order, cells, self._chosen
+        self._frame.call(
+            "zbot.table.show",
+            self.element.id,
+            self._classes,
+            None if is_same else order,
+            changed,
+            self._chosen,
+        )
+
+
+def _head(columns: Sequence[Column]) -> None:
+    with ui.element("colgroup"):
+        for column in columns:
+            col = ui.element("col").style(f"width: {column.width}" if column.width else "")
+            col.classes(_only(column, "zb-spare"))
+    with ui.element("thead"), ui.element("tr"):
+        for column in columns:
+            with ui.element("th").classes(_only(column, "zb-number", "zb-spare")):
+                ui.label(column.title)
+
+
+def _only(column: Column, *names: str) -> str:
+    """Return those of the classes that a column's heading shares with its cells."""
+    return " ".join(name for name in names if name in column.classes.split())
+
+
+def _plain(cell: str | Cell) -> Any:
+    if isinstance(cell, str):
+        return cell
+    told = {
+        "c": cell.classes,
+        "i": cell.indent,
+        "h": cell.address,
+        "d": cell.hint,
+    }
+    return {"t": cell.text} | {name: value for name, value in told.items() if value}
+
+
+def _difference(old: list[Any] | None, new: list[Any]) -> list[Any]:
+    if old is None:
+        return new
+    return [
+        None if index < len(old) and old[index] == cell else cell for index, cell in enumerate(new)
+    ]

@@ -1,0 +1,128 @@
+"""The details of one topic: who uses it, its last message as a tree or a picture, publishing."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+from urllib.parse import urlencode
+
+from nicegui import ui
+
+from zbot.names import fully_qualified, is_hidden
+from zbot.web.publish_form import add_publish_form
+from zbot.web.table import Cell, Column, Table
+from zbot.web.topic_picture import add_picture
+from zbot.web.value_text import amount, tree
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+
+    from zbot.web.panel import Part
+    from zbot.web.value_text import TreeRow
+    from zbot.web.watch import Watch
+    from zbot.wire.tokens import EndpointToken
+
+_TREE_HZ = 10.0
+_COLUMNS = (
+    Column("Field", "zb-mono zb-cut", "40%"),
+    Column("Value", "zb-mono zb-wrap"),
+    Column("Type", "zb-muted zb-cut", "20%"),
+)
+
+
+def show_topic(part: Part, topic: str, close: Callable[[], None]) -> None:
+    """Show a topic's details where this is called, until the part is closed.
+
+    Args:
+        part: Ends with the choice of another topic.
+        topic: Full name.
+        close: Called when the user closes the details.
+    """
+    watch = part.watch(topic)
+    with ui.element("div").classes("zb-side-head"):
+        ui.label(topic).classes("zb-mono zb-name").tooltip(topic)
+        ui.button(icon="close", on_click=close).props('flat round dense aria-label="Close"')
+    _add_facts(part, watch)
+    add_picture(part, watch)
+    _add_tree(part, watch)
+    if not part.frame.read_only:
+        add_publish_form(part, watch)
+
+
+def _add_facts(part: Part, watch: Watch) -> None:
+    kind = ui.label().classes("zb-muted zb-mono")
+    numbers = ui.label().classes("zb-muted")
+    problem = ui.label().classes("zb-bad")
+    with ui.element("div").classes("zb-ends"):
+        publishers = _end_list("Published by")
+        subscriptions = _end_list("Subscribed by")
+    seen = -1
+
+    def update() -> None:
+        nonlocal seen
+        kind.set_text(watch.type_name or "nobody uses this topic")
+        numbers.set_text(_numbers(watch))
+        problem.set_text(watch.problem)
+        problem.set_visibility(bool(watch.problem))
+        if part.system.revision != seen:
+            seen = part.system.revision
+            graph = part.system.snapshot()
+            _fill(publishers, graph.publishers(watch.topic))
+            _fill(subscriptions, graph.subscriptions(watch.topic))
+
+    part.live(update, 2.0)
+
+
+def _numbers(watch: Watch) -> str:
+    parts = [
+        amount(watch.rate_hz, "Hz"),
+        amount(watch.bytes_per_second, "B/s"),
+        "1 message" if watch.count == 1 else f"{watch.count} messages",
+        f"{watch.lost} lost" if watch.lost else "",
+    ]
+    return " · ".join(filter(None, parts))
+
+
+def _end_list(title: str) -> ui.element:
+    with ui.element("div"):
+        ui.label(title).classes("zb-heading")
+        return ui.element("div").classes("zb-chips")
+
+
+def _fill(chips: ui.element, ends: Iterable[EndpointToken]) -> None:
+    names = sorted({fully_qualified(end.namespace, end.node) for end in ends})
+    chips.clear()
+    with chips:
+        for name in filter(lambda one: not is_hidden(one), names):
+            ui.label(name).classes("zb-chip zb-mono")
+        if all(map(is_hidden, names)):
+            ui.label("nobody").classes("zb-muted")
+
+
+def _add_tree(part: Part, watch: Watch) -> None:
+    ui.label("Last message").classes("zb-heading")
+    waiting = ui.label("No message yet.").classes("zb-muted")
+    table = Table(part.frame, _COLUMNS)
+    table.element.classes("zb-tree")
+    shown: object = None
+
+    def update() -> None:
+        nonlocal shown
+        message = watch.latest
+        if message is not shown:
+            shown = message
+            waiting.set_visibility(False)
+            rows = tree(message)
+            table.show({row.path: _cells(watch.topic, row) for row in rows})
+            waiting.set_text("The message has no fields.")
+            waiting.set_visibility(not rows)
+
+    part.live(update, _TREE_HZ)
+
+
+def _cells(topic: str, row: TreeRow) -> list[str | Cell]:
+    address = ""
+    if row.is_number:
+        address = f"/plot?{urlencode({'curve': f'{topic}.{row.path}'})}"
+    hint = "plot it" if address else ""
+    name = Cell(row.name, indent=row.depth, address=address, hint=hint)
+    return [name, Cell(row.text), Cell(row.type.rpartition("/")[2], hint=row.type)]

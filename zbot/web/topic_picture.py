@@ -1,0 +1,120 @@
+"""Topics that are pictures: images of cameras, and laser scans seen from above."""
+
+from __future__ import annotations
+
+import base64
+import math
+from typing import TYPE_CHECKING, Any
+
+from nicegui import ui
+
+from zbot.web.picture import PictureError, media_type, png
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.web.panel import Part
+    from zbot.web.watch import Watch
+
+_IMAGE = "sensor_msgs/msg/Image"
+_COMPRESSED = "sensor_msgs/msg/CompressedImage"
+_SCAN = "sensor_msgs/msg/LaserScan"
+_PICTURE_HZ = 15.0
+#: A circle of more points than a picture has pixels around it shows nothing more.
+_MOST_RAYS = 1440
+
+
+def add_picture(part: Part, watch: Watch) -> None:
+    """Show a topic as a picture where this is called, if it is one."""
+    place = ui.element("div").classes("zb-picture")
+    place.set_visibility(False)
+    undo: Callable[[], None]
+
+    def look() -> None:
+        if watch.type_name is None:
+            return
+        undo()
+        if watch.type_name in {_IMAGE, _COMPRESSED, _SCAN}:
+            place.set_visibility(True)
+            with place:
+                add = _add_scan if watch.type_name == _SCAN else _add_image
+                add(part, watch)
+
+    undo = part.live(look, 10.0)
+
+
+def _add_image(part: Part, watch: Watch) -> None:
+    picture = ui.element("img").props('alt="The last image"')
+    said = ui.label().classes("zb-muted")
+    shown: object = None
+
+    def update() -> None:
+        nonlocal shown
+        message = watch.latest
+        if message is None or message is shown:
+            return
+        shown = message
+        try:
+            address, text = _address(message)
+        except PictureError as error:
+            said.set_text(str(error))
+            return
+        said.set_text(text)
+        part.frame.call("zbot.showPicture", picture.id, address)
+
+    part.live(update, _PICTURE_HZ)
+
+
+def _address(message: Any) -> tuple[str, str]:
+    if hasattr(message, "encoding"):
+        data, kind = png(message), "image/png"
+        text = f"{message.width} x {message.height}, {message.encoding}"
+    else:
+        data = bytes(message.data)
+        kind, text = media_type(data), message.format
+    return f"data:{kind};base64,{base64.b64encode(data).decode()}", text
+
+
+def _add_scan(part: Part, watch: Watch) -> None:
+    drawing = ui.element("div").classes("zb-scan")
+    said = ui.label("x is up, y to the left").classes("zb-muted")
+    shown: object = None
+
+    def update() -> None:
+        nonlocal shown
+        message = watch.latest
+        if message is None or message is shown:
+            return
+        shown = message
+        points, reach = points_of(message)
+        said.set_text(f"{len(message.ranges)} rays, x is up, rings every {ring(reach):g} m")
+        part.frame.call("zbot.showScan", drawing.id, points, reach, ring(reach))
+
+    part.live(update, _PICTURE_HZ)
+
+
+def points_of(scan: Any) -> tuple[list[float], float]:
+    """Return where a scan hit something, and how far the picture has to reach.
+
+    Returns:
+        Metres in turn: x (forward) and y (left) of each hit; then the farthest hit, at least 1 m.
+    """
+    count = len(scan.ranges)
+    every = -(-count // _MOST_RAYS) or 1
+    points: list[float] = []
+    farthest = 1.0
+    for index in range(0, count, every):
+        distance = float(scan.ranges[index])
+        # What is out of the sensor's range is no hit; so is infinity, and NaN fails both.
+        if not scan.range_min <= distance <= scan.range_max or math.isinf(distance):
+            continue
+        angle = scan.angle_min + index * scan.angle_increment
+        points += (round(distance * math.cos(angle), 3), round(distance * math.sin(angle), 3))
+        farthest = max(farthest, distance)
+    return points, round(farthest, 3)
+
+
+def ring(reach: float) -> float:
+    """Return how far the rings of a picture are apart, in metres: 1, 2 or 5 of a power of ten."""
+    power = 10.0 ** math.floor(math.log10(reach / 2))
+    return next(power * digit for digit in (1.0, 2.0, 5.0, 10.0) if power * digit * 5 >= reach)
