@@ -1,0 +1,190 @@
+"""What others see of an action, and what is wrong at once."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+from tests.integration.actions.conftest import Goal, Pair, compute, done, goal_id, status_of
+from zbot.action import (
+    ActionClient,
+    ActionMessageError,
+    ActionServer,
+    GoalResponse,
+    GoalState,
+    NotAnActionTypeError,
+    get_action_client_names_and_types_by_node,
+    get_action_names_and_types,
+    get_action_server_names_and_types_by_node,
+)
+from zbot.errors import InvalidServiceNameError, ServiceError, UnknownNodeError
+from zbot.service_introspection import ServiceIntrospectionState
+
+from action_msgs.msg import GoalStatusArray
+from example_interfaces.action import Fibonacci
+from std_msgs.msg import String
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import Spinner
+    from zbot.log.record import Record
+
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., Spinner]
+
+
+# -- status ------------------------------------------------------------------------------------
+
+
+def test_the_status_topic_tells_latecomers_where_each_goal_stands(pair: Pair) -> None:
+    waiting: list[Goal] = []
+    pair.begin(compute, handle_accepted_callback=waiting.append)
+    handle = pair.send(2, goal_uuid=goal_id(7))
+    assert wait_until(lambda: handle.status == GoalState.ACCEPTED)
+    seen: list[list[tuple[int, int]]] = []
+    pair.client_node.create_subscription(
+        GoalStatusArray,
+        "/fibonacci/_action/status",
+        lambda told: seen.append(
+            [(int(one.goal_info.goal_id.uuid[15]), one.status) for one in told.status_list]
+        ),
+        zbot.QoSProfile(depth=1, durability=zbot.DurabilityPolicy.TRANSIENT_LOCAL),
+    )
+    assert wait_until(lambda: seen == [[(7, GoalState.ACCEPTED.value)]])
+    waiting[0].execute()
+    assert wait_until(lambda: seen[-1] == [(7, GoalState.SUCCEEDED.value)])
+    assert wait_until(lambda: handle.status == GoalState.SUCCEEDED)
+
+
+def test_a_client_forgets_goals_whose_handle_nobody_keeps(pair: Pair) -> None:
+    pair.begin(compute, result_timeout=0.05)
+    pair.send(1)
+    assert pair.client._goals
+    assert wait_until(lambda: not pair.server._goals)
+    pair.send(1)  # whose status tells that the one before is forgotten
+    assert wait_until(lambda: len(pair.client._goals) <= 1)
+
+
+def test_services_of_an_action_can_be_watched(pair: Pair) -> None:
+    pair.begin(compute)
+    seen: list[int] = []
+    pair.client_node.create_subscription(
+        Fibonacci.Impl.SendGoalService.Event,
+        "/fibonacci/_action/send_goal/_service_event",
+        lambda event: seen.append(event.info.event_type),
+        10,
+    )
+    clock = pair.server_node.get_clock()
+    for side in (pair.server, pair.client):
+        side.configure_introspection(clock, 10, ServiceIntrospectionState.CONTENTS)
+    assert pair.send(1).accepted
+    assert wait_until(lambda: sorted(seen) == [0, 1, 2, 3])
+
+
+# -- mistakes ----------------------------------------------------------------------------------
+
+
+def test_types_are_checked_where_the_mistake_is_made(pair: Pair) -> None:
+    pair.begin(compute)
+    with pytest.raises(ActionMessageError, match="takes a example_interfaces/action/Fibonacci_G"):
+        pair.client.send_goal_async(Fibonacci.Result())
+    with pytest.raises(TypeError):
+        pair.client.send_goal(5)
+    for kind in (ActionServer, ActionClient):
+        with pytest.raises(NotAnActionTypeError, match="String is no action type"):
+            kind(pair.client_node, String, "x", *([compute] if kind is ActionServer else []))
+    with pytest.raises(InvalidServiceNameError):
+        ActionClient(pair.client_node, Fibonacci, "no name")
+
+
+def test_feedback_of_another_type_aborts(pair: Pair, logged: list[Record]) -> None:
+    pair.begin(lambda goal: goal.publish_feedback(Fibonacci.Result()))
+    assert status_of(pair.client.send_goal(Fibonacci.Goal())) is GoalState.ABORTED
+    assert any(
+        "takes a example_interfaces/action/Fibonacci_Feedback" in one.message for one in logged
+    )
+
+
+def test_what_a_decision_raises_reaches_the_client_and_ends_spin(pair: Pair) -> None:
+    def decide(_: Fibonacci.Goal) -> GoalResponse:
+        raise ValueError("no such order")
+
+    pair.begin(compute, goal_callback=decide)
+    with pytest.raises(ServiceError, match="no such order"):
+        pair.send()
+    assert wait_until(lambda: isinstance(pair.serving.error, ValueError))
+
+
+def test_without_a_server_a_goal_fails_at_once(make_context: MakeContext, spin: Spin) -> None:
+    node = zbot.Node("lonely", context=make_context())
+    client = ActionClient[Any, Any, Any](node, Fibonacci, "fibonacci")
+    spin(node)
+    assert not client.server_is_ready()
+    assert not client.wait_for_server(0.05)
+    with pytest.raises(ServiceError, match="no server is running"):
+        done(client.send_goal_async(Fibonacci.Goal()))
+    with pytest.raises(ServiceError, match="no server is running"):
+        client.send_goal(Fibonacci.Goal())
+    assert not client._goals
+
+
+# -- names and the graph -----------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("name", "words", "full"),
+    [
+        ("fibonacci", (), "/robot1/fibonacci"),
+        ("~/count", (), "/robot1/maths/count"),
+        ("/count", (), "/count"),
+        ("fibonacci", ("-r", "fibonacci:=numbers"), "/robot1/numbers"),
+    ],
+)
+def test_names_are_resolved_as_those_of_topics(
+    make_context: MakeContext, name: str, words: tuple[str, ...], full: str
+) -> None:
+    arguments = ["--ros-args", *words] if words else None
+    node = zbot.Node("maths", context=make_context(), namespace="robot1", cli_args=arguments)
+    server = ActionServer(node, Fibonacci, name, compute)
+    assert server.action_name == full
+    assert get_action_names_and_types(node) == [(full, ["example_interfaces/action/Fibonacci"])]
+    services = dict(node.get_service_names_and_types())
+    assert services[f"{full}/_action/get_result"] == [
+        "example_interfaces/action/Fibonacci_GetResult"
+    ]
+    assert services[f"{full}/_action/cancel_goal"] == ["action_msgs/srv/CancelGoal"]
+    topics = dict(node.get_topic_names_and_types())
+    assert topics[f"{full}/_action/status"] == ["action_msgs/msg/GoalStatusArray"]
+    assert topics[f"{full}/_action/feedback"] == [
+        "example_interfaces/action/Fibonacci_FeedbackMessage"
+    ]
+
+
+def test_the_graph_knows_servers_and_clients(pair: Pair) -> None:
+    pair.begin(compute)
+    node = pair.client_node
+    expected = [("/fibonacci", ["example_interfaces/action/Fibonacci"])]
+    assert wait_until(
+        lambda: get_action_server_names_and_types_by_node(node, "server", "/") == expected
+    )
+    assert get_action_names_and_types(node) == expected
+    assert get_action_client_names_and_types_by_node(node, "server", "/") == []
+    assert get_action_client_names_and_types_by_node(node, "client", "/") == expected
+    with pytest.raises(UnknownNodeError):
+        get_action_server_names_and_types_by_node(node, "nobody", "/")
+
+
+def test_what_is_destroyed_leaves_the_graph(pair: Pair) -> None:
+    pair.begin(compute)
+    pair.server.destroy()
+    pair.client.destroy()
+    pair.server.destroy()
+    pair.client.destroy()
+    assert wait_until(lambda: get_action_names_and_types(pair.client_node) == [])
+    assert list(pair.server_node.services) == [
+        one for one in pair.server_node.services if "_action" not in one.srv_name
+    ]

@@ -1,0 +1,120 @@
+"""What may run beside what."""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import TYPE_CHECKING
+
+import zbot
+from tests.conftest import wait_until
+from tests.integration.executors.conftest import Overlap
+
+from std_msgs.msg import Int64
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import Spinner
+
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., Spinner]
+    MakeExecutor = Callable[..., zbot.Executor]
+
+BOTH = [zbot.SingleThreadedExecutor, zbot.MultiThreadedExecutor]
+
+
+def test_callbacks_of_an_exclusive_group_never_overlap(
+    node: zbot.Node, multi: zbot.MultiThreadedExecutor, spin: Spin
+) -> None:
+    overlap = Overlap(1)
+    group = zbot.MutuallyExclusiveCallbackGroup()
+    for _ in range(4):
+        node.create_timer(0.0, lambda: overlap.visit(meet=False), callback_group=group)
+    spin(node, executor=multi)
+    assert wait_until(lambda: overlap.calls > 50)
+    assert overlap.most == 1
+
+
+def test_a_nodes_callbacks_are_exclusive_by_default(
+    node: zbot.Node, multi: zbot.MultiThreadedExecutor, spin: Spin
+) -> None:
+    overlap = Overlap(1)
+    for _ in range(3):
+        node.create_timer(0.0, lambda: overlap.visit(meet=False))
+    spin(node, executor=multi)
+    assert wait_until(lambda: overlap.calls > 50)
+    assert overlap.most == 1
+
+
+def test_callbacks_of_two_groups_overlap(
+    node: zbot.Node, multi: zbot.MultiThreadedExecutor, spin: Spin
+) -> None:
+    overlap = Overlap(2)
+    for _ in range(2):
+        group = zbot.MutuallyExclusiveCallbackGroup()
+        node.create_guard_condition(lambda: overlap.visit(meet=True), group).trigger()
+    spin(node, executor=multi)
+    assert wait_until(lambda: overlap.most == 2)
+
+
+def test_a_reentrant_callback_overlaps_with_itself(
+    node: zbot.Node, multi: zbot.MultiThreadedExecutor, spin: Spin
+) -> None:
+    overlap = Overlap(3)
+    group = zbot.ReentrantCallbackGroup()
+    node.create_subscription(
+        Int64, "count", lambda _: overlap.visit(meet=True), 10, callback_group=group
+    )
+    publisher = node.create_publisher(Int64, "count", 10)
+    spin(node, executor=multi)
+    for _ in range(3):
+        publisher.publish(Int64())
+    assert wait_until(lambda: overlap.most == 3)
+
+
+def test_a_reentrant_callback_runs_once_for_each_message(
+    node: zbot.Node, multi: zbot.MultiThreadedExecutor, spin: Spin
+) -> None:
+    numbers: list[int] = []
+    node.create_subscription(
+        Int64,
+        "count",
+        lambda message: numbers.append(message.data),
+        1000,
+        callback_group=zbot.ReentrantCallbackGroup(),
+    )
+    publisher = node.create_publisher(Int64, "count", 1000)
+    spin(node, executor=multi)
+    for number in range(1000):
+        publisher.publish(Int64(data=number))
+    assert wait_until(lambda: len(numbers) == 1000)
+    assert sorted(numbers) == list(range(1000))
+    assert wait_until(lambda: len(multi._ready) == 0)
+
+
+def test_one_thread_runs_one_callback_at_a_time(node: zbot.Node, spin: Spin) -> None:
+    overlap = Overlap(1)
+    group = zbot.ReentrantCallbackGroup()
+    for _ in range(3):
+        node.create_timer(0.0, lambda: overlap.visit(meet=False), callback_group=group)
+    with zbot.MultiThreadedExecutor(1, context=node.context) as executor:
+        spin(node, executor=executor)
+        assert wait_until(lambda: overlap.calls > 20)
+        assert overlap.most == 1
+
+
+def test_blocked_threads_do_not_hold_up_spin_once(
+    node: zbot.Node, multi: zbot.MultiThreadedExecutor
+) -> None:
+    gate = threading.Event()
+    group = zbot.ReentrantCallbackGroup()
+    for _ in range(6):
+        node.create_guard_condition(lambda: gate.wait(5), group).trigger()
+    try:
+        begin = time.monotonic()
+        for _ in range(6):
+            multi.spin_once(timeout_sec=0.02)
+        assert time.monotonic() - begin < 1
+    finally:
+        gate.set()

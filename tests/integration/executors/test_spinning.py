@@ -1,0 +1,249 @@
+"""When callbacks run, and whose."""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import TYPE_CHECKING
+
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+from tests.integration.executors.conftest import complete
+from zbot.errors import ExecutorBusyError
+
+from std_msgs.msg import Int64
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import Spinner
+
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., Spinner]
+    MakeExecutor = Callable[..., zbot.Executor]
+
+BOTH = [zbot.SingleThreadedExecutor, zbot.MultiThreadedExecutor]
+
+
+# -- spinning --------------------------------------------------------------------------------------
+
+
+def test_spin_once_runs_one_callback(node: zbot.Node, single: zbot.Executor) -> None:
+    calls: list[int] = []
+    guards = [node.create_guard_condition(lambda k=k: calls.append(k)) for k in range(3)]  # type: ignore[misc]
+    for guard in guards:
+        guard.trigger()
+    for done in range(1, 4):
+        single.spin_once(timeout_sec=1)
+        assert calls == list(range(done))
+
+
+@pytest.mark.parametrize("timeout", [0, 0.02])
+def test_spin_once_returns_when_nothing_comes_in_time(
+    executor: zbot.Executor, timeout: float
+) -> None:
+    begin = time.monotonic()
+    executor.spin_once(timeout_sec=timeout)
+    assert timeout <= time.monotonic() - begin < timeout + 0.5
+
+
+def test_spin_once_without_waiting_runs_what_is_ready(
+    node: zbot.Node, single: zbot.Executor
+) -> None:
+    calls: list[int] = []
+    node.create_guard_condition(lambda: calls.append(1)).trigger()
+    single.spin_once(timeout_sec=0)
+    assert calls == [1]
+
+
+@pytest.mark.parametrize("timeout", [None, -1])
+def test_spin_once_without_limit_waits_for_work(
+    node: zbot.Node, single: zbot.Executor, timeout: float | None
+) -> None:
+    calls: list[int] = []
+    guard = node.create_guard_condition(lambda: calls.append(1))
+    trigger = threading.Timer(0.02, guard.trigger)
+    trigger.start()
+    single.spin_once(timeout_sec=timeout)
+    trigger.join()
+    assert calls == [1]
+
+
+def test_spinning_until_a_future_stops_when_it_is_done(executor: zbot.Executor) -> None:
+    assert complete(executor, executor.create_task(lambda: 5)) == 5
+
+
+def test_spinning_until_a_future_wakes_when_another_thread_completes_it(
+    executor: zbot.Executor,
+) -> None:
+    future: zbot.Future[str] = zbot.Future()
+    threading.Timer(0.02, lambda: future.set_result("late")).start()
+    assert complete(executor, future) == "late"
+
+
+def test_spinning_until_a_future_gives_up_in_time(executor: zbot.Executor) -> None:
+    future: zbot.Future[str] = zbot.Future()
+    begin = time.monotonic()
+    executor.spin_until_future_complete(future, timeout_sec=0.02)
+    assert 0.02 <= time.monotonic() - begin < 0.5
+    assert not future.done()
+
+
+def test_spinning_until_a_future_with_no_time_still_runs_what_is_ready(
+    single: zbot.Executor,
+) -> None:
+    task = single.create_task(lambda: 7)
+    single.spin_until_future_complete(task, timeout_sec=0)
+    assert task.result() == 7
+
+
+def test_spinning_until_a_cancelled_future_ends(executor: zbot.Executor) -> None:
+    future: zbot.Future[str] = zbot.Future()
+    future.cancel()
+    executor.spin_until_future_complete(future, timeout_sec=5)
+    assert future.cancelled()
+    assert not future.done()
+
+
+def test_an_executor_cannot_spin_inside_its_own_callback(
+    node: zbot.Node, single: zbot.Executor
+) -> None:
+    node.create_guard_condition(single.spin_once).trigger()
+    with pytest.raises(ExecutorBusyError, match="already spinning"):
+        single.spin_once(timeout_sec=1)
+    single.spin_once(timeout_sec=0)
+
+
+def test_two_threads_cannot_spin_one_executor(node: zbot.Node, spin: Spin) -> None:
+    spinner = spin(node)
+    assert wait_until(spinner.executor._spinning.locked)
+    with pytest.raises(RuntimeError, match="already spinning"):
+        spinner.executor.spin()
+
+
+def test_another_executor_may_spin_inside_a_callback(
+    context: zbot.Context, node: zbot.Node, single: zbot.Executor
+) -> None:
+    other = zbot.Node("inner", context=context)
+    calls: list[str] = []
+    inner = zbot.SingleThreadedExecutor(context=context)
+    inner.add_node(other)
+    other.create_guard_condition(lambda: calls.append("inner")).trigger()
+    node.create_guard_condition(lambda: inner.spin_once(timeout_sec=1)).trigger()
+    single.spin_once(timeout_sec=1)
+    assert calls == ["inner"]
+
+
+# -- nodes -----------------------------------------------------------------------------------------
+
+
+def test_a_node_is_added_once(node: zbot.Node, executor: zbot.Executor) -> None:
+    assert not executor.add_node(node)
+    assert executor.get_nodes() == [node]
+    assert node.executor is executor
+
+
+def test_a_node_belongs_to_the_executor_that_took_it_last(
+    context: zbot.Context, node: zbot.Node, single: zbot.Executor
+) -> None:
+    second = zbot.SingleThreadedExecutor(context=context)
+    assert second.add_node(node)
+    assert (single.get_nodes(), second.get_nodes()) == ([], [node])
+    calls: list[int] = []
+    node.create_guard_condition(lambda: calls.append(1)).trigger()
+    single.spin_once(timeout_sec=0)
+    assert calls == []
+    second.spin_once(timeout_sec=1)
+    assert calls == [1]
+
+
+def test_setting_a_nodes_executor_moves_it(
+    context: zbot.Context, node: zbot.Node, single: zbot.Executor
+) -> None:
+    second = zbot.SingleThreadedExecutor(context=context)
+    node.executor = second
+    assert (single.get_nodes(), second.get_nodes()) == ([], [node])
+    node.executor = None
+    assert second.get_nodes() == []
+    assert node.executor is None
+
+
+def test_work_that_came_while_a_node_had_no_executor_is_kept(
+    node: zbot.Node, single: zbot.Executor
+) -> None:
+    calls: list[int] = []
+    guard = node.create_guard_condition(lambda: calls.append(1))
+    single.remove_node(node)
+    guard.trigger()
+    single.spin_once(timeout_sec=0)
+    assert calls == []
+    single.add_node(node)
+    single.spin_once(timeout_sec=1)
+    assert calls == [1]
+
+
+def test_a_node_removed_in_its_own_timer_runs_no_more(
+    node: zbot.Node, single: zbot.Executor
+) -> None:
+    calls: list[int] = []
+
+    def leave() -> None:
+        calls.append(1)
+        single.remove_node(node)
+
+    node.create_timer(0.0, leave)
+    single.spin_once(timeout_sec=1)
+    single.spin_once(timeout_sec=0.01)
+    assert calls == [1]
+
+
+def test_removing_a_node_never_loses_the_posts_of_others(
+    context: zbot.Context, node: zbot.Node, single: zbot.Executor, spin: Spin
+) -> None:
+    calls: list[int] = []
+    guard = node.create_guard_condition(lambda: calls.append(1))
+    visitor = zbot.Node("visitor", context=context)
+    for _ in range(20):
+        visitor.create_guard_condition(lambda: None)
+    spinner = spin(node, executor=single)
+    for turn in range(300):
+        single.add_node(visitor)
+        guard.trigger()
+        single.remove_node(visitor)
+        assert wait_until(lambda turn=turn: len(calls) == turn + 1)  # type: ignore[misc]
+    assert spinner.error is None
+
+
+def test_spin_once_of_the_module_leaves_nothing_behind(
+    context: zbot.Context, node: zbot.Node
+) -> None:
+    node.create_timer(100.0, lambda: None)
+    for _ in range(100):
+        zbot.spin_once(node, timeout_sec=0)
+    assert node.executor is None
+    executor = zbot.get_global_executor(context)
+    assert len(executor._ready) == 0
+    assert executor._agenda.earliest_ns() is None
+
+
+def test_nodes_share_an_executor_fairly(context: zbot.Context, single: zbot.Executor) -> None:
+    order: list[str] = []
+    for name in ("busy", "calm"):
+        node = zbot.Node(name, context=context)
+        node.create_timer(0.0, lambda name=name: order.append(name))
+        single.add_node(node)
+    for _ in range(20):
+        single.spin_once(timeout_sec=1)
+    assert order.count("calm") == order.count("busy") == 10
+
+
+def test_a_busy_topic_leaves_room_for_timers(node: zbot.Node, spin: Spin) -> None:
+    publisher = node.create_publisher(Int64, "echo", 10)
+    ticks: list[int] = []
+    node.create_subscription(Int64, "echo", publisher.publish, 10)
+    node.create_timer(0.001, lambda: ticks.append(1))
+    spin(node)
+    publisher.publish(Int64())
+    assert wait_until(lambda: len(ticks) > 20)

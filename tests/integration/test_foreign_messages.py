@@ -1,0 +1,175 @@
+"""What other Zenoh programs send to a topic."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import msgpack  # type: ignore[import-untyped]
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+
+from std_msgs.msg import Float32, String
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import Spinner
+    from zbot.log.record import Record
+
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., Spinner]
+
+LATCHED = QoSProfile(depth=3, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
+
+
+@pytest.fixture
+def talker(make_context: MakeContext) -> zbot.Node:
+    return zbot.Node("talker", context=make_context())
+
+
+@pytest.fixture
+def listener(make_context: MakeContext) -> zbot.Node:
+    return zbot.Node("listener", context=make_context())
+
+
+def packed(value: object) -> bytes:
+    data: bytes = msgpack.Packer().pack(value)
+    return data
+
+
+def await_match(publisher: zbot.Publisher[Any], count: int = 1) -> None:
+    assert wait_until(lambda: publisher.get_subscription_count() == count)
+
+
+def lines_about(logged: list[Record], text: str) -> list[str]:
+    return [record.message for record in logged if text in record.message]
+
+
+def put(node: zbot.Node, key: str, payload: Any, encoding: str | None = None) -> None:
+    """Publish as any Zenoh program may, without an attachment."""
+    zenoh_key = f"{node.context.get_domain_id()}{key}"
+    node.context.session.put(zenoh_key, payload, encoding=encoding)
+
+
+def nested(depth: int) -> bytes:
+    return b"\x81\xa4data" * depth + b"\xc0"
+
+
+@pytest.mark.parametrize(
+    ("payload", "encoding"),
+    [
+        (b"\xc1\xc1\xc1", None),
+        (b"", None),
+        (b"plain text", "text/plain"),
+        (packed([1, 2, 3]), None),
+        (packed({"data": 5}), None),
+        (packed({"data": b"\xff"}), None),
+        (nested(100_000), None),
+        (b"\xdd\xff\xff\xff\xff", None),
+        (packed({"data": "x"})[:-1], "application/msgpack;std_msgs/msg/String"),
+    ],
+    ids=["no msgpack", "empty", "text", "array", "int", "bin", "deep", "4 billion", "cut"],
+)
+def test_garbage_is_one_line_and_the_next_message_arrives(
+    talker: zbot.Node,
+    listener: zbot.Node,
+    spin: Spin,
+    logged: list[Record],
+    payload: bytes,
+    encoding: str | None,
+) -> None:
+    inbox: list[String] = []
+    subscription = listener.create_subscription(String, "chatter", inbox.append, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    await_match(publisher)
+    spinner = spin(listener)
+    put(talker, "/chatter", payload, encoding)
+    put(talker, "/chatter", payload, encoding)
+    publisher.publish(String(data="good"))
+    assert wait_until(lambda: bool(inbox))
+    assert inbox == [String(data="good")]
+    assert subscription.refused_count == 2
+    assert len(lines_about(logged, "/chatter: cannot read a message")) == 1
+    assert spinner.error is None
+
+
+def test_a_plain_put_without_attachment_is_accepted(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    inbox: list[tuple[String, dict[str, int]]] = []
+    listener.create_subscription(
+        String, "chatter", lambda message, info: inbox.append((message, info)), 10
+    )
+    publisher = talker.create_publisher(String, "chatter", 10)
+    await_match(publisher)
+    spin(listener)
+    put(talker, "/chatter", packed({"data": "plain"}))
+    assert wait_until(lambda: bool(inbox))
+    message, info = inbox[0]
+    assert message.data == "plain"
+    assert (info["source_timestamp"], info["publication_sequence_number"]) == (0, 0)
+
+
+def test_a_plain_put_that_names_another_type_is_refused(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin, logged: list[Record]
+) -> None:
+    inbox: list[String] = []
+    subscription = listener.create_subscription(String, "chatter", inbox.append, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    await_match(publisher)
+    spin(listener)
+    put(talker, "/chatter", packed({}), "application/msgpack;std_msgs/msg/Float32")
+    publisher.publish(String(data="good"))
+    assert wait_until(lambda: bool(inbox))
+    assert [message.data for message in inbox] == ["good"]
+    assert subscription.refused_count == 1
+    assert len(lines_about(logged, "it is std_msgs/msg/Float32")) == 1
+
+
+@pytest.mark.parametrize("attachment", [b"", b"short", b"x" * 33, b"x" * 1000])
+def test_a_foreign_attachment_is_no_error(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin, attachment: bytes
+) -> None:
+    inbox: list[String] = []
+    listener.create_subscription(String, "chatter", inbox.append, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    await_match(publisher)
+    spin(listener)
+    key = f"{talker.context.get_domain_id()}/chatter"
+    talker.context.session.put(key, packed({"data": "x"}), attachment=attachment)
+    assert wait_until(lambda: bool(inbox))
+
+
+def test_a_delete_is_no_message(talker: zbot.Node, listener: zbot.Node, spin: Spin) -> None:
+    inbox: list[String] = []
+    listener.create_subscription(String, "chatter", inbox.append, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    await_match(publisher)
+    spinner = spin(listener)
+    talker.context.session.delete(f"{talker.context.get_domain_id()}/chatter")
+    publisher.publish(String(data="after"))
+    assert wait_until(lambda: bool(inbox))
+    assert [message.data for message in inbox] == ["after"]
+    assert spinner.error is None
+
+
+def test_two_types_on_one_topic_do_not_mix_and_are_said_once(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin, logged: list[Record]
+) -> None:
+    inbox: list[String] = []
+    subscription = listener.create_subscription(String, "chatter", inbox.append, 10)
+    wrong = talker.create_publisher(Float32, "chatter", 10)
+    right = talker.create_publisher(String, "chatter", 10)
+    spin(listener)
+    for _ in range(3):
+        wrong.publish(Float32(data=1.0))
+    right.publish(String(data="good"))
+    assert wait_until(lambda: bool(inbox))
+    assert inbox == [String(data="good")]
+    assert subscription.received_count == 1
+    assert subscription.refused_count == 3
+    assert len(lines_about(logged, "it is std_msgs/msg/Float32, not std_msgs/msg/String")) == 1
