@@ -13,6 +13,7 @@ from zbot.arguments import Arguments
 from zbot.errors import ContextInitializedError, NotInitializedError
 from zbot.graph import Graph
 from zbot.log import configure, get_logger, get_logging_severity_from_string
+from zbot.notice import follow_notices
 from zbot.session import MeetingPoint, MeetingWatch, process_facts
 from zbot.version import __version__
 from zbot.wire.dialect import IN_CLASS, NATIVE
@@ -62,6 +63,7 @@ class Context:
         self.arguments = Arguments()
         self.dialect = NATIVE
         self._is_settled = mode == "client"
+        self._in_class = False
 
     # -- life ----------------------------------------------------------------------------------
 
@@ -90,7 +92,8 @@ class Context:
             self._domain = config.domain_id(domain_id)
             self.arguments = Arguments.parse(sys.argv if args is None else args)
             joined = membership.load()
-            self.dialect = IN_CLASS if joined is not None and joined.in_class else NATIVE
+            self._in_class = joined is not None and joined.in_class
+            self.dialect = IN_CLASS if self._in_class else NATIVE
             if initialize_logging:
                 _configure_logging(self.arguments)
             self._state = "valid"
@@ -282,7 +285,10 @@ class Context:
             self._open_client(meeting, wait=True)
             return
         meeting.hold()
-        self._adopt(meeting.open_peer(), meeting)
+        session = meeting.open_peer()
+        self._adopt(session, meeting)
+        if self._in_class:
+            self._notices = follow_notices(session, self.start_thread)
         self._check_linked(meeting)
 
     def _open_client(self, meeting: MeetingPoint, *, wait: bool) -> None:

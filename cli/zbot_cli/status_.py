@@ -15,15 +15,32 @@ def status(as_json: AsJson = False) -> None:
     from zbot.classroom.state import present_state  # noqa: PLC0415 - help is quick
 
     state = present_state()
-    print_json(state) if as_json else print(_text(state))
+    print_json(state) if as_json else print("\n".join(_lines(state)))
 
 
-def _text(state: dict[str, Any]) -> str:
+def _lines(state: dict[str, Any]) -> list[str]:
     if state["role"] is None:
-        return "this machine has joined nothing: its nodes see only each other"
-    lines = [f"{state['role']} at {state['host']}:{state['port']}"]
+        return ["this machine has joined nothing: its nodes see only each other"]
+    lines = [_role(state)]
     if not state["hub"]:
-        lines.append("its hub does not run: zbot leave, then join again")
-    else:
-        lines.append("linked" if state["linked"] else "not linked: the other hub does not answer")
-    return "\n".join(lines)
+        again = "zbot class start" if state["role"] == "teacher" else "zbot join"
+        lines.append(f"its hub does not run (was it switched off?): `{again}` starts it again")
+    elif state["role"] in {"student", "partner"}:
+        where = f"{state['host']}:{state['port']}"
+        lines.append("linked" if state["linked"] else f"not linked: {where} does not answer now")
+    return lines + [f"the teacher said: {text}" for text in state["notices"]]
+
+
+def _role(state: dict[str, Any]) -> str:
+    where = f"{state['host']}:{state['port']}"
+    match state["role"]:
+        case "student":
+            return (
+                f'{state["name"]}, number {state["number"]} in "{state["class"]}" at {where}: '
+                f"nodes are in domain {state['number']}"
+            )
+        case "teacher":
+            return f'teacher of "{state["class"]}", which is open at {where}'
+        case "partner":
+            return f"joined {where}"
+    return "a hub that other machines can join"

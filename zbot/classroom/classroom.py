@@ -10,11 +10,12 @@ from zbot.classroom.address import EVERYWHERE, Address
 from zbot.classroom.door import Door
 from zbot.classroom.errors import ClassroomError
 from zbot.classroom.hub import HubSettings
-from zbot.classroom.keys import DESK_KEY, DOOR_KEY, NOTICE_KEY, NOTICES_KEY
+from zbot.classroom.keys import DESK_KEY, DOOR_KEY, NOTICES_KEY
 from zbot.classroom.record import MOST_NOTICES, ClassRecord, user_of
 from zbot.classroom.register import NumberError
 from zbot.classroom.seats import Seats
 from zbot.config import MAX_DOMAIN_ID
+from zbot.notice import NOTICE_KEY
 from zbot.security.access import TEACHER, Share, teacher_access
 from zbot.session import hub_endpoint
 

@@ -6,7 +6,6 @@ from zbot.security.access import LOBBY_SPACE, STUDENT_SPACE, TEACHER_SPACE
 
 HERE = "here"
 DOOR_KEY = f"{LOBBY_SPACE}/door"  #: where strangers ask to be let in
-NOTICE_KEY = f"{TEACHER_SPACE}/notice"  #: what the teacher says, as it is said
 NOTICES_KEY = f"{TEACHER_SPACE}/notices"  #: answers with what was said before
 DESK_KEY = "@class/desk"  #: what the teacher's own commands ask
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import platform
 import socket
 import threading
@@ -11,9 +12,11 @@ from typing import TYPE_CHECKING, Any
 import zenoh
 import zenoh.ext as advanced
 
-from zbot.classroom.keys import facts_key, here_key
+from zbot.classroom.desk import ask
+from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key
 from zbot.errors import CodecError
 from zbot.interfaces import get_message
+from zbot.notice import notice_text
 from zbot.version import __version__
 from zbot.wire.codec import codec_for
 
@@ -24,6 +27,7 @@ if TYPE_CHECKING:
 _ERROR_LEVEL = 40  # rcl_interfaces/msg/Log: ERROR; FATAL is 50
 _QUEUE = 64
 _MAX_TEXT = 300
+_NOTICES_TIMEOUT_S = 0.5
 _MAX_LOG_BYTES = 64 * 1024
 
 
@@ -52,6 +56,7 @@ class Presence:
         thread = threading.Thread(target=self._read_logs, name="zbot last error", daemon=True)
         thread.start()
         serving.join_later(thread)
+        serving.tell["notices"] = lambda: said_before(serving.session)
         serving.desk(facts_key(number), self._facts)
         self._token = serving.session.liveliness().declare_token(here_key(number))
 
@@ -88,3 +93,10 @@ class Presence:
                 "text": line.msg[:_MAX_TEXT],
                 "time_ns": time.time_ns(),
             }
+
+
+def said_before(session: zenoh.Session) -> list[str]:
+    """Return what the teacher has said to the class, oldest first; empty if it is out of reach."""
+    answers = ask(session, NOTICES_KEY, timeout_s=_NOTICES_TIMEOUT_S)
+    notices = answers[0].get("notices") if answers else None
+    return [notice_text(json.dumps(one).encode()) for one in notices or []]

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import ClassroomError
 from zbot.config import MAX_DOMAIN_ID
+from zbot.plain_text import plain
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -62,13 +63,12 @@ def clean_name(text: str) -> str:
 
     Control characters and those that turn the direction of writing become spaces.
     """
-    return clean_sentence(text)[:MAX_NAME_LENGTH].rstrip()
+    return plain(text, MAX_NAME_LENGTH)
 
 
 def clean_sentence(text: str) -> str:
     """Return a sentence of another machine as it may be shown: like names, with 500 at most."""
-    shown = "".join(char if char.isprintable() else " " for char in text)
-    return " ".join(shown.split())[:MAX_SENTENCE_LENGTH]
+    return plain(text, MAX_SENTENCE_LENGTH)
 
 
 @dataclass(frozen=True)

@@ -43,6 +43,7 @@ class Serving:
         self._settings = settings
         self._threads: list[threading.Thread] = []
         self._desks: list[Desk] = []
+        self.tell: dict[str, Callable[[], Any]] = {}  #: more that `zbot status` shows, by name
         self.desk(f"{HUB_KEY}/{os.getpid()}", self._facts)
 
     def desk(self, key: str, answer: Callable[[dict[str, Any]], dict[str, Any] | None]) -> None:
@@ -61,6 +62,7 @@ class Serving:
             "host": socket.gethostname(),
             "version": __version__,
             "linked": bool(dialled_links(self.session, self._settings)),
+            **{name: find() for name, find in self.tell.items()},
         }
 
     def close(self) -> None:

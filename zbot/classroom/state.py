@@ -27,6 +27,7 @@ def present_state() -> dict[str, Any]:
         "name": joined.name if joined else None,
         "hub": hub is not None,
         "linked": facts.get("linked", False),
+        "notices": facts.get("notices", []),
     }
 
 
