@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import os
+from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from zbot_cli.listing import AsJson, new_app, print_json
+from zbot_cli.status import Status
 
 if TYPE_CHECKING:
     from zbot.classroom.record import ClassRecord
@@ -89,6 +91,30 @@ def list_students(as_json: AsJson = False) -> None:
     from zbot_cli.class_table import table  # noqa: PLC0415 - help is quick
 
     print(table(found))
+
+
+@app.command("check")
+def check(
+    expected: Annotated[
+        str, typer.Argument(help='Such as "publishes std_msgs/String on /student_id at >= 1 Hz"')
+    ],
+    as_json: AsJson = False,
+) -> None:
+    """Check what everybody's programs do."""
+    from zbot.classroom.expectation import parse_expectations  # noqa: PLC0415 - help is quick
+    from zbot.classroom.teacher import check_class  # noqa: PLC0415 - as above
+
+    verdicts = check_class(parse_expectations(expected))
+    passed = sum(verdict.passes for verdict in verdicts)
+    if as_json:
+        print_json([{**asdict(one), "passes": one.passes} for one in verdicts])
+    else:
+        for one in verdicts:
+            mark = "ok  " if one.passes else "FAIL"
+            print(f"{mark}  {one.number:3}  {one.name}  {'; '.join(one.problems)}".rstrip())
+        print(f"{passed} of {len(verdicts)} pass")
+    if passed < len(verdicts):
+        raise typer.Exit(Status.ERROR)
 
 
 @app.command("say")

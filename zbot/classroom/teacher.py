@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from zbot import membership
 from zbot.classroom import background
 from zbot.classroom.address import Address, own_addresses
+from zbot.classroom.check import check
 from zbot.classroom.classroom import Classroom
 from zbot.classroom.desk import ask
 from zbot.classroom.errors import AlreadyJoinedError, ClassCommandError, NoClassError
@@ -20,7 +21,12 @@ from zbot.security.access import TEACHER
 from zbot.session import LOOPBACK, open_hub_client
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
+
+    import zenoh
+
+    from zbot.classroom.check import Verdict
+    from zbot.classroom.expectation import Expectation
 
 _MASTER_BYTES = 32
 _ANSWER_TIMEOUT_S = 5.0
@@ -91,6 +97,25 @@ def _forget() -> None:
     record_path().unlink(missing_ok=True)
 
 
+def _client() -> zenoh.Session:
+    """Open a session at the class's hub."""
+    present = membership.load()
+    if present is None or present.role != "teacher":
+        raise NoClassError
+    session = open_hub_client()
+    if session is None:
+        raise ClassCommandError("the class does not run: `zbot class start` lets it go on")
+    return session
+
+
+def _ask(session: zenoh.Session, question: dict[str, Any]) -> dict[str, Any]:
+    answers = ask(session, DESK_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
+    if not answers or "error" in answers[0]:
+        told = answers[0]["error"] if answers else "the class does not answer: try again"
+        raise ClassCommandError(str(told))
+    return answers[0]
+
+
 def command(question: dict[str, Any]) -> dict[str, Any]:
     """Ask the class that is open on this machine.
 
@@ -98,18 +123,19 @@ def command(question: dict[str, Any]) -> dict[str, Any]:
         NoClassError: There is none.
         ClassCommandError: It refuses; its sentence says why.
     """
-    present = membership.load()
-    if present is None or present.role != "teacher":
-        raise NoClassError
-    session = open_hub_client()
-    if session is None:
-        raise ClassCommandError("the class does not run: `zbot class start` lets it go on")
-    with session:
-        answers = ask(session, DESK_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
-    if not answers or "error" in answers[0]:
-        told = answers[0]["error"] if answers else "the class does not answer: try again"
-        raise ClassCommandError(str(told))
-    return answers[0]
+    with _client() as session:
+        return _ask(session, question)
+
+
+def check_class(expectations: Sequence[Expectation]) -> list[Verdict]:
+    """Return whether everybody who has joined does what is expected.
+
+    Raises:
+        NoClassError: There is no class on this machine.
+        ClassCommandError: It does not run.
+    """
+    with _client() as session:
+        return check(session, _ask(session, {"op": "list"})["students"], expectations)
 
 
 def run_teacher(opened: Membership, on_ready: Callable[[], None]) -> None:

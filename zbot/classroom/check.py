@@ -1,0 +1,131 @@
+"""Marking a whole class: does everybody's domain do what is expected?"""
+
+from __future__ import annotations
+
+import threading
+import time
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import TokenError
+from zbot.foreign_call import called_by_zenoh
+from zbot.graph import Snapshot
+from zbot.wire.keys import topic_key
+from zbot.wire.tokens import parse_token, token_selector
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    import zenoh
+
+    from zbot.classroom.expectation import Expectation
+    from zbot.graph import Token
+
+_TOKENS_TIMEOUT_S = 2.0
+_SHORTEST_S, _LONGEST_S = 2.5, 20.0
+_PERIODS = 3.5  # so that at least three messages come of what is slow
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What became of one student's work."""
+
+    number: int
+    name: str
+    problems: tuple[str, ...]  #: empty if all is as expected
+
+    @property
+    def passes(self) -> bool:
+        """Whether all is as expected."""
+        return not self.problems
+
+
+def check(
+    session: zenoh.Session,
+    students: Sequence[dict[str, Any]],
+    expectations: Sequence[Expectation],
+) -> list[Verdict]:
+    """Look at everybody's graph, and count their messages for some seconds where rates matter.
+
+    Args:
+        session: A client of the teacher's hub.
+        students: Rows of the class's list, with `number`, `name` and `here`.
+        expectations: What each should do.
+    """
+    here = [student["number"] for student in students if student["here"]]
+    timed = [one for one in expectations if one.has_rate]
+    rates = _rates(session, here, timed)
+    graphs = _snapshots(session, here)
+    verdicts = []
+    for student in students:
+        number = student["number"]
+        problems = ["is not here"]
+        if number in graphs:
+            problems = [one.problem(graphs[number], rates[number]) for one in expectations]
+        verdicts.append(Verdict(number, student["name"], tuple(filter(None, problems))))
+    return verdicts
+
+
+def _snapshots(session: zenoh.Session, numbers: Iterable[int]) -> dict[int, Snapshot]:
+    asked = {
+        number: session.liveliness().get(token_selector(number), timeout=_TOKENS_TIMEOUT_S)
+        for number in numbers
+    }
+    return {number: Snapshot(tuple(_tokens(replies))) for number, replies in asked.items()}
+
+
+def _tokens(replies: Iterable[zenoh.Reply]) -> list[Token]:
+    found: list[Token] = []
+    for reply in replies:
+        if reply.ok is not None:
+            try:
+                found.append(parse_token(str(reply.ok.key_expr)))
+            except TokenError:
+                continue  # anybody may declare tokens
+    return found
+
+
+class _Counter:
+    """When the messages of one topic came."""
+
+    def __init__(self) -> None:
+        self._first_s = self._last_s = 0.0
+        self._count = 0
+        self._lock = threading.Lock()
+
+    @called_by_zenoh
+    def add(self, _sample: zenoh.Sample) -> None:
+        now = time.monotonic()
+        with self._lock:
+            self._first_s = self._first_s or now
+            self._last_s = now
+            self._count += 1
+
+    def rate_hz(self, window_s: float) -> float:
+        """Return the mean rate; of a single message only that it was less than two."""
+        with self._lock:
+            if self._count < 2:
+                return self._count / window_s
+            return (self._count - 1) / max(self._last_s - self._first_s, 1e-9)
+
+
+def _rates(
+    session: zenoh.Session, numbers: Sequence[int], timed: Sequence[Expectation]
+) -> dict[int, dict[str, float]]:
+    counters = {number: {one.name: _Counter() for one in timed} for number in numbers}
+    if not timed:
+        return {number: {} for number in numbers}
+    slowest_hz = min((one.rate_hz for one in timed if one.rate_hz > 0), default=1.0)
+    window_s = min(max(_SHORTEST_S, _PERIODS / slowest_hz), _LONGEST_S)
+    subscribers = [
+        session.declare_subscriber(topic_key(number, name), counter.add)
+        for number, topics in counters.items()
+        for name, counter in topics.items()
+    ]
+    threading.Event().wait(window_s)
+    for subscriber in subscribers:
+        subscriber.undeclare()
+    return {
+        number: {name: counter.rate_hz(window_s) for name, counter in topics.items()}
+        for number, topics in counters.items()
+    }

@@ -1,0 +1,183 @@
+"""What a student's programs should do, in words, and whether they do: pure.
+
+    publishes std_msgs/String on /student_id at >= 1 Hz
+    subscribes geometry_msgs/Twist on /cmd_vel
+    serves example_interfaces/AddTwoInts on /add_two_ints
+    runs /talker
+
+Several are joined by `and`.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from zbot.classroom.errors import ClassroomError
+from zbot.errors import InvalidNameError
+from zbot.graph import full_names
+from zbot.names import nearest, validate_full_topic_name
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from zbot.graph import Snapshot
+
+#: A timer of 1 Hz is now and then late: so much less, or more, still counts.
+TOLERANCE = 0.05
+
+_KINDS = {
+    "publishes": EntityKind.PUBLISHER,
+    "subscribes": EntityKind.SUBSCRIPTION,
+    "serves": EntityKind.SERVICE,
+}
+_USE = re.compile(
+    r"(?P<verb>publishes|subscribes|serves)\s+(?P<type>\S+)\s+on\s+(?P<name>\S+)"
+    r"(?:\s+at\s+(?P<sign>>=|<=|>|<|=)?\s*(?P<rate>[0-9]+(?:\.[0-9]+)?)\s*Hz)?",
+    re.IGNORECASE | re.ASCII,
+)
+_RUN = re.compile(r"runs\s+(?P<name>\S+)", re.IGNORECASE | re.ASCII)
+_TYPE = re.compile(r"([A-Za-z]\w*)/(?:(?:msg|srv|action)/)?([A-Za-z]\w*)", re.ASCII)
+
+
+class ExpectationError(ClassroomError, ValueError):
+    """An expectation is not understood."""
+
+    def __init__(self, text: str, reason: str) -> None:
+        self.text, self.reason = text, reason
+        self.hint = 'write it like "publishes std_msgs/String on /student_id at >= 1 Hz"'
+        super().__init__(f"cannot check {text!r}: {reason}")
+
+
+@dataclass(frozen=True)
+class Expectation:
+    """One thing that a student's programs should do."""
+
+    kind: EntityKind  #: `NODE` for one that should run
+    name: str  #: of the topic, service or node
+    type_name: str = ""  #: `std_msgs/msg/String`
+    sign: str = ""  #: `>=`, `<=`, `>`, `<` or `=` where a rate is asked for
+    rate_hz: float = 0.0
+
+    @property
+    def has_rate(self) -> bool:
+        """Whether messages have to be counted."""
+        return bool(self.sign)
+
+    def problem(self, snapshot: Snapshot, rates_hz: Mapping[str, float]) -> str:
+        """Return what is wrong, empty if nothing is.
+
+        Args:
+            snapshot: The graph of the student's domain.
+            rates_hz: Measured, by topic.
+        """
+        if self.kind is EntityKind.NODE:
+            return _node_problem(self.name, full_names(snapshot.nodes))
+        found = dict(snapshot.names_and_types(self.kind))
+        if self.name not in found:
+            return _missing(self.kind, self.name, sorted(found))
+        types = found[self.name]
+        if self.type_name not in types:
+            return f"{self.name} has type {', '.join(types)}, not {self.type_name}"
+        return self._rate_problem(rates_hz.get(self.name, 0.0)) if self.has_rate else ""
+
+    def _rate_problem(self, rate_hz: float) -> str:
+        low, high = self.rate_hz * (1 - TOLERANCE), self.rate_hz * (1 + TOLERANCE)
+        is_right = {
+            ">=": rate_hz >= low,
+            ">": rate_hz > self.rate_hz,
+            "<=": rate_hz <= high,
+            "<": rate_hz < self.rate_hz,
+            "=": low <= rate_hz <= high,
+        }[self.sign]
+        if is_right:
+            return ""
+        if rate_hz == 0:
+            return f"{self.name} has a publisher, and no message came"
+        return f"{self.name} has {rate_hz:.2f} Hz, not {self.sign} {self.rate_hz:g} Hz"
+
+
+def parse_expectations(text: str) -> list[Expectation]:
+    """Read expectations.
+
+    Raises:
+        ExpectationError: One is not understood.
+    """
+    return [_parse(part.strip()) for part in re.split(r"\s+and\s+|;", text.strip())]
+
+
+def _parse(text: str) -> Expectation:
+    match = _RUN.fullmatch(text)
+    if match is not None:
+        return Expectation(EntityKind.NODE, _name(text, match["name"]))
+    match = _USE.fullmatch(text)
+    if match is None:
+        raise ExpectationError(text, _reason(text))
+    verb = match["verb"].lower()
+    if match["rate"] and verb != "publishes":
+        raise ExpectationError(text, "only what is published has a rate")
+    return Expectation(
+        _KINDS[verb],
+        _name(text, match["name"]),
+        _type_name(text, match["type"], "srv" if verb == "serves" else "msg"),
+        (match["sign"] or ">=") if match["rate"] else "",
+        float(match["rate"] or 0),
+    )
+
+
+def _reason(text: str) -> str:
+    verb = text.split(" ", maxsplit=1)[0].lower()
+    if verb not in {*_KINDS, "runs"}:
+        guess = nearest(verb, [*_KINDS, "runs"])
+        return (
+            f"did you mean {guess!r}?"
+            if guess
+            else "it has to begin with publishes, subscribes, serves or runs"
+        )
+    if " on " not in f"{text} ":
+        return "`on /name` is missing"
+    return "what follows the name should be like `at >= 1 Hz`"
+
+
+def _name(text: str, name: str) -> str:
+    full = name if name.startswith("/") else f"/{name}"
+    try:
+        validate_full_topic_name(full)
+    except InvalidNameError as exc:
+        raise ExpectationError(text, exc.error_msg) from exc
+    return full
+
+
+def _type_name(text: str, name: str, kind: str) -> str:
+    match = _TYPE.fullmatch(name)
+    if match is None:
+        raise ExpectationError(text, f"{name!r} is no type such as std_msgs/String")
+    return f"{match[1]}/{kind}/{match[2]}"
+
+
+def _node_problem(name: str, running: list[str]) -> str:
+    if name in running:
+        return ""
+    guess = nearest(name, running)
+    return f"{name} does not run" + (f"; is {guess} meant?" if guess else "")
+
+
+def _missing(kind: EntityKind, name: str, present: list[str]) -> str:
+    what = {
+        EntityKind.PUBLISHER: "nobody publishes",
+        EntityKind.SUBSCRIPTION: "nobody subscribes to",
+        EntityKind.SERVICE: "nobody serves",
+    }[kind]
+    guess = nearest(name, present) or _same_letters(name, present)
+    return f"{what} {name}" + (f"; is {guess} meant?" if guess else "")
+
+
+def _same_letters(name: str, present: list[str]) -> str | None:
+    """Return the name that differs only in case, underscores or namespace."""
+
+    def bare(one: str) -> str:
+        return one.rpartition("/")[2].replace("_", "").lower()
+
+    return next((one for one in present if bare(one) == bare(name)), None)
