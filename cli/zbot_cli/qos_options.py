@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import functools
+import inspect
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
@@ -18,26 +20,9 @@ from zbot.qos import (
 from zbot.time import Duration
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from zbot.wire.tokens import EndpointToken
-
-_HELP_PANEL = "Quality of service"
-
-
-def _option(flag: str, text: str) -> Any:
-    return typer.Option(flag, help=text, rich_help_panel=_HELP_PANEL)
-
-
-Profile = Annotated[
-    str | None, _option("--qos-profile", "A preset to begin with, e.g. sensor_data")
-]
-Depth = Annotated[int | None, _option("--qos-depth", "Messages to keep")]
-History = Annotated[str | None, _option("--qos-history", "keep_last or keep_all")]
-Reliability = Annotated[str | None, _option("--qos-reliability", "reliable or best_effort")]
-Durability = Annotated[str | None, _option("--qos-durability", "volatile or transient_local")]
-Liveliness = Annotated[str | None, _option("--qos-liveliness", "automatic or manual_by_topic")]
-LeaseDuration = Annotated[
-    float | None, _option("--qos-liveliness-lease-duration-seconds", "Lease of the liveliness")
-]
 
 _POLICIES: dict[str, Any] = {
     "history": HistoryPolicy,
@@ -47,17 +32,23 @@ _POLICIES: dict[str, Any] = {
 }
 
 
+def _option(words: str, text: str) -> Any:
+    return typer.Option(f"--qos-{words}", help=text, rich_help_panel="Quality of service")
+
+
 @dataclass(frozen=True)
 class Choice:
-    """What the options said; `None` where they said nothing."""
+    """What the options said; `None` where they said nothing. Each field is an option."""
 
-    profile: str | None = None
-    depth: int | None = None
-    history: str | None = None
-    reliability: str | None = None
-    durability: str | None = None
-    liveliness: str | None = None
-    lease_s: float | None = None
+    profile: Annotated[str | None, _option("profile", "A preset to begin with")] = None
+    depth: Annotated[int | None, _option("depth", "Messages to keep")] = None
+    history: Annotated[str | None, _option("history", "keep_last or keep_all")] = None
+    reliability: Annotated[str | None, _option("reliability", "reliable or best_effort")] = None
+    durability: Annotated[str | None, _option("durability", "volatile or transient_local")] = None
+    liveliness: Annotated[str | None, _option("liveliness", "automatic or manual_by_topic")] = None
+    lease_s: Annotated[
+        float | None, _option("liveliness-lease-duration-seconds", "Lease of the liveliness")
+    ] = None
 
     def to_publish(self) -> QoSProfile:
         """Return the profile to publish with: the default one, changed by the options."""
@@ -107,6 +98,26 @@ class Choice:
         if profile.durability is DurabilityPolicy.TRANSIENT_LOCAL and profile.depth == 0:
             profile.depth = 1
         return profile
+
+
+NOT_TOLD: Final = Choice()
+
+
+def with_qos(verb: Callable[..., None]) -> Callable[..., None]:
+    """Give a verb the options of a profile, in the place of its parameter `qos`, a `Choice`."""
+    options = inspect.signature(Choice, eval_str=True).parameters.values()
+    signature = inspect.signature(verb, eval_str=True)
+    parameters: list[inspect.Parameter] = []
+    for parameter in signature.parameters.values():
+        parameters += options if parameter.name == "qos" else [parameter]
+
+    @functools.wraps(verb)
+    def run(**words: Any) -> None:
+        told = {option.name: words.pop(option.name) for option in options}
+        verb(qos=Choice(**told), **words)
+
+    run.__signature__ = signature.replace(parameters=parameters)  # type: ignore[attr-defined]
+    return run
 
 
 def _policy(name: str, policy: Any, word: str) -> Any:

@@ -26,15 +26,7 @@ from zbot_cli.listing import (
     print_json,
 )
 from zbot_cli.looking import full_name, snapshot
-from zbot_cli.qos_options import (
-    Depth,
-    Durability,
-    History,
-    LeaseDuration,
-    Liveliness,
-    Profile,
-    Reliability,
-)
+from zbot_cli.qos_options import NOT_TOLD, Choice, profile_lines, with_qos
 from zbot_cli.service_type import NODE_SERVICE_TYPES, UnknownServiceError, known_services
 
 if TYPE_CHECKING:
@@ -163,7 +155,6 @@ def _endpoint_dict(end: EndpointToken) -> dict[str, object]:
 
 
 def _endpoint_text(end: EndpointToken) -> str:
-    from zbot_cli.qos_options import profile_lines  # noqa: PLC0415 - only -v shows profiles
 
     gid = ".".join(f"{byte:02x}" for byte in end.gid)
     return "\n".join(
@@ -211,6 +202,7 @@ def find(
 
 
 @app.command("call")
+@with_qos
 def call(
     service_name: ServiceName,
     words: Annotated[
@@ -227,32 +219,16 @@ def call(
     stdin: Annotated[
         bool, typer.Option("--stdin", help="Read the request from standard input")
     ] = False,
-    qos_profile: Profile = None,
-    qos_depth: Depth = None,
-    qos_history: History = None,
-    qos_reliability: Reliability = None,
-    qos_durability: Durability = None,
-    qos_liveliness: Liveliness = None,
-    qos_liveliness_lease_duration_seconds: LeaseDuration = None,
+    qos: Choice = NOT_TOLD,
     as_json: AsJson = False,
 ) -> None:
     """Call a service."""
-    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
     from zbot_cli.service_call import ServiceCall  # noqa: PLC0415 - lists do without
 
-    choice = Choice(
-        qos_profile,
-        qos_depth,
-        qos_history,
-        qos_reliability,
-        qos_durability,
-        qos_liveliness,
-        qos_liveliness_lease_duration_seconds,
-    )
     ServiceCall(
         full_name(service_name),
         words or [],
-        choice,
+        qos,
         rate_hz=rate,
         timeout_s=timeout,
         stdin=stdin,
@@ -261,18 +237,13 @@ def call(
 
 
 @app.command("echo")
+@with_qos
 def echo(
     service_name: ServiceName,
     service_type: Annotated[
         str | None, typer.Argument(help="Type of the service, if nobody uses it yet")
     ] = None,
-    qos_profile: Profile = None,
-    qos_depth: Depth = None,
-    qos_history: History = None,
-    qos_reliability: Reliability = None,
-    qos_durability: Durability = None,
-    qos_liveliness: Liveliness = None,
-    qos_liveliness_lease_duration_seconds: LeaseDuration = None,
+    qos: Choice = NOT_TOLD,
     csv: Csv = False,
     full_length: FullLength = False,
     truncate_length: TruncateLength = 128,
@@ -283,7 +254,6 @@ def echo(
 ) -> None:
     """Print the calls of a service."""
     from zbot_cli.message_text import Form  # noqa: PLC0415 - lists do without
-    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
     from zbot_cli.service_echo import ServiceEcho  # noqa: PLC0415 - lists do without
 
     form = Form(
@@ -294,13 +264,4 @@ def echo(
         flow_style=flow_style,
         json=as_json,
     )
-    choice = Choice(
-        qos_profile,
-        qos_depth,
-        qos_history,
-        qos_reliability,
-        qos_durability,
-        qos_liveliness,
-        qos_liveliness_lease_duration_seconds,
-    )
-    ServiceEcho(full_name(service_name), service_type, form, choice).run()
+    ServiceEcho(full_name(service_name), service_type, form, qos).run()

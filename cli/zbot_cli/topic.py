@@ -27,15 +27,7 @@ from zbot_cli.listing import (
     print_json,
 )
 from zbot_cli.looking import client, full_name, snapshot, snapshot_of
-from zbot_cli.qos_options import (
-    Depth,
-    Durability,
-    History,
-    LeaseDuration,
-    Liveliness,
-    Profile,
-    Reliability,
-)
+from zbot_cli.qos_options import NOT_TOLD, Choice, profile_lines, with_qos
 
 if TYPE_CHECKING:
     from zbot.graph import NamesAndTypes, Snapshot
@@ -178,7 +170,6 @@ def _endpoint_dict(end: EndpointToken) -> dict[str, object]:
 
 
 def _endpoint_text(end: EndpointToken, title: str) -> str:
-    from zbot_cli.qos_options import profile_lines  # noqa: PLC0415 - only -v shows profiles
 
     gid = ".".join(f"{byte:02x}" for byte in end.gid)
     return "\n".join(
@@ -242,6 +233,7 @@ def find(
 
 
 @app.command("echo")
+@with_qos
 def echo(
     topics: Annotated[
         list[str],
@@ -249,13 +241,7 @@ def echo(
             help="Topics, `*` and `**` included; a type may follow", metavar="TOPIC... [TYPE]"
         ),
     ],
-    qos_profile: Profile = None,
-    qos_depth: Depth = None,
-    qos_history: History = None,
-    qos_reliability: Reliability = None,
-    qos_durability: Durability = None,
-    qos_liveliness: Liveliness = None,
-    qos_liveliness_lease_duration_seconds: LeaseDuration = None,
+    qos: Choice = NOT_TOLD,
     csv: Csv = False,
     field: Annotated[
         list[str] | None, typer.Option("--field", help="Only this field, e.g. pose.position")
@@ -294,7 +280,6 @@ def echo(
     """Print the messages of a topic."""
     from zbot_cli.echo import Echo  # noqa: PLC0415 - lists do without
     from zbot_cli.message_text import Form  # noqa: PLC0415 - lists do without
-    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
 
     form = Form(
         csv=csv,
@@ -310,19 +295,10 @@ def echo(
         json=as_json,
         losses=not no_lost_messages,
     )
-    choice = Choice(
-        qos_profile,
-        qos_depth,
-        qos_history,
-        qos_reliability,
-        qos_durability,
-        qos_liveliness,
-        qos_liveliness_lease_duration_seconds,
-    )
     Echo(
         topics,
         form,
-        choice,
+        qos,
         once=once,
         timeout_s=timeout,
         node_name=node_name,
@@ -331,19 +307,14 @@ def echo(
 
 
 @app.command("pub")
+@with_qos
 def pub(
     topic_name: TopicName,
     words: Annotated[
         list[str] | None,
         typer.Argument(help="Type and values; both may be left out", metavar="[TYPE] [VALUES]"),
     ] = None,
-    qos_profile: Profile = None,
-    qos_depth: Depth = None,
-    qos_history: History = None,
-    qos_reliability: Reliability = None,
-    qos_durability: Durability = None,
-    qos_liveliness: Liveliness = None,
-    qos_liveliness_lease_duration_seconds: LeaseDuration = None,
+    qos: Choice = NOT_TOLD,
     rate: Annotated[float, typer.Option("-r", "--rate", help="Messages a second")] = 1.0,
     print_every: Annotated[
         int, typer.Option("-p", "--print", help="Print every N-th message; 0: none")
@@ -380,17 +351,7 @@ def pub(
 ) -> None:
     """Publish messages on a topic."""
     from zbot_cli.pub import Pace, Pub  # noqa: PLC0415 - lists do without
-    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
 
-    choice = Choice(
-        qos_profile,
-        qos_depth,
-        qos_history,
-        qos_reliability,
-        qos_durability,
-        qos_liveliness,
-        qos_liveliness_lease_duration_seconds,
-    )
     pace = Pace(
         rate_hz=rate,
         print_every=print_every,
@@ -405,7 +366,7 @@ def pub(
         topic_name,
         words or [],
         pace,
-        choice,
+        qos,
         node_name=node_name,
         stdin=stdin,
         yaml_file=yaml_file,
@@ -420,6 +381,7 @@ AllTopics = Annotated[bool, typer.Option("-a", "--all", help="All topics known a
 
 
 @app.command("hz")
+@with_qos
 def hz(
     topics: Topics = None,
     window: Annotated[
@@ -433,23 +395,18 @@ def hz(
         bool, typer.Option("--wall-time", help="Use the system's clock under simulated time")
     ] = False,
     all_topics: AllTopics = False,
-    qos_profile: Profile = None,
-    qos_depth: Depth = None,
-    qos_history: History = None,
-    qos_reliability: Reliability = None,
-    qos_durability: Durability = None,
+    qos: Choice = NOT_TOLD,
     as_json: AsJson = False,
     spin_time: SpinTime = 0.5,
     use_sim_time: UseSimTime = False,
 ) -> None:
     """Measure how often messages come."""
     from zbot_cli.measure import Rates, measure  # noqa: PLC0415 - lists do without
-    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
 
     measure(
         Rates(window, filter_expression),
         topics or [],
-        Choice(qos_profile, qos_depth, qos_history, qos_reliability, qos_durability),
+        qos,
         all_topics=all_topics,
         as_json=as_json,
         use_sim_time=use_sim_time and not wall_time,
@@ -457,27 +414,23 @@ def hz(
 
 
 @app.command("bw")
+@with_qos
 def bw(
     topics: Topics = None,
     window: Annotated[int, typer.Option("-w", "--window", help="Messages to measure over")] = 100,
     all_topics: AllTopics = False,
-    qos_profile: Profile = None,
-    qos_depth: Depth = None,
-    qos_history: History = None,
-    qos_reliability: Reliability = None,
-    qos_durability: Durability = None,
+    qos: Choice = NOT_TOLD,
     as_json: AsJson = False,
     spin_time: SpinTime = 0.5,
     use_sim_time: UseSimTime = False,
 ) -> None:
     """Measure how many bytes come."""
     from zbot_cli.measure import Bandwidths, measure  # noqa: PLC0415 - lists do without
-    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
 
     measure(
         Bandwidths(window),
         topics or [],
-        Choice(qos_profile, qos_depth, qos_history, qos_reliability, qos_durability),
+        qos,
         all_topics=all_topics,
         as_json=as_json,
         use_sim_time=use_sim_time,
@@ -485,26 +438,22 @@ def bw(
 
 
 @app.command("delay")
+@with_qos
 def delay(
     topic_name: TopicName,
     window: Annotated[int, typer.Option("-w", "--window", help="Messages to measure over")] = 10000,
-    qos_profile: Profile = None,
-    qos_depth: Depth = None,
-    qos_history: History = None,
-    qos_reliability: Reliability = None,
-    qos_durability: Durability = None,
+    qos: Choice = NOT_TOLD,
     as_json: AsJson = False,
     spin_time: SpinTime = 0.5,
     use_sim_time: UseSimTime = False,
 ) -> None:
     """Measure how old messages are when they come."""
     from zbot_cli.measure import Delays, measure  # noqa: PLC0415 - lists do without
-    from zbot_cli.qos_options import Choice  # noqa: PLC0415 - lists do without
 
     measure(
         Delays(window),
         [topic_name],
-        Choice(qos_profile, qos_depth, qos_history, qos_reliability, qos_durability),
+        qos,
         all_topics=False,
         as_json=as_json,
         use_sim_time=use_sim_time,
