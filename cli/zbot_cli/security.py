@@ -23,6 +23,7 @@ app = new_app("Make certificates for machines that trust each other")
 
 Root = Annotated[Path, typer.Argument(metavar="ROOT", help="Folder of the keystore")]
 Name = Annotated[str, typer.Argument(metavar="NAME", help="Of the machine, such as /ana")]
+Policy = Annotated[Path, typer.Argument(help="Policy file of ROS 2")]
 Addresses = Annotated[
     list[str] | None,
     typer.Option("--host", "--ip", help="Address at which others join it; may be repeated"),
@@ -172,12 +173,12 @@ def generate_artifacts(
 
 
 @_both_spellings("create_permission", hidden=True)
-def create_permission(root: Root, name: Name, policy: Path) -> None:
+def create_permission(root: Root, name: Name, policy: Policy) -> None:
     """Say that there are no permission files."""
     raise NoPoliciesError("create_permission")
 
 
 @_both_spellings("generate_policy", hidden=True)
-def generate_policy(policy: Path) -> None:
+def generate_policy(policy: Policy) -> None:
     """Say that there are no permission files."""
     raise NoPoliciesError("generate_policy")
