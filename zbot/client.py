@@ -17,7 +17,6 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 import zenoh
 
-from zbot.endpoint import ServiceEndpoint
 from zbot.errors import (
     InvalidHandleError,
     NotInitializedError,
@@ -29,7 +28,7 @@ from zbot.foreign_call import called_by_zenoh, keep_thread_state
 from zbot.interfaces import type_name
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.semaphore import LONGEST_WAIT_S, BinarySemaphore, Haste
-from zbot.service_introspection import Step, configured
+from zbot.service_introspection import ServiceEndpoint, Step
 from zbot.task import Future
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.codec import CodecError
@@ -41,13 +40,10 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.callback_group import CallbackGroup
-    from zbot.clock import Clock
     from zbot.context import Context
     from zbot.executor import Executor
     from zbot.mailbox import Mailbox
-    from zbot.qos import QoSProfile
     from zbot.service import Service
-    from zbot.service_introspection import Introspection, ServiceIntrospectionState
     from zbot.wire.tokens import EndpointToken
 
 RequestT = TypeVar("RequestT")
@@ -145,7 +141,6 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
     """
 
     due_ns: int | None = None
-    _introspection: Introspection | None = None
 
     def __init__(
         self,
@@ -161,7 +156,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self.srv_name = token.name
         self.callback_group = callback_group
         self.mailbox = mailbox
-        self.context = context
+        self._context = context
         self._token = token
         self._logger_name = logger_name
         dialect = context.dialect
@@ -193,7 +188,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         querier = self._querier
         return (
             querier is not None
-            and not self.context.is_closed
+            and not self._context.is_closed
             and bool(querier.matching_status.matching)
         )
 
@@ -212,7 +207,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._listen()
         endless = timeout_sec is None or timeout_sec < 0
         deadline = time.monotonic() + (0 if endless or timeout_sec is None else timeout_sec)
-        while not self.service_is_ready() and self.context.ok():
+        while not self.service_is_ready() and self._context.ok():
             left = threading.TIMEOUT_MAX if endless else deadline - time.monotonic()
             if left <= 0:
                 return False
@@ -226,7 +221,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             if self._listener is None:
                 wake = zenoh.handlers.Callback(self._on_match, indirect=False)
                 self._listener = self._querier.declare_matching_listener(wake)
-                self.context.add_waker(self._arrival.set)
+                self._context.add_waker(self._arrival.set)
 
     @called_by_zenoh
     def _on_match(self, _: object) -> None:
@@ -303,13 +298,13 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     @contextlib.contextmanager
     def _waking(self, wake: Callable[[], None], own: list[Service[Any, Any]]) -> Iterator[None]:
-        self.context.add_waker(wake)
+        self._context.add_waker(wake)
         for service in own:
             service.watchers.append(wake)
         try:
             yield
         finally:
-            self.context.remove_waker(wake)
+            self._context.remove_waker(wake)
             for service in own:
                 service.watchers.remove(wake)
 
@@ -336,7 +331,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             if arrived == attempt:
                 return None
             if arrived is _WOKEN:
-                if self.context.is_over:
+                if self._context.is_over:
                     raise NotInitializedError("a service call")
             elif not isinstance(arrived, int):
                 return cast("zenoh.Reply", arrived)
@@ -376,9 +371,9 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             return
         if self._querier is None:
             raise InvalidHandleError(f"the client of {self.service_name}")
-        if self.context.is_closed:
+        if self._context.is_closed:
             raise NotInitializedError("a service call")
-        self.context.meet()
+        self._context.meet()
         if not self.service_is_ready():
             what = "no server is running; start it, or wait for it with wait_for_service()"
             raise ServiceError(self.service_name, "no_server", what)
@@ -391,7 +386,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
     ) -> None:
         """Send a request; Zenoh's thread calls `on_reply` for each reply, and `on_end` last."""
         answer: Any = zenoh.handlers.Callback(on_reply, drop=on_end, indirect=False)
-        self.context.session.get(
+        self._context.session.get(
             self._querier.key_expr,
             answer,
             payload=exchange.payload,
@@ -403,7 +398,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     def is_pending(self, response: _Response[ResponseT]) -> bool:
         """Return whether somebody still waits for a response."""
-        return response in self._pending and not self.context.is_closed
+        return response in self._pending and not self._context.is_closed
 
     def remove_pending_request(self, future: Future[ResponseT]) -> None:
         """Forget a call: its future is never completed. Nothing happens if it is over."""
@@ -473,28 +468,6 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             if inspect.iscoroutine(outcome) and executor is not None:
                 executor.create_task(outcome)
 
-    def configure_introspection(
-        self,
-        clock: Clock,
-        service_event_qos_profile: QoSProfile | int,
-        introspection_state: ServiceIntrospectionState,
-    ) -> None:
-        """Publish what happens here on `<service>/_service_event`, or publish it no longer.
-
-        Args:
-            clock: Gives the events' stamps.
-            service_event_qos_profile: Profile to publish with.
-            introspection_state: `OFF`, `METADATA`, or `CONTENTS` for requests and responses too.
-        """
-        self._introspection = configured(
-            self._introspection,
-            self.context,
-            self,
-            clock=clock,
-            qos=service_event_qos_profile,
-            state=introspection_state,
-        )
-
     def destroy(self) -> None:
         """Call no more; calls that wait for an answer are forgotten; may be called twice."""
         with self._lock:
@@ -502,11 +475,10 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             self._pending.clear()
         if querier is None:
             return
-        self.context.remove_waker(self._arrival.set)
+        self._context.remove_waker(self._arrival.set)
         self._arrival.set()
-        if self._introspection is not None:
-            self._introspection.destroy()
-        if not self.context.is_closed:
+        self.end_introspection()
+        if not self._context.is_closed:
             self._liveliness.undeclare()
             if self._listener is not None:
                 self._listener.undeclare()

@@ -62,12 +62,3 @@ class TopicEndpoint(Endpoint):
     def topic(self) -> str:
         """The topic's full name."""
         return self._token.name
-
-
-class ServiceEndpoint(Endpoint):
-    """One that has a service."""
-
-    @property
-    def service_name(self) -> str:
-        """The service's full name."""
-        return self._token.name

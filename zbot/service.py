@@ -10,14 +10,13 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
 
-from zbot.endpoint import ServiceEndpoint
 from zbot.errors import NotAMessageTypeError, ResponseTypeError
 from zbot.foreign_call import called_by_zenoh, keep_thread_state
 from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.repetition import Repetitions
-from zbot.service_introspection import Step, configured
+from zbot.service_introspection import ServiceEndpoint, Step
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.codec import CodecError
 from zbot.wire.error_reply import ENCODING, pack_error
@@ -26,11 +25,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
 
     from zbot.callback_group import CallbackGroup
-    from zbot.clock import Clock
     from zbot.context import Context
     from zbot.mailbox import Mailbox
-    from zbot.qos import QoSProfile
-    from zbot.service_introspection import Introspection, ServiceIntrospectionState
     from zbot.wire.tokens import EndpointToken
 
 RequestT = TypeVar("RequestT")
@@ -57,7 +53,6 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
     """
 
     due_ns: int | None = None
-    _introspection: Introspection | None = None
 
     def __init__(
         self,
@@ -194,35 +189,12 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
         reply(self._repetitions.end(who, query, reply) if who else query)
 
-    def configure_introspection(
-        self,
-        clock: Clock,
-        service_event_qos_profile: QoSProfile | int,
-        introspection_state: ServiceIntrospectionState,
-    ) -> None:
-        """Publish what happens here on `<service>/_service_event`, or publish it no longer.
-
-        Args:
-            clock: Gives the events' stamps.
-            service_event_qos_profile: Profile to publish with.
-            introspection_state: `OFF`, `METADATA`, or `CONTENTS` for requests and responses too.
-        """
-        self._introspection = configured(
-            self._introspection,
-            self._context,
-            self,
-            clock=clock,
-            qos=service_event_qos_profile,
-            state=introspection_state,
-        )
-
     def destroy(self) -> None:
         """Serve no more, and let requests that wait fail; may be called twice."""
         if self._is_destroyed:
             return
         self._is_destroyed = True
-        if self._introspection is not None:
-            self._introspection.destroy()
+        self.end_introspection()
         if not self._context.is_closed:
             self._liveliness.undeclare()
             self._queryable.undeclare()

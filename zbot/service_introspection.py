@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from enum import IntEnum
 from struct import Struct
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
+from zbot.endpoint import Endpoint
 from zbot.interfaces import get_interface, type_hash
 from zbot.publisher import Publisher
 from zbot.qos import QoSProfile, as_profile
@@ -37,19 +38,6 @@ class Step(IntEnum):
     RESPONSE_RECEIVED = 3
 
 
-class _Endpoint(Protocol):
-    """What a server and a client have in common."""
-
-    srv_type: Any
-    callback_group: CallbackGroup
-
-    @property
-    def token(self) -> EndpointToken: ...
-
-    @property
-    def logger_name(self) -> str: ...
-
-
 class Introspection:
     """Publishes a server's or a client's events on `<service>/_service_event`.
 
@@ -64,7 +52,7 @@ class Introspection:
     def __init__(
         self,
         context: Context,
-        endpoint: _Endpoint,
+        endpoint: ServiceEndpoint,
         clock: Clock,
         qos: QoSProfile | int,
         *,
@@ -112,31 +100,47 @@ class Introspection:
         self._publisher.destroy()
 
 
-def configured(
-    former: Introspection | None,
-    context: Context,
-    endpoint: _Endpoint,
-    *,
-    clock: Clock,
-    qos: QoSProfile | int,
-    state: ServiceIntrospectionState,
-) -> Introspection | None:
-    """Return what reports the events of an endpoint from now on; `None` if it is to be silent.
+class ServiceEndpoint(Endpoint):
+    """What a server and a client have in common: a service, and events that tell of its calls."""
 
-    Args:
-        former: What did so until now; it is destroyed.
-        context: The endpoint's session.
-        endpoint: A server or client.
-        clock: Gives the events' stamps.
-        qos: Profile to publish with.
-        state: How much to tell.
-    """
-    if former is not None:
-        former.destroy()
-    if state == ServiceIntrospectionState.OFF:
-        return None
-    with_contents = state == ServiceIntrospectionState.CONTENTS
-    return Introspection(context, endpoint, clock, qos, with_contents=with_contents)
+    srv_type: Any
+    callback_group: CallbackGroup
+    _context: Context
+    _introspection: Introspection | None = None
+
+    @property
+    def service_name(self) -> str:
+        """The service's full name."""
+        return self._token.name
+
+    def configure_introspection(
+        self,
+        clock: Clock,
+        service_event_qos_profile: QoSProfile | int,
+        introspection_state: ServiceIntrospectionState,
+    ) -> None:
+        """Publish what happens here on `<service>/_service_event`, or publish it no longer.
+
+        Args:
+            clock: Gives the events' stamps.
+            service_event_qos_profile: Profile to publish with.
+            introspection_state: `OFF`, `METADATA`, or `CONTENTS` for requests and responses too.
+        """
+        self.end_introspection()
+        if introspection_state != ServiceIntrospectionState.OFF:
+            self._introspection = Introspection(
+                self._context,
+                self,
+                clock,
+                service_event_qos_profile,
+                with_contents=introspection_state == ServiceIntrospectionState.CONTENTS,
+            )
+
+    def end_introspection(self) -> None:
+        """Publish what happens here no longer; nothing happens if nothing is published."""
+        introspection, self._introspection = self._introspection, None
+        if introspection is not None:
+            introspection.destroy()
 
 
 def _event_token(
