@@ -89,7 +89,7 @@ class Lesson:
 
     def start_node(self, laptop: Machine, name: str, neighbour: str) -> Program:
         """Start a pupil's node."""
-        program = laptop.start("pupil.py", name, neighbour, env=self.domain_of(laptop))
+        program = laptop.start("pupil.py", name, neighbour)
         self._pupils[self.number_of(laptop), f"/{name}"] = program
         return program
 

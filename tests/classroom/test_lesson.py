@@ -38,7 +38,7 @@ def test_the_teacher_sees_all_nodes_soon(lesson: Lesson) -> None:
 
 def test_a_new_node_is_seen_at_once(lesson: Lesson) -> None:
     laptop = lesson.rig.laptops[-1]
-    newcomer = laptop.start("pupil.py", "newcomer", "pupil0", env=lesson.domain_of(laptop))
+    newcomer = laptop.start("pupil.py", "newcomer", "pupil0")
 
     seen_s = lesson.watch.until(lambda nodes: (lesson.number_of(laptop), "/newcomer") in nodes)
 
