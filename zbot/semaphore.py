@@ -3,7 +3,8 @@
 To be woken takes a thread 10 to 30 us, which is much of a small message's way. So a thread whose
 last wait was over at once looks again and again for a moment before it sleeps, and lets everybody
 else run in between: round trips take half the time. Whoever waits longer than that moment, as for
-the messages of a 1 kHz topic, sleeps at once.
+the messages of a 1 kHz topic, sleeps at once. What comes every 0.1 to 0.5 ms takes the time in
+which its core would be idle.
 """
 
 from __future__ import annotations
