@@ -5,21 +5,21 @@ Pure: it is made of a snapshot, and whoever shows it decides how.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
+from functools import cached_property
 from typing import TYPE_CHECKING
 
-from zbot.names import fully_qualified, is_hidden, nearest
-from zbot.wire.tokens import EntityKind
+from zbot.graph_filter import Filters, Grouping, compile_filter
+from zbot.graph_topics import BoxKind, TopicView, find_topics
+from zbot.names import fully_qualified
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from zbot.graph import Snapshot
 
-_DEBUG_TOPICS = frozenset({"/rosout", "/statistics"})
-_TF_TOPICS = frozenset({"/tf", "/tf_static"})
-_PARAMETER_TOPICS = frozenset({"/parameter_events"})
+__all__ = ["BoxKind", "Edge", "Filters", "GraphView", "Grouping", "Mode", "TopicView", "view"]
 
 
 class Mode(str, Enum):
@@ -30,39 +30,6 @@ class Mode(str, Enum):
     ALL = "all"  #: all
 
 
-@dataclass(frozen=True)
-class Filters:
-    """What is left out."""
-
-    debug: bool = True  #: /rosout and /statistics
-    tf: bool = False  #: transforms
-    params: bool = True  #: /parameter_events
-    dead_sinks: bool = False  #: topics without subscriptions
-    leaf_topics: bool = False  #: topics with a single connection
-    hidden: bool = True  #: names with a part that begins with an underscore
-
-
-@dataclass(frozen=True)
-class TopicView:
-    """A topic, and what looks wrong with it."""
-
-    name: str
-    types: tuple[str, ...]
-    publishers: tuple[str, ...]  #: full names of nodes, sorted
-    subscriptions: tuple[str, ...]  #: likewise
-    guess: str | None  #: the published topic that was probably meant, if nobody publishes this one
-
-    @property
-    def has_clash(self) -> bool:
-        """Whether its nodes use different types, and so cannot hear each other."""
-        return len(self.types) > 1
-
-    @property
-    def is_active(self) -> bool:
-        """Whether messages can go through it."""
-        return bool(self.publishers and self.subscriptions)
-
-
 @dataclass(frozen=True, order=True)
 class Edge:
     """An arrow between names of nodes and topics; a label names the topic between two nodes."""
@@ -71,6 +38,29 @@ class Edge:
     end: str
     label: str = ""
     is_publishing: bool = False  #: whether it leads from a node to a topic
+    kind: BoxKind = BoxKind.TOPIC  #: what the topic at its end, or on its label, is
+    is_wrong: bool = False  #: whether nothing can come through
+
+    @property
+    def is_both_ways(self) -> bool:
+        """Whether answers come back: goals go one way, feedback and results the other."""
+        return self.kind is BoxKind.ACTION
+
+    @property
+    def start_key(self) -> str:
+        """What tells the start from everything else in the picture."""
+        is_node = self.label or self.is_publishing
+        return node_key(self.start) if is_node else self.kind.key(self.start)
+
+    @property
+    def end_key(self) -> str:
+        """What tells the end from everything else in the picture."""
+        return self.kind.key(self.end) if self.is_publishing else node_key(self.end)
+
+
+def node_key(name: str) -> str:
+    """Return what tells a node from a topic of the same name."""
+    return f"n:{name}"
 
 
 @dataclass(frozen=True)
@@ -80,94 +70,74 @@ class GraphView:
     mode: Mode
     nodes: tuple[str, ...]
     topics: tuple[TopicView, ...]
+    namespaces: int = 0  #: how many levels of them get a frame
+    left_out: tuple[str, ...] = field(default=(), compare=False)  #: names that filters hide
 
     @property
     def boxes(self) -> tuple[TopicView, ...]:
         """The topics that are drawn as boxes."""
-        if self.mode is Mode.NODES:
-            return ()
-        return tuple(one for one in self.topics if self.mode is Mode.ALL or one.is_active)
+        return () if self.mode is Mode.NODES else self.topics
 
-    @property
+    @cached_property
     def edges(self) -> tuple[Edge, ...]:
         """The arrows, each once."""
         found = self._direct_edges() if self.mode is Mode.NODES else self._box_edges()
         return tuple(sorted(set(found)))
 
+    def frames_of(self, name: str) -> tuple[str, ...]:
+        """Return the namespaces whose frames are around a name, the outermost first."""
+        parts = name.split("/")[1:-1][: self.namespaces]
+        return tuple("/" + "/".join(parts[: depth + 1]) for depth in range(len(parts)))
+
     def _direct_edges(self) -> Iterator[Edge]:
         for topic in self.topics:
-            for publisher in topic.publishers:
-                for subscription in topic.subscriptions:
-                    yield Edge(publisher, subscription, topic.name)
+            for start in topic.publishers:
+                for end in topic.subscriptions:
+                    is_wrong = not topic.can_hear(end, start)
+                    yield Edge(start, end, topic.name, kind=topic.kind, is_wrong=is_wrong)
 
     def _box_edges(self) -> Iterator[Edge]:
-        for topic in self.boxes:
-            yield from (Edge(node, topic.name, is_publishing=True) for node in topic.publishers)
-            yield from (Edge(topic.name, node) for node in topic.subscriptions)
+        for topic in self.topics:
+            for node in topic.publishers:
+                is_wrong = topic.is_unheard(node)
+                yield Edge(node, topic.name, "", True, topic.kind, is_wrong)
+            for node in topic.subscriptions:
+                yield Edge(topic.name, node, "", False, topic.kind, topic.is_deaf(node))
 
 
-def view(snapshot: Snapshot, mode: Mode = Mode.ALL, filters: Filters | None = None) -> GraphView:
-    """Return what to draw of a snapshot."""
-    filters = filters or Filters()
+def view(
+    snapshot: Snapshot,
+    mode: Mode = Mode.ALL,
+    filters: Filters | None = None,
+    grouping: Grouping | None = None,
+) -> GraphView:
+    """Return what to draw of a snapshot.
+
+    Raises:
+        InvalidFilterError: A filter has a part that is no regular expression.
+    """
+    filters, grouping = filters or Filters(), grouping or Grouping()
     names = {fully_qualified(node.namespace, node.node) for node in snapshot.nodes}
-    nodes = {name for name in names if not (filters.hidden and is_hidden(name))}
-    topics = (one for one in _topics(snapshot, nodes) if _is_shown(one, filters))
-    return GraphView(mode, tuple(sorted(nodes)), tuple(topics))
+    open_nodes = {name for name in names if filters.shows_node(name)}
+    passes = compile_filter(filters.nodes)
+    nodes = {name for name in open_nodes if passes(name)}
+    # As in rqt_graph, a topic is judged with all its nodes, also those that are not drawn.
+    found = find_topics(snapshot, open_nodes, grouping)
+    shown = [topic.among(nodes) for topic in _chosen(found, mode, filters)]
+    topics = tuple(topic for topic in shown if topic.ends)
+    kept = {topic.name for topic in topics} | nodes
+    left_out = sorted(name for name in names | {topic.name for topic in found} if name not in kept)
+    return GraphView(mode, tuple(sorted(nodes)), topics, grouping.namespaces, tuple(left_out))
 
 
-def _topics(snapshot: Snapshot, nodes: set[str]) -> Iterator[TopicView]:
-    types: dict[str, set[str]] = {}
-    ends: dict[str, tuple[set[str], set[str]]] = {}
-    for end in snapshot.of_kind(EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION):
-        node = fully_qualified(end.namespace, end.node)
-        if node not in nodes:
-            continue
-        types.setdefault(end.name, set()).add(end.type_name)
-        both = ends.setdefault(end.name, (set(), set()))
-        both[end.kind is EntityKind.SUBSCRIPTION].add(node)
-    published = sorted(name for name, (publishers, _) in ends.items() if publishers)
-    for name, (publishers, subscriptions) in sorted(ends.items()):
-        yield TopicView(
-            name,
-            tuple(sorted(types[name])),
-            tuple(sorted(publishers)),
-            tuple(sorted(subscriptions)),
-            None if publishers else nearest(name, published),
+def _chosen(topics: list[TopicView], mode: Mode, filters: Filters) -> Iterator[TopicView]:
+    passes = compile_filter(filters.topics)
+    for topic in topics:
+        is_left_out = (
+            (filters.dead_sinks and not topic.subscriptions)
+            or (filters.leaf_topics and len(topic.publishers) + len(topic.subscriptions) < 2)
+            or (mode is not Mode.ALL and not topic.is_active)
+            or (filters.actions and topic.kind is BoxKind.ACTION)
         )
-
-
-def _is_shown(topic: TopicView, filters: Filters) -> bool:
-    left_out = (
-        (filters.debug and topic.name in _DEBUG_TOPICS)
-        or (filters.tf and topic.name in _TF_TOPICS)
-        or (filters.params and topic.name in _PARAMETER_TOPICS)
-        or (filters.hidden and is_hidden(topic.name))
-        or (filters.dead_sinks and not topic.subscriptions)
-        or (filters.leaf_topics and len(topic.publishers) + len(topic.subscriptions) < 2)
-    )
-    return not left_out
-
-
-def dot(drawn: GraphView) -> str:
-    """Return the picture in Graphviz's language: nodes as ellipses, topics as boxes."""
-    lines = ["digraph graph_of_nodes {", "  rankdir=LR;"]
-    lines += [f"  {_quoted('n:' + name)} [label={_quoted(name)}];" for name in drawn.nodes]
-    for box in drawn.boxes:
-        colour = ", color=red" if box.has_clash or box.guess else ""
-        lines.append(
-            f"  {_quoted('t:' + box.name)} [label={_quoted(box.name)}, shape=box{colour}];"
-        )
-    lines += map(_dot_edge, drawn.edges)
-    return "\n".join([*lines, "}"])
-
-
-def _dot_edge(edge: Edge) -> str:
-    start = "n:" if edge.label or edge.is_publishing else "t:"
-    end = "t:" if edge.is_publishing else "n:"
-    text = f" [label={_quoted(edge.label)}]" if edge.label else ""
-    return f"  {_quoted(start + edge.start)} -> {_quoted(end + edge.end)}{text};"
-
-
-def _quoted(text: str) -> str:
-    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    return f'"{escaped}"'
+        if not is_left_out and filters.shows_topic(topic.name) and passes(topic.name):
+            yield topic

@@ -1,12 +1,17 @@
-"""`zbot graph`: who talks to whom, as text, JSON or a picture for Graphviz."""
+"""`zbot graph`: who talks to whom, as text, JSON or a picture."""
 
 from __future__ import annotations
 
+import os
+import sys
+from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from zbot.graph_view import Filters, GraphView, Mode, TopicView, dot, view
+from zbot.errors import ZbotError
+from zbot.graph_filter import Filters, Grouping, compile_filter
+from zbot.graph_view import BoxKind, Edge, GraphView, Mode, TopicView, view
 from zbot_cli.listing import AsJson, new_app, print_json
 from zbot_cli.looking import client, snapshot
 
@@ -14,16 +19,33 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.graph import Snapshot
+    from zbot.graph_drawing import Drawing
 
 app = new_app("Show which nodes talk to each other", has_verbs=False)
 
 _ONE_HOUR_S = 3600.0
+_MAX_NAMESPACES = 9
+
+_Filter = "names or regular expressions, `-` before those to leave out"
+
+
+class PictureError(ZbotError, OSError):
+    """A picture cannot be written."""
+
+    def __init__(self, path: str, reason: str) -> None:
+        self.path = path
+        super().__init__(f"cannot write {path}: {reason}; name a file in a folder that exists")
 
 
 @app.callback(invoke_without_command=True)
 def graph(
     mode: Annotated[Mode, typer.Option("--show", help="Which topics to show")] = Mode.ALL,
-    debug: Annotated[bool, typer.Option("--debug-topics", help="Show /rosout too")] = False,
+    nodes: Annotated[str, typer.Option("--nodes", help=f"Which nodes: {_Filter}")] = "/",
+    topics: Annotated[str, typer.Option("--topics", help=f"Which topics: {_Filter}")] = "/",
+    debug: Annotated[
+        bool,
+        typer.Option("--debug-topics", help="Show /rosout, /statistics, /clock, rqt, rviz too"),
+    ] = False,
     params: Annotated[bool, typer.Option("--params", help="Show /parameter_events too")] = False,
     no_tf: Annotated[bool, typer.Option("--no-tf", help="Leave transforms out")] = False,
     no_dead_sinks: Annotated[
@@ -32,11 +54,34 @@ def graph(
     no_leaf_topics: Annotated[
         bool, typer.Option("--no-leaf-topics", help="Leave out topics with one connection")
     ] = False,
+    no_actions: Annotated[bool, typer.Option("--no-actions", help="Leave actions out")] = False,
     include_hidden: Annotated[
         bool, typer.Option("--include-hidden", help="Show hidden names too")
     ] = False,
+    namespaces: Annotated[
+        int,
+        typer.Option(
+            "--group-namespaces",
+            min=0,
+            max=_MAX_NAMESPACES,
+            help="How many levels of namespaces get frames in a picture",
+        ),
+    ] = 2,
+    actions: Annotated[
+        bool, typer.Option("--group-actions/--no-group-actions", help="Show an action as one box")
+    ] = True,
+    tf: Annotated[
+        bool, typer.Option("--group-tf/--no-group-tf", help="Show /tf and /tf_static as one box")
+    ] = True,
+    images: Annotated[
+        bool,
+        typer.Option("--group-images/--no-group-images", help="Show an image's forms as one box"),
+    ] = True,
     as_dot: Annotated[bool, typer.Option("--dot", help="Print Graphviz's language")] = False,
-    watch: Annotated[bool, typer.Option("--watch", help="Print again at each change")] = False,
+    svg: Annotated[
+        str, typer.Option("--svg", metavar="FILE", help="Write a picture; - prints it")
+    ] = "",
+    watch: Annotated[bool, typer.Option("--watch", help="Do it again at each change")] = False,
     as_json: AsJson = False,
 ) -> None:
     """Show which nodes talk to each other."""
@@ -46,25 +91,75 @@ def graph(
         params=not params,
         dead_sinks=no_dead_sinks,
         leaf_topics=no_leaf_topics,
+        actions=no_actions,
         hidden=not include_hidden,
+        nodes=nodes,
+        topics=topics,
     )
+    for text in (nodes, topics):
+        compile_filter(text)  # a mistake is told before anything is waited for
+    grouping = Grouping(namespaces, actions, tf, images)
 
     def look(seen: Snapshot) -> GraphView:
-        return view(seen, mode, filters)
+        return view(seen, mode, filters, grouping)
 
-    def show(drawn: GraphView) -> None:
-        if as_json:
-            print_json(_document(drawn))
-        else:
-            print(dot(drawn) if as_dot else _text(drawn))
-
+    show = _Shower(svg, as_dot=as_dot, as_json=as_json)
     if watch:
         _watch(look, show)
     else:
         show(look(snapshot()))
 
 
-def _watch(look: Callable[[Snapshot], GraphView], show: Callable[[GraphView], None]) -> None:
+class _Shower:
+    """Shows one view after the other."""
+
+    def __init__(self, svg: str, *, as_dot: bool, as_json: bool) -> None:
+        self._svg, self._as_dot, self._as_json = svg, as_dot, as_json
+        self._drawing: Drawing | None = None
+
+    @property
+    def is_blank_between(self) -> bool:
+        """Whether an empty line tells one text from the next."""
+        return not (self._svg or self._as_json)
+
+    def __call__(self, drawn: GraphView) -> None:
+        if self._svg:
+            self._draw(drawn)
+        elif self._as_json:
+            print_json(_document(drawn))
+        else:
+            print(_dot(drawn) if self._as_dot else _text(drawn), flush=True)
+
+    def _draw(self, drawn: GraphView) -> None:
+        from zbot.graph_drawing import draw  # noqa: PLC0415 - text does without
+
+        self._drawing = draw(drawn, self._drawing)
+        if self._svg == "-":
+            print(self._drawing.svg(), end="", flush=True)
+        else:
+            _write(self._svg, self._drawing.svg())
+            print(f"wrote {self._svg}", file=sys.stderr)
+
+
+def _write(path: str, text: str) -> None:
+    """Replace a file as a whole: who shows it while it changes never sees half a picture."""
+    target = Path(path)
+    half = target.with_name(f".{target.name}.{os.getpid()}")
+    try:
+        half.write_text(text, encoding="utf-8")
+        half.replace(target)
+    except OSError as exc:
+        half.unlink(missing_ok=True)
+        raise PictureError(path, exc.strerror or str(exc)) from exc
+
+
+def _dot(drawn: GraphView) -> str:
+    from zbot.graph_dot import dot  # noqa: PLC0415 - text does without
+
+    return dot(drawn)
+
+
+def _watch(look: Callable[[Snapshot], GraphView], show: _Shower) -> None:
     with client(wait=True) as context:
         context.graph.watch()
         shown = look(context.graph.snapshot())
@@ -73,7 +168,8 @@ def _watch(look: Callable[[Snapshot], GraphView], show: Callable[[GraphView], No
             before = shown
             if context.graph.wait_for(lambda seen: look(seen) != before, _ONE_HOUR_S):  # noqa: B023
                 shown = look(context.graph.snapshot())
-                print()
+                if show.is_blank_between:
+                    print()
                 show(shown)
 
 
@@ -81,8 +177,9 @@ def _text(drawn: GraphView) -> str:
     if not drawn.nodes:
         return "no node is running"
     if drawn.mode is Mode.NODES:
-        talking = [f"{edge.start} -> {edge.end}  ({edge.label})" for edge in drawn.edges]
-        return "\n".join([*drawn.nodes, *talking])
+        arrows = [_arrow_text(edge) for edge in drawn.edges]
+        wrong = [f"    {topic.problem}" for topic in drawn.topics if topic.problem]
+        return "\n".join([*drawn.nodes, *arrows, *wrong])
     blocks = [_topic_text(topic) for topic in drawn.boxes]
     connected = {name for box in drawn.boxes for name in box.publishers + box.subscriptions}
     alone = [name for name in drawn.nodes if name not in connected]
@@ -91,33 +188,44 @@ def _text(drawn: GraphView) -> str:
     return "\n".join(blocks)
 
 
+def _arrow_text(edge: Edge) -> str:
+    return f"{edge.start} {_arrow(edge.kind)} {edge.end}  ({edge.label})"
+
+
+def _arrow(kind: BoxKind) -> str:
+    return "<->" if kind is BoxKind.ACTION else "->"
+
+
 def _topic_text(topic: TopicView) -> str:
     publishers = ", ".join(topic.publishers) or "(nobody)"
     subscriptions = ", ".join(topic.subscriptions) or "(nobody)"
-    lines = [f"{publishers} -> [{topic.name}] -> {subscriptions}"]
-    if topic.has_clash:
-        lines.append(f"    two types cannot hear each other: {', '.join(topic.types)}")
-    if topic.guess is not None:
-        lines.append(f"    nobody publishes {topic.name}: is {topic.guess} meant?")
+    arrow = _arrow(topic.kind)
+    kind = "" if topic.kind is BoxKind.TOPIC else f" {topic.kind.value}"
+    lines = [f"{publishers} {arrow} [{topic.name}{kind}] {arrow} {subscriptions}"]
+    if topic.problem is not None:
+        lines.append(f"    {topic.problem}")
     return "\n".join(lines)
 
 
 def _document(drawn: GraphView) -> dict[str, object]:
     return {
         "nodes": list(drawn.nodes),
-        "topics": [
-            {
-                "name": box.name,
-                "types": list(box.types),
-                "publishers": list(box.publishers),
-                "subscriptions": list(box.subscriptions),
-                "clash": box.has_clash,
-                "guess": box.guess,
-            }
-            for box in drawn.boxes
-        ],
+        "topics": [_box_document(box) for box in drawn.boxes],
         "edges": [
             {"from": edge.start, "to": edge.end, "topic": edge.label or None}
             for edge in drawn.edges
         ],
+    }
+
+
+def _box_document(box: TopicView) -> dict[str, object]:
+    return {
+        "name": box.name,
+        "kind": box.kind.value,
+        "types": list(box.types),
+        "publishers": list(box.publishers),
+        "subscriptions": list(box.subscriptions),
+        "clash": box.has_clash,
+        "guess": box.guess,
+        "problem": box.problem,
     }

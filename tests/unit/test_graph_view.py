@@ -2,8 +2,12 @@ from __future__ import annotations
 
 from itertools import count
 
+import pytest
+
 from zbot.graph import Snapshot
-from zbot.graph_view import Edge, Filters, Mode, dot, view
+from zbot.graph_dot import dot
+from zbot.graph_filter import InvalidFilterError
+from zbot.graph_view import BoxKind, Edge, Filters, Grouping, Mode, view
 from zbot.qos import QoSProfile
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
@@ -88,6 +92,112 @@ def test_hidden_nodes_take_their_topics_with_them() -> None:
     assert view(snapshot, filters=Filters(hidden=False)).nodes == ("/_zbot_cli_echo_1",)
 
 
+def test_filters_include_and_leave_out_as_in_rqt_graph() -> None:
+    tokens = [node(name) for name in ("talker", "talker_2", "listener")]
+    snapshot = Snapshot(tuple(tokens))
+
+    def left(text: str) -> list[str]:
+        return list(view(snapshot, filters=Filters(nodes=text)).nodes)
+
+    everybody = ["/listener", "/talker", "/talker_2"]
+    assert left("") == left("/") == left(" , ") == left("-") == everybody
+    assert left("/talker") == ["/talker"]
+    assert left("/talk.*") == ["/talker", "/talker_2"]
+    assert left("-/talker") == ["/listener", "/talker_2"]
+    assert left("-/talk.* , -/nobody") == ["/listener"]
+    assert left("/talk.*,-/talker_2") == ["/talker"]
+    assert left("alker.*") == []  # from the beginning, as rqt_graph has it
+
+
+def test_a_filter_that_is_no_expression_is_refused() -> None:
+    with pytest.raises(InvalidFilterError, match=r"invalid filter '/a\('"):
+        view(TALKING, filters=Filters(topics="/x,-/a("))
+
+
+def test_topics_are_judged_with_all_their_nodes() -> None:
+    drawn = view(TALKING, Mode.ACTIVE, Filters(nodes="/talker", leaf_topics=True))
+    assert drawn.nodes == ("/talker",)
+    assert drawn.edges == (Edge("/talker", "/chatter", is_publishing=True),)
+    assert not view(TALKING, filters=Filters(nodes="/nobody")).topics
+
+
+def test_what_is_left_out_is_known() -> None:
+    assert view(TALKING).left_out == ("/rosout",)
+    assert view(TALKING, filters=Filters(nodes="-/talker")).left_out == (
+        "/count",
+        "/rosout",
+        "/talker",
+    )
+
+
+def test_debug_leaves_tools_out_but_no_student_s_node() -> None:
+    snapshot = Snapshot(tuple(node(name) for name in ("rviz2", "rqt_gui", "clock_face", "monitor")))
+    assert view(snapshot).nodes == ("/clock_face", "/monitor")
+    assert len(view(snapshot, filters=Filters(debug=False)).nodes) == 4
+
+
+def test_transforms_are_one_box_or_two_or_none() -> None:
+    tokens = (
+        node("base"),
+        node("map"),
+        publishes("base", "/tf"),
+        publishes("map", "/tf_static"),
+        subscribes("map", "/tf"),
+    )
+    snapshot = Snapshot(tokens)
+    [box] = view(snapshot).boxes
+    assert (box.kind, box.name, box.stands_for) == (BoxKind.TF, "/tf", ("/tf", "/tf_static"))
+    assert (box.publishers, box.subscriptions) == (("/base", "/map"), ("/map",))
+    assert len(view(snapshot, grouping=Grouping(tf=False)).boxes) == 2
+    assert not view(snapshot, filters=Filters(tf=True)).boxes
+
+
+def test_the_forms_of_an_image_are_one_box() -> None:
+    forms = [f"/camera/image{form}" for form in ("", "/compressed", "/theora")]
+    snapshot = Snapshot((node("camera"), *(publishes("camera", form) for form in forms)))
+    assert [box.name for box in view(snapshot).boxes] == ["/camera/image/image_topics"]
+    assert len(view(snapshot, grouping=Grouping(images=False)).boxes) == 3
+
+
+def action(node_name: str, name: str, kind: EntityKind) -> EndpointToken:
+    return end(kind, node_name, f"{name}/_action/send_goal", "a/action/Go_SendGoal")
+
+
+def test_an_action_is_a_box_between_clients_and_servers() -> None:
+    served = (
+        node("server"),
+        node("client"),
+        action("server", "/go", EntityKind.SERVICE),
+        publishes("server", "/go/_action/feedback", "a/action/Go_FeedbackMessage"),
+        publishes("server", "/go/_action/status", "action_msgs/msg/GoalStatusArray"),
+        action("client", "/go", EntityKind.CLIENT),
+    )
+    [box] = view(Snapshot(served)).boxes
+    assert (box.key, box.types) == ("a:/go", ("a/action/Go",))
+    assert (box.publishers, box.subscriptions) == (("/client",), ("/server",))
+    assert all(edge.is_both_ways for edge in view(Snapshot(served)).edges)
+
+
+def test_a_misspelt_action_is_marked() -> None:
+    tokens = (
+        node("a"),
+        action("a", "/rotate_absolute", EntityKind.SERVICE),
+        action("a", "/rotate_absolut", EntityKind.CLIENT),
+    )
+    boxes = {box.name: box for box in view(Snapshot(tokens)).boxes}
+    assert boxes["/rotate_absolut"].problem == (
+        "nobody serves /rotate_absolut: is /rotate_absolute meant?"
+    )
+
+
+def test_frames_are_namespaces_down_to_a_level() -> None:
+    deep = view(Snapshot(()), grouping=Grouping(namespaces=2))
+    assert deep.frames_of("/a/b/c/d") == ("/a", "/a/b")
+    assert deep.frames_of("/a/b") == ("/a",)
+    assert deep.frames_of("/a") == ()
+    assert view(Snapshot(()), grouping=Grouping(namespaces=0)).frames_of("/a/b") == ()
+
+
 def test_two_types_are_a_clash() -> None:
     other = subscribes("listener", "/count", "std_msgs/msg/Int32")
     boxes = {box.name: box for box in view(Snapshot((*TALKING.tokens, other))).boxes}
@@ -108,3 +218,10 @@ def test_dot_tells_a_topic_from_a_node_of_the_same_name() -> None:
     assert '"n:/ping" -> "t:/ping";' in text
     assert '"t:/ping" -> "n:/ping";' in text
     assert '"t:/ping" [label="/ping", shape=box];' in text
+
+
+def test_dot_frames_namespaces() -> None:
+    drawn = view(Snapshot((node("a"), publishes("a", "/robot/arm/joint"))))
+    text = dot(drawn)
+    assert text.index('subgraph "cluster_/robot" {') < text.index('subgraph "cluster_/robot/arm" {')
+    assert text.count("{") == text.count("}") == 3

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from nicegui import ui
 
-from zbot.graph_view import Filters, Mode, view
+from zbot.graph_filter import UNGROUPED, Filters
+from zbot.graph_view import Mode, view
 from zbot.web.panel import Frame, Panel
 from zbot.web.table import Cell, Column, Table
 from zbot.web.topic_details import show_topic
@@ -84,8 +85,9 @@ class _Topics:
 
     def find(self) -> list[TopicView]:
         """Return the topics that the filter leaves."""
-        filters = Filters(debug=False, params=False, hidden=not self.hidden)
-        topics = view(self.frame.system.snapshot(), Mode.ALL, filters).topics
+        hides = not self.hidden
+        filters = Filters(debug=False, params=False, actions=hides, hidden=hides)
+        topics = view(self.frame.system.snapshot(), Mode.ALL, filters, UNGROUPED).topics
         return [
             topic
             for topic in topics

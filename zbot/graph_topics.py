@@ -1,0 +1,199 @@
+"""The topics and actions of a snapshot: who is at their ends, and what looks wrong with them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from enum import Enum
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from zbot.graph_filter import TF_TOPICS
+from zbot.names import fully_qualified, nearest
+from zbot.wire.tokens import EndpointToken, EntityKind
+
+if TYPE_CHECKING:
+    from collections.abc import Collection, Iterable, Iterator, Mapping
+
+    from zbot.graph import Snapshot
+    from zbot.graph_filter import Grouping
+
+_ACTION = "/_action/"
+_TOPIC_KINDS = (EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION)
+_ACTION_ENDS = ("_SendGoal", "_FeedbackMessage")
+_IMAGE_FORMS = ("", "/compressed", "/compressedDepth", "/theora")  # of image_transport
+_ENOUGH_IMAGES = 3  # as in rqt_graph
+
+
+class BoxKind(str, Enum):
+    """What a box stands for."""
+
+    TOPIC = "topic"
+    ACTION = "action"  #: goals go from its clients to its servers
+    TF = "tf"  #: all topics with transforms
+    IMAGES = "images"  #: one picture in several forms
+
+    def key(self, name: str) -> str:
+        """Return what tells a box from everything else in the picture."""
+        return f"{self.value[0]}:{name}" if self is not BoxKind.TF else f"g:{name}"
+
+
+@dataclass(frozen=True, order=True)
+class End:
+    """What connects a node with a topic; an action's clients count as publishers."""
+
+    node: str
+    is_publisher: bool
+    type_name: str
+
+
+@dataclass(frozen=True)
+class TopicView:
+    """A topic, and what looks wrong with it."""
+
+    name: str
+    ends: tuple[End, ...]
+    kind: BoxKind = BoxKind.TOPIC
+    has_clash: bool = False  #: whether its nodes use different types, and so cannot hear each other
+    guess: str | None = None  #: the published topic that was probably meant, if nobody publishes it
+    problem: str | None = None  #: a sentence, if there is something wrong
+    stands_for: tuple[str, ...] = ()  #: the topics that are drawn as this one
+
+    @property
+    def key(self) -> str:
+        """What tells it from everything else in the picture."""
+        return self.kind.key(self.name)
+
+    @cached_property
+    def types(self) -> tuple[str, ...]:
+        """The types in use, sorted."""
+        return tuple(sorted({end.type_name for end in self.ends}))
+
+    @cached_property
+    def publishers(self) -> tuple[str, ...]:
+        """Full names of nodes, sorted."""
+        return tuple(sorted({end.node for end in self.ends if end.is_publisher}))
+
+    @cached_property
+    def subscriptions(self) -> tuple[str, ...]:
+        """Full names of nodes, sorted."""
+        return tuple(sorted({end.node for end in self.ends if not end.is_publisher}))
+
+    @property
+    def is_active(self) -> bool:
+        """Whether messages can go through it."""
+        return bool(self.publishers and self.subscriptions)
+
+    def among(self, nodes: Collection[str]) -> TopicView:
+        """Return it with the ends that belong to some nodes only."""
+        return replace(self, ends=tuple(end for end in self.ends if end.node in nodes))
+
+    def can_hear(self, subscription: str, publisher: str) -> bool:
+        """Whether a node gets what another one publishes here."""
+        if not self.has_clash or self.stands_for:
+            return True
+        types = self._types_of(publisher, is_publisher=True)
+        return not types.isdisjoint(self._types_of(subscription, is_publisher=False))
+
+    def is_unheard(self, publisher: str) -> bool:
+        """Whether no subscription can hear a node."""
+        listening = self.subscriptions
+        return bool(listening) and not any(self.can_hear(one, publisher) for one in listening)
+
+    def is_deaf(self, subscription: str) -> bool:
+        """Whether a node can hear no publisher, though there are some or were to be some."""
+        talking = self.publishers
+        if not talking:
+            return self.guess is not None
+        return not any(self.can_hear(subscription, one) for one in talking)
+
+    def _types_of(self, node: str, *, is_publisher: bool) -> set[str]:
+        return {
+            end.type_name
+            for end in self.ends
+            if end.node == node and end.is_publisher is is_publisher
+        }
+
+
+def find_topics(snapshot: Snapshot, nodes: Collection[str], grouping: Grouping) -> list[TopicView]:
+    """Return the topics that some nodes use, sorted by name, and their actions, if grouped."""
+    topics: dict[str, list[End]] = {}
+    actions: dict[str, list[End]] = {}
+    for token in snapshot.endpoints:
+        node = fully_qualified(token.namespace, token.node)
+        if node not in nodes:
+            continue
+        if grouping.actions and _ACTION in token.name:
+            _add_action_end(actions, token, node)
+        elif token.kind in _TOPIC_KINDS:
+            end = End(node, token.kind is EntityKind.PUBLISHER, token.type_name)
+            topics.setdefault(token.name, []).append(end)
+    made = {topic.name: topic for topic in _judged(topics, BoxKind.TOPIC)}
+    if grouping.tf:
+        _join(made, "/tf", TF_TOPICS, BoxKind.TF)
+    if grouping.images:
+        _join_images(made)
+    return sorted(
+        [*made.values(), *_judged(actions, BoxKind.ACTION)], key=lambda one: (one.name, one.kind)
+    )
+
+
+def _add_action_end(actions: dict[str, list[End]], token: EndpointToken, node: str) -> None:
+    name = token.name.partition(_ACTION)[0]
+    is_client = token.kind in {EntityKind.CLIENT, EntityKind.SUBSCRIPTION}
+    for suffix in _ACTION_ENDS:
+        if token.type_name.endswith(suffix):
+            end = End(node, is_client, token.type_name.removesuffix(suffix))
+            actions.setdefault(name, []).append(end)
+
+
+def _judged(found: Mapping[str, list[End]], kind: BoxKind) -> Iterator[TopicView]:
+    # An action is there once it has a server: those are its subscriptions here.
+    offers = kind is BoxKind.TOPIC
+    offered = sorted(n for n, ends in found.items() if any(e.is_publisher is offers for e in ends))
+    known = set(offered)
+    for name, ends in found.items():
+        topic = TopicView(name, tuple(sorted(set(ends))), kind)
+        guess = None if name in known else nearest(name, offered)
+        problem = _clash(topic) if len(topic.types) > 1 else _typo(topic, guess)
+        has_clash = len(topic.types) > 1
+        yield replace(topic, has_clash=has_clash, guess=guess, problem=problem)
+
+
+def _clash(topic: TopicView) -> str:
+    uses = []
+    for type_name in topic.types:
+        nodes = sorted({end.node for end in topic.ends if end.type_name == type_name})
+        uses.append(f"{type_name} ({', '.join(nodes)})")
+    number = "two" if len(uses) == 2 else str(len(uses))
+    return f"{number} types cannot hear each other: {', '.join(uses)}"
+
+
+def _typo(topic: TopicView, guess: str | None) -> str | None:
+    if guess is None:
+        return None
+    lack = "nobody serves" if topic.kind is BoxKind.ACTION else "nobody publishes"
+    return f"{lack} {topic.name}: is {guess} meant?"
+
+
+def _join(made: dict[str, TopicView], name: str, parts: Iterable[str], kind: BoxKind) -> None:
+    present = [made[part] for part in sorted(parts) if part in made]
+    if len(present) < 2:
+        return
+    for topic in present:
+        del made[topic.name]
+    made[name] = TopicView(
+        name,
+        tuple(sorted({end for topic in present for end in topic.ends})),
+        kind,
+        has_clash=any(topic.has_clash for topic in present),
+        problem=next((topic.problem for topic in present if topic.problem), None),
+        stands_for=tuple(topic.name for topic in present),
+    )
+
+
+def _join_images(made: dict[str, TopicView]) -> None:
+    for name in [one for one in made if one.endswith("/compressed")]:
+        stem = name.removesuffix("/compressed")
+        forms = [stem + form for form in _IMAGE_FORMS if stem + form in made]
+        if len(forms) >= _ENOUGH_IMAGES:
+            _join(made, stem + "/image_topics", forms, BoxKind.IMAGES)
