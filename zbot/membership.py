@@ -105,9 +105,16 @@ def save(membership: Membership, users: Iterable[tuple[str, str]] = ()) -> None:
 
     make_private_folder(folder())
     if membership.user:
-        lines = "".join(f"{user}:{secret}\n" for user, secret in users)
-        write_private(folder() / USERS_FILE, lines.encode())
+        save_users(users)
     write_private(folder() / FILE, json.dumps(asdict(membership), indent=2).encode() + b"\n")
+
+
+def save_users(users: Iterable[tuple[str, str]]) -> None:
+    """Write whom this machine's sessions let in from now on; Zenoh reads it when one opens."""
+    from zbot.security.secret import write_private  # noqa: PLC0415 - seldom
+
+    lines = "".join(f"{user}:{secret}\n" for user, secret in users)
+    write_private(folder() / USERS_FILE, lines.encode())
 
 
 def forget() -> None:

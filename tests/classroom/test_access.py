@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import json
-import socket
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import pytest
 import zenoh
 
+from tests.classroom.talk import HERE, Talk, answers, dialling, free_port, open_session
 from tests.conftest import wait_until
 from zbot.security.access import (
     LOBBY,
@@ -27,34 +26,10 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 STUDENTS = {"17": 17, "18": 18}
-_PING = "@class/teacher/ping"
 _DOOR = "@class/lobby/door"
-QUIET = {
-    "scouting/multicast/enabled": False,
-    "scouting/delay": 1,
-    "adminspace/enabled": True,
-    "timestamping/enabled": True,
-}
 
 
-def free_port() -> int:
-    with socket.socket() as one:
-        one.bind(("127.0.0.1", 0))
-        return int(one.getsockname()[1])
-
-
-def open_session(paths: dict[str, Any]) -> zenoh.Session:
-    config = zenoh.Config()
-    for path, value in {**QUIET, **paths}.items():
-        config.insert_json5(path, json.dumps(value))
-    return zenoh.open(config)
-
-
-def _answers(session: zenoh.Session, key: str) -> bool:
-    return any(reply.ok for reply in session.get(key, timeout=1.0))
-
-
-class Room:
+class Room(Talk):
     """A teacher's hub, and who is let in."""
 
     def __init__(self, folder: Path, **rules: Any) -> None:
@@ -63,17 +38,16 @@ class Room:
         self.secrets[LOBBY] = LOBBY_SECRET
         self._folder = folder
         self._opened: list[zenoh.Session] = []
-        self._pings: list[tuple[zenoh.Session, str]] = []
         write_private(folder / "all", accepted_users(self.secrets))
         self.hub = self._open(
             {
                 "mode": "router",
-                "listen/endpoints": [f"tcp/127.0.0.1:{self.port}"],
+                "listen/endpoints": [f"tcp/{HERE}:{self.port}"],
                 **credentials("teacher", self.secrets["teacher"], folder / "all"),
                 **teacher_access(STUDENTS, **rules),
             }
         )
-        self.hub.declare_queryable(_PING, lambda query: query.reply(_PING, b""), complete=True)
+        super().__init__(self.hub)
 
     def _open(self, paths: dict[str, Any]) -> zenoh.Session:
         self._opened.append(open_session(paths))
@@ -81,78 +55,28 @@ class Room:
 
     def client(self, user: str, port: int | None = None) -> zenoh.Session:
         """Open a session that dials a hub directly."""
-        session = self._open(
-            {
-                "mode": "client",
-                "connect/endpoints": [f"tcp/127.0.0.1:{port or self.port}"],
-                **credentials(user, self.secrets[user]),
-            }
-        )
-        key = f"{STUDENTS.get(user, 0)}/ping/{session.info.zid()}"
-        session.declare_queryable(key, lambda query: query.reply(key, b""), complete=True)
-        self._pings.append((session, key))
-        return session
+        known = credentials(user, self.secrets[user])
+        session = self._open(dialling(port or self.port, known))
+        return self.add(session, STUDENTS.get(user, 0))
 
     def visitor(self) -> zenoh.Session:
         """Open a session of somebody who has not joined."""
-        session = self._open(
-            {
-                "mode": "client",
-                "connect/endpoints": [f"tcp/127.0.0.1:{self.port}"],
-                **credentials(LOBBY, LOBBY_SECRET),
-            }
-        )
+        session = self._open(dialling(self.port, credentials(LOBBY, LOBBY_SECRET)))
         self.hub.declare_queryable(_DOOR, lambda query: query.reply(_DOOR, b""), complete=True)
-        assert wait_until(partial(_answers, session, _DOOR))
+        assert wait_until(partial(answers, session, _DOOR))
         return session
 
     def laptop(self, user: str) -> zenoh.Session:
         """Open a session behind a hub of its own, as on a joined laptop."""
         port, accepted = free_port(), self._folder / user
         write_private(accepted, accepted_users({user: self.secrets[user]}))
-        self._open(
-            {
-                "mode": "router",
-                "listen/endpoints": [f"tcp/127.0.0.1:{port}"],
-                "connect/endpoints": [f"tcp/127.0.0.1:{self.port}"],
-                "connect/timeout_ms": 5000,
-                "connect/exit_on_failure": True,
-                **credentials(user, self.secrets[user], accepted),
-            }
-        )
+        hub = {
+            "mode": "router",
+            "listen/endpoints": [f"tcp/{HERE}:{port}"],
+            **credentials(user, self.secrets[user], accepted),
+        }
+        self._open({**dialling(self.port), **hub})
         return self.client(user, port)
-
-    def settle(self) -> None:
-        """Let everything sent so far arrive: a question and its answer overtake nothing."""
-        for session, key in self._pings:
-            assert wait_until(partial(_answers, session, _PING))
-            assert wait_until(partial(_answers, self.hub, key))
-
-    def hears(self, listener: zenoh.Session, speaker: zenoh.Session, key: str) -> bool:
-        """Return whether what one session publishes reaches the other."""
-        subscriber = listener.declare_subscriber(key, zenoh.handlers.FifoChannel(10))
-        self.settle()
-        speaker.put(key, b"x")
-        self.settle()
-        sample = subscriber.try_recv()
-        subscriber.undeclare()
-        return sample is not None
-
-    def sees(self, watcher: zenoh.Session, declarer: zenoh.Session, key: str) -> bool:
-        """Return whether a token that one session declares is seen by the other."""
-        token = declarer.liveliness().declare_token(key)
-        self.settle()
-        found = any(reply.ok for reply in watcher.liveliness().get(key, timeout=1.0))
-        token.undeclare()
-        return found
-
-    def reaches(self, client: zenoh.Session, server: zenoh.Session, key: str) -> bool:
-        """Return whether a service that one session offers answers the other."""
-        queryable = server.declare_queryable(key, lambda query: query.reply(key, b"mine"))
-        self.settle()
-        found = _answers(client, key)
-        queryable.undeclare()
-        return found
 
     def close(self) -> None:
         for session in reversed(self._opened):
@@ -282,9 +206,8 @@ def test_without_the_right_secret_nobody_gets_in(room: Room, words: str) -> None
         "nobody": known | {"transport/auth/usrpwd/user": "nobody"},
         "no name": {},
     }[words]
-    paths = {"mode": "client", "connect/endpoints": [f"tcp/127.0.0.1:{room.port}"]}
     with pytest.raises(zenoh.ZError):
-        open_session({**paths, **given})
+        open_session(dialling(room.port, given))
 
 
 def test_a_sample_above_the_limit_is_dropped_and_the_hub_goes_on(room: Room) -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 import zenoh
 
-from tests.classroom.test_access import free_port, open_session
+from tests.classroom.talk import HERE, free_port, open_session
 from tests.conftest import wait_until
 from zbot.security.certificate import Validity
 from zbot.security.errors import (
@@ -33,7 +33,6 @@ if TYPE_CHECKING:
 
 pytest.importorskip("cryptography", reason="the extra zbot[security] is not installed")
 
-HERE = "127.0.0.1"
 NOW = datetime.now(timezone.utc)
 PAST = Validity(NOW - timedelta(days=3), NOW - timedelta(days=1))
 FUTURE = Validity(NOW + timedelta(days=1), NOW + timedelta(days=3))

@@ -6,6 +6,7 @@ import json
 import time
 from typing import TYPE_CHECKING, Any
 
+from zbot import membership
 from zbot.classroom.address import EVERYWHERE, Address
 from zbot.classroom.door import Door
 from zbot.classroom.errors import ClassroomError
@@ -84,11 +85,15 @@ class Classroom:
         self._seats.equip(serving, self._record.register.students)
 
     def _on_claim(self, number: int) -> None:
+        student = self._record.register.students.get(number)
+        changes_hands = student is not None and self._record.hand_to(number, student.machine)
         self._record.save()
-        if number in self._record.register.students:
-            self._seats.watch(number)
-        else:
+        if student is None:
             self._seats.forget(number)
+        else:
+            self._seats.watch(number)
+        if changes_hands:
+            self._apply()
 
     def _serve_teacher(self, question: Document) -> Document:
         verbs = {
@@ -150,7 +155,9 @@ class Classroom:
         student = self._record.register.free(number)
         if student is None:
             return {"error": f"nobody has number {number}"}
+        self._record.renew(number)
         self._on_claim(number)
+        self._apply()
         return {"freed": number, "name": student.name}
 
     def _share(self, question: Document) -> Document:
@@ -169,6 +176,7 @@ class Classroom:
         """Let the hub's rules change: Zenoh reads them when a session opens."""
         assert self._serving is not None
         self._record.save()
+        membership.save_users(self._record.users())
         self._serving.reopen()
 
 

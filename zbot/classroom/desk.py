@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 _QUEUE = 256
+_LARGEST = 64 * 1024  # bytes; what strangers send has a few hundred
+_LARGEST_ANSWER = 16 * 1024 * 1024  # a class of 232 with a hundred nodes each
 
 Answer = dict[str, Any]
 
@@ -69,10 +71,12 @@ class Desk:
                 query.reply_err(json.dumps({"error": type(exc).__name__, "message": str(exc)}))
 
 
-def document_of(payload: zenoh.ZBytes | None) -> Answer:
-    """Return the JSON object of a payload; empty if it is none."""
+def document_of(payload: zenoh.ZBytes | None, largest: int = _LARGEST) -> Answer:
+    """Return the JSON object of a payload; empty if it is none, or larger than some bytes."""
+    if payload is None or len(payload) > largest:
+        return {}
     try:
-        found = json.loads(payload.to_bytes()) if payload is not None else {}
+        found = json.loads(payload.to_bytes())
     except (ValueError, RecursionError):
         return {}
     return found if isinstance(found, dict) else {}
@@ -83,4 +87,6 @@ def ask(
 ) -> list[Answer]:
     """Return the answers to a question, those that come in time."""
     replies = session.get(key, payload=json.dumps(question or {}), timeout=timeout_s)
-    return [document_of(reply.ok.payload) for reply in replies if reply.ok is not None]
+    return [
+        document_of(reply.ok.payload, _LARGEST_ANSWER) for reply in replies if reply.ok is not None
+    ]

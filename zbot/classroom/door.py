@@ -131,7 +131,8 @@ class Door:
         if student is None:
             return {"released": False}
         proof = release_proof(student.claim)
-        if not hmac.compare_digest(proof.encode(), str(question.get("proof")).encode()):
+        given = str(question.get("proof")).encode(errors="backslashreplace")
+        if not hmac.compare_digest(proof.encode(), given):
             return {"released": False}
         self._register.free(student.number)
         self._changed(student.number)

@@ -43,14 +43,37 @@ class ClassRecord:
     is_open: bool = False  #: whether students may publish in the shared space
     shares: list[tuple[int, int]] = field(default_factory=list)  #: whose domain, who may hear it
     notices: list[dict[str, Any]] = field(default_factory=list)
+    holders: dict[int, str] = field(default_factory=dict)  #: which machine knows a number's secret
+    renewals: dict[int, int] = field(default_factory=dict)  #: how often it was made anew
+
+    def hand_to(self, number: int, machine: str) -> bool:
+        """Make a number's secret anew unless nobody but this machine knows the present one.
+
+        Returns:
+            Whether it was: the hub has to be opened anew then.
+        """
+        is_new = self.holders.get(number, machine) != machine
+        if is_new:
+            self.renew(number)
+        self.holders[number] = machine
+        return is_new
+
+    def renew(self, number: int) -> None:
+        """Make a number's secret anew, so that whoever had the number is not let in again."""
+        self.renewals[number] = self.renewals.get(number, 0) + 1
+        self.holders.pop(number, None)
+
+    def _student_secret(self, purpose: str, number: int) -> str:
+        renewed = self.renewals.get(number, 0)
+        return self.secret_of(f"{purpose}{user_of(number)}" + f" {renewed}" * bool(renewed))
 
     def secret_of(self, user: str) -> str:
-        """Return a user's secret; the same for as long as the class is open."""
+        """Return what is told to one user alone; always the same."""
         return hmac.new(self.master.encode(), user.encode(), hashlib.sha256).hexdigest()
 
     def hub_id(self, number: int) -> str:
         """Return the Zenoh id of a student's hub: lower-case hex that does not begin with 0."""
-        return "f" + self.secret_of(f"hub of {user_of(number)}")[:_ID_DIGITS]
+        return "f" + self._student_secret("hub of ", number)[:_ID_DIGITS]
 
     def credentials(self, number: int) -> dict[str, str]:
         """Return what a student's laptop needs to be let through by the hub.
@@ -60,14 +83,15 @@ class ClassRecord:
         """
         found = {"hub_id": self.hub_id(number)}
         if self.pin:
-            found |= {"user": user_of(number), "secret": self.secret_of(user_of(number))}
+            found |= {"user": user_of(number), "secret": self._student_secret("", number)}
         return found
 
     def users(self) -> Iterator[tuple[str, str]]:
         """Yield every user that the hub knows, with its secret."""
         yield LOBBY, LOBBY_SECRET.reveal()
-        for user in (TEACHER, *map(user_of, range(1, MAX_DOMAIN_ID + 1))):
-            yield user, self.secret_of(user)
+        yield TEACHER, self.secret_of(TEACHER)
+        for number in range(1, MAX_DOMAIN_ID + 1):
+            yield user_of(number), self._student_secret("", number)
 
     def save(self) -> None:
         """Write the file, for its user's eyes only."""
@@ -106,4 +130,6 @@ def _parsed(document: dict[str, Any]) -> ClassRecord:
     students = {int(number): Student(**one) for number, one in register["students"].items()}
     expected = {int(number): name for number, name in register["expected"].items()}
     shares = [(int(owner), int(reader)) for owner, reader in document.pop("shares")]
+    for name in ("holders", "renewals"):
+        document[name] = {int(number): value for number, value in document[name].items()}
     return ClassRecord(register=Register(expected, students), shares=shares, **document)

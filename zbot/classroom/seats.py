@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from zbot.classroom.serving import Serving
 
 _FACTS_TIMEOUT_S = 1.0
+_LATEST_NS = 1 << 63  # the latest that clocks show; a number in JSON may have thousands of digits
 _NODE_TOKENS = "@zbot/*/*/*/*/NN/**"
 
 
@@ -136,7 +137,7 @@ class Seats:
         seat.version = clean_name(str(facts.get("version", "")))
         seat.system = clean_name(str(facts.get("system", "")))
         their_ns = facts.get("time_ns")
-        if isinstance(their_ns, int):
+        if isinstance(their_ns, int) and 0 <= their_ns < _LATEST_NS:
             # The answer was given half-way between question and arrival, as NTP assumes.
             seat.clock_offset_s = (their_ns - (asked_ns + came_ns) // 2) / 1e9
         error = facts.get("last_error")

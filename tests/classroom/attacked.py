@@ -1,0 +1,176 @@
+"""A real class on this machine, with the commands that teacher and students type."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from contextlib import contextmanager
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from tests.classroom.talk import HERE, Talk, answers, dialling, free_port, open_session
+from tests.conftest import wait_until
+from zbot.classroom.keys import DESK_KEY, DOOR_KEY, here_key
+from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
+from zbot.security.pin import PinGuest
+from zbot.security.secret import Secret
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+    from pathlib import Path
+
+    import zenoh
+
+PIN = "471100"
+_PREFIXES = ("ZBOT_", "ROS_", "RCUTILS_", "ZENOH_", "XDG_")
+
+
+@dataclass(frozen=True)
+class Finished:
+    """How a command ended."""
+
+    code: int
+    out: str
+    err: str
+
+
+class Computer:
+    """A folder and a port of its own: all that tells one user's zbot from another's."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.port = free_port()
+        folder.mkdir()
+
+    def run(self, *words: str, stdin: str = "", **env: str) -> Finished:
+        """Run a command; it must not end in a traceback."""
+        kept = {name: value for name, value in os.environ.items() if not name.startswith(_PREFIXES)}
+        own = {"XDG_CONFIG_HOME": str(self.folder), "ZBOT_HUB_PORT": str(self.port)}
+        done = subprocess.run(
+            [sys.executable, "-m", "zbot_cli", *words],
+            input=stdin,
+            env={**kept, **own, **env},
+            cwd=self.folder,
+            capture_output=True,
+            encoding="utf-8",
+            timeout=60,
+            check=False,
+        )
+        assert "Traceback" not in done.stderr, done.stderr
+        return Finished(done.returncode, done.stdout, done.stderr)
+
+    def do(self, *words: str, **env: str) -> str:
+        """Run a command that has to work; return what it printed."""
+        done = self.run(*words, **env)
+        assert done.code == 0, done
+        return done.out
+
+    @property
+    def membership(self) -> dict[str, Any]:
+        """What this user has joined, with the secret."""
+        found: dict[str, Any] = json.loads((self.folder / "zbot" / "membership.json").read_text())
+        return found
+
+    @property
+    def credentials(self) -> dict[str, Any]:
+        """What this user's sessions introduce themselves with."""
+        known = self.membership
+        return credentials(known["user"], Secret(known["secret"]))
+
+
+class AttackedClass:
+    """A class with a PIN, Ana (17), and Ben (18), who is up to no good."""
+
+    def __init__(self, folder: Path) -> None:
+        self._folder = folder
+        self._sessions: list[zenoh.Session] = []
+        self._computers: list[Computer] = []
+        self.teacher = self.computer("teacher")
+        self.port = self.teacher.port
+        self.teacher.do(
+            "class", "start", "attacked", "--pin", "--port", str(self.port), ZBOT_PIN=PIN
+        )
+        self.ana = self.student("ana", 17)
+        self.ben = self.student("ben", 18)
+        self.teacher_session = self.open(dialling(self.port, self.teacher.credentials))
+        self.talk = Talk(self.teacher_session)
+        self.honest = self.talk.add(self.open(dialling(self.ana.port, self.ana.credentials)), 17)
+
+    def computer(self, name: str) -> Computer:
+        """Return one more computer, of somebody who has joined nothing."""
+        self._computers.append(Computer(self._folder / name))
+        return self._computers[-1]
+
+    def student(self, name: str, number: int) -> Computer:
+        """Return one more computer, which has joined."""
+        joining = self.computer(name)
+        words = ("join", f"{HERE}:{self.port}", "--name", name.title(), "--number", str(number))
+        joining.do(*words, ZBOT_PIN=PIN)
+        return joining
+
+    def open(self, paths: dict[str, Any]) -> zenoh.Session:
+        """Open a plain Zenoh session, which is closed at the end at the latest."""
+        self._sessions.append(open_session(paths))
+        return self._sessions[-1]
+
+    @contextmanager
+    def as_ben(self, *, directly: bool) -> Iterator[zenoh.Session]:
+        """Open a session with Ben's credentials: at the teacher's hub, or behind his own."""
+        port = self.port if directly else self.ben.port
+        with open_session(dialling(port, self.ben.credentials)) as session:
+            yield self.talk.add(session, 18)
+            self.talk.remove(session)
+
+    @contextmanager
+    def as_rogue(self) -> Iterator[zenoh.Session]:
+        """Join as number 19 with a program that is not zbot, and say that it is here."""
+        with self.as_stranger() as stranger:
+            wish = {"machine": "rogue", "host": "rogue", "name": "Rogue", "number": 19}
+            guest = PinGuest(Secret(PIN))
+            challenge = self.ask_door(stranger, {"op": "enrol", **guest.hello()})
+            claim = {"op": "claim", **guest.claim(challenge, wish)}
+            given = guest.opened(self.ask_door(stranger, claim))
+        known = credentials(given["user"], Secret(given["secret"]))
+        with open_session(dialling(self.port, known)) as session:
+            here = session.liveliness().declare_token(here_key(19))
+            yield self.talk.add(session, 19)
+            self.talk.remove(session)
+            here.undeclare()
+
+    @contextmanager
+    def as_stranger(self) -> Iterator[zenoh.Session]:
+        """Open a session of somebody who has not joined."""
+        with open_session(dialling(self.port, credentials(LOBBY, LOBBY_SECRET))) as session:
+            assert wait_until(lambda: answers(session, DOOR_KEY))
+            yield session
+
+    @staticmethod
+    def ask_door(session: zenoh.Session, question: dict[str, Any]) -> dict[str, Any]:
+        """Ask the door of the class something; return its answer, empty if there is none."""
+        replies = session.get(DOOR_KEY, payload=json.dumps(question), timeout=10)
+        told = [reply.ok.payload.to_bytes() for reply in replies if reply.ok]
+        answer: dict[str, Any] = json.loads(told[0]) if told else {}
+        return answer
+
+    def listed(self) -> dict[int, dict[str, Any]]:
+        """Return what the teacher's list says, by number."""
+        question = json.dumps({"op": "list"})
+        replies = self.teacher_session.get(DESK_KEY, payload=question, timeout=10)
+        told = [json.loads(reply.ok.payload.to_bytes()) for reply in replies if reply.ok]
+        return {student["number"]: student for student in told[0]["students"]}
+
+    def check_honest_work(self) -> None:
+        """Check that Ana and the teacher go on as if nothing had happened."""
+        assert wait_until(lambda: self.talk.hears(self.teacher_session, self.honest, "17/work"), 20)
+        assert self.talk.hears(self.honest, self.teacher_session, "17/work")
+        assert self.talk.reaches(self.teacher_session, self.honest, "17/service")
+        assert self.listed()[17]["here"]
+
+    def close(self) -> None:
+        """End everything."""
+        for session in reversed(self._sessions):
+            session.close()
+        for computer in reversed(self._computers):
+            computer.run("leave")
