@@ -30,10 +30,15 @@ _PREFIXES = ("ZBOT_", "ROS_", "RCUTILS_", "ZENOH_", "AMENT_", "COLCON_")
 
 
 @pytest.fixture(autouse=True)
-def clean_environment(monkeypatch: pytest.MonkeyPatch) -> None:
+def clean_environment(
+    monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
+) -> None:
     for name in list(os.environ):
         if name.startswith(_PREFIXES) and name != "ZBOT_ROS2_PREFIX":
             monkeypatch.delenv(name)
+    # The machine may have joined a class, and have a hub: no test is to meet it.
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path_factory.getbasetemp() / "no_settings"))
+    monkeypatch.setenv("ZBOT_HUB_PORT", "9")  # "discard", where nobody listens
 
 
 @pytest.fixture

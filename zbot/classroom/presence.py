@@ -10,10 +10,9 @@ import time
 from typing import TYPE_CHECKING, Any
 
 import zenoh
-import zenoh.ext as advanced
 
 from zbot.classroom.desk import ask
-from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key
+from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key, nodes_selector
 from zbot.errors import CodecError
 from zbot.interfaces import get_message
 from zbot.notice import notice_text
@@ -28,6 +27,7 @@ _ERROR_LEVEL = 40  # rcl_interfaces/msg/Log: ERROR; FATAL is 50
 _QUEUE = 64
 _MAX_TEXT = 300
 _NOTICES_TIMEOUT_S = 0.5
+_LOOK_TIMEOUT_S = 0.5
 _MAX_LOG_BYTES = 64 * 1024
 
 
@@ -41,17 +41,15 @@ class Presence:
     def __init__(self, joined: Membership) -> None:
         self._joined = joined
         self._last_error: dict[str, Any] | None = None
+        self._known: set[str] = set()
         self._codec = codec_for(get_message("rcl_interfaces/msg/Log"))
 
     def equip(self, serving: Serving) -> None:
         """Begin to answer the teacher, and be seen."""
         number = self._joined.number
-        # Nodes keep their latest lines, as their first ones may come before this hub is linked.
-        self._logs = advanced.declare_advanced_subscriber(
-            serving.session,
-            f"{number}/rosout",
-            zenoh.handlers.RingChannel(_QUEUE),
-            history=advanced.HistoryConfig(detect_late_publishers=True, max_samples=_QUEUE),
+        self._session = serving.session
+        self._logs = serving.session.declare_subscriber(
+            f"{number}/rosout", zenoh.handlers.RingChannel(_QUEUE)
         )
         thread = threading.Thread(target=self._read_logs, name="zbot last error", daemon=True)
         thread.start()
@@ -61,6 +59,7 @@ class Presence:
         self._token = serving.session.liveliness().declare_token(here_key(number))
 
     def _facts(self, _question: dict[str, Any]) -> dict[str, Any]:
+        self._look_back()
         return {
             "number": self._joined.number,
             "name": self._joined.name,
@@ -70,6 +69,28 @@ class Presence:
             "time_ns": time.time_ns(),
             "last_error": self._last_error,
         }
+
+    def _look_back(self) -> None:
+        """Ask new nodes for what they logged before this hub was linked with them."""
+        tokens = nodes_selector(self._joined.number)
+        found = {
+            str(reply.ok.key_expr)
+            for reply in self._session.liveliness().get(tokens, timeout=_LOOK_TIMEOUT_S)
+            if reply.ok is not None
+        }
+        if found <= self._known:
+            self._known = found
+            return
+        self._known = found
+        # What transient local publishers keep is asked of them like this (zenoh.ext).
+        for reply in self._session.get(
+            f"{self._joined.number}/rosout/@adv/pub/**?_max={_QUEUE}",
+            consolidation=zenoh.ConsolidationMode.NONE,
+            accept_replies=zenoh.ReplyKeyExpr.ANY,
+            timeout=_LOOK_TIMEOUT_S,
+        ):
+            if reply.ok is not None:
+                self._note(reply.ok.payload.to_bytes())
 
     def _read_logs(self) -> None:
         receive = self._logs.handler.recv
@@ -87,11 +108,13 @@ class Presence:
             line: Any = self._codec.decode(payload)
         except CodecError:
             return  # anything may be published on /rosout
-        if line.level >= _ERROR_LEVEL:
+        stamp_ns = line.stamp.sec * 10**9 + line.stamp.nanosec
+        latest_ns = self._last_error["time_ns"] if self._last_error else 0
+        if line.level >= _ERROR_LEVEL and stamp_ns >= latest_ns:
             self._last_error = {
                 "node": line.name[:_MAX_TEXT],
                 "text": line.msg[:_MAX_TEXT],
-                "time_ns": time.time_ns(),
+                "time_ns": stamp_ns,
             }
 
 

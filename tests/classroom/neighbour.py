@@ -1,0 +1,77 @@
+"""Several machines on one: each with settings, a hub port and domains of its own, without root."""
+
+from __future__ import annotations
+
+import os
+import socket
+import subprocess
+import sys
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+def free_port() -> int:
+    """Return a TCP port that nobody uses."""
+    with socket.create_server(("127.0.0.1", 0)) as probe:
+        return int(probe.getsockname()[1])
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How a command ended."""
+
+    code: int
+    out: str
+    err: str
+
+
+class Neighbour:
+    """What a laptop is to zbot.
+
+    Args:
+        home: Its folder for settings.
+    """
+
+    def __init__(self, home: Path) -> None:
+        self.home = home
+        self.port = free_port()
+
+    @property
+    def environment(self) -> dict[str, str]:
+        """What its programs find in their environment."""
+        own = {"XDG_CONFIG_HOME": str(self.home), "ZBOT_HUB_PORT": str(self.port)}
+        return {**os.environ, **own}
+
+    def zbot(self, *words: str, stdin: str = "", timeout_s: float = 30, **more: str) -> Outcome:
+        """Run a command to its end.
+
+        Args:
+            words: Behind `zbot`.
+            stdin: What it reads.
+            timeout_s: After which it is killed.
+            more: Environment variables.
+        """
+        done = subprocess.run(
+            [sys.executable, "-m", "zbot_cli", *words],
+            env={**self.environment, **more},
+            input=stdin,
+            capture_output=True,
+            encoding="utf-8",
+            timeout=timeout_s,
+            check=False,
+        )
+        assert "Traceback" not in done.stderr, done.stderr
+        return Outcome(done.returncode, done.stdout, done.stderr)
+
+    def succeed(self, *words: str, **options: Any) -> str:
+        """Run a command that must not fail; return what it printed."""
+        outcome = self.zbot(*words, **options)
+        assert outcome.code == 0, outcome.err
+        return outcome.out
+
+    def folder(self) -> Path:
+        """Return its settings."""
+        return self.home / "zbot"

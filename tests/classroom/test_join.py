@@ -1,0 +1,306 @@
+"""Joining and leaving, with real hubs, on one machine and without root."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import socket
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from tests.classroom.neighbour import Neighbour, free_port
+from tests.conftest import wait_until
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from tests.conftest import Program
+
+    Start = Callable[..., Program]
+
+PIN = "4711"
+
+TALKER = """
+import zbot
+from std_msgs.msg import String
+
+with zbot.init():
+    node = zbot.Node("talker")
+    publisher = node.create_publisher(String, "chatter", 10)
+    node.create_timer(0.05, lambda: publisher.publish(String(data="hello")))
+    node.get_logger().error("the motor is hot")
+    print("ready", flush=True)
+    zbot.spin(node)
+"""
+
+
+@pytest.fixture
+def machines(tmp_path: Path) -> Iterator[Callable[[str], Neighbour]]:
+    """Return a function that makes machines; whatever they have joined, they leave."""
+    made: dict[str, Neighbour] = {}
+
+    def make(name: str) -> Neighbour:
+        return made.setdefault(name, Neighbour(tmp_path / name))
+
+    yield make
+    for machine in reversed(made.values()):
+        machine.zbot("leave")
+
+
+class School:
+    """A teacher with an open class, and students.
+
+    Args:
+        make: Makes machines.
+        start: Starts programs.
+    """
+
+    def __init__(self, make: Callable[[str], Neighbour], start: Start) -> None:
+        self._make, self._start = make, start
+        self.teacher = make("teacher")
+        self.address = f"127.0.0.1:{self.teacher.port}"
+
+    def open(self, *words: str) -> dict[str, Any]:
+        """Open the class with the PIN; return what is on the board."""
+        told = self.teacher.succeed(
+            "class", "start", "Robots", "--pin", "--json", *words, ZBOT_PIN=PIN
+        )
+        board: dict[str, Any] = json.loads(told)
+        return board
+
+    def join(self, name: str, *words: str) -> Neighbour:
+        """Let a student join."""
+        student = self._make(name)
+        student.succeed("join", self.address, "--name", name, *words, ZBOT_PIN=PIN)
+        return student
+
+    def run(self, machine: Neighbour, source: str, **more: str) -> Program:
+        """Start a program on a machine."""
+        return self._start(source=source, env={**machine.environment, "ZBOT_DOMAIN_ID": "", **more})
+
+    def listed(self) -> dict[int, dict[str, Any]]:
+        """Return the students in the teacher's list, by number."""
+        found = json.loads(self.teacher.succeed("class", "list", "--json"))
+        return {student["number"]: student for student in found["students"]}
+
+
+@pytest.fixture
+def school(
+    machines: Callable[[str], Neighbour], start: Start, monkeypatch: pytest.MonkeyPatch
+) -> School:
+    monkeypatch.delenv("ZBOT_DOMAIN_ID")  # a student's domain is his number
+    return School(machines, start)
+
+
+# -- joining ---------------------------------------------------------------------------------------
+
+
+def test_the_board_shows_code_address_and_pin(school: School) -> None:
+    board = school.open()
+    assert board["pin"] == PIN
+    assert board["port"] == school.teacher.port
+    assert "open at" in school.teacher.succeed("status")
+
+
+def test_a_pin_is_made_where_none_is_given(school: School) -> None:
+    told = school.teacher.succeed("class", "start", "--pin")
+    pin = next(line for line in told.splitlines() if line.startswith("PIN: ")).split()[1]
+    assert len(pin) == 6
+    assert pin.isdigit()
+
+
+def test_students_get_numbers_and_the_teacher_sees_them(school: School) -> None:
+    school.open()
+    school.join("Ana", "--number", "17")
+    ben = school.join("Ben")
+    assert wait_until(lambda: all(row["here"] for row in school.listed().values()), 10)
+    rows = school.listed()
+    assert {number: row["name"] for number, row in rows.items()} == {1: "Ben", 17: "Ana"}
+    assert rows[1]["version"]
+    assert abs(rows[1]["clock_offset"]) < 1
+    assert 'Ben, number 1 in "Robots"' in ben.succeed("status")
+    assert json.loads(ben.succeed("status", "--json"))["linked"]
+
+
+def test_the_pin_may_come_from_standard_input(school: School) -> None:
+    school.open()
+    student = school._make("Ana")
+    student.succeed("join", school.address, stdin=f"{PIN}\n")
+    assert "number 1" in student.succeed("status")
+
+
+@pytest.mark.parametrize(
+    ("pin", "sentence"), [("0000", "wrong PIN"), ("", "the class asks for a PIN")]
+)
+def test_without_the_pin_nobody_joins(school: School, pin: str, sentence: str) -> None:
+    school.open()
+    student = school._make("Eve")
+    refused = student.zbot("join", school.address, ZBOT_PIN=pin)
+    assert refused.code == 1
+    assert sentence in refused.err
+    assert "joined nothing" in student.succeed("status")
+    assert not (student.folder() / "membership.json").exists()
+
+
+def test_a_taken_number_is_refused_with_the_holders_name(school: School) -> None:
+    school.open()
+    school.join("Ana", "--number", "17")
+    eve = school._make("Eve")
+    refused = eve.zbot("join", school.address, "--number", "17", ZBOT_PIN=PIN)
+    assert refused.code == 1
+    assert "number 17 is taken by Ana" in refused.err
+    assert "Ana had it" in school.teacher.succeed("class", "free", "17")
+    eve.succeed("join", school.address, "--number", "17", ZBOT_PIN=PIN)
+
+
+def test_a_list_of_students_keeps_numbers_for_names(school: School, tmp_path: Path) -> None:
+    roster = tmp_path / "roster.csv"
+    roster.write_text("number,name\n7,Ana\n9,Ben\n")
+    school.open("--students", str(roster))
+    school.join("ana")
+    assert school.listed()[7]["name"] == "Ana"
+    assert "9  Ben" in school.teacher.succeed("class", "list")
+
+
+def test_who_leaves_gives_the_number_back(school: School) -> None:
+    school.open()
+    ana = school.join("Ana", "--number", "17")
+    assert "left Robots" in ana.succeed("leave")
+    assert school.listed() == {}
+    assert ana.zbot("leave").code == 1
+    school.join("Ben", "--number", "17")
+
+
+def test_one_joins_one_class(school: School) -> None:
+    school.open()
+    ana = school.join("Ana")
+    refused = ana.zbot("join", school.address, ZBOT_PIN=PIN)
+    assert refused.code == 1
+    assert "has joined Robots: leave first" in refused.err
+    assert school.teacher.zbot("join", school.address).code == 1
+
+
+def test_a_student_who_was_switched_off_joins_again_as_before(school: School) -> None:
+    school.open()
+    ana = school.join("Ana", "--number", "17")
+    _kill_hub(ana)
+    assert "its hub does not run" in ana.succeed("status")
+    ana.succeed("join", school.address, ZBOT_PIN=PIN)
+    assert "number 17" in ana.succeed("status")
+
+
+def test_a_class_goes_on_after_the_teachers_machine_was_switched_off(school: School) -> None:
+    school.open()
+    school.join("Ana", "--number", "17")
+    _kill_hub(school.teacher)
+    assert "does not run" in school.teacher.zbot("class", "list").err
+    again = school.teacher.succeed("class", "start", "Robots")
+    assert f"PIN: {PIN}" in again
+    assert wait_until(lambda: school.listed()[17]["here"], 10)
+
+
+def _kill_hub(machine: Neighbour) -> None:
+    pid = json.loads((machine.folder() / "hub.json").read_text())["pid"]
+    os.kill(pid, getattr(signal, "SIGKILL", signal.SIGTERM))
+    assert wait_until(lambda: not json.loads(machine.succeed("status", "--json"))["hub"], 5)
+
+
+def test_after_the_class_the_hub_is_gone_and_nothing_listens(school: School) -> None:
+    school.open()
+    assert "closed" in school.teacher.succeed("class", "stop")
+    with socket.socket() as probe:
+        assert probe.connect_ex(("127.0.0.1", school.teacher.port)) != 0
+    assert not (school.teacher.folder() / "class.json").exists()
+    assert "no class is open" in school.teacher.zbot("class", "list").err
+
+
+def test_a_port_that_is_taken_is_a_sentence(school: School) -> None:
+    with socket.create_server(("0.0.0.0", school.teacher.port)):
+        refused = school.teacher.zbot("class", "start")
+    assert refused.code == 1
+    assert f"cannot listen on tcp/0.0.0.0:{school.teacher.port}" in refused.err
+    assert "joined nothing" in school.teacher.succeed("status")
+
+
+def test_what_is_no_hub_is_a_sentence(machines: Callable[[str], Neighbour]) -> None:
+    with socket.create_server(("127.0.0.1", free_port())) as server:
+        port = server.getsockname()[1]
+        refused = machines("Ana").zbot("join", f"127.0.0.1:{port}")
+    assert refused.code == 1
+    assert "is no zbot hub" in refused.err
+
+
+# -- secrets ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="looks into /proc")
+def test_no_secret_is_in_a_command_line_or_a_log(school: School) -> None:
+    school.open()
+    ana = school.join("Ana")
+    secret = json.loads((ana.folder() / "membership.json").read_text())["secret"]
+    assert len(secret) >= 32
+    for machine in (school.teacher, ana):
+        pid = json.loads((machine.folder() / "hub.json").read_text())["pid"]
+        command = Path(f"/proc/{pid}/cmdline").read_bytes()
+        assert b"zbot.classroom" in command
+        for hidden in (secret, PIN):
+            assert hidden.encode() not in command
+            assert hidden not in (machine.folder() / "hub.log").read_text()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no file modes")
+def test_only_the_user_reads_what_a_class_writes(school: School) -> None:
+    school.open()
+    ana = school.join("Ana")
+    for machine in (school.teacher, ana):
+        for path in machine.folder().iterdir():
+            assert path.name == "hub.lock" or path.stat().st_mode & 0o077 == 0, path
+
+
+# -- the lesson ------------------------------------------------------------------------------------
+
+
+def test_the_teacher_sees_nodes_and_last_errors(school: School, domain: int) -> None:
+    school.open()
+    ana = school.join("Ana", "--number", str(domain))
+    school.run(ana, TALKER).wait_for("ready")
+    assert wait_until(lambda: school.listed()[domain]["last_error"] is not None, 10)
+    row = school.listed()[domain]
+    assert row["nodes"] == ["/talker"]
+    assert row["last_error"] == {"node": "talker", "text": "the motor is hot"}
+    assert "talker: the motor is hot" in school.teacher.succeed("class", "list")
+
+
+def test_what_the_teacher_says_is_on_the_terminals_of_nodes_and_in_the_status(
+    school: School, domain: int
+) -> None:
+    school.open()
+    ana = school.join("Ana", "--number", str(domain))
+    assert wait_until(lambda: school.listed()[domain]["here"], 10)
+    program = school.run(ana, TALKER)
+    program.wait_for("ready")
+    _settle(school, domain)
+    assert "said to 1 student" in school.teacher.succeed("class", "say", "\x1b[2J5 minutes")
+    assert "[class]: the teacher says: [2J5 minutes" in program.wait_for("the teacher says")
+    late = school.join("Ben")
+    assert wait_until(lambda: "5 minutes" in late.succeed("status"), 10)
+
+
+def _settle(school: School, number: int) -> None:
+    """Wait until a student's node is linked with the teacher's hub."""
+    assert wait_until(lambda: bool(school.listed()[number]["nodes"]), 10)
+
+
+def test_a_name_that_is_a_trap_stays_a_name(school: School) -> None:
+    school.open()
+    trap = "$(touch pwned) ../../x\x1b[31m; rm -rf /<script>"
+    student = school._make("trap")
+    student.succeed("join", school.address, "--name", trap, ZBOT_PIN=PIN)
+    (row,) = school.listed().values()
+    assert row["name"] == "$(touch pwned) ../../x [31m; rm -rf /<script>"
+    assert "\x1b" not in school.teacher.succeed("class", "list")
+    assert not list(student.home.parent.rglob("pwned"))

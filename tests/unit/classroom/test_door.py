@@ -1,0 +1,139 @@
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any
+
+import pytest
+
+from zbot.classroom.door import Door, Wish, release_proof
+from zbot.classroom.register import Register
+from zbot.security.pin import PinError, PinGuest
+from zbot.security.secret import Secret
+
+Document = dict[str, Any]
+
+
+class Class:
+    """A class with a door, and a way to pass it."""
+
+    def __init__(self, pin: str = "") -> None:
+        self.register = Register({3: "Ana"})
+        self.changed: list[int] = []
+        self.door = Door(
+            "Robots",
+            pin,
+            self.register,
+            credentials=lambda number: {"secret": f"s{number}"},
+            changed=self.changed.append,
+        )
+
+    def knock(self, wish: Wish, pin: str = "") -> Document:
+        guest = PinGuest(Secret(pin))
+        challenge = self.door.answer({"op": "enrol", **guest.hello()})
+        sealed = self.door.answer({"op": "claim", **guest.claim(challenge, asdict(wish))})
+        return sealed if "refused" in sealed else guest.opened(sealed)
+
+
+def test_whoever_asks_is_told_what_class_it_is() -> None:
+    answer = Class("1234").door.answer({"op": "hello"})
+    assert (answer["class"], answer["pin"]) == ("Robots", True)
+    assert not Class().door.answer({"op": "hello"})["pin"]
+
+
+def test_a_laptop_gets_a_number_and_what_goes_with_it() -> None:
+    lesson = Class("1234")
+    given = lesson.knock(Wish("m1", "laptop", "Cem", 17), "1234")
+    assert given["number"] == 17
+    assert given["name"] == "Cem"
+    assert given["secret"] == "s17"
+    assert lesson.changed == [17]
+
+
+def test_a_wrong_pin_is_refused_and_nothing_is_claimed() -> None:
+    lesson = Class("1234")
+    assert lesson.knock(Wish("m1", "laptop"), "1111")["refused"] == "pin"
+    assert not lesson.register.students
+
+
+def test_a_taken_number_is_refused_with_the_holders_name() -> None:
+    lesson = Class()
+    lesson.knock(Wish("m1", "laptop", "Cem", 17))
+    answer = lesson.knock(Wish("m2", "laptop", "Eve", 17))
+    assert answer["refused"] == "taken"
+    assert "Cem" in answer["sentence"]
+
+
+def test_a_number_out_of_range_is_refused() -> None:
+    assert "from 1 to 232" in Class().knock(Wish("m1", "laptop", number=999))["sentence"]
+
+
+def test_a_claim_cannot_be_used_twice() -> None:
+    lesson = Class()
+    guest = PinGuest(Secret(""))
+    challenge = lesson.door.answer({"op": "enrol", **guest.hello()})
+    claim = {"op": "claim", **guest.claim(challenge, asdict(Wish("m1", "laptop")))}
+    guest.opened(lesson.door.answer(claim))
+    assert "refused" in lesson.door.answer(claim)
+
+
+def test_what_was_claimed_is_bound_to_the_proof() -> None:
+    lesson = Class()
+    guest = PinGuest(Secret(""))
+    challenge = lesson.door.answer({"op": "enrol", **guest.hello()})
+    claim = guest.claim(challenge, asdict(Wish("m1", "laptop", number=17)))
+    claim["claim"] = claim["claim"].replace("7", "8") if "7" in claim["claim"] else "00"
+    assert "refused" in lesson.door.answer({"op": "claim", **claim})
+
+
+def test_only_the_holder_gives_a_number_back() -> None:
+    lesson = Class()
+    given = lesson.knock(Wish("m1", "laptop", number=17))
+    stolen = {"op": "release", "number": 17, "proof": release_proof("guess")}
+    assert lesson.door.answer(stolen) == {"released": False}
+    assert 17 in lesson.register.students
+    honest = {"op": "release", "number": 17, "proof": release_proof(given["claim"])}
+    assert lesson.door.answer(honest) == {"released": True}
+    assert lesson.door.answer(honest) == {"released": False}
+
+
+def test_guessing_is_slowed_down() -> None:
+    lesson = Class("1234")
+    answers = []
+    for number in range(20):
+        try:
+            answers.append(lesson.knock(Wish("m", "laptop"), f"{number:04}"))
+        except PinError as error:
+            answers.append({"refused": type(error).__name__})
+    kinds = [answer["refused"] for answer in answers]
+    assert kinds[:5] == ["pin"] * 5
+    assert set(kinds[12:]) != {"pin"}
+
+
+@pytest.mark.parametrize(
+    "question",
+    [
+        {},
+        {"op": "claim"},
+        {"op": "enrol"},
+        {"op": "enrol", "public": "0"},
+        {"op": "enrol", "public": ["x"]},
+        {"op": "claim", "visit": {}, "claim": 7, "proof": None},
+        {"op": "release", "number": "17"},
+        {"op": "release", "number": True, "proof": "x"},
+        {"op": ["hello"]},
+        {"op": "list"},
+    ],
+)
+def test_nonsense_is_answered_and_changes_nothing(question: Document) -> None:
+    lesson = Class()
+    answer = lesson.door.answer(question)
+    assert answer.get("refused") or answer.get("released") is False
+    assert not lesson.register.students
+
+
+def test_a_wish_is_read_with_care() -> None:
+    read = Wish.of({"machine": "x" * 1000, "host": "\x1b[1m", "name": 7, "number": "17"})
+    assert len(read.machine) <= 64
+    assert read.host == "[1m"
+    assert read.name == "7"
+    assert read.number is None

@@ -1,0 +1,126 @@
+from __future__ import annotations
+
+import pytest
+
+from zbot.classroom.expectation import Expectation, ExpectationError, parse_expectations
+from zbot.graph import Snapshot
+from zbot.qos import QoSProfile
+from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
+
+STRING = "std_msgs/msg/String"
+
+
+def endpoint(kind: EntityKind, name: str, type_name: str = STRING) -> EndpointToken:
+    return EndpointToken(
+        domain=17,
+        zid="a1",
+        nid=0,
+        eid=1,
+        kind=kind,
+        namespace="/",
+        node="talker",
+        name=name,
+        type_name=type_name,
+        type_hash="RIHS01_0",
+        qos=QoSProfile(depth=10),
+    )
+
+
+WORK = Snapshot(
+    (
+        NodeToken(domain=17, zid="a1", nid=0, namespace="/", node="talker"),
+        endpoint(EntityKind.PUBLISHER, "/student_id"),
+        endpoint(EntityKind.SUBSCRIPTION, "/cmd_vel", "geometry_msgs/msg/Twist"),
+        endpoint(EntityKind.SERVICE, "/add_two_ints", "example_interfaces/srv/AddTwoInts"),
+    )
+)
+
+
+def problems(text: str, rate_hz: float = 1.0) -> list[str]:
+    found = (one.problem(WORK, {"/student_id": rate_hz}) for one in parse_expectations(text))
+    return [problem for problem in found if problem]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "publishes std_msgs/String on /student_id at >= 1 Hz",
+        "publishes std_msgs/msg/String on student_id",
+        "Publishes std_msgs/String on /student_id at 1Hz",
+        "subscribes geometry_msgs/Twist on /cmd_vel",
+        "serves example_interfaces/AddTwoInts on /add_two_ints",
+        "runs /talker",
+        "runs talker and publishes std_msgs/String on /student_id",
+        "publishes std_msgs/String on /student_id at < 1.5 Hz; runs talker",
+        "publishes std_msgs/String on /student_id at = 1.0 Hz",
+    ],
+)
+def test_good_work_has_no_problem(text: str) -> None:
+    assert problems(text) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "problem"),
+    [
+        (
+            "publishes std_msgs/String on /student_idd",
+            "nobody publishes /student_idd; is /student_id meant?",
+        ),
+        (
+            "publishes std_msgs/String on /studentID",
+            "nobody publishes /studentID; is /student_id meant?",
+        ),
+        ("publishes std_msgs/String on /scan", "nobody publishes /scan"),
+        (
+            "publishes std_msgs/Int32 on /student_id",
+            f"/student_id has type {STRING}, not std_msgs/msg/Int32",
+        ),
+        (
+            "publishes std_msgs/String on /student_id at >= 2 Hz",
+            "/student_id has 1.00 Hz, not >= 2 Hz",
+        ),
+        (
+            "publishes std_msgs/String on /student_id at < 1 Hz",
+            "/student_id has 1.00 Hz, not < 1 Hz",
+        ),
+        ("subscribes std_msgs/String on /student_id", "nobody subscribes to /student_id"),
+        ("serves std_srvs/Trigger on /reset", "nobody serves /reset"),
+        ("runs talkr", "/talkr does not run; is /talker meant?"),
+    ],
+)
+def test_a_mistake_is_named_with_what_was_probably_meant(text: str, problem: str) -> None:
+    assert problems(text) == [problem]
+
+
+def test_a_timer_that_is_a_little_late_still_counts() -> None:
+    assert problems("publishes std_msgs/String on /student_id at >= 1 Hz", rate_hz=0.98) == []
+    assert problems("publishes std_msgs/String on /student_id at >= 1 Hz", rate_hz=0.9) != []
+
+
+def test_a_silent_publisher_is_said_to_be_silent() -> None:
+    text = "publishes std_msgs/String on /student_id at >= 1 Hz"
+    assert problems(text, rate_hz=0) == ["/student_id has a publisher, and no message came"]
+
+
+def test_what_is_expected_is_read() -> None:
+    assert parse_expectations("publishes std_msgs/String on student_id at >= 2.5 Hz") == [
+        Expectation(EntityKind.PUBLISHER, "/student_id", STRING, ">=", 2.5)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("publish std_msgs/String on /x", "did you mean 'publishes'"),
+        ("says hello", "has to begin with publishes, subscribes, serves or runs"),
+        ("publishes std_msgs/String", "`on /name` is missing"),
+        ("publishes std_msgs/String on /x at fast", "should be like `at >= 1 Hz`"),
+        ("publishes String on /x", "'String' is no type"),
+        ("publishes std_msgs/String on /1x", "starts with a digit"),
+        ("subscribes std_msgs/String on /x at >= 1 Hz", "only what is published has a rate"),
+        ("", "has to begin with"),
+    ],
+)
+def test_what_is_not_understood_says_why(text: str, reason: str) -> None:
+    with pytest.raises(ExpectationError, match=reason):
+        parse_expectations(text)
