@@ -146,7 +146,7 @@ def test_a_whole_class_is_marked(lesson: Class) -> None:
     wrong.stop()
 
 
-def test_without_a_class_nothing_listens_on_the_network(lesson: Class) -> None:
+def test_nothing_on_a_students_laptop_listens_on_the_network(lesson: Class) -> None:
     listening = lesson.ana.start("zbot", "run", "talker")
     listening.wait_for("Publishing")
     sockets = lesson.ana.run("python3", "-c", LISTENING).out.split()
