@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import zbot
+from tests.conftest import wait_until
 from zbot.interfaces import MessageSpec, get_message, get_spec, type_hash
 from zbot.interfaces.parser import parse
 from zbot.interfaces.remote_definition import hash_among
@@ -103,6 +104,10 @@ def test_nobody_tells_of_a_type_that_nobody_uses(make_context: MakeContext) -> N
     assert learn_type(make_context(), "my_robot/msg/Unheard") is None
 
 
+def services_of(context: zbot.Context) -> set[str]:
+    return {name for name, _ in context.graph.snapshot().services()}
+
+
 @pytest.mark.parametrize(
     ("text", "is_believed"), [("int32 truth\n", False), ("int64 truth\n", True), ("int32", False)]
 )
@@ -125,7 +130,9 @@ def test_only_what_has_the_hash_of_the_used_type_is_believed(
     announcement = node.context.graph.announce(token)
     node.create_service(GetTypeDescription, "~/get_type_description", describe)
     spin(node)
-    assert learn_type(make_context(), name) == (spec if is_believed else None)
+    context = make_context()
+    assert wait_until(lambda: "/teller/get_type_description" in services_of(context))
+    assert learn_type(context, name) == (spec if is_believed else None)
     announcement.undeclare()
 
 

@@ -29,6 +29,7 @@ class Case(NamedTuple):
     lines: tuple[str, ...]
     beside: str = ""  #: another program of the survey, or the words after `zbot run`
     words: tuple[str, ...] = ()
+    beside_ends: bool = False  #: by itself; Ctrl-C in the middle would be a mistake of its own
 
 
 CASES = [
@@ -98,7 +99,7 @@ CASES = [
     Case("action_client_asyncio", ("Result: [0, 1, 1, 2, 3]",), "action_server"),
     Case("parameter_types", ("True [1, 2] ['x', 'y'] 2.5", "INTEGER_ARRAY False")),
     Case("parameter_events", ("gain is 2", "gain is 3")),
-    Case("lifecycle_node", ("on_activate() is called.",), "lifecycle_client"),
+    Case("lifecycle_node", ("on_activate() is called.",), "lifecycle_client", beside_ends=True),
     Case("lifecycle_client", ("changed True", "changed True", "state active"), "lifecycle_node"),
     Case("qos_deadline", ("Requested deadline missed: True",)),
     Case("qos_latched_publisher", ("published once",)),
@@ -144,6 +145,8 @@ def test_it_runs_as_it_is(case: Case, start: Start) -> None:
     program = run(case.program, *case.words)
     for line in case.lines:
         program.wait_for(line, 20)
+    if beside and case.beside_ends:
+        beside.wait(20)
     for one in (beside, program):
         if one is not None:
             one.stop()

@@ -5,14 +5,20 @@ from __future__ import annotations
 import logging
 import sys
 from pathlib import Path
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 from zbot.log.log_file import get_logging_directory
 
 _FORM = "[%(levelname)s] [%(name)s]: %(message)s"
 
 
-class _ScreenHandler(logging.StreamHandler[TextIO]):
+if TYPE_CHECKING:
+    _StreamHandler = logging.StreamHandler[TextIO]
+else:
+    _StreamHandler = logging.StreamHandler  # no generic class before Python 3.11
+
+
+class _ScreenHandler(_StreamHandler):
     """Writes to what is stdout now: tests and programs replace it."""
 
     def emit(self, record: logging.LogRecord) -> None:
