@@ -183,7 +183,8 @@ def test_claim_a_number_with_the_name_of_its_owner(stranger: zenoh.Session) -> N
         assert "secret" not in json.dumps(answer)
 
 
-def test_replay_a_claim(room: AttackedClass, stranger: zenoh.Session) -> None:
+@pytest.mark.usefixtures("room")
+def test_replay_a_claim(stranger: zenoh.Session) -> None:
     wish = {"machine": "carl", "host": "carl-laptop", "number": 30}
     recorded = claimed(stranger, PIN, wish)
     assert "tag" in recorded["answer"]
@@ -194,9 +195,8 @@ def test_replay_a_claim(room: AttackedClass, stranger: zenoh.Session) -> None:
     assert spliced["refused"] == "pin"
 
 
-def test_what_passes_through_the_door_tells_nothing(
-    room: AttackedClass, stranger: zenoh.Session
-) -> None:
+@pytest.mark.usefixtures("room")
+def test_what_passes_through_the_door_tells_nothing(stranger: zenoh.Session) -> None:
     # A listener on the way sees these documents; the laptop's id would make it Carl.
     wish = {"machine": "0123456789abcdef", "host": "carl-laptop", "number": 31}
     seen = json.dumps(claimed(stranger, PIN, wish))

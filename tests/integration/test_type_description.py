@@ -131,7 +131,12 @@ def test_only_what_has_the_hash_of_the_used_type_is_believed(
     node.create_service(GetTypeDescription, "~/get_type_description", describe)
     spin(node)
     context = make_context()
-    assert wait_until(lambda: "/teller/get_type_description" in services_of(context))
+    assert wait_until(
+        lambda: (
+            bool(context.graph.snapshot().publishers("/text"))
+            and "/teller/get_type_description" in services_of(context)
+        )
+    )
     assert learn_type(context, name) == (spec if is_believed else None)
     announcement.undeclare()
 
