@@ -1,7 +1,7 @@
-"""Publish 1000 messages a second in every even second of the monotonic clock, none in odd ones.
+"""Publish 1000 messages a second for two seconds of every four of the monotonic clock.
 
-Run:       flood.py [--hz 1000]
-Publishes: flood (std_msgs/String), 100 characters
+Run:       flood.py [--hz 1000] [--size 100]
+Publishes: flood (std_msgs/String), SIZE characters
 """
 
 from __future__ import annotations
@@ -15,23 +15,25 @@ from std_msgs.msg import String
 
 
 class Flood(zbot.Node):
-    def __init__(self, hz: float) -> None:
+    def __init__(self, hz: float, size: int) -> None:
         super().__init__("flood")
         self.flood = self.create_publisher(String, "flood", 10)
-        self.water = String(data="x" * 100)
+        self.water = String(data="x" * size)
         self.create_timer(1 / hz, self.pour)
         print("flood", flush=True)
 
     def pour(self) -> None:
-        if int(time.monotonic()) % 2 == 0:
+        if int(time.monotonic()) % 4 < 2:
             self.flood.publish(self.water)
 
 
 def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--hz", type=float, default=1000)
+    parser.add_argument("--size", type=int, default=100)
+    options = parser.parse_args()
     with zbot.init():
-        zbot.spin(Flood(parser.parse_args().hz))
+        zbot.spin(Flood(options.hz, options.size))
 
 
 if __name__ == "__main__":

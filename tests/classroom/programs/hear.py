@@ -1,8 +1,8 @@
-"""Listen at this machine's hub to pupils' words, without zbot.
+"""Listen at this machine's hub to a pupil's words, without zbot, and say how late they come.
 
-Run: hear.py KEY...           such as 17/ana/words
-Prints `hearing`, and when interrupted a line of JSON: for each key the list of [number, sent_ns,
-delay_us], and how many messages came whose text holds no such numbers.
+Run: hear.py KEY [OTHER_KEY]...           such as 17/ana/words
+Prints `hearing`, for each second of the monotonic clock `second SECOND COUNT P99_US` of the first
+key, and when interrupted a line of JSON: delays_us by second, and how much came on the other keys.
 """
 
 from __future__ import annotations
@@ -18,6 +18,36 @@ import msgpack  # type: ignore[import-untyped]
 import zenoh
 
 
+class Ear:
+    """What came, sorted by the second in which it was said."""
+
+    def __init__(self, key: str) -> None:
+        self._key = key
+        self._second = 0
+        self.delays_us: dict[int, list[int]] = {}
+        self.others = 0
+
+    def listen(self, channel: Any) -> None:
+        for sample in channel:
+            now_ns = time.monotonic_ns()
+            if str(sample.key_expr) != self._key:
+                self.others += 1
+                continue
+            sent_ns = int(msgpack.unpackb(sample.payload.to_bytes())["data"].split()[1])
+            self._file(sent_ns // 10**9, (now_ns - sent_ns) // 1000)
+
+    def _file(self, second: int, delay_us: int) -> None:
+        if second > self._second:
+            self._report(self.delays_us.get(self._second, []))
+            self._second = second
+        self.delays_us.setdefault(second, []).append(delay_us)
+
+    def _report(self, delays_us: list[int]) -> None:
+        if delays_us:
+            p99_us = sorted(delays_us)[int(len(delays_us) * 0.99)]
+            print("second", self._second, len(delays_us), p99_us, flush=True)
+
+
 def main() -> None:
     config = zenoh.Config()
     config.insert_json5("mode", '"client"')
@@ -26,28 +56,15 @@ def main() -> None:
     config.insert_json5("connect/exit_on_failure", "false")
     config.insert_json5("connect/retry", '{"period_init_ms": 20, "period_max_ms": 100}')
     config.insert_json5("scouting/multicast/enabled", "false")
-    heard: dict[str, list[Any]] = {}
-    others: dict[str, int] = {}
-
-    def take(channel: Any) -> None:
-        for sample in channel:
-            now = time.monotonic_ns()
-            key, text = str(sample.key_expr), msgpack.unpackb(sample.payload.to_bytes())["data"]
-            try:
-                number, sent_ns = map(int, text.split())
-            except ValueError:
-                others[key] = others.get(key, 0) + 1
-                continue
-            heard.setdefault(key, []).append((number, sent_ns, (now - sent_ns) // 1000))
-
+    ear = Ear(sys.argv[1])
     with zenoh.open(config) as session:
         channel = zenoh.handlers.FifoChannel(100_000)
         listening = [session.declare_subscriber(key, channel) for key in sys.argv[1:]]
         for one in listening:
-            threading.Thread(target=take, args=(one.handler,), daemon=True).start()
+            threading.Thread(target=ear.listen, args=(one.handler,), daemon=True).start()
         print("hearing", flush=True)
         signal.sigwait({signal.SIGINT, signal.SIGTERM})
-    print(json.dumps({"heard": heard, "others": others}), flush=True)
+    print(json.dumps({"delays_us": ear.delays_us, "others": ear.others}), flush=True)
 
 
 if __name__ == "__main__":

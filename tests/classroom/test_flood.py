@@ -1,0 +1,50 @@
+"""A student who publishes without end, and what the others notice of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+from tests.classroom.lesson import Lesson
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.classroom.rig import Rig
+
+SHARE = 1.2
+SECONDS = 4  # of each kind at least, and at most:
+MOST_SECONDS = 10
+# The flood's rhythm (flood.py): the second in which it begins or ends is neither.
+KINDS = {1: "flood", 3: "quiet"}
+
+
+@pytest.mark.timeout(90)
+def test_a_flood_does_not_delay_what_others_say(make_rig: Callable[[int], Rig]) -> None:
+    """The best second of each kind is compared: whatever else this machine does only adds."""
+    rig = make_rig(2)
+    lesson = Lesson(rig, 1)
+    lesson.join()
+    flooded, other = rig.laptops
+    teacher = rig.teacher.start("hear.py", "2/ana/words", "1/flood")
+    teacher.wait_for("hearing")
+    other.start("pupil.py", "ana", "ana", "--hz", "200").wait_for("hears")
+    flooded.start("flood.py").wait_for("flood")
+
+    p99_us: dict[str, list[int]] = {"flood": [], "quiet": []}
+    while not is_settled(p99_us):
+        _, second, count, delay_us = teacher.wait_for("second").split()
+        kind = KINDS.get(int(second) % 4)
+        if kind is not None and int(count) > 100:  # a whole one
+            p99_us[kind].append(int(delay_us))
+
+    assert min(p99_us["flood"]) < SHARE * min(p99_us["quiet"]), p99_us
+
+
+def is_settled(p99_us: dict[str, list[int]]) -> bool:
+    """Return whether the seconds suffice, or there will be no more."""
+    least = min(map(len, p99_us.values()))
+    if least < SECONDS:
+        return False
+    return least >= MOST_SECONDS or min(p99_us["flood"]) < SHARE * min(p99_us["quiet"])
