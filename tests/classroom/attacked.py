@@ -156,9 +156,15 @@ class AttackedClass:
 
     def listed(self) -> dict[int, dict[str, Any]]:
         """Return what the teacher's list says, by number."""
-        question = json.dumps({"op": "list"})
-        replies = self.teacher_session.get(DESK_KEY, payload=question, timeout=10)
-        told = [json.loads(reply.ok.payload.to_bytes()) for reply in replies if reply.ok]
+        told: list[dict[str, Any]] = []
+
+        def is_told() -> bool:  # at once, unless the hub is being opened anew
+            question = json.dumps({"op": "list"})
+            replies = self.teacher_session.get(DESK_KEY, payload=question, timeout=10)
+            told.extend(json.loads(reply.ok.payload.to_bytes()) for reply in replies if reply.ok)
+            return bool(told)
+
+        assert wait_until(is_told, 20)
         return {student["number"]: student for student in told[0]["students"]}
 
     def check_honest_work(self) -> None:

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 import zenoh
 
-from tests.classroom.attacked import PIN, AttackedClass
+from tests.classroom.attacked import PIN, AttackedClass, Computer
 from tests.classroom.talk import HERE, answers, dialling, open_session
 from tests.conftest import wait_until
 from zbot.classroom.keys import DESK_KEY, DOOR_KEY, NOTICES_KEY, facts_key, here_key
@@ -58,6 +58,11 @@ def ben(request: pytest.FixtureRequest, room: AttackedClass) -> Iterator[zenoh.S
 def stranger(room: AttackedClass) -> Iterator[zenoh.Session]:
     with room.as_stranger() as session:
         yield session
+
+
+@pytest.fixture(scope="module")
+def eve(opened: AttackedClass) -> Computer:
+    return opened.computer("eve")
 
 
 @pytest.fixture(scope="module")
@@ -183,7 +188,6 @@ def test_claim_a_number_with_the_name_of_its_owner(stranger: zenoh.Session) -> N
         assert "secret" not in json.dumps(answer)
 
 
-@pytest.mark.usefixtures("room")
 def test_replay_a_claim(stranger: zenoh.Session) -> None:
     wish = {"machine": "carl", "host": "carl-laptop", "number": 30}
     recorded = claimed(stranger, PIN, wish)
@@ -195,7 +199,6 @@ def test_replay_a_claim(stranger: zenoh.Session) -> None:
     assert spliced["refused"] == "pin"
 
 
-@pytest.mark.usefixtures("room")
 def test_what_passes_through_the_door_tells_nothing(stranger: zenoh.Session) -> None:
     # A listener on the way sees these documents; the laptop's id would make it Carl.
     wish = {"machine": "0123456789abcdef", "host": "carl-laptop", "number": 31}
@@ -560,20 +563,21 @@ def test_what_holds_secrets_is_for_its_owner_only(room: AttackedClass) -> None:
         "{0.__class__} %s %n",
         "'; DROP TABLE students; --",
     ],
-    ids=repr,
+    ids=lambda name: repr(name)[:30],
 )
-def test_names_are_only_names(room: AttackedClass, name: str) -> None:
-    eve = room.computer(f"eve{abs(hash(name))}")
-    joined = eve.do(
-        "join", f"{HERE}:{room.port}", "--number", "50", f"--name={name[:5000]}", ZBOT_PIN=PIN
-    )
-    shown = room.teacher.do("class", "list")
+def test_names_are_only_names(room: AttackedClass, eve: Computer, name: str) -> None:
+    where = (f"{HERE}:{room.port}", "--number", "50", f"--name={name}")
+    joined = eve.do("join", *where, ZBOT_PIN=PIN)
+    try:
+        shown = room.teacher.do("class", "list")
+        listed = room.listed()[50]["name"]
+    finally:
+        eve.do("leave")
     for text in (joined, shown):
         assert all(char.isprintable() or char == "\n" for char in text)
         assert all(len(line) < 300 for line in text.splitlines())
-    assert len(room.listed()[50]["name"]) <= 64
+    assert len(listed) <= 64
     assert not list(room.teacher.folder.parent.rglob("owned*"))
-    eve.do("leave")
 
 
 def test_what_the_teacher_says_is_only_text(room: AttackedClass) -> None:
