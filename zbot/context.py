@@ -30,6 +30,8 @@ if TYPE_CHECKING:
 _LINK_TIMEOUT_S = 1.0  # a healthy meeting point answers within 10 ms
 # The longest that a first message waits: 2 ms are usual, a machine that is busy needs more.
 _SETTLE_TIMEOUT_S = 0.5
+# Multicast finds the others on a quiet network in 50 ms; nobody may be there.
+_FIND_TIMEOUT_S = 0.7
 _JOIN_TIMEOUT_S = 2.0  # threads end within a millisecond of their session
 
 #: Every context that has a session: what the way out of the process has to close.
@@ -293,7 +295,8 @@ class Context:
 
     def _open_client(self, meeting: MeetingPoint, *, wait: bool) -> None:
         session = meeting.open_client()
-        if session is None and wait and meeting.hold():
+        if session is None and (wait or meeting.reaches_out) and meeting.hold():
+            meeting.wait_found(_FIND_TIMEOUT_S)
             session = meeting.open_client()
         if session is not None:
             self._adopt(session, meeting, watch=wait)

@@ -26,6 +26,7 @@ LOOPBACK = "127.0.0.1"
 # Links are listed, and listed no more, a moment after their event.
 _LINK_PAUSE_S = 0.005
 _LISTING_TIMEOUT_S = 0.1
+_FOUND_PAUSE_S = 0.25  # machines answer multicast at about the same time, then tell their tokens
 _LONGEST_PAUSE_S = 1.0
 _OPEN_TIMEOUT_MS = 500
 _NO_FILE = SessionConfig("the configuration between hubs", "{}")
@@ -157,9 +158,8 @@ class MeetingPoint:
         return f"tcp/{LOOPBACK}:{self.port}"
 
     def _multicast(self) -> dict[str, Any]:
-        found = self._reach is DiscoveryRange.SUBNET
         return {
-            "scouting/multicast/enabled": found,
+            "scouting/multicast/enabled": self.reaches_out,
             "scouting/multicast/autoconnect": {"router": ["router"], "peer": ["router", "peer"]},
         }
 
@@ -175,7 +175,7 @@ class MeetingPoint:
             if self._closed or self._router is not None:
                 return self._router is not None
             listen = [self.endpoint]
-            if self._reach is DiscoveryRange.SUBNET:
+            if self.reaches_out:
                 listen.append("tcp/[::]:0")
             force = {
                 "mode": "router",
@@ -193,16 +193,32 @@ class MeetingPoint:
                 return False  # taken: by another process of the domain, or by a stranger
             return True
 
+    @property
+    def reaches_out(self) -> bool:
+        """Whether others are looked for on the network too."""
+        return self._reach is DiscoveryRange.SUBNET
+
+    def wait_found(self, timeout_s: float) -> None:
+        """Wait until our router, if it reaches out, has found those of other machines.
+
+        Returns a moment after the last one was found, or when the time is over.
+        """
+        deadline, found = time.monotonic() + timeout_s, 0
+        while self.reaches_out and self._router is not None and time.monotonic() < deadline:
+            count = len(self._router.info.routers_zid())
+            if count > found:
+                found, deadline = count, time.monotonic() + _FOUND_PAUSE_S
+            time.sleep(_LINK_PAUSE_S)
+
     def open_peer(self) -> zenoh.Session:
         """Open a node process's session.
 
         Raises:
             SessionError: Zenoh refused, usually because of the configuration file.
         """
-        reach_out = self._reach is DiscoveryRange.SUBNET
         fill = {
             "mode": "peer",
-            "listen/endpoints": ["tcp/[::]:0"] if reach_out else [f"tcp/{LOOPBACK}:0"],
+            "listen/endpoints": ["tcp/[::]:0"] if self.reaches_out else [f"tcp/{LOOPBACK}:0"],
             "connect/endpoints": [self.endpoint],
             **_common(self._facts),
             **self._multicast(),

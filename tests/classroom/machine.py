@@ -94,13 +94,14 @@ class Machine:
             batch.add("addr", "add", f"{self.address}/16", "dev", "eth0")
         self.plug_in()
 
-    def join_air(self, *, isolated: bool) -> None:
+    def join_air(self, *, isolated: bool, multicast: bool = False) -> None:
         """Connect its port to the bridge; an isolated one reaches only those that are not."""
         self._isolated = isolated
         with Batch(self._air) as batch:
             batch.add("link", "set", self.name, "master", "br0")
             batch.add("link", "set", self.name, "addrgenmode", "none", "up")
-            slave = f"isolated {'on' if isolated else 'off'} mcast_flood off"
+            flood = "on" if multicast else "off"
+            slave = f"isolated {'on' if isolated else 'off'} mcast_flood {flood}"
             batch.add("link", "set", self.name, "type", "bridge_slave", slave)
 
     # -- the network ---------------------------------------------------------------------------

@@ -186,3 +186,22 @@ def test_two_machines_see_each_other_through_a_plain_hub() -> None:
         program.stop()
         back.stop()
         assert hub.stop() == 0
+
+
+def test_machines_of_a_subnet_find_each_other_by_multicast() -> None:
+    reason = obstacle()
+    if reason is not None:
+        pytest.skip(reason)
+    subnet = {"ZBOT_DISCOVERY_RANGE": "SUBNET"}
+    with Rig(2) as rig:
+        for machine in rig.laptops:
+            machine.join_air(isolated=False, multicast=True)
+        first, second = rig.laptops
+        program = first.start("zbot", "run", "talker", env=subnet)
+        program.wait_for("Publishing")
+        # Without a node of its own, and then with one.
+        assert "/talker" in second.run("zbot", "node", "list", env=subnet).out
+        listener = second.start("zbot", "run", "listener", env=subnet)
+        listener.wait_for("Hello World")
+        listener.stop()
+        program.stop()

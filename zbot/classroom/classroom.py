@@ -10,7 +10,7 @@ from zbot import membership
 from zbot.classroom.address import EVERYWHERE, Address
 from zbot.classroom.door import Door
 from zbot.classroom.errors import ClassroomError
-from zbot.classroom.hub import HubSettings
+from zbot.classroom.hub import HubSettings, rate_limit
 from zbot.classroom.keys import DESK_KEY, DOOR_KEY, NOTICES_KEY
 from zbot.classroom.record import MOST_NOTICES, ClassRecord, user_of
 from zbot.classroom.register import NumberError
@@ -62,7 +62,7 @@ class Classroom:
         settings = teacher_access(students, shared_is_open=self._record.is_open, shares=shares)
         if not self._record.pin:
             self._go_by_ids(settings["access_control"])
-        return HubSettings(listen, extra=settings)
+        return HubSettings(listen, extra={**settings, **rate_limit(_NUMBERS, "ingress")})
 
     def _go_by_ids(self, access: Document) -> None:
         """Let the rules hold for hubs and this machine, rather than for users with passwords."""

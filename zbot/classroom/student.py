@@ -12,7 +12,7 @@ from zbot.classroom.address import Address, own_addresses, parse_address
 from zbot.classroom.door import Wish
 from zbot.classroom.enrolment import knock, release
 from zbot.classroom.errors import AlreadyJoinedError
-from zbot.classroom.hub import HubSettings
+from zbot.classroom.hub import HubSettings, rate_limit
 from zbot.classroom.join_code import decode, looks_like_code
 from zbot.classroom.presence import Presence
 from zbot.classroom.probe import first_that_answers
@@ -116,7 +116,9 @@ def leave() -> Membership | None:
 def run_student(joined: Membership, on_ready: Callable[[], None]) -> None:
     """Be the hub of a machine that has joined another, until a signal comes."""
     dialled = Address(joined.host, joined.port)
-    known_as = {"id": joined.hub_id} if joined.hub_id else {}
-    settings = HubSettings((hub_endpoint(),), (dialled.endpoint,), known_as)
+    extra = {}
+    if joined.in_class:
+        extra = {"id": joined.hub_id, **rate_limit([joined.number], "egress")}
+    settings = HubSettings((hub_endpoint(),), (dialled.endpoint,), extra)
     presence = Presence(joined) if joined.in_class else None
     serve(joined.role, lambda: settings, on_ready, presence.equip if presence else None)
