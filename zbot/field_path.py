@@ -33,12 +33,15 @@ class FieldPath:
     Args:
         text: The path.
 
+    Attributes:
+        text: The path.
+
     Raises:
         FieldPathError: The text is no path.
     """
 
     def __init__(self, text: str) -> None:
-        self._text = text
+        self.text = text
         self._steps = tuple(self._parse())
 
     def select(self, message: Any) -> Any:
@@ -54,7 +57,7 @@ class FieldPath:
             except AttributeError as exc:
                 raise self._missing(value, step, str(exc)) from None
             except (IndexError, TypeError) as exc:
-                raise FieldPathError(self._text, str(exc)) from None
+                raise FieldPathError(self.text, str(exc)) from None
         return value
 
     def check(self, message_type: type[Any]) -> None:
@@ -76,10 +79,10 @@ class FieldPath:
 
     def _parse(self) -> Sequence[Step]:
         steps: list[Step] = []
-        for part in self._text.split("."):
+        for part in self.text.split("."):
             match = _PART.match(part)
             if match is None:
-                raise FieldPathError(self._text, "write it like pose.position.x or ranges[0]")
+                raise FieldPathError(self.text, "write it like pose.position.x or ranges[0]")
             steps.append(match["name"])
             steps.extend(self._index(text) for text in _INDEX.findall(match["indices"]))
         return steps
@@ -92,7 +95,7 @@ class FieldPath:
         if len(numbers) == 1 and numbers[0] is not None:
             return numbers[0]
         if len(numbers) not in {2, 3} or numbers[2:] == [0]:
-            raise FieldPathError(self._text, f"[{text}] is no index")
+            raise FieldPathError(self.text, f"[{text}] is no index")
         return slice(*numbers)
 
     def _missing(self, value: Any, step: Step, reason: str) -> FieldPathError:
@@ -101,7 +104,7 @@ class FieldPath:
         hint = f"did you mean '{guess}'?" if guess else None
         if hint is None and known:
             hint = f"its fields are {', '.join(known)}"
-        return FieldPathError(self._text, reason, hint)
+        return FieldPathError(self.text, reason, hint)
 
 
 def follow(value: Any, step: Step) -> Any:

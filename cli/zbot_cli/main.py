@@ -32,6 +32,7 @@ NOUNS = {
     "node": "Look at nodes",
     "param": "Look at parameters and set them",
     "pkg": "Find packages, and create them",
+    "plot": "Plot numeric fields of topics",
     "run": "Run a node",
     "security": "Make certificates for machines",
     "service": "Look at services, and call them",

@@ -20,7 +20,7 @@ class NoWebExtraError(ZbotError):
         super().__init__(f"the page needs {missing}: pip install 'zbot[web]'")
 
 
-@app.callback(invoke_without_command=True)
+@app.command()
 def web(
     panel: Annotated[str, typer.Argument(help="Which panel to open first, e.g. topics")] = "",
     host: Annotated[str, typer.Option("--host", help="What to listen on")] = "127.0.0.1",

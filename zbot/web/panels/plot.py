@@ -1,20 +1,188 @@
-"""The panel of plots."""
+"""The panel of plots: numeric fields of topics over time."""
 
 from __future__ import annotations
 
+import shlex
+import time
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
 from nicegui import ui
 
+from zbot.errors import ZbotError
+from zbot.interfaces import get_message
+from zbot.web.curve import Curves, numeric_fields, split_curve
 from zbot.web.panel import Frame, Panel
+from zbot.web.value_text import number
+
+if TYPE_CHECKING:
+    from zbot.web.watch import Watch
+
+_WINDOWS_S = {5: "5 s", 10: "10 s", 30: "30 s", 60: "1 min", 300: "5 min"}
+_DEFAULT_WINDOW_S = 10
+#: The axis moves on between the messages of a slow topic.
+_SCROLL_S = 0.1
+_LEGEND_HZ = 4.0
+_COLOURS = 6
+
+
+class _Watcher:
+    """Watches for a page, also while it is hidden: a plot with holes would tell lies."""
+
+    def __init__(self, frame: Frame) -> None:
+        self._frame = frame
+
+    def watch(self, topic: str, *, keep: int) -> Watch:
+        return self._frame.watch(topic, keep=keep, even_hidden=True)
+
+
+class _Plot:
+    def __init__(self, frame: Frame) -> None:
+        self.frame = frame
+        self.curves = Curves(_Watcher(frame))
+        self.window_s = _DEFAULT_WINDOW_S
+        self.paused = False
+        self.sent: list[str] = []
+        self.listed: list[str] = []
+        self.values: dict[str, ui.label] = {}
+        self.moved_s = 0.0
+        self.came_s = 0.0
+        self.add_toolbar()
+        with ui.element("div").classes("zb-fill"):
+            self.legend = ui.element("div").classes("zb-legend")
+            with ui.element("div").classes("zb-card zb-plot"):
+                self.chart = ui.echart({}, renderer="svg").classes("zb-chart")
+        frame.call("zbot.plot.start", self.chart.id, self.window_s)
+        for word in filter(None, frame.query.get("curve", "").split(",")):
+            self.add(word)
+        self.tell()
+        frame.live(self.draw)
+        frame.live(self.update_legend, _LEGEND_HZ)
+
+    def add_toolbar(self) -> None:
+        """Add what adds curves, and what changes how they are shown."""
+        with self.frame.toolbar:
+            self.entry = ui.input(placeholder="/topic.field", autocomplete=self.proposals())
+            self.entry.props('dense outlined aria-label="Curve"').classes("zb-curve-entry")
+            self.entry.on("keydown.enter", self.add_typed)
+            self.entry.on("focus", lambda: self.entry.set_autocomplete(self.proposals()))
+            ui.button("Add", icon="add", on_click=self.add_typed).props("unelevated dense")
+            choice = ui.select(_WINDOWS_S, value=self.window_s, on_change=self.change_window)
+            choice.props('dense outlined aria-label="Window"').classes("zb-window")
+            self.pause = ui.button("Pause", icon="pause", on_click=self.toggle_pause)
+            self.pause.props("outline dense")
+            for text, icon, function in (
+                ("Clear", "delete_sweep", "zbot.plot.clear"),
+                ("CSV", "download", "zbot.plot.save"),
+            ):
+                button = ui.button(text, icon=icon).props("outline dense")
+                button.on_click(lambda _, name=function: self.frame.call(name, self.chart.id))
+
+    # -- which curves --------------------------------------------------------------------------
+
+    def proposals(self) -> list[str]:
+        """Return the curves that could be added now."""
+        found: list[str] = []
+        for topic, types in self.frame.system.snapshot().topics():
+            try:
+                message: Any = get_message(types[0])()
+            except LookupError:
+                continue  # only the nodes that use it know it; its fields can be typed all the same
+            found += [f"{topic}.{path}" for path in numeric_fields(message)]
+        return found
+
+    def add_typed(self) -> None:
+        """Add the curve that stands in the toolbar."""
+        if self.add(self.entry.value or ""):
+            self.entry.set_value("")
+            self.tell()
+
+    def add(self, word: str) -> bool:
+        """Add a curve; return whether the word names one."""
+        topics = [name for name, _ in self.frame.system.snapshot().topics()]
+        try:
+            self.curves.add(*split_curve(word, topics))
+        except ZbotError as error:
+            ui.notify(str(error), type="negative")
+            return False
+        return True
+
+    def remove(self, name: str) -> None:
+        """Remove a curve."""
+        self.curves.remove(name)
+        self.tell()
+
+    def tell(self) -> None:
+        """Show the command and the address that give the same curves."""
+        names = [*(curve.name for curve in self.curves.curves), *self.curves.waiting]
+        self.frame.show_command(shlex.join(["zbot", "plot", *names]))
+        query = {"curve": ",".join(names)} if names else {}
+        if query != self.frame.query:
+            self.frame.set_query(**query)
+
+    # -- how they are shown --------------------------------------------------------------------
+
+    def change_window(self, event: Any) -> None:
+        """Show another length of time."""
+        self.window_s = event.value
+        self.frame.call("zbot.plot.setWindow", self.chart.id, self.window_s)
+
+    def toggle_pause(self) -> None:
+        """Stop moving, or catch up; points are collected all the time."""
+        self.paused = not self.paused
+        self.pause.set_text("Go on" if self.paused else "Pause")
+        self.pause.set_icon("play_arrow" if self.paused else "pause")
+        self.frame.call("zbot.plot.setPaused", self.chart.id, self.paused)
+
+    def draw(self) -> None:
+        """Send what is new."""
+        points = self.curves.take()
+        names = [curve.name for curve in self.curves.curves]
+        if names != self.sent:
+            self.sent = names
+            self.frame.call("zbot.plot.setCurves", self.chart.id, names)
+            self.tell()
+        now_s = time.time()
+        if points:
+            self.came_s = now_s
+        is_moving = now_s - self.came_s < self.window_s and now_s - self.moved_s >= _SCROLL_S
+        if points or is_moving:
+            self.moved_s = now_s
+            self.frame.call("zbot.plot.add", self.chart.id, points, now_s)
+
+    def update_legend(self) -> None:
+        """Show each curve's newest value, or why there is none."""
+        names = [*(curve.name for curve in self.curves.curves), *self.curves.waiting]
+        if names != self.listed:
+            self.listed = names
+            self.fill_legend(names)
+        for curve in self.curves.curves:
+            problem = self.curves.problem(curve)
+            label = self.values[curve.name]
+            label.set_text(problem or ("" if curve.last is None else number(curve.last)))
+            label.classes(replace="zb-warn" if problem else "zb-mono")
+
+    def fill_legend(self, names: list[str]) -> None:
+        """List the curves."""
+        self.legend.clear()
+        with self.legend:
+            for index, name in enumerate(names):
+                with ui.element("div").classes("zb-legend-item"):
+                    colour = f"background: var(--zb-curve-{index % _COLOURS + 1})"
+                    ui.element("span").classes("zb-dot").style(colour)
+                    ui.label(name).classes("zb-mono")
+                    waits = name in self.curves.waiting
+                    self.values[name] = ui.label("nobody uses it yet" if waits else "")
+                    button = ui.button(icon="close", on_click=partial(self.remove, name))
+                    button.props(
+                        f'flat round dense size=xs color=grey-6 aria-label="Remove {name}"'
+                    )
+            if not names:
+                ui.label("Type a topic and a field, e.g. /turtle1/pose.x").classes("zb-muted")
 
 
 def _build(frame: Frame) -> None:
-    frame.show_command("zbot plot")
-    label = ui.label().classes("zb-mono")
-
-    def update() -> None:
-        label.set_text(str(frame.system.snapshot().topics()))
-
-    frame.live(update)
+    _Plot(frame)
 
 
 PANEL = Panel("/plot", "Plot", "show_chart", _build)

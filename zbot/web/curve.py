@@ -1,0 +1,204 @@
+"""Curves: numeric fields of topics over time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Protocol
+
+from zbot.errors import ZbotError
+from zbot.field_path import FieldPath, FieldPathError
+from zbot.web.value_text import tree
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    from zbot.web.watch import Watch
+
+#: Messages that wait for a page that is hidden; for 20 s of a topic of 1000 Hz.
+KEPT_MESSAGES = 20_000
+#: Curves that a topic without a field stands for.
+_MOST_FIELDS = 8
+
+
+class Watcher(Protocol):
+    """What can watch topics: a page, or the whole system."""
+
+    def watch(self, topic: str, *, keep: int) -> Watch:
+        """Watch a topic."""
+
+
+class CurveError(ZbotError, ValueError):
+    """A word names no curve."""
+
+    def __init__(self, word: str, reason: str) -> None:
+        self.word, self.reason = word, reason
+        self.hint = "name a topic and a numeric field of it: /turtle1/pose.x"
+        super().__init__(f"{word!r} is no curve: {reason}")
+
+
+def split_curve(word: str, topics: Iterable[str]) -> tuple[str, str]:
+    """Return the topic and the field that a word names.
+
+    Args:
+        word: `/turtle1/pose.x`, or as rqt_plot writes it `/turtle1/pose/x`; the slash at its
+            beginning may be missing. Without a field it stands for all numbers of the message.
+        topics: The topics that there are: they tell where a name with slashes ends.
+
+    Raises:
+        CurveError: It is neither.
+    """
+    name, _, field = word.strip().partition(".")
+    name = "/" + name.strip("/")
+    if name == "/":
+        raise CurveError(word, "the topic is missing")
+    if field:
+        FieldPath(field)  # for its sentence
+        return name, field
+    known = [topic for topic in topics if name.startswith(f"{topic}/")]
+    if known and name not in topics:
+        topic = max(known, key=len)
+        return topic, name[len(topic) + 1 :].replace("/", ".")
+    return name, ""
+
+
+def numeric_fields(message: Any) -> list[str]:
+    """Return the paths of a message's numbers: `linear.x`, `ranges[0]`."""
+    return [row.path for row in tree(message) if row.is_number]
+
+
+def value_at(message: Any, path: FieldPath) -> float:
+    """Return a number of a message; ticks are 0 and 1.
+
+    Raises:
+        FieldPathError: There is no number.
+    """
+    value = path.select(message)
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        reason = f"it is no number but {type(value).__name__}"
+        raise FieldPathError(path.text, reason) from None
+
+
+class Curve:
+    """One field over time.
+
+    Attributes:
+        topic: Full name.
+        field: The field's path.
+        problem: Why there are no points, in a sentence.
+        last: The newest value; None if there is none yet.
+    """
+
+    def __init__(self, topic: str, field: str) -> None:
+        self.topic, self.field = topic, field
+        self.path = FieldPath(field)
+        self.problem = ""
+        self.last: float | None = None
+
+    @property
+    def name(self) -> str:
+        """What the user typed: `/turtle1/pose.x`."""
+        return f"{self.topic}.{self.field}"
+
+    def value(self, message: Any) -> float | None:
+        """Return its value in a message; None if it has none, which `problem` tells."""
+        try:
+            self.last = value_at(message, self.path)
+        except FieldPathError as error:
+            self.problem = str(error)
+            return None
+        self.problem = ""
+        return self.last
+
+
+class _Topic:
+    """A topic of which curves are drawn: each message is decoded once for all of them."""
+
+    def __init__(self, watch: Watch) -> None:
+        self.watch = watch
+        self.read_count = watch.count
+
+
+Points = dict[str, list[float]]
+
+
+class Curves:
+    """The curves of one plot, each with the points that came since the last look.
+
+    Args:
+        watcher: Watches their topics.
+    """
+
+    def __init__(self, watcher: Watcher) -> None:
+        self._watcher = watcher
+        self._topics: dict[str, _Topic] = {}
+        self._wholes: list[str] = []
+        self._curves: dict[str, Curve] = {}
+
+    @property
+    def curves(self) -> Sequence[Curve]:
+        """The curves, in the order in which they were added."""
+        return list(self._curves.values())
+
+    @property
+    def waiting(self) -> list[str]:
+        """Topics without a field that nobody uses yet."""
+        return list(self._wholes)
+
+    def add(self, topic: str, field: str) -> None:
+        """Add a curve or, without a field, all numbers of a topic once its type is known.
+
+        Raises:
+            FieldPathError: The field is no path.
+        """
+        if field:
+            curve = Curve(topic, field)
+            self._curves.setdefault(curve.name, curve)
+        elif topic not in self._wholes:
+            self._wholes.append(topic)
+        if topic not in self._topics:
+            self._topics[topic] = _Topic(self._watcher.watch(topic, keep=KEPT_MESSAGES))
+
+    def remove(self, name: str) -> None:
+        """Remove a curve, or a topic that waits; nothing happens if there is none."""
+        self._curves.pop(name, None)
+        if name in self._wholes:
+            self._wholes.remove(name)
+        used = {curve.topic for curve in self.curves} | set(self._wholes)
+        for topic in self._topics.keys() - used:
+            self._topics.pop(topic).watch.release()
+
+    def problem(self, curve: Curve) -> str:
+        """Return why a curve has no points, in a sentence; empty if it has."""
+        watch = self._topics[curve.topic].watch
+        if watch.type_name is None:
+            return f"nobody uses {curve.topic} yet"
+        return watch.problem or curve.problem
+
+    def take(self) -> Points:
+        """Return what is new, by the curve's name: time (seconds since the epoch), value, ..."""
+        found: Points = {}
+        for name, topic in self._topics.items():
+            records = topic.watch.since(topic.read_count)
+            for record in records:
+                topic.read_count = record.number
+                message = topic.watch.read(record)
+                if message is None:
+                    continue
+                if name in self._wholes:
+                    self._resolve(name, message)
+                self._read(name, message, record.time_ns / 1e9, found)
+        return found
+
+    def _resolve(self, topic: str, message: Any) -> None:
+        self._wholes.remove(topic)
+        for field in numeric_fields(message)[:_MOST_FIELDS]:
+            curve = Curve(topic, field)
+            self._curves.setdefault(curve.name, curve)
+
+    def _read(self, topic: str, message: Any, time_s: float, found: Points) -> None:
+        for curve in self._curves.values():
+            if curve.topic == topic:
+                value = curve.value(message)
+                if value is not None:
+                    found.setdefault(curve.name, []).extend((time_s, value))
