@@ -46,6 +46,7 @@ class Membership:
     secret: str = field(default="", repr=False)
     claim: str = ""  #: tells this claim of the number from others
     hub_id: str = ""  #: the Zenoh id that a class knows this machine's hub by
+    keystore: str = ""  #: folder of this machine's certificate, where hubs use them
 
     @property
     def in_class(self) -> bool:

@@ -36,6 +36,9 @@ def start(
     students: Annotated[
         Path | None, typer.Option("--students", help="File with lines of number,name")
     ] = None,
+    keystore: Annotated[
+        Path | None, typer.Option("--keystore", help="Folder of this machine's certificate")
+    ] = None,
     as_json: AsJson = False,
 ) -> None:
     """Open a class."""
@@ -47,7 +50,7 @@ def start(
     expected = load_roster(students) if students else None
     chosen = (os.environ.get("ZBOT_PIN") or random_pin().reveal()) if pin else ""
     opened, record = teacher.start(
-        clean_name(name), port or hub_port(), pin=chosen, expected=expected
+        clean_name(name), port or hub_port(), pin=chosen, expected=expected, keystore=keystore
     )
     board = _board(opened, record)
     print_json(board) if as_json else print(_board_text(board))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -20,6 +21,9 @@ def hub(
     connect: Annotated[
         list[str] | None, typer.Option("--connect", help="HOST[:PORT] of a hub to link with")
     ] = None,
+    keystore: Annotated[
+        Path | None, typer.Option("--keystore", help="Folder of this machine's certificate")
+    ] = None,
 ) -> None:
     """Link machines that `zbot join` this one, until Ctrl-C."""
     from zbot.classroom.address import (  # noqa: PLC0415 - help is quick
@@ -28,12 +32,24 @@ def hub(
         parse_address,
     )
     from zbot.classroom.hub import HubSettings  # noqa: PLC0415 - as above
+    from zbot.classroom.link import Link  # noqa: PLC0415 - as above
     from zbot.classroom.serving import serve  # noqa: PLC0415 - as above
 
     addresses = [parse_address(word) for word in listen or [EVERYWHERE]]
     dialled = [parse_address(word) for word in connect or []]
+    link = Link.named(keystore)
+    if not keystore:
+        listening = [one.endpoint for one in addresses]
+    else:
+        for host in own_addresses()[:1]:
+            link.check_listening(host)
+        for one in dialled:
+            link.check_dialling(one)
+        listening = [endpoint for one in addresses for endpoint in link.listening(one)]
     settings = HubSettings(
-        tuple(one.endpoint for one in addresses), tuple(one.endpoint for one in dialled)
+        tuple(dict.fromkeys(listening)),
+        tuple(link.endpoint(one) for one in dialled),
+        link.settings,
     )
 
     def tell() -> None:

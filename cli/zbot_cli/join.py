@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import sys
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -22,11 +23,14 @@ def join(
     number: Annotated[
         int | None, typer.Option("--number", help="Your number in the class, 1 to 232")
     ] = None,
+    keystore: Annotated[
+        Path | None, typer.Option("--keystore", help="Folder of this machine's certificate")
+    ] = None,
 ) -> None:
     """Join a class, or another machine that runs `zbot hub`."""
     from zbot.classroom import student  # noqa: PLC0415 - help is quick
 
-    joined = student.join(target, name=name, number=number, ask_pin=_ask_pin)
+    joined = student.join(target, name=name, number=number, keystore=keystore, ask_pin=_ask_pin)
     if joined.in_class:
         print(f'joined "{joined.class_name}": {joined.name}, you are number {joined.number}')
         print("restart nodes that run already; `zbot leave` ends it")

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from tests.classroom.talk import HERE, Talk, answers, dialling, free_port, open_session
-from tests.conftest import wait_until
+from tests.conftest import Program, wait_until
 from zbot.classroom.keys import DESK_KEY, DOOR_KEY, here_key
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
 from zbot.security.pin import PinGuest
@@ -46,12 +46,10 @@ class Computer:
 
     def run(self, *words: str, stdin: str = "", **env: str) -> Finished:
         """Run a command; it must not end in a traceback."""
-        kept = {name: value for name, value in os.environ.items() if not name.startswith(_PREFIXES)}
-        own = {"XDG_CONFIG_HOME": str(self.folder), "ZBOT_HUB_PORT": str(self.port)}
         done = subprocess.run(
             [sys.executable, "-m", "zbot_cli", *words],
             input=stdin,
-            env={**kept, **own, **env},
+            env={**self._environment(), **env},
             cwd=self.folder,
             capture_output=True,
             encoding="utf-8",
@@ -60,6 +58,21 @@ class Computer:
         )
         assert "Traceback" not in done.stderr, done.stderr
         return Finished(done.returncode, done.stdout, done.stderr)
+
+    def _environment(self) -> dict[str, str]:
+        kept = {name: value for name, value in os.environ.items() if not name.startswith(_PREFIXES)}
+        own = {"XDG_CONFIG_HOME": str(self.folder), "ZBOT_HUB_PORT": str(self.port)}
+        return {**kept, **own, "PYTHONUNBUFFERED": "1"}
+
+    @contextmanager
+    def background(self, *words: str) -> Iterator[Program]:
+        """Run a command for the length of a block, and end it with Ctrl-C."""
+        command = [sys.executable, "-m", "zbot_cli", *words]
+        program = Program(command, self.folder, self._environment())
+        try:
+            yield program
+        finally:
+            program.stop()
 
     def do(self, *words: str, **env: str) -> str:
         """Run a command that has to work; return what it printed."""

@@ -12,13 +12,13 @@ from zbot.classroom.door import Door
 from zbot.classroom.errors import ClassroomError
 from zbot.classroom.hub import HubSettings, rate_limit
 from zbot.classroom.keys import DESK_KEY, DOOR_KEY, NOTICES_KEY
+from zbot.classroom.link import Link
 from zbot.classroom.record import MOST_NOTICES, ClassRecord, user_of
 from zbot.classroom.register import NumberError
 from zbot.classroom.seats import Seats
 from zbot.config import MAX_DOMAIN_ID
 from zbot.notice import NOTICE_KEY
 from zbot.security.access import TEACHER, Share, teacher_access
-from zbot.session import hub_endpoint
 
 if TYPE_CHECKING:
     from zbot.classroom.register import Student
@@ -54,15 +54,15 @@ class Classroom:
 
     def settings(self) -> HubSettings:
         """Return how the hub is linked, and who may do what through it."""
-        reached = Address(EVERYWHERE, self._port).endpoint
-        own = hub_endpoint()
-        listen = (reached,) if own.endswith(f":{self._port}") else (reached, own)
+        link = Link(self._record.keystore)
+        listen = link.listening(Address(EVERYWHERE, self._port))
         students = {user_of(number): number for number in _NUMBERS}
         shares = [Share(owner, user_of(reader)) for owner, reader in self._record.shares]
         settings = teacher_access(students, shared_is_open=self._record.is_open, shares=shares)
         if not self._record.pin:
             self._go_by_ids(settings["access_control"])
-        return HubSettings(listen, extra={**settings, **rate_limit(_NUMBERS, "ingress")})
+        settings |= {**rate_limit(_NUMBERS, "ingress"), **link.settings}
+        return HubSettings(listen, extra=settings)
 
     def _go_by_ids(self, access: Document) -> None:
         """Let the rules hold for hubs and this machine, rather than for users with passwords."""

@@ -10,6 +10,7 @@ from zbot.classroom.desk import ask
 from zbot.classroom.door import release_proof
 from zbot.classroom.errors import NoHubError, PinNeededError, RefusedError, SilentHubError
 from zbot.classroom.keys import DOOR_KEY
+from zbot.classroom.link import IN_THE_CLEAR, Link
 from zbot.classroom.register import clean_name, clean_sentence
 from zbot.membership import Membership
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
@@ -32,13 +33,14 @@ _RELEASE_TIMEOUT_S = 1.0
 _LONGEST_WAIT_S = 30.0  # behind somebody who guesses PINs
 
 
-def knock(address: Address, wish: Wish, ask_pin: AskPin) -> Membership:
+def knock(address: Address, wish: Wish, ask_pin: AskPin, link: Link = IN_THE_CLEAR) -> Membership:
     """Ask whoever is behind an address to be let in.
 
     Args:
         address: Of a hub.
         wish: Name and number.
         ask_pin: Called with the class's name if it has a PIN; `None` if nobody knows it.
+        link: How the hub speaks.
 
     Returns:
         What was joined: a class, or a plain hub, which asks nothing.
@@ -52,7 +54,7 @@ def knock(address: Address, wish: Wish, ask_pin: AskPin) -> Membership:
     """
     # A hub that asks for users refuses whoever has none, and the other way round.
     for settings in ({}, credentials(LOBBY, LOBBY_SECRET)):
-        session = open_hub_client(address.endpoint, settings)
+        session = open_hub_client(link.endpoint(address), {**settings, **link.settings})
         if session is not None:
             with session:
                 return _Visit(session, address).enrol(wish, ask_pin)

@@ -39,6 +39,7 @@ class ClassRecord:
     name: str
     master: str = field(repr=False)  #: from which every user's secret is made
     pin: str = field(default="", repr=False)
+    keystore: str = ""  #: folder of the teacher's certificate, where hubs use them
     register: Register = field(default_factory=Register)
     is_open: bool = False  #: whether students may publish in the shared space
     shares: list[tuple[int, int]] = field(default_factory=list)  #: whose domain, who may hear it

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import secrets
 import socket
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from zbot import membership
@@ -14,6 +15,7 @@ from zbot.classroom.enrolment import knock, release
 from zbot.classroom.errors import AlreadyJoinedError
 from zbot.classroom.hub import HubSettings, rate_limit
 from zbot.classroom.join_code import decode, looks_like_code
+from zbot.classroom.link import Link
 from zbot.classroom.presence import Presence
 from zbot.classroom.probe import first_that_answers
 from zbot.classroom.serving import serve
@@ -22,6 +24,7 @@ from zbot.session import hub_endpoint, open_hub_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from pathlib import Path
 
     from zbot.membership import Membership
 
@@ -46,6 +49,7 @@ def join(
     *,
     name: str | None = None,
     number: int | None = None,
+    keystore: Path | None = None,
     ask_pin: Callable[[str], str | None] = lambda _class_name: None,
 ) -> Membership:
     """Join what is behind a code or address, and leave a hub running that keeps to it.
@@ -54,17 +58,21 @@ def join(
         target: As the teacher shows it.
         name: The student's.
         number: The student's; the class chooses one if it is left out.
+        keystore: Folder of this machine's certificate, if the hub there uses them.
         ask_pin: Returns the PIN of the class that it is given the name of.
 
     Raises:
         AlreadyJoinedError: This machine has joined something.
         ClassroomError: The hub cannot be found (`find_hub`) or lets nobody in (`knock`).
+        SecurityError: This machine and the hub do not accept each other's certificates.
     """
     _require_alone()
+    link = Link.named(keystore)
     address = find_hub(target)
+    link.check_dialling(address)
     membership.forget()
     wish = Wish(machine_id(), socket.gethostname(), name, number)
-    joined = knock(address, wish, ask_pin)
+    joined = replace(knock(address, wish, ask_pin, link), keystore=link.keystore)
     membership.save(joined, [(joined.user, joined.secret)])
     try:
         background.start(joined.role)
@@ -115,10 +123,10 @@ def leave() -> Membership | None:
 
 def run_student(joined: Membership, on_ready: Callable[[], None]) -> None:
     """Be the hub of a machine that has joined another, until a signal comes."""
-    dialled = Address(joined.host, joined.port)
-    extra = {}
+    link, dialled = Link(joined.keystore), Address(joined.host, joined.port)
+    extra = link.settings
     if joined.in_class:
-        extra = {"id": joined.hub_id, **rate_limit([joined.number], "egress")}
-    settings = HubSettings((hub_endpoint(),), (dialled.endpoint,), extra)
+        extra |= {"id": joined.hub_id, **rate_limit([joined.number], "egress")}
+    settings = HubSettings((hub_endpoint(),), (link.endpoint(dialled),), extra)
     presence = Presence(joined) if joined.in_class else None
     serve(joined.role, lambda: settings, on_ready, presence.equip if presence else None)

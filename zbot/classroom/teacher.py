@@ -14,6 +14,7 @@ from zbot.classroom.classroom import Classroom
 from zbot.classroom.desk import ask
 from zbot.classroom.errors import AlreadyJoinedError, ClassCommandError, NoClassError
 from zbot.classroom.keys import DESK_KEY
+from zbot.classroom.link import Link
 from zbot.classroom.record import ClassRecord, load_record, record_path
 from zbot.classroom.serving import serve
 from zbot.membership import Membership
@@ -22,6 +23,7 @@ from zbot.session import LOOPBACK, open_hub_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
+    from pathlib import Path
 
     import zenoh
 
@@ -33,7 +35,12 @@ _ANSWER_TIMEOUT_S = 5.0
 
 
 def start(
-    name: str, port: int, *, pin: str = "", expected: dict[int, str] | None = None
+    name: str,
+    port: int,
+    *,
+    pin: str = "",
+    expected: dict[int, str] | None = None,
+    keystore: Path | None = None,
 ) -> tuple[Membership, ClassRecord]:
     """Open a class: leave a hub running that students can join.
 
@@ -45,15 +52,20 @@ def start(
         port: TCP port to be reached at.
         pin: Asked of students; empty for none, and for that of a class that goes on.
         expected: Names of students, by number.
+        keystore: Folder of this machine's certificate, for a class whose hubs use them; left out
+            for none, and for that of a class that goes on.
 
     Raises:
         AlreadyJoinedError: This machine takes part in something.
         HubStartError: The port is taken.
+        SecurityError: With this certificate nobody could join.
     """
     record = _present_record(name)
     record.pin = pin or record.pin
     record.register.expected = expected or record.register.expected
     host = next(iter(own_addresses()), LOOPBACK)
+    record.keystore = Link.named(keystore).keystore or record.keystore
+    Link(record.keystore).check_listening(host)
     opened = Membership("teacher", host, port, class_name=name)
     if record.pin:
         opened = replace(opened, user=TEACHER, secret=record.secret_of(TEACHER))

@@ -47,8 +47,13 @@ def tls_settings(identity: Identity) -> dict[str, Any]:
     return {f"transport/link/tls/{name}": value for name, value in values.items()}
 
 
-def check_listening(identity: Identity, addresses: list[str]) -> Facts:
-    """Check that a machine's certificate lets others join it, at all of some addresses.
+def check_listening(identity: Identity, address: str) -> Facts:
+    """Check that a machine's certificate lets others join it.
+
+    Args:
+        identity: The machine's.
+        address: Where others reach it. A certificate with a host's name will do as well, as they
+            may use that.
 
     Raises:
         CertificateError: It is missing, damaged, expired, foreign, only a client's, or for other
@@ -57,7 +62,7 @@ def check_listening(identity: Identity, addresses: list[str]) -> Facts:
     said = identity.check()
     if not said.is_server:
         raise NoServerCertificateError(identity.certificate, said.name)
-    for address in addresses:
+    if all(_is_ip(known) for known in said.addresses):
         _check_address(identity.certificate, said, address)
     return said
 
@@ -129,6 +134,14 @@ def _await_refusal(wrapped: ssl.SSLSocket, host: str, port: int) -> None:
 def _check_address(path: Path | str, said: Facts, address: str) -> None:
     if not any(_same(known, address) for known in said.addresses):
         raise WrongAddressError(path, said.name, address, list(said.addresses))
+
+
+def _is_ip(address: str) -> bool:
+    try:
+        ipaddress.ip_address(address)
+    except ValueError:
+        return False
+    return True
 
 
 def _same(known: str, address: str) -> bool:

@@ -1,0 +1,93 @@
+"""How hubs speak to each other: in the clear, or with the certificates of a keystore."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from zbot.classroom.address import EVERYWHERE, Address, own_addresses
+from zbot.session import hub_endpoint
+
+if TYPE_CHECKING:
+    from zbot.security.keystore import Identity
+
+
+@dataclass(frozen=True)
+class Link:
+    """What hubs of one class or desk have in common.
+
+    Attributes:
+        keystore: Folder of this machine's certificate; empty for links in the clear.
+    """
+
+    keystore: str = ""
+
+    @classmethod
+    def named(cls, folder: Path | None) -> Link:
+        """Return the link that a user has named with `--keystore`, whatever folder that is in.
+
+        Raises:
+            SecurityError: It cannot be told which certificate is meant.
+        """
+        if folder is None:
+            return cls()
+        from zbot.security.keystore import identity  # noqa: PLC0415 - few use certificates
+
+        return cls(str(identity(folder).folder.absolute()))
+
+    @property
+    def settings(self) -> dict[str, Any]:
+        """Zenoh's configuration paths and values for it."""
+        if not self.keystore:
+            return {}
+        from zbot.security.tls import tls_settings  # noqa: PLC0415 - few use certificates
+
+        return tls_settings(self._identity)
+
+    @property
+    def _identity(self) -> Identity:
+        from zbot.security.keystore import Identity  # noqa: PLC0415 - few use certificates
+
+        return Identity(Path(self.keystore))
+
+    def endpoint(self, address: Address) -> str:
+        """Return the Zenoh endpoint of an address."""
+        return f"tls/{address}" if self.keystore else address.endpoint
+
+    def listening(self, address: Address) -> tuple[str, ...]:
+        """Return where a hub listens that others reach at an address: there, and on loopback.
+
+        Nodes of its own machine have no certificates, so the latter stays in the clear.
+        """
+        own = hub_endpoint()
+        if not self.keystore:
+            shared = address.host == EVERYWHERE and own.endswith(f":{address.port}")
+            return (address.endpoint,) if shared else (address.endpoint, own)
+        hosts = own_addresses() if address.host == EVERYWHERE else [address.host]
+        return (*(self.endpoint(Address(host, address.port)) for host in hosts), own)
+
+    def check_listening(self, host: str) -> None:
+        """Check that others can join this machine at an address.
+
+        Raises:
+            SecurityError: Its certificate does not allow it.
+        """
+        if self.keystore:
+            from zbot.security.tls import check_listening  # noqa: PLC0415 - few use certificates
+
+            check_listening(self._identity, host)
+
+    def check_dialling(self, address: Address) -> None:
+        """Check that this machine and the hub at an address accept each other's certificates.
+
+        Raises:
+            SecurityError: They do not; the sentence says whose is wrong, and how.
+        """
+        if self.keystore:
+            from zbot.security.tls import check_dialling  # noqa: PLC0415 - few use certificates
+
+            check_dialling(self._identity, address.host, address.port)
+
+
+IN_THE_CLEAR = Link()
