@@ -453,6 +453,11 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._completed.append(response)
         self.mailbox.post(self)
 
+    @property
+    def has_work(self) -> bool:
+        """Whether a call is over whose callbacks have not run."""
+        return bool(self._completed)
+
     def take(self) -> _Response[ResponseT] | None:
         """Return a call that is over and whose callbacks have not run."""
         try:

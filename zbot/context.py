@@ -12,6 +12,7 @@ from zbot import config, membership
 from zbot.arguments import Arguments
 from zbot.errors import ContextInitializedError, NotInitializedError
 from zbot.graph import Graph
+from zbot.handle import Handle
 from zbot.log import configure, get_logger, get_logging_severity_from_string
 from zbot.notice import follow_notices
 from zbot.session import MeetingPoint, MeetingWatch, process_facts
@@ -176,6 +177,8 @@ class Context:
             raise NotInitializedError(what)
 
     def __enter__(self) -> Self:
+        if self._state == "new":
+            self.init()
         return self
 
     def __exit__(
@@ -185,6 +188,11 @@ class Context:
         exc_tb: TracebackType | None,
     ) -> None:
         self.shutdown()
+
+    @property
+    def handle(self) -> Handle[Context]:
+        """Rclpy's name for the context's inner part."""
+        return Handle(self)
 
     # -- nodes ---------------------------------------------------------------------------------
 

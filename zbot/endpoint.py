@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from zbot.handle import Handle
+
 if TYPE_CHECKING:
     from types import TracebackType
 
@@ -28,6 +30,11 @@ class Endpoint:
     def token(self) -> EndpointToken:
         """What the graph shows of it."""
         return self._token
+
+    @property
+    def handle(self) -> Handle[Self]:
+        """What a `WaitSet` takes."""
+        return Handle(self)
 
     @property
     def logger_name(self) -> str:

@@ -199,7 +199,7 @@ class SetupError(ZbotError):
     """The surroundings of a program are wrong, not its code: no line of it is worth showing."""
 
 
-class DomainIdError(SetupError, ValueError):
+class DomainIdError(SetupError, ValueError, RuntimeError):
     """A domain id is no integer in range."""
 
     def __init__(self, source: str, value: object, maximum: int) -> None:
@@ -249,7 +249,7 @@ class SessionError(SetupError, OSError):
 class NotInitializedError(ZbotError, RuntimeError):
     """Something needs a context that is initialised and not yet shut down."""
 
-    def __init__(self, what: str) -> None:
+    def __init__(self, what: str = "this") -> None:
         self.what = what
         super().__init__(f"{what} needs zbot.init() first (and no shutdown() since)")
 
@@ -257,7 +257,7 @@ class NotInitializedError(ZbotError, RuntimeError):
 class InvalidHandleError(ZbotError, RuntimeError):
     """An object is used after it, or its node, was destroyed."""
 
-    def __init__(self, what: str) -> None:
+    def __init__(self, what: str = "the object") -> None:
         self.what = what
         super().__init__(f"{what} was destroyed and cannot be used any more")
 
@@ -275,7 +275,7 @@ class MessageTypeError(ZbotError, TypeError):
 class ShutdownError(ZbotError, RuntimeError):
     """Something is used after its own shutdown()."""
 
-    def __init__(self, what: str) -> None:
+    def __init__(self, what: str = "the executor") -> None:
         self.what = what
         super().__init__(f"{what} was shut down; create a new one")
 
@@ -296,6 +296,17 @@ class InvalidQoSProfileError(ZbotError, ValueError):
     def __init__(self, reason: str) -> None:
         self.reason = reason
         super().__init__(f"Invalid QoSProfile: {reason}")
+
+
+class QoSArgumentError(ZbotError, TypeError):
+    """Neither a quality of service profile nor the depth of a queue was given."""
+
+    def __init__(self, value: object) -> None:
+        self.value = value
+        super().__init__(
+            "Expected QoSProfile or int, the depth of a queue, but received "
+            f"{type(value).__name__}: {value!r}"
+        )
 
 
 class UnknownQoSKeyError(ZbotError, KeyError):
@@ -399,13 +410,24 @@ class PositionalFieldError(ZbotError, TypeError):
         super().__init__(f"name the fields of {type_name}: {short}({example})")
 
 
-class NotAMessageTypeError(ZbotError, TypeError):
-    """A class was used as a message, service or action type that is none, or cannot be one."""
+class NotAMessageTypeError(ZbotError, TypeError, AttributeError):
+    """A class was used as a message, service or action type that is none, or cannot be one.
+
+    rclpy misses an attribute in such a class, and programs catch that.
+    """
 
     def __init__(self, given: object, reason: str) -> None:
         self.given, self.reason = given, reason
         name = given.__qualname__ if isinstance(given, type) else repr(given)
         super().__init__(f"{name} cannot be used as an interface type: {reason}")
+
+
+class InterfaceKindError(NotAMessageTypeError, RuntimeError):
+    """A class of another kind was used: a service where a message belongs, or the like."""
+
+    def __init__(self, given: object, expected: str) -> None:
+        super().__init__(given, f"it is not {expected}")
+        self.expected = expected
 
 
 class TokenError(ZbotError, ValueError):
@@ -431,12 +453,14 @@ class RateInterruptedError(ZbotError):
         super().__init__("interrupted by shutdown()")
 
 
-class NodeNameError(ZbotError, ValueError):
+class NodeNameError(InvalidNodeNameError):
     """A node is created without a name."""
 
     def __init__(self, value: object) -> None:
         self.value = value
-        super().__init__(f"a node needs a name: super().__init__('my_node'), not {value!r}")
+        name = value if isinstance(value, str) else ""
+        given = f"a node needs a name, as in super().__init__('my_node'), not {value!r}"
+        super().__init__(name, given, 0)
 
 
 class UnknownNodeError(ZbotError, LookupError):
@@ -453,6 +477,14 @@ class InvalidPeriodError(ZbotError, ValueError):
     def __init__(self, what: str, value: object) -> None:
         self.what, self.value = what, value
         super().__init__(f"{what} must be a positive number of seconds or hertz, not {value!r}")
+
+
+class TimerCancelledError(ZbotError, RuntimeError):
+    """rclpy's error for calling a canceled timer, for programs that catch it."""
+
+
+class UnsupportedEventTypeError(ZbotError, RuntimeError):
+    """rclpy's error for events that a middleware lacks, for programs that catch it."""
 
 
 class CodecError(ZbotError, ValueError):
@@ -523,7 +555,7 @@ def _shortened(value: object, limit: int = 80) -> str:
     return text if len(text) <= limit else f"{text[: limit - 3]}..."
 
 
-class ArgumentsError(ZbotError, ValueError):
+class ArgumentsError(ZbotError, ValueError, RuntimeError):
     """A word after `--ros-args` is not understood."""
 
     def __init__(self, word: str, reason: str) -> None:

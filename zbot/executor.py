@@ -177,8 +177,11 @@ class Executor:
         self._post(_Step(task))
 
     def wake(self) -> None:
-        """Let a waiting `spin_once` look for work; from any thread."""
+        """Let a waiting `spin_once` look for work, and ask all waitables; from any thread."""
         self._is_disturbed = True
+        for node in list(self._nodes):
+            for waitable in list(node.handle.waitables):
+                self._queue(waitable)
         self._signal.set()
 
     def _post(self, entity: Entity) -> None:
@@ -290,7 +293,8 @@ class Executor:
             if task.is_over:
                 self._finish(entity)
             else:
-                task.add_done_callback(lambda _: self._finish(entity))
+                # Not as a done callback: that would be a piece of work of its own.
+                task.add_waker(lambda: self._finish(entity))
                 if isinstance(entity.callback_group, ReentrantCallbackGroup):
                     self._queue(entity)  # its next piece may begin while this one waits
         if task.done():
@@ -324,8 +328,12 @@ class Executor:
                 self._queue(waiting)
 
     def _finish(self, entity: Entity) -> None:
-        for waiting in entity.callback_group.ending_execution(entity):
-            self._queue(waiting)
+        # In front: they had their turn already, and were sent away.
+        for waiting in reversed(entity.callback_group.ending_execution(entity)):
+            if waiting not in self._queued:
+                self._queued.add(waiting)
+                self._ready.appendleft(waiting)
+                self._is_disturbed = True
         self._queue(entity)  # it may have more
 
     # -- spinning ------------------------------------------------------------------------------

@@ -23,7 +23,6 @@ from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator
 
-    from zbot.qos import QoSProfile
     from zbot.wire.dialect import Dialect
 
 _QUEUE = 1024  # tokens that wait for the graph's thread; a full queue only slows Zenoh down
@@ -371,32 +370,6 @@ def _is_name(name: str) -> bool:
         return validate_full_topic_name(name)
     except InvalidNameError:
         return False  # a wildcard, or a key that is no ROS name
-
-
-@dataclass(frozen=True)
-class TopicEndpointInfo:
-    """What is known of one publisher or subscription (rclpy's names)."""
-
-    node_name: str
-    node_namespace: str
-    topic_type: str
-    topic_type_hash: str
-    endpoint_type: EntityKind
-    endpoint_gid: list[int]
-    qos_profile: QoSProfile
-
-    @classmethod
-    def of(cls, token: EndpointToken) -> TopicEndpointInfo:
-        """Return the facts of a token."""
-        return cls(
-            token.node,
-            token.namespace,
-            token.type_name,
-            token.type_hash,
-            token.kind,
-            list(token.gid),
-            token.qos,
-        )
 
 
 def _full(token: Token) -> str:

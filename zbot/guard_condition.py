@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.callback_group import ReentrantCallbackGroup
+from zbot.handle import Handle
+from zbot.mailbox import Mailbox
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.callback_group import CallbackGroup
-    from zbot.mailbox import Mailbox
 
 
 class GuardCondition:
@@ -17,18 +20,34 @@ class GuardCondition:
     Args:
         callback: Called without arguments; may be a coroutine function.
         callback_group: Decides beside what it may run.
-        mailbox: The node's way to its executor.
+        context: Accepted: rclpy's guard conditions belong to one.
+        mailbox: The node's way to its executor; one that only a `WaitSet` looks at has none.
     """
 
     due_ns: int | None = None
 
     def __init__(
-        self, callback: Callable[[], Any] | None, callback_group: CallbackGroup, mailbox: Mailbox
+        self,
+        callback: Callable[[], Any] | None = None,
+        callback_group: CallbackGroup | None = None,
+        context: object = None,  # noqa: ARG002 - rclpy's signature
+        *,
+        mailbox: Mailbox | None = None,
     ) -> None:
         self.callback = callback
-        self.callback_group = callback_group
-        self.mailbox = mailbox
+        self.callback_group = callback_group or ReentrantCallbackGroup()
+        self.mailbox = mailbox or Mailbox()
         self._triggered = False
+
+    @property
+    def handle(self) -> Handle[GuardCondition]:
+        """What a `WaitSet` takes."""
+        return Handle(self)
+
+    @property
+    def has_work(self) -> bool:
+        """Whether it was triggered since the last time."""
+        return self._triggered
 
     def trigger(self) -> None:
         """Ask for the callback to be run; from any thread."""

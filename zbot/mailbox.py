@@ -41,6 +41,8 @@ class Mailbox:
         self._lock = threading.Lock()
         self._entities: list[Entity] = []
         self._deliver: Callable[[Entity], None] | None = None
+        self._attached: Callable[[Entity], None] | None = None
+        self._watchers: list[tuple[Entity, Callable[[], object]]] = []
         self.executor: object = None  #: who gets the posts now
 
     @property
@@ -66,14 +68,42 @@ class Mailbox:
     def attach(self, executor: object, deliver: Callable[[Entity], None]) -> None:
         """Send posts to an executor's function, beginning with one for every entity."""
         with self._lock:
-            self.executor, self._deliver = executor, deliver
+            self.executor, self._attached = executor, deliver
+            self._choose_delivery()
             entities = list(self._entities)
         for entity in entities:
             deliver(entity)
 
     def detach(self) -> None:
         """Keep posts from now on until the next executor comes."""
-        self.executor = self._deliver = None
+        with self._lock:
+            self.executor = self._attached = None
+            self._choose_delivery()
+
+    def watch(self, entity: Entity, watcher: Callable[[], object]) -> None:
+        """Call a quick function too whenever an entity may have work, also without an executor."""
+        with self._lock:
+            self._watchers.append((entity, watcher))
+            self._choose_delivery()
+
+    def unwatch(self, entity: Entity, watcher: Callable[[], object]) -> None:
+        """Undo one `watch`; nothing happens if there was none."""
+        with self._lock:
+            if (entity, watcher) in self._watchers:
+                self._watchers.remove((entity, watcher))
+            self._choose_delivery()
+
+    def _choose_delivery(self) -> None:
+        # Decided here and not with each post: hardly anything is ever watched.
+        self._deliver = self._deliver_and_tell if self._watchers else self._attached
+
+    def _deliver_and_tell(self, entity: Entity) -> None:
+        attached = self._attached
+        if attached is not None:
+            attached(entity)
+        for watched, watcher in list(self._watchers):
+            if watched is entity:
+                watcher()
 
     def post(self, entity: Entity) -> None:
         """Say that an entity may have work; from any thread."""

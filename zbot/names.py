@@ -202,7 +202,7 @@ def _node_name_fault(name: str) -> Fault | None:
     if bad is not None:
         return "node name must not contain characters other than letters, digits and '_'", bad
     if name[0].isdigit():
-        return "node name must not start with a digit", 0
+        return "node name must not start with a number", 0
     return None
 
 
@@ -220,7 +220,7 @@ def _absolute_fault(kind: str, name: str, max_length: int) -> Fault | None:
         return f"{kind} must not repeat '/'", name.index("//") + 1
     digit = _DIGIT_TOKEN.search(name)
     if digit is not None:
-        return f"{kind} must not have a part that starts with a digit", digit.end() - 1
+        return f"{kind} token must not start with a number", digit.end() - 1
     if len(name) > max_length:
         return f"{kind} must not be longer than {max_length} characters", max_length
     return None
@@ -238,7 +238,7 @@ def _relative_fault(kind: str, name: str) -> Fault | None:
         return f"{kind} must have '/' after '~'", 1
     digit = _DIGIT_TOKEN.search(name)
     if digit is not None:
-        return f"{kind} must not have a part that starts with a digit", digit.end() - 1
+        return f"{kind} token must not start with a number", digit.end() - 1
     return None
 
 

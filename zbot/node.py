@@ -9,6 +9,7 @@ from zbot.client import Client
 from zbot.context import get_default_context
 from zbot.errors import InvalidPeriodError, NodeNameError
 from zbot.guard_condition import GuardCondition
+from zbot.interfaces.type_support import check_is_valid_msg_type, check_is_valid_srv_type
 from zbot.log import get_logger
 from zbot.names import (
     expand_topic_name,
@@ -31,7 +32,7 @@ from zbot.qos import (
     qos_profile_services_default,
 )
 from zbot.rosout import Rosout
-from zbot.service import Service, check_service_type
+from zbot.service import Service
 from zbot.subscription import Subscription
 from zbot.time import S_TO_NS
 from zbot.time_source import TimeSource
@@ -52,6 +53,7 @@ if TYPE_CHECKING:
     from zbot.log import Logger
     from zbot.parameter import Parameter
     from zbot.qos_overriding_options import QoSOverridingOptions
+    from zbot.waitable import Waitable
 
 MsgT = TypeVar("MsgT")
 EntityT = TypeVar("EntityT")
@@ -83,7 +85,7 @@ class Node(GraphQueries, NodeParameters):
         allow_undeclared_parameters: Whether setting an unknown parameter declares it.
         automatically_declare_parameters_from_overrides: Declare whatever the command line, its
             files and `parameter_overrides` have.
-        enable_logger_service: Accepted; log levels are set on the command line.
+        enable_logger_service: Whether other nodes can ask for the loggers' levels and set them.
 
     Raises:
         NodeNameError: The name is empty or missing.
@@ -115,7 +117,7 @@ class Node(GraphQueries, NodeParameters):
         parameter_overrides: list[Parameter[Any]] | None = None,
         allow_undeclared_parameters: bool = False,
         automatically_declare_parameters_from_overrides: bool = False,
-        enable_logger_service: bool = False,  # noqa: ARG002 - levels are set on the command line
+        enable_logger_service: bool = False,
     ) -> None:
         if not isinstance(node_name, str) or not node_name:
             raise NodeNameError(node_name)
@@ -143,6 +145,10 @@ class Node(GraphQueries, NodeParameters):
             self._zbot_parameter_services = ParameterServices(handle, self._zbot_resolve)
         if handle.parameters.get(START_TYPE_DESCRIPTION_SERVICE).value is True:
             serve_type_descriptions(handle, self._zbot_resolve)
+        if enable_logger_service:
+            from zbot.logger_services import LoggingService  # noqa: PLC0415 - few nodes have it
+
+            LoggingService(self)
 
     def _zbot_add_parameter_events(self) -> None:
         from rcl_interfaces.msg import ParameterEvent  # noqa: PLC0415 - made at first import
@@ -175,8 +181,10 @@ class Node(GraphQueries, NodeParameters):
             return
         if current is not None:
             current.remove_node(self)
-        if new_executor is not None:
-            new_executor.add_node(self)
+        self._zbot_handle.executor = None
+        # An executor of another make only says whether it took the node.
+        if new_executor is not None and new_executor.add_node(self):
+            self._zbot_handle.executor = new_executor
 
     @property
     def default_callback_group(self) -> CallbackGroup:
@@ -255,9 +263,11 @@ class Node(GraphQueries, NodeParameters):
 
         Raises:
             InvalidTopicNameError: The name breaks ROS 2's grammar.
+            NotAMessageTypeError: The class is no message's.
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
+        check_is_valid_msg_type(msg_type)
         name = Node.resolve_topic_name(self, topic)
         qos = self._zbot_overridden("publisher", name, qos_profile, qos_overriding_options)
         token = handle.endpoint(EntityKind.PUBLISHER, name, msg_type, qos)
@@ -304,9 +314,11 @@ class Node(GraphQueries, NodeParameters):
         Raises:
             InvalidTopicNameError: The name breaks ROS 2's grammar.
             CallbackSignatureError: The callback takes neither one nor two arguments.
+            NotAMessageTypeError: The class is no message's.
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
+        check_is_valid_msg_type(msg_type)
         name = Node.resolve_topic_name(self, topic)
         qos = self._zbot_overridden("subscription", name, qos_profile, qos_overriding_options)
         subscription = Subscription(
@@ -352,7 +364,7 @@ class Node(GraphQueries, NodeParameters):
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
-        check_service_type(srv_type)
+        check_is_valid_srv_type(srv_type)
         name = Node.resolve_service_name(self, srv_name)
         service: Service[Any, Any] = Service(
             handle.context,
@@ -390,7 +402,7 @@ class Node(GraphQueries, NodeParameters):
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
-        check_service_type(srv_type)
+        check_is_valid_srv_type(srv_type)
         name = Node.resolve_service_name(self, srv_name)
         client: Client[Any, Any] = Client(
             handle.context,
@@ -446,10 +458,23 @@ class Node(GraphQueries, NodeParameters):
         """Create a callback that any thread can ask for with `trigger()`."""
         handle = self._zbot_alive()
         group = callback_group or handle.default_callback_group
-        guard = GuardCondition(callback, group, handle.mailbox)
+        guard = GuardCondition(callback, group, mailbox=handle.mailbox)
         handle.guards.append(guard)
         handle.add(guard)
         return guard
+
+    def add_waitable(self, waitable: Waitable[Any]) -> None:
+        """Let the node's executor run work of the program's own kind."""
+        self._zbot_alive().add_waitable(waitable)
+
+    def remove_waitable(self, waitable: Waitable[Any]) -> None:
+        """Run a waitable no more; nothing happens if it is not this node's."""
+        self._zbot_handle.remove_waitable(waitable)
+
+    @property
+    def waitables(self) -> Iterator[Waitable[Any]]:
+        """The waitables that were added."""
+        return iter([entity.waitable for entity in self._zbot_handle.waitables])
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
         """Create a rate whose `sleep()` gives a loop `frequency` turns a second.

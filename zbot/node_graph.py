@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from zbot.endpoint_info import TopicEndpointInfo
 from zbot.errors import UnknownNodeError
-from zbot.graph import TopicEndpointInfo, full_names
+from zbot.graph import full_names
 from zbot.names import fully_qualified
 from zbot.wire.tokens import EndpointToken, EntityKind
 

@@ -7,13 +7,17 @@ from typing import TYPE_CHECKING, Any
 from zbot.advice import adviser_of
 from zbot.callback_group import CallbackGroup, MutuallyExclusiveCallbackGroup
 from zbot.clock import ROSClock
+from zbot.errors import InvalidHandleError
 from zbot.interfaces import type_hash, type_name
 from zbot.mailbox import Mailbox
 from zbot.names import fully_qualified
 from zbot.parameter_store import ParameterStore
+from zbot.waitable import WaitableEntity
 from zbot.wire.tokens import EndpointToken, NodeToken
 
 if TYPE_CHECKING:
+    from types import TracebackType
+
     from zbot.arguments import Arguments
     from zbot.client import Client
     from zbot.context import Context
@@ -25,6 +29,7 @@ if TYPE_CHECKING:
     from zbot.service import Service
     from zbot.subscription import Subscription
     from zbot.timer import Rate, Timer
+    from zbot.waitable import Waitable
     from zbot.wire.tokens import EntityKind
 
 
@@ -53,6 +58,7 @@ class NodeHandle:
         self.timers: list[Timer] = []
         self.guards: list[GuardCondition] = []
         self.rates: list[Rate] = []
+        self.waitables: list[WaitableEntity] = []
         self.clock = ROSClock()
         self.parameters = ParameterStore(self._tell)
         self.parameter_events: Publisher[Any] | None = None
@@ -104,6 +110,32 @@ class NodeHandle:
             qos=qos,
         )
 
+    def add_waitable(self, waitable: Waitable[Any]) -> None:
+        """Let the node's executor run a program's own kind of work."""
+        entity = WaitableEntity(waitable, self.mailbox)
+        self.waitables.append(entity)
+        self.mailbox.add(entity)
+
+    def remove_waitable(self, waitable: Waitable[Any]) -> None:
+        """Forget a program's own kind of work; nothing happens if it is unknown."""
+        for entity in [one for one in self.waitables if one.waitable is waitable]:
+            self.waitables.remove(entity)
+            self.mailbox.remove(entity)
+            entity.destroy()
+
+    def __enter__(self) -> NodeHandle:
+        if self.is_destroyed:
+            raise InvalidHandleError(f"the node {self.full_name}")
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        """Leave the node as it is."""
+
     def add(self, entity: Any) -> None:
         """Let the node's executor run what an entity has to do."""
         entity.callback_group.add_entity(entity)
@@ -130,7 +162,7 @@ class NodeHandle:
             *self.rates,
             *self.guards,
         )
-        for entity in owned:
+        for entity in (*owned, *self.waitables):
             entity.destroy()
         for served in (*reversed(self.services), *reversed(self.clients)):
             served.destroy()

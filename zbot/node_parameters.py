@@ -350,6 +350,8 @@ def _declaration(name: str, value: Any, descriptor: Any, *, is_bare: bool) -> De
         return Declaration(name, None, Descriptor(dynamic_typing=True))
     if hasattr(value, "double_array_value"):
         value = parameter_value_to_python(value)
+    if descriptor is not None and not hasattr(descriptor, "dynamic_typing"):
+        raise ArgumentTypeError("descriptor", "a ParameterDescriptor", descriptor)
     rules = Descriptor() if descriptor is None else Descriptor.of(descriptor)
     return Declaration(name, value, rules)
 

@@ -10,7 +10,12 @@ import warnings
 from enum import Enum, IntEnum
 from typing import Generic, TypeVar, overload
 
-from zbot.errors import ArgumentTypeError, InvalidQoSProfileError, UnknownQoSKeyError
+from zbot.errors import (
+    ArgumentTypeError,
+    InvalidQoSProfileError,
+    QoSArgumentError,
+    UnknownQoSKeyError,
+)
 from zbot.time import Duration
 
 __all__ = [
@@ -292,7 +297,9 @@ class QoSProfile:
         if not isinstance(value, int) or isinstance(value, bool):
             raise ArgumentTypeError("depth", "an integer", value)
         if value < 0:
-            raise InvalidQoSProfileError(f"depth must not be negative: {value}")
+            raise InvalidQoSProfileError(
+                f"history depth must be greater than or equal to zero, not {value}"
+            )
         if value == 0 and self.history == HistoryPolicy.KEEP_LAST:
             warning = "a depth of 0 keeps no message: the default depth is used instead"
             warnings.warn(warning, stacklevel=3)
@@ -334,13 +341,13 @@ def as_profile(qos_or_depth: QoSProfile | int) -> QoSProfile:
     """Return the profile itself, or the default one with the depth given.
 
     Raises:
-        ArgumentTypeError: It is neither a profile nor an integer.
+        QoSArgumentError: It is neither a profile nor an integer.
         InvalidQoSProfileError: The depth is negative.
     """
     if isinstance(qos_or_depth, QoSProfile):
         return qos_or_depth
     if not isinstance(qos_or_depth, int) or isinstance(qos_or_depth, bool):
-        raise ArgumentTypeError("qos_profile", "a QoSProfile or a queue depth", qos_or_depth)
+        raise QoSArgumentError(qos_or_depth)
     return QoSProfile(depth=qos_or_depth)
 
 

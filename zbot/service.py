@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
 
-from zbot.errors import NotAMessageTypeError, ResponseTypeError
+from zbot.errors import ResponseTypeError
 from zbot.foreign_call import called_by_zenoh, keep_thread_state
 from zbot.interfaces import type_name
 from zbot.log import get_logger
@@ -110,6 +110,11 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
             watcher()
         self.mailbox.post(self)
 
+    @property
+    def has_work(self) -> bool:
+        """Whether a request waits."""
+        return bool(self._queries)
+
     def take(self) -> tuple[zenoh.Query, float] | None:
         """Return the oldest request that waits, and when it came (monotonic clock), if any."""
         try:
@@ -203,17 +208,6 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
     def _drop_queries(self) -> None:
         while (taken := self.take()) is not None:
             taken[0].drop()  # its caller learns that there is no answer
-
-
-def check_service_type(srv_type: object) -> None:
-    """Check that a class is a service's.
-
-    Raises:
-        NotAMessageTypeError: It has no classes `Request` and `Response`.
-    """
-    parts = (getattr(srv_type, "Request", None), getattr(srv_type, "Response", None))
-    if not all(isinstance(part, type) for part in parts):
-        raise NotAMessageTypeError(srv_type, "it is no service, like std_srvs.srv.Trigger")
 
 
 def _sender(query: zenoh.Query) -> bytes:

@@ -22,6 +22,7 @@ import zenoh
 
 from zbot.endpoint import TopicEndpoint
 from zbot.errors import CallbackSignatureError
+from zbot.handle import Handle
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy
@@ -153,9 +154,9 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._callback = callback
 
     @property
-    def handle(self) -> Any:
-        """The Zenoh subscriber."""
-        return self._subscriber
+    def handle(self) -> SubscriptionHandle:
+        """What a `WaitSet` takes, and what messages can be taken from without an executor."""
+        return SubscriptionHandle(self)
 
     def get_publisher_count(self) -> int:
         """Return how many publishers the topic has in the whole domain."""
@@ -194,6 +195,34 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             return queue.popleft()
         except IndexError:
             return None
+
+    @property
+    def has_work(self) -> bool:
+        """Whether there is a message to take; for the thread that takes them."""
+        if not self._queue and self._is_waiting:
+            sample = self.take()  # more may have come while nobody looked
+            if sample is not None:
+                self._queue.appendleft(sample)
+        return bool(self._queue)
+
+    def take_message(self, *, raw: bool = False) -> tuple[Any, MessageInfo] | None:
+        """Take the oldest message with its info past the callback; `None` if there is none.
+
+        Args:
+            raw: Return ROS 2's CDR bytes in place of a message.
+
+        Raises:
+            CodecError: It cannot be read.
+        """
+        sample = self.take()
+        if sample is None:
+            return None
+        attachment = sample.attachment
+        facts = None if attachment is None else attachment.to_bytes()
+        known = facts if facts is not None and len(facts) == _FACTS_LENGTH else None
+        self.received_count += 1
+        decode = raw_decoder(self._decode) if raw and not self.raw else self._decode
+        return decode(sample.payload.to_bytes()), self._info(known)
 
     def _fetch(self) -> bool:
         sample = self._try_recv()
@@ -316,6 +345,26 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             self._subscriber.undeclare()
         if self._is_waiting:
             self._rearm()
+
+
+class SubscriptionHandle(Handle[Subscription[Any]]):
+    """A subscription's handle."""
+
+    def take_message(
+        self,
+        msg_type: object = None,  # noqa: ARG002 - rclpy's signature
+        raw: bool = False,
+    ) -> tuple[Any, MessageInfo] | None:
+        """Take the oldest message with its info past the callback; `None` if there is none."""
+        return self.entity.take_message(raw=raw)
+
+    def get_topic_name(self) -> str:
+        """Return the topic's full name."""
+        return self.entity.topic_name
+
+    def get_publisher_count(self) -> int:
+        """Return how many publishers the topic has."""
+        return self.entity.get_publisher_count()
 
 
 def _wants_info(callback: Callable[..., Any]) -> bool:

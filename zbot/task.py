@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import sys
 import threading
+import warnings
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 if TYPE_CHECKING:
@@ -144,10 +145,13 @@ class Future(Generic[T]):
         return callbacks
 
     def _run(self, callback: Callable[[Any], Any]) -> None:
-        if self._executor is None:
-            callback(self)
-        else:
+        if self._executor is not None:
             self._executor.create_task(callback, self)
+            return
+        try:
+            callback(self)
+        except Exception as exc:  # noqa: BLE001 - as in rclpy, not the completing thread's concern
+            warnings.warn(f"Unhandled exception in done callback: {exc}", stacklevel=2)
 
 
 class Task(Future[T]):

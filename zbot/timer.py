@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.clock import ROSClock
 from zbot.errors import CallbackSignatureError, InvalidHandleError, RateInterruptedError
+from zbot.handle import Handle
 from zbot.time import Duration, Time
 
 if TYPE_CHECKING:
@@ -134,6 +135,16 @@ class Timer:
         if self._is_canceled or self._callback is None:
             return None
         return self._callback(info) if self._with_info else self._callback()
+
+    @property
+    def handle(self) -> Handle[Timer]:
+        """What a `WaitSet` takes."""
+        return Handle(self)
+
+    @property
+    def has_work(self) -> bool:
+        """Whether a call is due."""
+        return self.is_ready()
 
     def is_ready(self) -> bool:
         """Return whether a call is due."""

@@ -12,6 +12,7 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
+from zbot.endpoint_info import TopicEndpointTypeEnum
 from zbot.errors import (
     InvalidHandleError,
     InvalidNamespaceError,
@@ -21,7 +22,7 @@ from zbot.errors import (
     UnknownNodeError,
 )
 from zbot.qos import DurabilityPolicy, QoSProfile
-from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
+from zbot.wire.tokens import EndpointToken, NodeToken
 
 from std_msgs.msg import Float32, String
 
@@ -262,12 +263,12 @@ def test_infos_tell_node_type_and_quality(make_node: MakeNode, observer: zbot.No
     (info,) = observer.get_publishers_info_by_topic("/map")
     assert (info.node_name, info.node_namespace) == ("robot", "/fleet")
     assert info.topic_type == "std_msgs/msg/String"
-    assert info.endpoint_type is EntityKind.PUBLISHER
+    assert info.endpoint_type is TopicEndpointTypeEnum.PUBLISHER
     assert info.qos_profile.depth == 7
     assert info.qos_profile.durability is DurabilityPolicy.TRANSIENT_LOCAL
     assert bytes(info.endpoint_gid) == publisher.token.gid
     (info,) = observer.get_subscriptions_info_by_topic("/map")
-    assert (info.qos_profile.depth, info.endpoint_type) == (3, EntityKind.SUBSCRIPTION)
+    assert (info.qos_profile.depth, info.endpoint_type) == (3, TopicEndpointTypeEnum.SUBSCRIPTION)
     assert observer.get_publishers_info_by_topic("/nothing") == []
 
 

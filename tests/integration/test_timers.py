@@ -175,7 +175,6 @@ def test_an_async_timer_does_not_overtake_itself(node: zbot.Node, executor: zbot
     gate.set_result(None)
     executor.spin_once(timeout_sec=1)
     executor.spin_once(timeout_sec=1)
-    executor.spin_once(timeout_sec=1)
     assert len(calls) == 2
 
 

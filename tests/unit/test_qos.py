@@ -6,7 +6,12 @@ from typing import Any
 import pytest
 
 from zbot import qos
-from zbot.errors import ArgumentTypeError, InvalidQoSProfileError, UnknownQoSKeyError
+from zbot.errors import (
+    ArgumentTypeError,
+    InvalidQoSProfileError,
+    QoSArgumentError,
+    UnknownQoSKeyError,
+)
 from zbot.qos import (
     DurabilityPolicy,
     HistoryPolicy,
@@ -42,7 +47,7 @@ def test_keep_all_needs_no_depth() -> None:
     [
         ({}, "give it a depth"),
         ({"history": HistoryPolicy.KEEP_LAST}, "KEEP_LAST needs a depth"),
-        ({"depth": -1}, "must not be negative: -1"),
+        ({"depth": -1}, "greater than or equal to zero, not -1"),
         ({"depth": 1, "reliability": 99}, "reliability must be a ReliabilityPolicy, not 99"),
         ({"history": 10}, "history must be a HistoryPolicy, not 10"),
     ],
@@ -181,5 +186,5 @@ def test_policy_kinds_have_names() -> None:
 def test_a_number_in_place_of_a_profile_is_its_depth() -> None:
     assert as_profile(3) == QoSProfile(depth=3)
     assert as_profile(qos_profile_sensor_data) is qos_profile_sensor_data
-    with pytest.raises(ArgumentTypeError, match="a QoSProfile or a queue depth"):
+    with pytest.raises(QoSArgumentError, match="Expected QoSProfile or int, the depth of a queue"):
         as_profile("10")  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]

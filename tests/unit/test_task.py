@@ -239,3 +239,13 @@ def test_a_step_may_run_a_loop_of_asyncio_of_its_own() -> None:
     task = queue.create_task(lambda: asyncio.run(completed_meanwhile(Queue())))
     queue.run()
     assert task.result() == (7, 7)
+
+
+def test_a_done_callback_that_raises_is_not_the_completing_threads_concern() -> None:
+    future: Future[int] = Future()
+    later: list[int] = []
+    future.add_done_callback(lambda _: 1 / 0)
+    future.add_done_callback(lambda done: later.append(done.result() or 0))
+    with pytest.warns(UserWarning, match="Unhandled exception in done callback: division by zero"):
+        future.set_result(3)
+    assert later == [3]

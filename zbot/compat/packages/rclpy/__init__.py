@@ -36,6 +36,7 @@ __getattr__ = submodules(
     "exceptions",
     "executors",
     "expand_topic_name",
+    "experimental",
     "guard_condition",
     "impl",
     "lifecycle",
@@ -62,6 +63,7 @@ __getattr__ = submodules(
     "topic_endpoint_info",
     "topic_or_service_is_hidden",
     "type_description_service",
+    "type_hash",
     "type_support",
     "utilities",
     "validate_full_topic_name",
@@ -70,4 +72,5 @@ __getattr__ = submodules(
     "validate_parameter_name",
     "validate_topic_name",
     "wait_for_message",
+    "waitable",
 )

@@ -5,6 +5,11 @@ from zbot.client import Client as Client
 from zbot.clock import Clock as Clock
 from zbot.context import Context as Context
 from zbot.interfaces.message import Service as Srv
+from zbot.interfaces.type_support import SrvRequestT as SrvRequestT
+from zbot.interfaces.type_support import SrvRequestT as SrvTypeRequest
+from zbot.interfaces.type_support import SrvResponseT as SrvResponseT
+from zbot.interfaces.type_support import SrvResponseT as SrvTypeResponse
+from zbot.interfaces.type_support import SrvT as SrvType
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 from zbot.task import Future as Future

@@ -1,7 +1,9 @@
 """Events of quality of service."""
 
 from zbot.callback_group import CallbackGroup as CallbackGroup
+from zbot.errors import UnsupportedEventTypeError as UnsupportedEventTypeError
 from zbot.event import EventHandler as EventHandler
+from zbot.event import EventHandler as QoSEventHandler
 from zbot.event import IncompatibleTypeInfo as IncompatibleTypeInfo
 from zbot.event import PublisherEventCallbacks as PublisherEventCallbacks
 from zbot.event import QoSLivelinessChangedInfo as QoSLivelinessChangedInfo
@@ -16,3 +18,5 @@ from zbot.event import QoSRequestedIncompatibleQoSInfo as QoSRequestedIncompatib
 from zbot.event import SubscriptionEventCallbacks as SubscriptionEventCallbacks
 from zbot.log import get_logger as get_logger
 from zbot.qos import qos_policy_name_from_kind as qos_policy_name_from_kind
+from zbot.waitable import NumberOfEntities as NumberOfEntities
+from zbot.waitable import Waitable as Waitable

@@ -9,6 +9,7 @@ from zbot.errors import InvalidTopicNameError as InvalidTopicNameException
 from zbot.errors import NotAMessageTypeError as NoTypeSupportImportedException
 from zbot.errors import NotInitializedError as NotInitializedException
 from zbot.errors import RateInterruptedError as ROSInterruptException
+from zbot.errors import TimerCancelledError as TimerCancelledError
 from zbot.parameter_errors import InvalidParameterException as InvalidParameterException
 from zbot.parameter_errors import InvalidParameterTypeException as InvalidParameterTypeException
 from zbot.parameter_errors import InvalidParameterValueException as InvalidParameterValueException

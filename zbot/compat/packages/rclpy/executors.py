@@ -21,5 +21,7 @@ from zbot.time import ClockType as ClockType
 from zbot.time import timeout_sec_to_nsec as timeout_sec_to_nsec
 from zbot.timer import Timer as Timer
 from zbot.timer import TimerInfo as TimerInfo
+from zbot.waitable import NumberOfEntities as NumberOfEntities
+from zbot.waitable import Waitable as Waitable
 
 TimeoutException = TimeoutError

@@ -8,6 +8,7 @@ from zbot.clock import Clock as Clock
 from zbot.clock import ROSClock as ROSClock
 from zbot.context import Context as Context
 from zbot.context import get_default_context as get_default_context
+from zbot.endpoint_info import TopicEndpointInfo as TopicEndpointInfo
 from zbot.errors import InvalidHandleError as InvalidHandle
 from zbot.errors import InvalidTopicNameError as InvalidTopicNameException
 from zbot.errors import NotInitializedError as NotInitializedException
@@ -15,11 +16,21 @@ from zbot.errors import UnknownNodeError as NodeNameNonExistentError
 from zbot.event import PublisherEventCallbacks as PublisherEventCallbacks
 from zbot.event import SubscriptionEventCallbacks as SubscriptionEventCallbacks
 from zbot.executor import Executor as Executor
-from zbot.graph import TopicEndpointInfo as TopicEndpointInfo
 from zbot.guard_condition import GuardCondition as GuardCondition
 from zbot.interfaces.message import Service as Srv
+from zbot.interfaces.type_support import MsgT as MsgT
+from zbot.interfaces.type_support import MsgT as MsgType
+from zbot.interfaces.type_support import SrvRequestT as SrvRequestT
+from zbot.interfaces.type_support import SrvRequestT as SrvTypeRequest
+from zbot.interfaces.type_support import SrvResponseT as SrvResponseT
+from zbot.interfaces.type_support import SrvResponseT as SrvTypeResponse
+from zbot.interfaces.type_support import SrvT as SrvType
+from zbot.interfaces.type_support import check_for_type_support as check_for_type_support
+from zbot.interfaces.type_support import check_is_valid_msg_type as check_is_valid_msg_type
+from zbot.interfaces.type_support import check_is_valid_srv_type as check_is_valid_srv_type
 from zbot.log import Logger as RcutilsLogger
 from zbot.log import get_logger as get_logger
+from zbot.logger_services import LoggingService as LoggingService
 from zbot.names import expand_topic_name as expand_topic_name
 from zbot.names import validate_full_topic_name as validate_full_topic_name
 from zbot.names import validate_namespace as validate_namespace
@@ -51,6 +62,7 @@ from zbot.time_source import TimeSource as TimeSource
 from zbot.timer import Rate as Rate
 from zbot.timer import Timer as Timer
 from zbot.timer import TimerInfo as TimerInfo
+from zbot.waitable import Waitable as Waitable
 
 from rcl_interfaces.msg import FloatingPointRange as FloatingPointRange
 from rcl_interfaces.msg import IntegerRange as IntegerRange

@@ -3,6 +3,8 @@
 from zbot.callback_group import CallbackGroup as CallbackGroup
 from zbot.event import EventHandler as EventHandler
 from zbot.event import PublisherEventCallbacks as PublisherEventCallbacks
+from zbot.interfaces.type_support import MsgT as MsgT
+from zbot.interfaces.type_support import MsgT as MsgType
 from zbot.publisher import Publisher as Publisher
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.time import Duration as Duration

@@ -7,6 +7,14 @@ from zbot.errors import NotAMessageTypeError as NoTypeSupportImportedException
 from zbot.interfaces.message import Action as Action
 from zbot.interfaces.message import Message as Msg
 from zbot.interfaces.message import Service as Srv
+from zbot.interfaces.type_support import ActionT as ActionT
+from zbot.interfaces.type_support import MsgT as MsgT
+from zbot.interfaces.type_support import SrvRequestT as SrvRequestT
+from zbot.interfaces.type_support import SrvResponseT as SrvResponseT
+from zbot.interfaces.type_support import SrvT as SrvT
+from zbot.interfaces.type_support import check_for_type_support as check_for_type_support
+from zbot.interfaces.type_support import check_is_valid_msg_type as check_is_valid_msg_type
+from zbot.interfaces.type_support import check_is_valid_srv_type as check_is_valid_srv_type
 
 from service_msgs.msg import ServiceEventInfo as ServiceEventInfo
 from unique_identifier_msgs.msg import UUID as UUID

@@ -7,11 +7,14 @@ from zbot.action.server_goal_handle import GoalT as GoalT
 from zbot.action.server_goal_handle import ResultT as ResultT
 from zbot.clock import Clock as Clock
 from zbot.interfaces.message import Action as Action
+from zbot.interfaces.type_support import check_for_type_support as check_for_type_support
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import qos_profile_action_status_default as qos_profile_action_status_default
 from zbot.qos import qos_profile_services_default as qos_profile_services_default
 from zbot.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 from zbot.task import Future as Future
+from zbot.waitable import NumberOfEntities as NumberOfEntities
+from zbot.waitable import Waitable as Waitable
 
 from action_msgs.msg import GoalStatus as GoalStatus
 from action_msgs.srv import CancelGoal as CancelGoal

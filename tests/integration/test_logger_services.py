@@ -1,0 +1,42 @@
+"""A node whose loggers' levels others may ask for and set."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import zbot
+from zbot.log import LoggingSeverity, clear_config, get_logger_level
+
+from rcl_interfaces.msg import LoggerLevel
+from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import Spinner
+
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., Spinner]
+
+
+def test_levels_are_set_and_told(make_context: MakeContext, spin: Spin) -> None:
+    node = zbot.Node("talkative", context=make_context(), enable_logger_service=True)
+    spin(node)
+    setting = node.create_client(SetLoggerLevels, "talkative/set_logger_levels")
+    levels = [LoggerLevel(name="a.b", level=10), LoggerLevel(name="a.c", level=11)]
+    try:
+        results = setting.call(SetLoggerLevels.Request(levels=levels)).results
+        assert [result.successful for result in results] == [True, False]
+        assert "11" in results[1].reason
+        assert get_logger_level("a.b") is LoggingSeverity.DEBUG
+        asking = node.create_client(GetLoggerLevels, "talkative/get_logger_levels")
+        told = asking.call(GetLoggerLevels.Request(names=["a.b", "nobody"])).levels
+        assert [(one.name, one.level) for one in told] == [("a.b", 10), ("nobody", 0)]
+    finally:
+        clear_config()
+
+
+def test_other_nodes_have_no_such_services(make_context: MakeContext) -> None:
+    node = zbot.Node("quiet", context=make_context())
+    names = [name for name, _ in node.get_service_names_and_types_by_node("quiet", "/")]
+    assert not [name for name in names if "logger_levels" in name]

@@ -1,0 +1,32 @@
+"""What programs name of rclpy's C extension, as far as it exists without one."""
+
+from zbot.action.goal_state import GoalEvent as GoalEvent
+from zbot.clock import ClockChange as ClockChange
+from zbot.errors import ArgumentsError as RCLInvalidROSArgsError
+from zbot.errors import ArgumentsError as UnknownROSArgsError
+from zbot.errors import InvalidHandleError as InvalidHandle
+from zbot.errors import TimerCancelledError as TimerCancelledError
+from zbot.errors import UnknownNodeError as NodeNameNonExistentError
+from zbot.errors import UnsupportedEventTypeError as UnsupportedEventTypeError
+from zbot.errors import ZbotError as RCLError
+from zbot.errors import ZbotError as RMWError
+from zbot.executor import SingleThreadedExecutor as EventsExecutor
+from zbot.lifecycle import TransitionCallbackReturn as TransitionCallbackReturnType
+from zbot.log import get_logger_effective_level as rclpy_logging_get_logger_effective_level
+from zbot.log import get_logger_level as rclpy_logging_get_logger_level
+from zbot.log import get_logging_directory as rclpy_logging_get_logging_directory
+from zbot.log import set_logger_level as rclpy_logging_set_logger_level
+from zbot.names import expand_topic_name as rclpy_expand_topic_name
+from zbot.qos import QoSCompatibility as QoSCompatibility
+from zbot.qos import qos_check_compatible as rclpy_qos_check_compatible
+from zbot.runtime import (
+    get_rmw_implementation_identifier as rclpy_get_rmw_implementation_identifier,
+)
+from zbot.serialization import deserialize_message as rclpy_deserialize
+from zbot.serialization import serialize_message as rclpy_serialize
+from zbot.signals import SignalHandlerOptions as SignalHandlerOptions
+from zbot.signals import install as install_signal_handlers
+from zbot.signals import installed as get_current_signal_handlers_options
+from zbot.signals import uninstall as uninstall_signal_handlers
+from zbot.time import ClockType as ClockType
+from zbot.wait_set import WaitSet as WaitSet

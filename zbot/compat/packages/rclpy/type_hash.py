@@ -1,0 +1,3 @@
+"""ROS 2's `rclpy.type_hash`: every name is zbot's."""
+
+from zbot.endpoint_info import TypeHash as TypeHash

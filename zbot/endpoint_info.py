@@ -1,0 +1,108 @@
+"""What `get_publishers_info_by_topic` tells of each publisher or subscription (rclpy's names)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import IntEnum
+from typing import TYPE_CHECKING, ClassVar
+
+from zbot.qos import HistoryPolicy, qos_profile_unknown
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from zbot.qos import QoSProfile
+    from zbot.wire.tokens import EndpointToken
+
+_DIGEST_LENGTH = 32  # SHA-256, in the first version of ROS 2's type hashes
+
+
+class TopicEndpointTypeEnum(IntEnum):
+    """Which side of a topic an endpoint is on."""
+
+    INVALID = 0
+    PUBLISHER = 1
+    SUBSCRIPTION = 2
+
+
+_SIDES = {
+    EntityKind.PUBLISHER: TopicEndpointTypeEnum.PUBLISHER,
+    EntityKind.SUBSCRIPTION: TopicEndpointTypeEnum.SUBSCRIPTION,
+}
+
+
+@dataclass
+class TypeHash:
+    """A type's hash in two parts; `str()` joins them to `RIHS01_...`.
+
+    Args:
+        version: Of the way it is computed; there is 1.
+        value: The digest, 32 bytes.
+    """
+
+    version: int = -1
+    value: bytes = bytes(_DIGEST_LENGTH)
+
+    _TYPE_HASH_SIZE: ClassVar[int] = _DIGEST_LENGTH
+
+    @classmethod
+    def parse(cls, text: str) -> TypeHash:
+        """Return the hash that a text such as `RIHS01_df66...` stands for; else an invalid one."""
+        head, _, digits = text.partition("_")
+        try:
+            return cls(int(head.removeprefix("RIHS")), bytes.fromhex(digits))
+        except ValueError:
+            return cls()
+
+    def __str__(self) -> str:
+        if self.version <= 0 or len(self.value) != _DIGEST_LENGTH:
+            return "INVALID"
+        return f"RIHS{self.version:02}_{self.value.hex()}"
+
+
+@dataclass
+class TopicEndpointInfo:
+    """What is known of one publisher or subscription."""
+
+    node_name: str = ""
+    node_namespace: str = ""
+    topic_type: str = ""
+    topic_type_hash: TypeHash = field(default_factory=TypeHash)
+    endpoint_type: TopicEndpointTypeEnum = TopicEndpointTypeEnum.INVALID
+    endpoint_gid: list[int] = field(default_factory=list)
+    qos_profile: QoSProfile = field(default_factory=lambda: qos_profile_unknown)
+
+    @classmethod
+    def of(cls, token: EndpointToken) -> TopicEndpointInfo:
+        """Return the facts of a token."""
+        return cls(
+            node_name=token.node,
+            node_namespace=token.namespace,
+            topic_type=token.type_name,
+            topic_type_hash=TypeHash.parse(token.type_hash),
+            endpoint_type=_SIDES.get(token.kind, TopicEndpointTypeEnum.INVALID),
+            endpoint_gid=list(token.gid),
+            qos_profile=token.qos,
+        )
+
+    def __str__(self) -> str:
+        """Return what `ros2 topic info --verbose` prints."""
+        qos = self.qos_profile
+        depth = f" ({qos.depth})" if qos.history is HistoryPolicy.KEEP_LAST else ""
+        return "\n".join(
+            (
+                f"Node name: {self.node_name}",
+                f"Node namespace: {self.node_namespace}",
+                f"Topic type: {self.topic_type}",
+                f"Topic type hash: {self.topic_type_hash}",
+                f"Endpoint type: {self.endpoint_type.name}",
+                f"GID: {'.'.join(format(byte, '02x') for byte in self.endpoint_gid)}",
+                "QoS profile:",
+                f"  Reliability: {qos.reliability.name}",
+                f"  History (Depth): {qos.history.name}{depth}",
+                f"  Durability: {qos.durability.name}",
+                f"  Lifespan: {qos.lifespan}",
+                f"  Deadline: {qos.deadline}",
+                f"  Liveliness: {qos.liveliness.name}",
+                f"  Liveliness lease duration: {qos.liveliness_lease_duration}",
+            )
+        )

@@ -1,0 +1,59 @@
+"""rclpy's `handle`: what a program holds in a `with` block while it uses an object's inner part."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from zbot.errors import InvalidHandleError
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+    from typing_extensions import Self
+
+EntityT_co = TypeVar("EntityT_co", covariant=True)
+
+
+class Handle(Generic[EntityT_co]):
+    """A reference to one of zbot's objects that can be given to a `WaitSet`.
+
+    Args:
+        entity: The object.
+    """
+
+    def __init__(self, entity: EntityT_co) -> None:
+        self._entity = entity
+
+    @property
+    def entity(self) -> EntityT_co:
+        """The object."""
+        return self._entity
+
+    @property
+    def pointer(self) -> int:
+        """A number that no other living object has."""
+        return id(self.entity)
+
+    def destroy_when_not_in_use(self) -> None:
+        """Destroy the object."""
+        entity: Any = self.entity
+        entity.destroy()
+
+    def __enter__(self) -> Self:
+        if getattr(self.entity, "is_destroyed", False):
+            raise InvalidHandleError(f"this {type(self.entity).__name__}")
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        """Leave the object as it is."""
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Handle) and other.entity is self.entity
+
+    def __hash__(self) -> int:
+        return self.pointer

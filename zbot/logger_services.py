@@ -1,0 +1,54 @@
+"""The two services by which other nodes ask for the levels of a process's loggers and set them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import InvalidSeverityError
+from zbot.log import get_logger_level, set_logger_level
+from zbot.qos import qos_profile_services_default
+
+if TYPE_CHECKING:
+    from zbot.node import Node
+
+
+class LoggingService:
+    """Answers on `~/get_logger_levels` and `~/set_logger_levels`.
+
+    A node made with `enable_logger_service=True` has one.
+
+    Args:
+        node: Whose services they are; its executor runs them.
+    """
+
+    def __init__(self, node: Node) -> None:
+        from rcl_interfaces.srv import (  # noqa: PLC0415 - made at first import
+            GetLoggerLevels,
+            SetLoggerLevels,
+        )
+
+        profile = qos_profile_services_default
+        node.create_service(GetLoggerLevels, "~/get_logger_levels", self._get, qos_profile=profile)
+        node.create_service(SetLoggerLevels, "~/set_logger_levels", self._set, qos_profile=profile)
+
+    @staticmethod
+    def _get(request: Any, response: Any) -> Any:
+        from rcl_interfaces.msg import LoggerLevel  # noqa: PLC0415 - made at first import
+
+        response.levels = [
+            LoggerLevel(name=name, level=get_logger_level(name)) for name in request.names
+        ]
+        return response
+
+    @staticmethod
+    def _set(request: Any, response: Any) -> Any:
+        from rcl_interfaces.msg import SetLoggerLevelsResult  # noqa: PLC0415 - made at first import
+
+        for level in request.levels:
+            result = SetLoggerLevelsResult(successful=True)
+            try:
+                set_logger_level(level.name, level.level)
+            except InvalidSeverityError as error:
+                result = SetLoggerLevelsResult(successful=False, reason=str(error))
+            response.results.append(result)
+        return response

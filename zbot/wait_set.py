@@ -1,0 +1,127 @@
+"""A set of objects to wait for, without an executor."""
+
+from __future__ import annotations
+
+import threading
+import time
+from typing import TYPE_CHECKING, Any, Literal
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.handle import Handle
+
+Kind = Literal["subscription", "guard_condition", "timer", "client", "service"]
+_POLL_S = 0.1  # on simulated time a timer has no moment to sleep until
+
+
+class WaitSet:
+    """Waits until one of several objects has something to take.
+
+    `Node.create_subscription` and its like make the objects; their `handle` is what goes in.
+
+    Args:
+        sizes: rclpy's numbers of objects of each kind, and the context's handle; not needed here.
+    """
+
+    def __init__(self, *sizes: object) -> None:  # noqa: ARG002 - rclpy's signature
+        self._handles: dict[str, list[Handle[Any]]] = {}
+        self._ready: dict[str, list[Handle[Any]]] = {}
+
+    def clear_entities(self) -> None:
+        """Take everything out."""
+        self._handles.clear()
+        self._ready.clear()
+
+    def add_subscription(self, handle: Handle[Any]) -> int:
+        """Wait for messages too; return the subscription's index for `is_ready`."""
+        return self._add("subscription", handle)
+
+    def add_guard_condition(self, handle: Handle[Any]) -> int:
+        """Wait for a trigger too; return the guard condition's index."""
+        return self._add("guard_condition", handle)
+
+    def add_timer(self, handle: Handle[Any]) -> int:
+        """Wait for a timer too; return its index."""
+        return self._add("timer", handle)
+
+    def add_client(self, handle: Handle[Any]) -> int:
+        """Wait for a client's responses too; return its index."""
+        return self._add("client", handle)
+
+    def add_service(self, handle: Handle[Any]) -> int:
+        """Wait for a service's requests too; return its index."""
+        return self._add("service", handle)
+
+    def _add(self, kind: Kind, handle: Handle[Any]) -> int:
+        handles = self._handles.setdefault(kind, [])
+        handles.append(handle)
+        return len(handles) - 1
+
+    def wait(self, timeout_nsec: int) -> None:
+        """Wait until something is ready, at most so many nanoseconds (negative: for ever)."""
+        woken = threading.Event()
+        deadline = None if timeout_nsec < 0 else time.monotonic_ns() + timeout_nsec
+        self.remember_waker(woken.set)
+        try:
+            while not self._look():
+                left = self._left_s(deadline)
+                if left is not None and left <= 0 and self._is_over(deadline):
+                    return
+                woken.wait(left)
+                woken.clear()
+        finally:
+            self.forget_waker(woken.set)
+
+    @staticmethod
+    def _is_over(deadline: int | None) -> bool:
+        return deadline is not None and time.monotonic_ns() >= deadline
+
+    def _left_s(self, deadline: int | None) -> float | None:
+        ends = [end for end in (deadline, self.due_ns) if end is not None]
+        left = (min(ends) - time.monotonic_ns()) / 1e9 if ends else None
+        if self._handles.get("timer") and self.due_ns is None:
+            return _POLL_S if left is None else min(left, _POLL_S)
+        return left
+
+    def _look(self) -> bool:
+        """Note what is ready; a guard condition's trigger is used up by that."""
+        self._ready = {
+            kind: [handle for handle in handles if handle.entity.has_work]
+            for kind, handles in self._handles.items()
+        }
+        for handle in self._ready.get("guard_condition", ()):
+            handle.entity.take()
+        return any(self._ready.values())
+
+    def is_ready(self, kind: Kind, index: int) -> bool:
+        """Return whether an object was ready at the end of the last `wait`."""
+        return self._handles[kind][index] in self._ready.get(kind, ())
+
+    def get_ready_entities(self, kind: Kind) -> list[int]:
+        """Return the handles' `pointer`s of what was ready at the end of the last `wait`."""
+        return [handle.pointer for handle in self._ready.get(kind, ())]
+
+    # -- for executors -------------------------------------------------------------------------
+
+    @property
+    def due_ns(self) -> int | None:
+        """When the first of the timers wants to run (monotonic clock, nanoseconds)."""
+        dues = [handle.entity.due_ns for handle in self._handles.get("timer", ())]
+        return min((due for due in dues if due is not None), default=None)
+
+    def waits_for_same(self, other: WaitSet) -> bool:
+        """Return whether both hold the same objects."""
+        return self._handles == other._handles
+
+    def remember_waker(self, waker: Callable[[], object]) -> None:
+        """Call a quick function whenever one of the objects may have become ready."""
+        for handles in self._handles.values():
+            for handle in handles:
+                handle.entity.mailbox.watch(handle.entity, waker)
+
+    def forget_waker(self, waker: Callable[[], object]) -> None:
+        """Call a function of `remember_waker` no more."""
+        for handles in self._handles.values():
+            for handle in handles:
+                handle.entity.mailbox.unwatch(handle.entity, waker)

@@ -1,0 +1,138 @@
+"""Work of a program's own kind in an executor: what tells by itself whether it is ready."""
+
+from __future__ import annotations
+
+from dataclasses import astuple, dataclass
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
+
+from zbot.wait_set import WaitSet
+
+if TYPE_CHECKING:
+    from types import TracebackType
+
+    from zbot.callback_group import CallbackGroup
+    from zbot.mailbox import Mailbox
+    from zbot.task import Future
+
+T = TypeVar("T")
+
+
+@dataclass(repr=False)
+class NumberOfEntities:
+    """How many of each kind a waitable adds to a wait set; numbers can be added up."""
+
+    num_subscriptions: int = 0
+    num_guard_conditions: int = 0
+    num_timers: int = 0
+    num_clients: int = 0
+    num_services: int = 0
+    num_events: int = 0
+
+    def __add__(self, other: NumberOfEntities) -> NumberOfEntities:
+        pairs = zip(astuple(self), astuple(other), strict=True)
+        return NumberOfEntities(*(mine + theirs for mine, theirs in pairs))
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}{astuple(self)}>"
+
+
+class Waitable(Generic[T]):
+    """Base of a program's own kind of work; `Node.add_waitable` hands it to the node's executor.
+
+    The executor asks `is_ready` whenever something in its wait set may be ready and whenever the
+    executor is woken; if it is, it takes the data and awaits `execute`.
+
+    Args:
+        callback_group: Decides beside what `execute` may run.
+    """
+
+    def __init__(self, callback_group: CallbackGroup) -> None:
+        self.callback_group = callback_group
+        callback_group.add_entity(self)
+        self._futures: list[Future[Any]] = []
+
+    def __enter__(self) -> None:
+        """Keep what is waited for from being destroyed meanwhile; zbot needs no such thing."""
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        """See `__enter__`."""
+
+    def add_future(self, future: Future[Any]) -> None:
+        """Note a future whose done callbacks belong into the executor."""
+        self._futures.append(future)
+
+    def remove_future(self, future: Future[Any]) -> None:
+        """Forget a future."""
+        self._futures.remove(future)
+
+    def is_ready(self, wait_set: WaitSet) -> bool:
+        """Return whether there is something to take."""
+        raise NotImplementedError("Must be implemented by subclass")
+
+    def take_data(self) -> T:
+        """Return what `execute` is to get."""
+        raise NotImplementedError("Must be implemented by subclass")
+
+    async def execute(self, taken_data: T) -> None:
+        """Do the work."""
+        raise NotImplementedError("Must be implemented by subclass")
+
+    def get_num_entities(self) -> NumberOfEntities:
+        """Return how many of each kind `add_to_wait_set` adds."""
+        raise NotImplementedError("Must be implemented by subclass")
+
+    def add_to_wait_set(self, wait_set: WaitSet) -> None:
+        """Add the handles of what is waited for."""
+        raise NotImplementedError("Must be implemented by subclass")
+
+
+class WaitableEntity:
+    """A waitable in the shape that zbot's executors run.
+
+    Args:
+        waitable: The program's own work.
+        mailbox: Its node's way to the executor.
+    """
+
+    def __init__(self, waitable: Waitable[Any], mailbox: Mailbox) -> None:
+        self.waitable = waitable
+        self.callback_group = waitable.callback_group
+        self.mailbox = mailbox
+        self._waited_for = WaitSet()
+        self._is_destroyed = False
+
+    @property
+    def due_ns(self) -> int | None:
+        """When the first of its timers wants to run."""
+        return self._waited_for.due_ns
+
+    def take(self) -> tuple[Any] | None:
+        """Ask the waitable; return what it took, in a tuple because that may be `None`."""
+        if self._is_destroyed:
+            return None
+        wait_set = WaitSet()
+        self.waitable.add_to_wait_set(wait_set)
+        if not self._waited_for.waits_for_same(wait_set):
+            self._waited_for.forget_waker(self._post)
+            wait_set.remember_waker(self._post)
+            self._waited_for = wait_set
+        wait_set.wait(0)
+        return (self.waitable.take_data(),) if self.waitable.is_ready(wait_set) else None
+
+    def execute(self, taken: tuple[Any]) -> Any:
+        """Let the waitable work on what it took."""
+        return self.waitable.execute(taken[0])
+
+    def destroy(self) -> None:
+        """Ask it no more."""
+        self._is_destroyed = True
+        self._waited_for.forget_waker(self._post)
+        self._waited_for = WaitSet()
+
+    def _post(self) -> None:
+        self.mailbox.post(self)
