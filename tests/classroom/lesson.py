@@ -35,10 +35,12 @@ class Lesson:
     Args:
         rig: The machines.
         nodes: How many each laptop runs.
+        pin: The class's PIN; empty for none.
     """
 
-    def __init__(self, rig: Rig, nodes: int) -> None:
+    def __init__(self, rig: Rig, nodes: int, *, pin: str = "") -> None:
         self.rig = rig
+        self._pin = {"ZBOT_PIN": pin} if pin else {}
         self._nodes = nodes
         self._pupils: dict[Node, Program] = {}
         self.seen_after_s = 0.0  #: from the last node's start until the teacher saw all
@@ -49,7 +51,10 @@ class Lesson:
 
     def open_class(self) -> str:
         """Open the class, or open it again; return its code."""
-        opened = self.rig.teacher.run("zbot", "class", "start", "Robots", "--json")
+        pin = ["--pin"] if self._pin else []
+        opened = self.rig.teacher.run(
+            *("zbot", "class", "start", "Robots", "--json", *pin), env=self._pin
+        )
         assert opened.code == 0, opened.err
         return str(json.loads(opened.out)["code"])
 
@@ -71,7 +76,7 @@ class Lesson:
 
     def _join(self, laptop: Machine) -> None:
         number = str(self.number_of(laptop))
-        joined = laptop.run("zbot", "join", self.code, "--number", number)
+        joined = laptop.run("zbot", "join", self.code, "--number", number, env=self._pin)
         assert joined.code == 0, joined.err
 
     def domain_of(self, laptop: Machine) -> dict[str, str]:

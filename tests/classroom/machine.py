@@ -51,6 +51,14 @@ class Finished:
     took_s: float
 
 
+class Started(Program):
+    """A program in a machine; machines that start many at a time are slow."""
+
+    def wait_for(self, text: str, timeout_s: float = 30.0) -> str:
+        """Return the next line that contains `text`; fail if it does not come."""
+        return super().wait_for(text, timeout_s)
+
+
 class Machine:
     """A laptop, or the teacher's machine.
 
@@ -158,7 +166,7 @@ class Machine:
 
     def start(self, *words: str, env: Mapping[str, str] | None = None) -> Program:
         """Start a program; it is killed, at the latest, with the rig."""
-        program = Program(self._command(words), self.home, self._environment(env))
+        program = Started(self._command(words), self.home, self._environment(env))
         self._programs.append(program)
         return program
 
@@ -184,8 +192,8 @@ class Machine:
         return processes(self.namespace)
 
     def sleep(self) -> None:
-        """Stop every process where it is, and the network with them."""
-        self.leave_air()
+        """Stop every process where it is, and the network with them, as closing the lid does."""
+        self.unplug()
         for pid in self.processes():
             os.kill(pid, signal.SIGSTOP)
 
@@ -193,7 +201,7 @@ class Machine:
         """Undo `sleep()`."""
         for pid in self.processes():
             os.kill(pid, signal.SIGCONT)
-        self.return_to_air()
+        self.plug_in()
 
     def forget_programs(self) -> None:
         """Wait for the programs that were killed."""

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
 LIMIT_S = 2.0
+PIN = "4711"
 
 
 @pytest.fixture(scope="module")
@@ -22,13 +23,13 @@ def lesson() -> Iterator[Lesson]:
     if reason is not None:
         pytest.skip(reason)
     with Rig(2) as rig:
-        yield Lesson(rig, 1)
+        yield Lesson(rig, 1, pin=PIN)
 
 
-def refusal(lesson: Lesson, *words: str) -> str:
+def refusal(lesson: Lesson, *words: str, pin: str = PIN) -> str:
     """Return the sentence with which `zbot join` fails, in time and without joining."""
     laptop = lesson.rig.laptops[0]
-    refused = laptop.run("zbot", "join", *words)
+    refused = laptop.run("zbot", "join", *words, env={"ZBOT_PIN": pin})
     assert refused.code == 1
     assert refused.out == ""
     assert len(refused.err.splitlines()) == 1
@@ -43,6 +44,14 @@ def test_a_mistyped_code(lesson: Lesson) -> None:
     typo = lesson.code[:-1] + ("2" if last != "2" else "3")
 
     assert f"the code '{typo}' has a typo" in refusal(lesson, typo)
+
+
+def test_a_wrong_pin(lesson: Lesson) -> None:
+    assert "wrong PIN" in refusal(lesson, lesson.code, pin="4712")
+
+
+def test_no_pin(lesson: Lesson) -> None:
+    assert "the class asks for a PIN" in refusal(lesson, lesson.code, pin="")
 
 
 def test_a_teacher_who_is_not_there(lesson: Lesson) -> None:
@@ -79,11 +88,35 @@ def test_a_laptop_without_a_network(lesson: Lesson) -> None:
     assert "nobody answers at 10.77.0.1:7447" in sentence
 
 
+WEB = """
+import socket
+server = socket.create_server(("0.0.0.0", 80))
+print("web", flush=True)
+while True:
+    connection, _ = server.accept()
+    connection.recv(100)
+    connection.close()
+"""
+SILENT = """
+import signal, socket
+server = socket.create_server(("0.0.0.0", 81))
+print("silent", flush=True)
+signal.pause()
+"""
+
+
+@pytest.mark.parametrize(("program", "port"), [(WEB, 80), (SILENT, 81)])
+def test_a_port_that_is_no_hubs(lesson: Lesson, program: str, port: int) -> None:
+    lesson.rig.teacher.start("python", "-c", program).wait_for("")
+
+    assert "is no zbot hub" in refusal(lesson, f"{lesson.rig.teacher.address}:{port}")
+
+
 def test_the_code_and_the_address_both_work(lesson: Lesson) -> None:
     for laptop, target in zip(
         lesson.rig.laptops, (lesson.code.lower(), lesson.rig.teacher.address), strict=True
     ):
-        joined = laptop.run("zbot", "join", target)
+        joined = laptop.run("zbot", "join", target, env={"ZBOT_PIN": PIN})
         assert joined.code == 0, joined.err
         assert joined.took_s < 3
         left = laptop.run("zbot", "leave")

@@ -1,4 +1,4 @@
-"""Who is there, as seen from a machine's hub by a program that knows nothing of zbot."""
+"""Who is there, as a machine's hub sees it."""
 
 from __future__ import annotations
 

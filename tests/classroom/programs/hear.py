@@ -1,4 +1,4 @@
-"""Listen at this machine's hub to a pupil's words, without zbot, and say how late they come.
+"""Listen at this machine's hub to a pupil's words, and say how late they come.
 
 Run: hear.py KEY [OTHER_KEY]...           such as 17/ana/words
 Prints `hearing`, for each second of the monotonic clock `second SECOND COUNT P99_US` of the first
@@ -16,6 +16,8 @@ from typing import Any
 
 import msgpack  # type: ignore[import-untyped]
 import zenoh
+
+from zbot.session import open_hub_client
 
 
 class Ear:
@@ -49,15 +51,10 @@ class Ear:
 
 
 def main() -> None:
-    config = zenoh.Config()
-    config.insert_json5("mode", '"client"')
-    config.insert_json5("connect/endpoints", json.dumps(["tcp/127.0.0.1:7447"]))
-    config.insert_json5("connect/timeout_ms", "-1")
-    config.insert_json5("connect/exit_on_failure", "false")
-    config.insert_json5("connect/retry", '{"period_init_ms": 20, "period_max_ms": 100}')
-    config.insert_json5("scouting/multicast/enabled", "false")
+    session = open_hub_client(more={"connect/timeout_ms": -1, "connect/exit_on_failure": False})
+    assert session is not None, "the hub does not let this machine in"
     ear = Ear(sys.argv[1])
-    with zenoh.open(config) as session:
+    with session:
         channel = zenoh.handlers.FifoChannel(100_000)
         listening = [session.declare_subscriber(key, channel) for key in sys.argv[1:]]
         for one in listening:

@@ -6,22 +6,18 @@ Prints `up` or `down`, the monotonic time in nanoseconds, domain and node name, 
 
 from __future__ import annotations
 
-import json
 import sys
 import time
 
 import zenoh
 
+from zbot.session import open_hub_client
+
 
 def main() -> None:
-    config = zenoh.Config()
-    config.insert_json5("mode", '"client"')
-    config.insert_json5("connect/endpoints", json.dumps(["tcp/127.0.0.1:7447"]))
-    config.insert_json5("connect/timeout_ms", "-1")
-    config.insert_json5("connect/exit_on_failure", "false")
-    config.insert_json5("connect/retry", '{"period_init_ms": 20, "period_max_ms": 100}')
-    config.insert_json5("scouting/multicast/enabled", "false")
-    with zenoh.open(config) as session:
+    session = open_hub_client(more={"connect/timeout_ms": -1, "connect/exit_on_failure": False})
+    assert session is not None, "the hub does not let this machine in"
+    with session:
         events = zenoh.handlers.FifoChannel(10_000)
         watching = [
             session.liveliness().declare_subscriber(
