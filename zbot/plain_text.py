@@ -14,3 +14,18 @@ def plain(text: str, longest: int) -> str:
     """
     shown = "".join(char if char.isprintable() else " " for char in text)
     return " ".join(shown.split())[:longest].rstrip()
+
+
+def harmless(text: str) -> str:
+    """Return a text of several lines whose control characters are shown rather than obeyed.
+
+    Line ends and tabs stay what they are.
+
+    Args:
+        text: From anywhere.
+    """
+    return "".join(char if char.isprintable() or char in "\n\t" else _shown(char) for char in text)
+
+
+def _shown(char: str) -> str:
+    return repr(char)[1:-1]

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.event import SubscriptionEventCallbacks
 from zbot.executor import SingleThreadedExecutor
+from zbot.plain_text import harmless
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.looking import full_name, hidden_node
 from zbot_cli.topic_type import message_class, only_type, tell_waiting
@@ -150,6 +151,8 @@ class Echo:
         if self._done or not self._is_wanted(message):
             return
         text = self._format.text(name, message, info)
+        if sys.stdout.isatty():  # a text field may hold what clears screens or retitles windows
+            text = harmless(text)
         if self._form.clear:
             text = _CLEAR + text
         sys.stdout.write(text)

@@ -1,0 +1,24 @@
+"""docs/security.md names the test behind each of its claims."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+ROOT = Path(__file__).parents[3]
+DEFINITION = re.compile(r"^def (test_\w+)", re.MULTILINE)
+
+
+def test_every_test_that_the_page_names_exists() -> None:
+    page = (ROOT / "docs" / "security.md").read_text(encoding="utf-8")
+    named = set(re.findall(r"`(test_\w+)`", page))
+    sources = (path.read_text(encoding="utf-8") for path in (ROOT / "tests").rglob("test_*.py"))
+    written = {name for source in sources for name in DEFINITION.findall(source)}
+    assert len(named) > 40
+    assert named <= written, named - written
+
+
+def test_every_attack_is_on_the_page() -> None:
+    page = (ROOT / "docs" / "security.md").read_text(encoding="utf-8")
+    attacks = (ROOT / "tests" / "classroom" / "test_attacks.py").read_text(encoding="utf-8")
+    assert not [name for name in DEFINITION.findall(attacks) if name not in page]
