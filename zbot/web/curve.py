@@ -24,6 +24,7 @@ class Watcher(Protocol):
 
     def watch(self, topic: str, *, keep: int) -> Watch:
         """Watch a topic."""
+        raise NotImplementedError
 
 
 class CurveError(ZbotError, ValueError):

@@ -1,0 +1,52 @@
+from __future__ import annotations
+
+import socket
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import Program
+
+WITHOUT_EXTRA = """
+import importlib.util, sys
+find = importlib.util.find_spec
+importlib.util.find_spec = lambda name, *rest: None if name == "nicegui" else find(name, *rest)
+from zbot_cli.main import main
+sys.argv = ["zbot", "web"]
+main()
+"""
+NOT_IMPORTED = """
+import sys
+import zbot, zbot.compat, zbot_cli.main, zbot_cli.web, zbot_cli.plot, zbot_cli.graph
+import zbot.web.system, zbot.web.server, zbot.web.curve, zbot.web.form
+print("imported:", sorted({"nicegui", "fastapi", "uvicorn", "psutil"} & sys.modules.keys()))
+"""
+
+
+def test_without_the_extra_one_sentence_says_how_to_get_it(start: Callable[..., Program]) -> None:
+    program = start(source=WITHOUT_EXTRA)
+    assert program.wait(30) == 1
+    assert program.lines == ["the page needs nicegui: pip install 'zbot[web]'"]
+
+
+def test_nothing_but_the_running_page_imports_the_extra(start: Callable[..., Program]) -> None:
+    program = start(source=NOT_IMPORTED)
+    program.wait_for("imported: []")
+
+
+def test_host_that_is_none_of_this_machine_is_told(start: Callable[..., Program]) -> None:
+    program = start("zbot", "web", "--no-browser", "--host", "192.0.2.1")
+    assert program.wait(30) == 1
+    assert program.lines[0].startswith("cannot listen on 192.0.2.1:8080: ")
+
+
+def test_taken_port_leads_to_the_next(start: Callable[..., Program]) -> None:
+    with socket.socket() as holder:
+        holder.bind(("127.0.0.1", 0))
+        holder.listen()
+        port = holder.getsockname()[1]
+        program = start("zbot", "web", "--no-browser", "--port", str(port))
+        line = program.wait_for("zbot web: ", 30)
+        assert port < int(line.rstrip("/").rpartition(":")[2]) <= port + 100
+        assert program.stop(timeout_s=15) == 130
