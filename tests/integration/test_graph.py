@@ -215,6 +215,18 @@ def test_the_first_look_of_a_newcomer_is_complete(
     assert len(newcomer.get_node_names()) == len(nodes) + 1
 
 
+def test_the_first_look_of_newcomers_is_complete_as_they_come_and_go(
+    make_context: MakeContext, start: Start
+) -> None:
+    nodes = [start(source=NODE.replace('"guest"', f'"guest_{number}"')) for number in range(3)]
+    for node in nodes:
+        node.wait_for("ready")
+    for _ in range(15):
+        newcomer = make_context()
+        assert len(newcomer.graph.snapshot().publishers("/chatter")) == 3
+        newcomer.shutdown()
+
+
 def test_the_graph_lists_topics_with_their_types(make_node: MakeNode, observer: zbot.Node) -> None:
     node = make_node("robot")
     node.create_publisher(Float32, "temperature", 10)
