@@ -14,6 +14,7 @@ import subprocess
 import sys
 import time
 from dataclasses import asdict, dataclass
+from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
 from zbot.classroom.errors import AlreadyJoinedError, HubStartError
@@ -22,7 +23,6 @@ from zbot.security.secret import make_private_folder, write_private
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from pathlib import Path
 
 READY = "ready"
 _STOP_TIMEOUT_S = 5.0
@@ -122,7 +122,7 @@ def start(role: str) -> None:
             stdout=subprocess.PIPE,
             stderr=log,
             cwd=folder(),
-            env={**os.environ, "PYTHONUNBUFFERED": "1"},
+            env=_environment(),
             encoding="utf-8",
             **_detached(),
         )
@@ -134,6 +134,15 @@ def start(role: str) -> None:
         raise HubStartError(str(log_path()), said[-1] if said else "")
     # It is nobody's child from here on: without this, Python warns that it still runs.
     process.returncode = 0
+
+
+def _environment() -> dict[str, str]:
+    """Return what the hub finds in its environment: no PIN, and zbot as it is found here."""
+    kept = {name: value for name, value in os.environ.items() if name != "ZBOT_PIN"}
+    root = Path(__file__).parents[2]
+    if root.name != "site-packages":  # a checkout, which may only be found from its own folder
+        kept["PYTHONPATH"] = os.pathsep.join(filter(None, [str(root), kept.get("PYTHONPATH")]))
+    return {**kept, "PYTHONUNBUFFERED": "1"}
 
 
 def _detached() -> dict[str, Any]:

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 #: A connection in one building takes milliseconds; after a lost packet it is tried again at 1 s.
 _TIMEOUT_S = 1.25
+_LOOK_UP_S = 0.3
 # Ports that hardly any machine leaves unanswered: a refusal there shows that it is on.
 _SIGN_OF_LIFE_PORTS = (22, 80, 135, 445, 5000, 7)
 _REFUSED = {errno.ECONNREFUSED, getattr(errno, "WSAECONNREFUSED", errno.ECONNREFUSED)}
@@ -45,8 +46,12 @@ def first_that_answers(candidates: Sequence[Address], timeout_s: float = _TIMEOU
     for candidate in candidates:
         threading.Thread(target=look, args=(candidate,), daemon=True).start()
     problems: list[ClassroomError] = []
-    for _ in candidates:
-        address, problem = answers.get()
+    for candidate in candidates:
+        try:
+            # Looking a name up may take longer than connecting, and cannot be told to hurry.
+            address, problem = answers.get(timeout=timeout_s + _LOOK_UP_S)
+        except queue.Empty:
+            raise AddressError(candidate.host, "no name server answers: use the number") from None
         if problem is None:
             return address
         problems.append(problem)

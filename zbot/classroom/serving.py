@@ -6,6 +6,7 @@ import contextlib
 import os
 import signal
 import socket
+import sys
 import threading
 from typing import TYPE_CHECKING, Any
 
@@ -24,6 +25,8 @@ HUB_KEY = "@hub"
 
 
 _JOIN_TIMEOUT_S = 2.0
+# On Windows a thread that waits without end does not see Ctrl-C.
+_TICK_S = 0.5 if sys.platform == "win32" else None
 
 
 class Serving:
@@ -89,7 +92,8 @@ class _Signals:
         self._happened.set()
 
     def wait(self) -> None:
-        self._happened.wait()
+        while not self._happened.wait(_TICK_S):
+            continue
         self._happened.clear()
 
 

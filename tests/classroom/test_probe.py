@@ -1,0 +1,57 @@
+from __future__ import annotations
+
+import socket
+import threading
+import time
+
+import pytest
+
+from tests.classroom.neighbour import free_port
+from zbot.classroom.address import Address
+from zbot.classroom.errors import AddressError, ClosedPortError
+from zbot.classroom.probe import first_that_answers
+
+
+def test_an_open_port_answers() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        address = Address("127.0.0.1", server.getsockname()[1])
+        assert first_that_answers([address]) == address
+
+
+def test_a_port_that_nobody_listens_on_is_refused_at_once() -> None:
+    begun = time.monotonic()
+    with pytest.raises(ClosedPortError, match="zbot class start"):
+        first_that_answers([Address("127.0.0.1", free_port())])
+    assert time.monotonic() - begun < 1
+
+
+def test_of_several_addresses_the_one_that_answers_is_taken() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        good = Address("127.0.0.1", server.getsockname()[1])
+        assert first_that_answers([Address("127.0.0.1", free_port()), good]) == good
+
+
+def test_an_unknown_name_is_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+    def unknown(*_: object, **__: object) -> object:
+        raise socket.gaierror("Name or service not known")
+
+    monkeypatch.setattr(socket, "getaddrinfo", unknown)
+    with pytest.raises(AddressError, match="no machine of that name"):
+        first_that_answers([Address("teecher.local")])
+
+
+def test_a_name_server_that_is_out_of_reach_is_not_waited_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    over = threading.Event()
+
+    def hang(*_: object, **__: object) -> object:
+        over.wait(20)
+        raise socket.gaierror("Temporary failure in name resolution")
+
+    monkeypatch.setattr(socket, "getaddrinfo", hang)
+    begun = time.monotonic()
+    with pytest.raises(AddressError, match="no name server answers"):
+        first_that_answers([Address("teacher.local")], timeout_s=0.2)
+    assert time.monotonic() - begun < 2
+    over.set()
