@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import json
 import os
+import signal
 import socket
 import subprocess
 import sys
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
+
+from tests.conftest import wait_until
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -71,6 +75,12 @@ class Neighbour:
         outcome = self.zbot(*words, **options)
         assert outcome.code == 0, outcome.err
         return outcome.out
+
+    def kill_hub(self) -> None:
+        """Kill its hub, as switching it off does; wait until that is so."""
+        pid = json.loads((self.folder() / "hub.json").read_text())["pid"]
+        os.kill(pid, getattr(signal, "SIGKILL", signal.SIGTERM))
+        assert wait_until(lambda: not json.loads(self.succeed("status", "--json"))["hub"], 5)
 
     def folder(self) -> Path:
         """Return its settings."""

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
-import signal
 import socket
 import sys
 from pathlib import Path
@@ -187,7 +185,7 @@ def test_one_joins_one_class(school: School) -> None:
 def test_a_student_who_was_switched_off_joins_again_as_before(school: School) -> None:
     school.open()
     ana = school.join("Ana", "--number", "17")
-    _kill_hub(ana)
+    ana.kill_hub()
     assert "its hub does not run" in ana.succeed("status")
     ana.succeed("join", school.address, ZBOT_PIN=PIN)
     assert "number 17" in ana.succeed("status")
@@ -196,17 +194,11 @@ def test_a_student_who_was_switched_off_joins_again_as_before(school: School) ->
 def test_a_class_goes_on_after_the_teachers_machine_was_switched_off(school: School) -> None:
     school.open()
     school.join("Ana", "--number", "17")
-    _kill_hub(school.teacher)
+    school.teacher.kill_hub()
     assert "does not run" in school.teacher.zbot("class", "list").err
     again = school.teacher.succeed("class", "start", "Robots")
     assert f"PIN: {PIN}" in again
     assert wait_until(lambda: school.listed()[17]["here"], 10)
-
-
-def _kill_hub(machine: Neighbour) -> None:
-    pid = json.loads((machine.folder() / "hub.json").read_text())["pid"]
-    os.kill(pid, getattr(signal, "SIGKILL", signal.SIGTERM))
-    assert wait_until(lambda: not json.loads(machine.succeed("status", "--json"))["hub"], 5)
 
 
 def test_after_the_class_the_hub_is_gone_and_nothing_listens(school: School) -> None:

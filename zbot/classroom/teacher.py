@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from zbot import membership
 from zbot.classroom import background
 from zbot.classroom.address import Address, own_addresses
-from zbot.classroom.check import check
+from zbot.classroom.check import check, snapshots
 from zbot.classroom.classroom import Classroom
 from zbot.classroom.desk import ask
 from zbot.classroom.errors import AlreadyJoinedError, ClassCommandError, NoClassError
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 
     from zbot.classroom.check import Verdict
     from zbot.classroom.expectation import Expectation
+    from zbot.graph import Snapshot
 
 _MASTER_BYTES = 32
 _ANSWER_TIMEOUT_S = 5.0
@@ -148,6 +149,17 @@ def check_class(expectations: Sequence[Expectation]) -> list[Verdict]:
     """
     with _client() as session:
         return check(session, _ask(session, {"op": "list"})["students"], expectations)
+
+
+def graph_of(number: int) -> Snapshot:
+    """Return the graph of a student's domain.
+
+    Raises:
+        NoClassError: There is no class on this machine.
+        ClassCommandError: It does not run.
+    """
+    with _client() as session:
+        return snapshots(session, [number])[number]
 
 
 def run_teacher(opened: Membership, on_ready: Callable[[], None]) -> None:

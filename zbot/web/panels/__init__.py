@@ -1,8 +1,9 @@
 """The panels of the live page, in the order of its list."""
 
-from zbot.web.panels import plot, topics
+from zbot.web.panels import classroom, plot, topics
 
 PANELS = (
     topics.PANEL,
     plot.PANEL,
+    classroom.PANEL,
 )

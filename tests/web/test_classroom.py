@@ -1,0 +1,89 @@
+"""The panel of a class, in a real browser, with real hubs."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import pytest
+
+from tests.classroom.neighbour import Neighbour
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+    from pathlib import Path
+
+    from playwright.sync_api import Page
+
+    from tests.conftest import Program
+
+NAME = "Ana <img src=x onerror=alert(1)>"
+
+FAULTY = """
+import zbot
+
+with zbot.init():
+    node = zbot.Node("wheels")
+    node.get_logger().error("<b>the motor is hot</b>")
+    print("ready", flush=True)
+    zbot.spin(node)
+"""
+
+
+@pytest.fixture
+def teacher(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Neighbour]:
+    """Make this machine, as the test's programs see it, a teacher's with an open class."""
+    machine = Neighbour(tmp_path / "teacher")
+    for name in ("XDG_CONFIG_HOME", "ZBOT_HUB_PORT"):
+        monkeypatch.setenv(name, machine.environment[name])
+    machine.succeed("class", "start", "Robots")
+    yield machine
+    machine.zbot("class", "stop")
+
+
+@pytest.fixture
+def student(teacher: Neighbour, tmp_path: Path, domain: int) -> Iterator[Neighbour]:
+    """A student whose number is the test's domain."""
+    machine = Neighbour(tmp_path / "student")
+    number = ("--number", str(domain))
+    machine.succeed("join", f"127.0.0.1:{teacher.port}", "--name", NAME, *number)
+    yield machine
+    machine.zbot("leave")
+
+
+def test_each_student_has_a_card_that_opens_the_graph(
+    page: Page,
+    student: Neighbour,
+    start: Callable[..., Program],
+    serve: Callable[..., object],
+    domain: int,
+) -> None:
+    start(source=FAULTY, env=student.environment).wait_for("ready")
+    address = getattr(serve(), "address", "")
+    page.goto(f"{address}/class")
+    card = page.locator(".zb-student")
+    card.get_by_text("1 node", exact=True).wait_for()
+    card.get_by_text(NAME, exact=True).wait_for()
+    card.get_by_text("wheels: <b>the motor is hot</b>", exact=True).wait_for()
+    page.get_by_text("Robots: 1 of 1 here").wait_for()
+    card.click()
+    page.get_by_text(f"Graph of {domain}").wait_for()
+    page.get_by_text(f"zbot graph /{domain}").wait_for()
+    page.wait_for_function(
+        "() => document.querySelector('img[alt*=graph]')?.src.startsWith('data:image/svg')"
+    )
+    assert re.search(rf"/class\?student={domain}$", page.url)
+
+
+def test_a_student_who_leaves_the_network_is_shown_as_lost(
+    page: Page, student: Neighbour, serve: Callable[..., object]
+) -> None:
+    page.goto(f"{getattr(serve(), 'address', '')}/class")
+    page.locator(".zb-student").get_by_text("0 nodes").wait_for()
+    student.kill_hub()
+    page.locator(".zb-student-lost").get_by_text(re.compile("lost [0-9]+ s ago")).wait_for()
+
+
+def test_without_a_class_the_page_says_how_to_open_one(page: Page, server: object) -> None:
+    page.goto(f"{getattr(server, 'address', '')}/class")
+    page.get_by_text("no class is open on this machine").wait_for()

@@ -1,0 +1,186 @@
+"""The panel of a class: a card for each student, and the graph of the one that was chosen."""
+
+from __future__ import annotations
+
+import base64
+import time
+from typing import TYPE_CHECKING, Any
+
+from nicegui import background_tasks, run, ui
+
+from zbot.classroom import teacher
+from zbot.errors import ZbotError
+from zbot.graph import Snapshot
+from zbot.graph_drawing import draw
+from zbot.graph_view import view
+from zbot.web.panel import Frame, Panel
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+# A class is asked in a thread, this long after its last answer.
+_PERIOD_S = 1.0
+_DRAW_HZ = 4.0
+_SECONDS_OF = {"s": 60.0, "min": 60.0, "h": 24.0, "d": float("inf")}
+
+Student = dict[str, Any]
+
+
+class _Card:
+    """One student."""
+
+    def __init__(self, choose: Callable[[], None]) -> None:
+        self.element = ui.element("div").classes("zb-card zb-student")
+        self.element.props('role="button" tabindex="0"')
+        self.element.on("click", choose).on("keydown.enter", choose)
+        with self.element:
+            with ui.element("div").classes("zb-row"):
+                self.number = ui.label().classes("zb-student-number")
+                self.name = ui.label().classes("zb-grow zb-cut")
+                self.state = ui.label().classes("zb-muted")
+            self.facts = ui.label().classes("zb-muted zb-cut")
+            self.error = ui.label().classes("zb-bad zb-cut")
+
+    def show(self, student: Student, *, is_chosen: bool) -> None:
+        """Show how a student is now; text that is the same is not sent again."""
+        error, here = student["last_error"], student["here"]
+        self.number.set_text(str(student["number"]))
+        self.name.set_text(student["name"])
+        self.state.set_text(_nodes(student) if here else _absence(student))
+        self.facts.set_text(_facts(student))
+        self.error.set_text(f"{error['node']}: {error['text']}" if error else "")
+        for name, is_on in (("zb-student-lost", not here), ("zb-student-chosen", is_chosen)):
+            self.element.classes(**({"add": name} if is_on else {"remove": name}))
+
+
+class _Class:
+    """The grid of cards, and below it a graph."""
+
+    def __init__(self, frame: Frame) -> None:
+        self.frame = frame
+        self.chosen = int(frame.query["student"]) if _is_number(frame.query) else None
+        self.found: Student | None = None
+        self.snapshot = Snapshot(())
+        self.problem = ""
+        self.asked_s = 0.0
+        self.is_asking = False
+        self.cards: dict[int, _Card] = {}
+        self.drawn: object = None
+        with frame.toolbar:
+            self.count = ui.label().classes("zb-muted")
+        with ui.element("div").classes("zb-col"):
+            self.empty = ui.label().classes("zb-empty")
+            self.grid = ui.element("div").classes("zb-students")
+            self.heading = ui.label().classes("zb-heading")
+            self.picture = ui.element("img").props('alt="The student\'s graph"')
+        self.choose(self.chosen)
+        frame.live(self.update, _DRAW_HZ)
+
+    # -- asking --------------------------------------------------------------------------------
+
+    def update(self) -> None:
+        """Show what is known, and ask for what is new."""
+        if not self.is_asking and time.monotonic() - self.asked_s > _PERIOD_S:
+            self.is_asking = True
+            background_tasks.create(self.ask(), name="zbot class")
+        self.show()
+
+    async def ask(self) -> None:
+        """Ask the class in a thread: it may take a second."""
+        try:
+            found = await run.io_bound(_look, self.chosen)
+        except ZbotError as error:
+            self.found, self.problem = None, str(error)
+        else:
+            if found is not None:  # it is when the page's server ends
+                (self.found, self.snapshot), self.problem = found, ""
+        finally:
+            self.is_asking, self.asked_s = False, time.monotonic()
+
+    # -- showing -------------------------------------------------------------------------------
+
+    def show(self) -> None:
+        """Show the class as it is known."""
+        students = self.found["students"] if self.found else []
+        self.empty.set_text(self.problem or ("" if students else "Nobody has joined yet"))
+        self.empty.set_visibility(not students)
+        here = sum(student["here"] for student in students)
+        title = f"{self.found['class']}: {here} of {len(students)} here" if self.found else ""
+        self.count.set_text(title)
+        for number in self.cards.keys() - {student["number"] for student in students}:
+            self.cards.pop(number).element.delete()
+        for student in students:
+            number = student["number"]
+            if number not in self.cards:
+                self.cards[number] = self.new_card(number)
+            self.cards[number].show(student, is_chosen=number == self.chosen)
+        self.show_graph()
+
+    def new_card(self, number: int) -> _Card:
+        """Return a card in its place: by number."""
+        with self.grid:
+            card = _Card(lambda: self.choose(number))
+        card.element.move(target_index=sum(other < number for other in self.cards))
+        return card
+
+    def show_graph(self) -> None:
+        """Draw the chosen student's graph if it is another than before."""
+        state = (self.chosen, self.snapshot)
+        is_shown = self.chosen in self.cards
+        self.picture.set_visibility(is_shown)
+        self.heading.set_text(f"Graph of {self.chosen}" if is_shown else "")
+        if is_shown and state != self.drawn:
+            self.drawn = state
+            # As an image, in which no script runs whatever a student calls his nodes.
+            svg = draw(view(self.snapshot)).svg().encode()
+            address = f"data:image/svg+xml;base64,{base64.b64encode(svg).decode()}"
+            self.picture.props(f'src="{address}"')
+
+    def choose(self, number: int | None) -> None:
+        """Show a student's graph, or none."""
+        self.chosen, self.asked_s = number, 0.0
+        self.snapshot = Snapshot(())
+        if number is None:
+            self.frame.show_command("zbot class list")
+        else:
+            self.frame.set_query(student=str(number))
+            self.frame.show_command(f"zbot graph /{number}")
+
+
+def _look(chosen: int | None) -> tuple[Student, Snapshot]:
+    found = teacher.command({"op": "list"})
+    return found, teacher.graph_of(chosen) if chosen is not None else Snapshot(())
+
+
+def _is_number(query: dict[str, str]) -> bool:
+    text = query.get("student", "")
+    return text.isascii() and text.isdigit()
+
+
+def _nodes(student: Student) -> str:
+    count = len(student["nodes"])
+    return f"{count} node{'' if count == 1 else 's'}"
+
+
+def _facts(student: Student) -> str:
+    offset = student["clock_offset"]
+    clock = f"clock {offset:+.2f} s" if offset is not None and abs(offset) > 0.1 else ""
+    return ", ".join(filter(None, [student["host"], student["system"], clock]))
+
+
+def _absence(student: Student) -> str:
+    if not student["since"]:
+        return "not seen yet"
+    left = max(0.0, time.time() - student["since"])
+    for unit, size in _SECONDS_OF.items():
+        if left < size:
+            return f"lost {left:.0f} {unit} ago"
+        left /= size
+    return "lost"
+
+
+def _build(frame: Frame) -> None:
+    _Class(frame)
+
+
+PANEL = Panel("/class", "Class", "school", _build)
