@@ -346,7 +346,7 @@ class InterfaceSyntaxError(ZbotError, ValueError):
         super().__init__(f"{where}: {reason}{quoted}")
 
 
-class UnknownPackageError(ZbotError, LookupError):
+class UnknownPackageError(ZbotError, ModuleNotFoundError, LookupError):
     """No package of that name holds message, service or action definitions here."""
 
     def __init__(self, package: str, suggestions: tuple[str, ...] = ()) -> None:
@@ -354,7 +354,7 @@ class UnknownPackageError(ZbotError, LookupError):
         super().__init__(f"Unknown package {package!r}{_did_you_mean(suggestions)}")
 
 
-class UnknownInterfaceError(ZbotError, LookupError):
+class UnknownInterfaceError(ZbotError, AttributeError, LookupError):
     """A known package has no message, service or action of that name."""
 
     def __init__(self, name: str, suggestions: tuple[str, ...] = ()) -> None:

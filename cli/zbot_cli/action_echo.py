@@ -107,7 +107,7 @@ class ActionEcho:
 
     def _show(self, part: str, message: Any, info: Any) -> None:
         if self._form.json:
-            from zbot_cli.message_text import json_value  # noqa: PLC0415 - seldom used
+            from zbot.plain_message import json_value  # noqa: PLC0415 - seldom used
 
             print_json({"interface": part, "message": json_value(message)})
         else:

@@ -172,8 +172,8 @@ def proto(
     ] = False,
 ) -> None:
     """Print a type's default values as YAML."""
-    from zbot_cli.message_text import Form, plain  # noqa: PLC0415 - only this verb shows values
-    from zbot_cli.yaml_text import dump  # noqa: PLC0415 - as above
+    from zbot.plain_message import plain  # noqa: PLC0415 - only this verb shows values
+    from zbot.yaml_text import dump  # noqa: PLC0415 - as above
 
     spec = _spec(type_name)
     cls = get_interface(spec.name)
@@ -184,5 +184,5 @@ def proto(
         if isinstance(spec, ActionSpec)
         else cls
     )
-    text = dump(plain(part(), Form(length=None)))
+    text = dump(plain(part()))
     print(text if no_quotes else f'"{text}"')

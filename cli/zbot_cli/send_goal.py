@@ -197,7 +197,7 @@ class SendGoal:
 
     def _show(self, text: str, facts: dict[str, Any]) -> None:
         if self._as_json:
-            from zbot_cli.message_text import json_value  # noqa: PLC0415 - seldom used
+            from zbot.plain_message import json_value  # noqa: PLC0415 - seldom used
 
             print_json({name: json_value(value) for name, value in facts.items()})
             sys.stdout.flush()
@@ -218,10 +218,10 @@ def _left(deadline: float | None) -> float | None:
 
 
 def _text(message: Any) -> str:
-    from zbot_cli.message_text import Form, plain  # noqa: PLC0415 - only goals are printed
-    from zbot_cli.yaml_text import dump  # noqa: PLC0415 - as above
+    from zbot.plain_message import plain  # noqa: PLC0415 - only goals are printed
+    from zbot.yaml_text import dump  # noqa: PLC0415 - as above
 
-    return dump(_unfolded(plain(message, Form(length=None))))
+    return dump(_unfolded(plain(message)))
 
 
 def _unfolded(value: Any) -> Any:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING, Any
 
+from zbot.plain_message import json_value, plain
 from zbot.service_introspection import Step
+from zbot.yaml_text import dump
 from zbot_cli.listing import print_json
 from zbot_cli.looking import hidden_node
-from zbot_cli.message_text import SEPARATOR, Formatter, json_value, plain
+from zbot_cli.message_text import SEPARATOR, Formatter
 from zbot_cli.service_type import (
     SeveralServiceTypesError,
     known_services,
@@ -16,7 +18,6 @@ from zbot_cli.service_type import (
     service_class,
     suggestion,
 )
-from zbot_cli.yaml_text import dump
 
 if TYPE_CHECKING:
     from zbot.graph import Snapshot

@@ -8,10 +8,10 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Union
 
+from zbot import yaml_text
 from zbot.errors import ZbotError
 from zbot.interfaces import get_message, spec_of
 from zbot.names import nearest
-from zbot_cli import yaml_text
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import PositionalFieldError, UnknownFieldError
 from zbot.interfaces.array_value import elements_text, fixed_default, same_elements
 from zbot.interfaces.message import Action, Message, Service
+from zbot.interfaces.slot_type import SlotTypes
 from zbot.interfaces.source import class_source
 
 if TYPE_CHECKING:
@@ -49,6 +50,7 @@ _COMMON: dict[str, Any] = {
     "INF": math.inf,
     "NAN": math.nan,
     "_Message": Message,
+    "_SlotTypes": SlotTypes,
     "_array": array,
     "_bool": bool,
     "_bytes": bytes,
@@ -136,7 +138,6 @@ def _namespace(spec: MessageSpec, nested: dict[str, type[Any]]) -> dict[str, Any
         "__name__": module_name(spec.name),
         "_DOC": _doc(spec.name, spec.text),
         "_SPEC": spec,
-        "_SLOT_TYPES": tuple(field.type for field in spec.fields),
         "_bad_call": functools.partial(_bad_call, spec),
     }
     for field in spec.fields:

@@ -10,7 +10,8 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.interfaces.spec import ActionSpec, FieldType, MessageSpec, ServiceSpec
+    from zbot.interfaces.slot_type import AbstractType
+    from zbot.interfaces.spec import ActionSpec, MessageSpec, ServiceSpec
 
 _IMMUTABLE = {bool, int, float, str, bytes}
 
@@ -22,7 +23,7 @@ class Message:
 
     SPEC: ClassVar[MessageSpec]
     TYPE_NAME: ClassVar[str]
-    SLOT_TYPES: ClassVar[tuple[FieldType, ...]]
+    SLOT_TYPES: ClassVar[tuple[AbstractType, ...]]
     _fields_and_field_types: ClassVar[dict[str, str]]
 
     if TYPE_CHECKING:  # every class has its own, with its fields as keywords

@@ -29,7 +29,7 @@ def class_source(spec: MessageSpec) -> str:
         *_default_constants(spec),
         "    SPEC = _SPEC",
         f"    TYPE_NAME = {spec.name!r}",
-        "    SLOT_TYPES = _SLOT_TYPES",
+        "    SLOT_TYPES = _SlotTypes()",
         f"    _fields_and_field_types = { ({f.name: str(f.type) for f in spec.fields})!r}",
         "",
         *_init(spec),

@@ -58,6 +58,12 @@ rclpy.context: Context
 rclpy.signals: SignalHandlerOptions
 rclpy.validate_node_name: validate_node_name
 rclpy.expand_topic_name: expand_topic_name
+rosidl_runtime_py: message_to_csv message_to_ordereddict message_to_yaml set_message_fields
+rosidl_runtime_py.convert: message_to_ordereddict message_to_yaml get_message_slot_types
+rosidl_runtime_py.set_message: set_message_fields
+rosidl_runtime_py.utilities: get_message get_service get_action get_interface
+rosidl_runtime_py.get_interfaces: get_interfaces get_message_interfaces get_interface_path
+rosidl_parser.definition: NamespacedType BasicType AbstractSequence UnboundedString
 rclpy.impl.logging_severity: LoggingSeverity
 rclpy.impl.rcutils_logger: RcutilsLogger
 tf2_ros: Buffer BufferInterface TransformListener TransformBroadcaster StaticTransformBroadcaster
@@ -99,3 +105,9 @@ def test_submodules_need_no_import_of_their_own() -> None:
 def test_what_is_not_there_is_said_as_python_does() -> None:
     with pytest.raises(AttributeError, match="has no attribute 'spinn'"):
         importlib.import_module("rclpy").spinn  # noqa: B018
+
+
+def test_a_function_keeps_its_name_when_the_submodule_of_that_name_is_imported() -> None:
+    importlib.import_module("rosidl_runtime_py.get_interfaces")
+    function = importlib.import_module("rosidl_runtime_py").get_interfaces
+    assert "std_msgs" in function()

@@ -68,21 +68,24 @@ _Dumper.add_representer(Quoted, _represent_quoted)
 _WideDumper.add_representer(Quoted, _represent_quoted)
 
 
-def dump(value: Any) -> str:
-    """Return a dictionary or list of plain types as block YAML, ending with a newline."""
-    text = _dump(value, _Dumper)
+def dump(value: Any, *, flow_style: bool = False) -> str:
+    """Return a dictionary or list of plain types as YAML, ending with a newline.
+
+    A block, unless `flow_style` puts everything on one line.
+    """
+    text = _dump(value, _Dumper, flow_style)
     if "\\U" in text:
-        wide = _dump(value, _WideDumper)
+        wide = _dump(value, _WideDumper, flow_style)
         return wide if _UNUSUAL_BREAKS.isdisjoint(wide) else text
     return text
 
 
-def _dump(value: Any, dumper: Any) -> str:
+def _dump(value: Any, dumper: Any, flow_style: bool) -> str:
     text: str = yaml.dump(
         value,
         Dumper=dumper,
         allow_unicode=True,
-        default_flow_style=False,
+        default_flow_style=flow_style,
         sort_keys=False,
         width=_UNLIMITED,
     )

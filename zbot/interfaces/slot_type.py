@@ -1,0 +1,163 @@
+"""The types of fields as objects, with the classes and names of ROS 2's `rosidl_parser`.
+
+Programs that walk through any message look at them: `isinstance(slot, AbstractSequence)`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from zbot.interfaces.spec import FieldType
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from zbot.interfaces.message import Message
+
+
+class AbstractType:
+    """Base of all types of fields."""
+
+
+class AbstractNestableType(AbstractType):
+    """Base of what arrays and sequences may consist of."""
+
+
+@dataclass(frozen=True)
+class BasicType(AbstractNestableType):
+    """A number or a truth value, by its name in IDL: `double`, `boolean`, `uint8`."""
+
+    typename: str
+
+
+@dataclass(frozen=True)
+class NamedType(AbstractNestableType):
+    """A type that is known by a short name."""
+
+    name: str
+
+
+@dataclass(frozen=True, init=False)
+class NamespacedType(AbstractNestableType):
+    """A message: `namespaces` is `['std_msgs', 'msg']`, `name` is `Header`."""
+
+    namespaces: list[str]
+    name: str
+
+    def __init__(self, namespaces: Sequence[str], name: str) -> None:
+        object.__setattr__(self, "namespaces", list(namespaces))
+        object.__setattr__(self, "name", name)
+
+    def __hash__(self) -> int:
+        return hash(self.namespaced_name())
+
+    def namespaced_name(self) -> tuple[str, ...]:
+        """Return all parts of the name."""
+        return (*self.namespaces, self.name)
+
+
+class AbstractGenericString(AbstractNestableType):
+    """Base of all texts."""
+
+    def has_maximum_size(self) -> bool:
+        """Return whether the length is bounded."""
+        return hasattr(self, "maximum_size")
+
+
+class AbstractString(AbstractGenericString):
+    """Base of the texts of type `string`."""
+
+
+class AbstractWString(AbstractGenericString):
+    """Base of the texts of type `wstring`."""
+
+
+@dataclass(frozen=True)
+class BoundedString(AbstractString):
+    """A text of at most `maximum_size` characters."""
+
+    maximum_size: int
+
+
+@dataclass(frozen=True)
+class UnboundedString(AbstractString):
+    """A text of any length."""
+
+
+@dataclass(frozen=True)
+class BoundedWString(AbstractWString):
+    """A `wstring` of at most `maximum_size` characters."""
+
+    maximum_size: int
+
+
+@dataclass(frozen=True)
+class UnboundedWString(AbstractWString):
+    """A `wstring` of any length."""
+
+
+@dataclass(frozen=True)
+class AbstractNestedType(AbstractType):
+    """Base of all types with elements."""
+
+    value_type: AbstractNestableType
+
+    def has_maximum_size(self) -> bool:
+        """Return whether the number of elements is bounded."""
+        return isinstance(self, (Array, BoundedSequence))
+
+
+@dataclass(frozen=True)
+class Array(AbstractNestedType):
+    """Always `size` elements."""
+
+    size: int
+
+
+@dataclass(frozen=True)
+class AbstractSequence(AbstractNestedType):
+    """Base of what has a changing number of elements."""
+
+
+@dataclass(frozen=True)
+class BoundedSequence(AbstractSequence):
+    """At most `maximum_size` elements."""
+
+    maximum_size: int
+
+
+@dataclass(frozen=True)
+class UnboundedSequence(AbstractSequence):
+    """Any number of elements."""
+
+
+class SlotTypes:
+    """The attribute `SLOT_TYPES` of a message class: made at the first look, then kept."""
+
+    def __get__(self, instance: object, owner: type[Message]) -> tuple[AbstractType, ...]:
+        types = tuple(slot_type(field.type) for field in owner.SPEC.fields)
+        setattr(owner, "SLOT_TYPES", types)  # noqa: B010 - a class variable that checkers see fixed
+        return types
+
+
+def slot_type(kind: FieldType) -> AbstractType:
+    """Return the type of a field as an object of ROS 2's classes."""
+    element = _element(kind)
+    if kind.kind == "array":
+        return Array(element, kind.size)
+    if kind.kind == "sequence":
+        return BoundedSequence(element, kind.size) if kind.size else UnboundedSequence(element)
+    return element
+
+
+def _element(kind: FieldType) -> AbstractNestableType:
+    if kind.is_message:
+        *namespaces, name = kind.base.split("/")
+        return NamespacedType(namespaces, name)
+    bound = kind.string_bound
+    if kind.base == "string":
+        return BoundedString(bound) if bound else UnboundedString()
+    if kind.base == "wstring":
+        return BoundedWString(bound) if bound else UnboundedWString()
+    return BasicType(str(FieldType(kind.base)))  # as IDL calls it

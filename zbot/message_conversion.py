@@ -1,0 +1,107 @@
+"""Any message as an ordered dictionary, as YAML or as CSV: the functions of `rosidl_runtime_py`."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from typing import TYPE_CHECKING, Any
+
+from zbot.field_path import is_message
+from zbot.plain_message import Shortening, items_of, leaves, plain, shown_item
+from zbot.yaml_text import dump
+
+if TYPE_CHECKING:
+    from zbot.interfaces.slot_type import AbstractType
+
+_NO_LIST_IS_SHORT = -1
+
+
+def message_to_ordereddict(
+    msg: Any,
+    *,
+    truncate_length: int | None = None,
+    no_arr: bool = False,
+    no_str: bool = False,
+) -> OrderedDict[str, Any]:
+    """Return a message as a dictionary of dictionaries, lists, numbers and texts.
+
+    Args:
+        msg: The message; of a serialized one, the bytes are all that there is.
+        truncate_length: How many elements and characters are kept; `None` for all.
+        no_arr: Put type and length in place of every list.
+        no_str: Put the length in place of every text.
+    """
+    if isinstance(msg, bytes):
+        return OrderedDict(bytes=msg)
+    shortening = Shortening(truncate_length, no_arr, no_str, short_list=_NO_LIST_IS_SHORT)
+    found: OrderedDict[str, Any] = _ordered(plain(msg, shortening))
+    return found
+
+
+def message_to_yaml(
+    msg: Any,
+    *,
+    truncate_length: int | None = None,
+    no_arr: bool = False,
+    no_str: bool = False,
+    flow_style: bool = False,
+) -> str:
+    """Return a message as YAML that ends with a newline; see `message_to_ordereddict`.
+
+    With `flow_style`, everything stands on one line.
+    """
+    if isinstance(msg, bytes):
+        return dump({"bytes": msg}, flow_style=flow_style)
+    shortening = Shortening(truncate_length, no_arr, no_str, short_list=_NO_LIST_IS_SHORT)
+    return dump(plain(msg, shortening), flow_style=flow_style)
+
+
+def message_to_csv(
+    msg: Any,
+    *,
+    truncate_length: int | None = None,
+    no_arr: bool = False,
+    no_str: bool = False,
+) -> str:
+    """Return the values in a message with commas between; see `message_to_ordereddict`."""
+    return ",".join(leaves(msg, Shortening(truncate_length, no_arr, no_str)))
+
+
+def get_message_slot_types(msg: Any) -> OrderedDict[str, AbstractType]:
+    """Return the type of each field of a message, or of a message class, in order."""
+    return OrderedDict(zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES, strict=True))
+
+
+def convert_value(
+    value: Any,
+    *,
+    truncate_length: int | None = None,
+    no_arr: bool = False,
+    no_str: bool = False,
+) -> Any:
+    """Return what `message_to_ordereddict` makes of a value that is in no message."""
+    if is_message(value):
+        return message_to_ordereddict(
+            value, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str
+        )
+    return _shortened(value, Shortening(truncate_length, no_arr, no_str))
+
+
+def _shortened(value: Any, shortening: Shortening) -> Any:
+    if isinstance(value, dict):
+        # A key is never cut off: two of them could become the same.
+        return {key: _shortened(item, shortening) for key, item in value.items()}
+    if isinstance(value, str) and shortening.no_str:
+        return f"<string length: <{len(value)}>>"
+    if isinstance(value, (str, bytes, bytearray)) or not hasattr(value, "__len__"):
+        return shown_item(value, shortening.length)
+    kept = value if shortening.length is None else value[: shortening.length]
+    items = [_shortened(item, shortening) for item in items_of(kept)]
+    if len(kept) < len(value):
+        items.append("...")
+    return tuple(items) if isinstance(value, tuple) else items
+
+
+def _ordered(value: Any) -> Any:
+    if isinstance(value, dict):
+        return OrderedDict((name, _ordered(item)) for name, item in value.items())
+    return [_ordered(item) for item in value] if isinstance(value, list) else value

@@ -1,0 +1,100 @@
+"""Filling a message from a dictionary of plain values: `set_message_fields`."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from zbot.field_path import is_message
+from zbot.interfaces import get_message, type_name
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Mapping
+    from typing import TypeAlias
+
+    StampSetter: TypeAlias = Callable[[Any], None]
+
+_HEADER = "std_msgs/msg/Header"
+_TIME = "builtin_interfaces/msg/Time"
+
+
+def set_message_fields(
+    msg: Any,
+    values: Mapping[str, Any],
+    expand_header_auto: bool = False,
+    expand_time_now: bool = False,
+) -> list[StampSetter]:
+    """Set fields of a message; those that are not named keep their value.
+
+    Args:
+        msg: The message, of any class that has ROS 2's attributes.
+        values: What to set, by the name of the field. A message inside is a dictionary, of which
+            what is left out gets its default, or a message.
+        expand_header_auto: Whether the text `auto` stands for a header with the time.
+        expand_time_now: Whether the text `now` stands for the time.
+
+    Returns:
+        A function for each place that is to get the time; it takes a `Time` message.
+
+    Raises:
+        AttributeError: The message has no such field.
+        TypeError: The values are no dictionary, or one has the wrong type.
+        ValueError: A value is out of range, or a text is no number.
+    """
+    return _Filling(header_auto=expand_header_auto, time_now=expand_time_now).fill(msg, values)
+
+
+class _Filling:
+    def __init__(self, *, header_auto: bool, time_now: bool) -> None:
+        self._texts = {_HEADER: "auto" if header_auto else None, _TIME: "now" if time_now else None}
+        self._setters: list[StampSetter] = []
+
+    def fill(self, message: Any, values: Any) -> list[StampSetter]:
+        if not hasattr(values, "items"):
+            kind = type(values).__name__
+            raise TypeError(f"Value '{values}' is expected to be a dictionary but is a {kind}")
+        slots = dict(zip(message.get_fields_and_field_types(), message.SLOT_TYPES, strict=True))
+        for name, value in values.items():
+            if name not in slots:
+                owner = type(message).__name__
+                raise AttributeError(f"'{owner}' object has no attribute '{name}'")
+            self._set(message, name, slots[name], value)
+        return self._setters
+
+    def _set(self, message: Any, name: str, slot: Any, value: Any) -> None:
+        present = getattr(message, name)
+        if isinstance(value, str) and is_message(present):
+            self._expand(message, name, present, value)
+        elif is_message(present):
+            setattr(message, name, self._message(type(present), value))
+        elif hasattr(slot, "value_type"):
+            setattr(message, name, self._elements(slot.value_type, value))
+        else:
+            setattr(message, name, _scalar(type(present), value))
+
+    def _expand(self, message: Any, name: str, present: Any, text: str) -> None:
+        kind = type_name(type(present))
+        if text != self._texts.get(kind):
+            self.fill(present, text)  # which is refused
+        owner, stamp = (message, name) if kind == _TIME else (present, "stamp")
+        self._setters.append(partial(setattr, owner, stamp))
+
+    def _elements(self, element: Any, values: Any) -> Any:
+        if not hasattr(element, "namespaces"):
+            return values
+        cls = get_message("/".join((*element.namespaces, element.name)))
+        return [self._message(cls, value) for value in values]
+
+    def _message(self, cls: type[Any], value: Any) -> Any:
+        if isinstance(value, cls):
+            return value
+        message = cls()
+        self.fill(message, value)
+        return message
+
+
+def _scalar(kind: type[Any], value: Any) -> Any:
+    if isinstance(value, kind):
+        return value
+    # A `byte` is an octet, which bytes(7) is not.
+    return bytes([value]) if kind is bytes else kind(value)
