@@ -1,4 +1,4 @@
-"""What a beginner is told without asking: typos, two types on a topic, two nodes of one name.
+"""What a beginner is told without asking: typos, two types on a topic, two nodes of one name, ...
 
 Each would otherwise be silence: both sides look healthy and nothing arrives. One thread a context
 waits for the graph to change; it sleeps otherwise.
@@ -17,6 +17,7 @@ import zenoh
 from zbot.errors import NotInitializedError
 from zbot.log import get_logger
 from zbot.names import fully_qualified, is_hidden, nearest
+from zbot.wire.keys import SHARED_DOMAIN
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
 if TYPE_CHECKING:
@@ -117,8 +118,20 @@ class Adviser:
                 self._compare_pair(mine, token, logger_name)
             if token.key in self._own:
                 logger_name = self._own[token.key][1]
+                self._check_shared(token, logger_name)
                 for other in others:
                     self._compare_pair(token, other, logger_name)
+
+    def _check_shared(self, token: Token, logger_name: str) -> None:
+        """Tell a student that not everybody may speak in the space that a class shares."""
+        is_speaking = token.kind in {EntityKind.PUBLISHER, EntityKind.SERVICE}
+        if self._context.is_student and is_speaking and token.domain == SHARED_DOMAIN:
+            self._say(
+                logger_name,
+                ("shared",),
+                "what this node publishes in /class/ reaches others only while the teacher lets "
+                "students speak there (zbot share class)",
+            )
 
     def _compare_pair(self, mine: Token, other: Token, logger_name: str) -> None:
         if mine.key == other.key:

@@ -67,6 +67,7 @@ class Context:
         self.dialect = NATIVE
         self._is_settled = mode == "client"
         self._in_class = False
+        self.is_student = False  #: whether this machine takes part in a class as a student's
 
     # -- life ----------------------------------------------------------------------------------
 
@@ -96,6 +97,7 @@ class Context:
             self.arguments = Arguments.parse(sys.argv if args is None else args)
             joined = membership.load()
             self._in_class = joined is not None and joined.in_class
+            self.is_student = joined is not None and joined.role == "student"
             self.dialect = IN_CLASS if self._in_class else NATIVE
             if initialize_logging:
                 _configure_logging(self.arguments)

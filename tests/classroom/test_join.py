@@ -182,6 +182,21 @@ def test_one_joins_one_class(school: School) -> None:
     assert school.teacher.zbot("join", school.address).code == 1
 
 
+def test_last_weeks_class_does_not_stand_in_the_way(
+    school: School, machines: Callable[[str], Neighbour]
+) -> None:
+    school.open()
+    ana = school.join("Ana")
+    school.teacher.succeed("class", "stop")
+    assert wait_until(lambda: not json.loads(ana.succeed("status", "--json"))["linked"], 10)
+    # Nobody is there, so the old class stays joined.
+    assert ana.zbot("join", school.address).code == 1
+    assert "Robots" in ana.succeed("status")
+    other = machines("other teacher")
+    other.succeed("class", "start", "Next week")
+    assert 'joined "Next week"' in ana.succeed("join", f"127.0.0.1:{other.port}")
+
+
 def test_a_student_who_was_switched_off_joins_again_as_before(school: School) -> None:
     school.open()
     ana = school.join("Ana", "--number", "17")

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import threading
 import time
 from typing import TYPE_CHECKING, Any
 
@@ -43,6 +45,7 @@ class Classroom:
         self._record = record
         self._port = port
         self._seats = Seats()
+        self._lock = threading.RLock()  # the door and the desk have threads of their own
         self._serving: Serving | None = None
         self._door = Door(
             record.name,
@@ -79,10 +82,14 @@ class Classroom:
     def equip(self, serving: Serving) -> None:
         """Open the door and the desk."""
         self._serving = serving
-        serving.desk(DOOR_KEY, self._door.answer)
+        serving.desk(DOOR_KEY, self._answer_door)
         serving.desk(DESK_KEY, self._serve_teacher)
         serving.desk(NOTICES_KEY, lambda _question: {"notices": self._record.notices})
         self._seats.equip(serving, self._record.register.students)
+
+    def _answer_door(self, question: Document) -> Document:
+        with self._lock:
+            return self._door.answer(question)
 
     def _on_claim(self, number: int) -> None:
         student = self._record.register.students.get(number)
@@ -106,8 +113,10 @@ class Classroom:
         verb = verbs.get(str(question.get("op")))
         if verb is None:
             return {"error": "the class does not know this command: is its zbot older?"}
+        # Whoever changes something does so alone; a list may wait for laptops that sleep.
         try:
-            return verb(question)
+            with contextlib.nullcontext() if verb == self._list else self._lock:
+                return verb(question)
         except ClassroomError as error:
             return {"error": str(error)}
 

@@ -110,9 +110,10 @@ class Register:
         kept_for = self.expected.get(wanted)
         if kept_for and name and name.casefold() != kept_for.casefold():
             raise TakenError(wanted, kept_for)
-        self._forget_machine(machine)
         student = Student(wanted, kept_for or name or host, machine, host)
-        self.students[wanted] = student
+        # A new dictionary: others may just look through the old one.
+        others = {n: one for n, one in self.students.items() if one.machine != machine}
+        self.students = {**others, wanted: student}
         return student
 
     def _number(self, number: int | None, name: str | None, machine: str) -> int:
@@ -133,14 +134,11 @@ class Register:
             raise FullClassError
         return found
 
-    def _forget_machine(self, machine: str) -> None:
-        self.students = {
-            number: one for number, one in self.students.items() if one.machine != machine
-        }
-
     def free(self, number: int) -> Student | None:
         """Take a number back; return who had it."""
-        return self.students.pop(number, None)
+        freed = self.students.get(number)
+        self.students = {n: one for n, one in self.students.items() if n != number}
+        return freed
 
 
 def load_roster(path: Path) -> dict[int, str]:

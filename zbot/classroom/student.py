@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import secrets
 import socket
 from dataclasses import replace
@@ -19,11 +20,12 @@ from zbot.classroom.link import Link
 from zbot.classroom.presence import Presence
 from zbot.classroom.probe import first_that_answers
 from zbot.classroom.serving import serve
+from zbot.classroom.state import hub_facts
 from zbot.security.secret import make_private_folder, write_private
 from zbot.session import hub_endpoint, open_hub_client
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
     from pathlib import Path
 
     from zbot.membership import Membership
@@ -70,9 +72,10 @@ def join(
     link = Link.named(keystore)
     address = find_hub(target)
     link.check_dialling(address)
-    membership.forget()
     wish = Wish(machine_id(), socket.gethostname(), name, number)
-    joined = replace(knock(address, wish, ask_pin, link), keystore=link.keystore)
+    with _without_membership():
+        joined = replace(knock(address, wish, ask_pin, link), keystore=link.keystore)
+    background.stop()
     membership.save(joined, [(joined.user, joined.secret)])
     try:
         background.start(joined.role)
@@ -83,12 +86,30 @@ def join(
 
 
 def _require_alone() -> None:
-    present, runs = membership.load(), background.find() is not None
-    # One that was switched off in between has joined and no hub: it joins anew.
-    if present is not None and (runs or present.role == "teacher"):
+    """Refuse a machine that takes part in something.
+
+    Last week's class, which is not there any more, is nothing; neither is one without a hub, as
+    this machine was switched off in between.
+    """
+    present, hub = membership.load(), background.find()
+    is_over = hub is None or not hub_facts(hub.pid).get("linked", False)
+    if present is not None and (present.role == "teacher" or not is_over):
         raise AlreadyJoinedError(f"has joined {present.class_name or present.host}")
-    if runs:
+    if present is None and hub is not None:
         raise AlreadyJoinedError("runs a hub")
+
+
+@contextlib.contextmanager
+def _without_membership() -> Iterator[None]:
+    """Speak as somebody who has joined nothing; what was joined comes back after a failure."""
+    present = membership.load()
+    membership.forget()
+    try:
+        yield
+    except BaseException:
+        if present is not None:
+            membership.save(present, [(present.user, present.secret)])
+        raise
 
 
 def machine_id() -> str:

@@ -36,7 +36,6 @@ def test_addresses_are_read(text: str, host: str, port: int) -> None:
         "tcp/1.2.3.4",
         "h;i",
         "[::1",
-        "h\n",
     ],
 )
 def test_what_is_no_address_is_refused(text: str) -> None:

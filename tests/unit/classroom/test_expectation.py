@@ -116,7 +116,7 @@ def test_what_is_expected_is_read() -> None:
         ("publishes std_msgs/String", "`on /name` is missing"),
         ("publishes std_msgs/String on /x at fast", "should be like `at >= 1 Hz`"),
         ("publishes String on /x", "'String' is no type"),
-        ("publishes std_msgs/String on /1x", "starts with a digit"),
+        ("publishes std_msgs/String on /1x", "must not start with a"),
         ("subscribes std_msgs/String on /x at >= 1 Hz", "only what is published has a rate"),
         ("", "has to begin with"),
     ],
