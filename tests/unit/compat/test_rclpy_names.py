@@ -63,6 +63,9 @@ rosidl_runtime_py.convert: message_to_ordereddict message_to_yaml get_message_sl
 rosidl_runtime_py.set_message: set_message_fields
 rosidl_runtime_py.utilities: get_message get_service get_action get_interface
 rosidl_runtime_py.get_interfaces: get_interfaces get_message_interfaces get_interface_path
+message_filters: Subscriber TimeSynchronizer ApproximateTimeSynchronizer Cache Chain SimpleFilter
+sensor_msgs_py.point_cloud2: read_points read_points_list read_points_numpy create_cloud
+sensor_msgs_py.point_cloud2: create_cloud_xyz32 dtype_from_fields PointCloud2 PointField
 rosidl_parser.definition: NamespacedType BasicType AbstractSequence UnboundedString
 rclpy.impl.logging_severity: LoggingSeverity
 rclpy.impl.rcutils_logger: RcutilsLogger

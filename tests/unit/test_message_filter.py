@@ -1,0 +1,181 @@
+"""Messages that belong together come together."""
+
+from __future__ import annotations
+
+import itertools
+import threading
+from typing import Any
+
+import pytest
+
+from zbot.message_filter import (
+    ApproximateTimeSynchronizer,
+    Cache,
+    Chain,
+    SimpleFilter,
+    TimeSynchronizer,
+)
+from zbot.time import Time
+
+from geometry_msgs.msg import PointStamped
+from std_msgs.msg import Header, String
+
+
+def at(seconds: float) -> PointStamped:
+    return PointStamped(header=Header(stamp=Time(seconds=seconds).to_msg()))
+
+
+def pair() -> tuple[SimpleFilter, SimpleFilter]:
+    return SimpleFilter(), SimpleFilter()
+
+
+def test_callbacks_get_the_message_and_their_own_arguments() -> None:
+    source, seen = SimpleFilter(), list[Any]()
+    source.registerCallback(lambda *given: seen.append(given), "a")
+    source.registerCallback(lambda *given: seen.append(given), "b", "c")
+    source.signalMessage(1, 2)
+    assert seen == [(1, 2, "a"), (1, 2, "b", "c")]
+
+
+@pytest.mark.parametrize("order", list(itertools.permutations(range(3))))
+def test_equal_stamps_meet_in_any_order(order: tuple[int, ...]) -> None:
+    left, right = pair()
+    seen: list[tuple[Any, Any]] = []
+    TimeSynchronizer([left, right], 3).registerCallback(lambda *both: seen.append(both))
+    lefts, rights = [at(s) for s in range(3)], [at(s) for s in range(3)]
+    for index in order:
+        left.signalMessage(lefts[index])
+    assert seen == []
+    for index in reversed(order):
+        right.signalMessage(rights[index])
+    assert {(id(a), id(b)) for a, b in seen} == {
+        (id(a), id(b)) for a, b in zip(lefts, rights, strict=True)
+    }
+
+
+def test_what_waits_too_long_is_dropped() -> None:
+    left, right = pair()
+    seen: list[Any] = []
+    TimeSynchronizer([left, right], 2).registerCallback(lambda *both: seen.append(both))
+    for seconds in range(4):
+        left.signalMessage(at(seconds))
+    for seconds in range(4):
+        right.signalMessage(at(seconds))
+    assert [both[0].header.stamp.sec for both in seen] == [2, 3]
+
+
+def test_a_callback_may_feed_the_synchronizer_that_called_it() -> None:
+    left, right = pair()
+    seen: list[Any] = []
+    synchronizer = TimeSynchronizer([left, right], 5)
+
+    def feed(*both: Any) -> None:
+        seen.append(both[0])
+        if len(seen) == 1:
+            left.signalMessage(at(9))
+            right.signalMessage(at(9))
+
+    synchronizer.registerCallback(feed)
+    left.signalMessage(at(1))
+    thread = threading.Thread(target=right.signalMessage, args=[at(1)], daemon=True)
+    thread.start()
+    thread.join(10)
+    assert [each.header.stamp.sec for each in seen] == [1, 9]
+
+
+@pytest.mark.parametrize(
+    ("times", "is_together"),
+    [((1.0, 1.05), True), ((1.0, 1.1), True), ((1.0, 1.2), False), ((2.0, 1.95), True)],
+)
+def test_stamps_within_the_slop_meet(times: tuple[float, float], is_together: bool) -> None:
+    left, right = pair()
+    seen: list[Any] = []
+    ApproximateTimeSynchronizer([left, right], 5, 0.1).registerCallback(
+        lambda *both: seen.append(both)
+    )
+    left.signalMessage(at(times[0]))
+    right.signalMessage(at(times[1]))
+    assert bool(seen) is is_together
+
+
+def test_the_closest_is_chosen_and_used_once() -> None:
+    left, right = pair()
+    seen: list[tuple[Any, Any]] = []
+    ApproximateTimeSynchronizer([left, right], 5, 0.5).registerCallback(
+        lambda *both: seen.append(both)
+    )
+    near, far = at(1.1), at(0.7)
+    left.signalMessage(far)
+    left.signalMessage(near)
+    right.signalMessage(at(1.0))
+    assert seen[0][0] is near
+    right.signalMessage(at(1.05))
+    assert seen[1][0] is far
+
+
+def test_all_of_three_are_within_the_slop_of_each_other() -> None:
+    filters = [SimpleFilter() for _ in range(3)]
+    seen: list[Any] = []
+    ApproximateTimeSynchronizer(filters, 5, 0.1).registerCallback(lambda *all_: seen.append(all_))
+    for source, seconds in zip(filters, (1.0, 1.16, 1.08), strict=True):
+        source.signalMessage(at(seconds))
+    assert seen == []  # the outer two are too far apart, though both are near the third
+    filters[1].signalMessage(at(1.05))
+    assert len(seen) == 1
+
+
+def test_messages_without_header_need_permission() -> None:
+    for allowed in (True, False):
+        left, right = pair()
+        seen: list[Any] = []
+        synchronizer = ApproximateTimeSynchronizer([left, right], 5, 60, allow_headerless=allowed)
+        synchronizer.registerCallback(lambda *both, seen=seen: seen.append(both))
+        left.signalMessage(String(data="a"))
+        right.signalMessage(String(data="b"))
+        assert bool(seen) is allowed
+
+
+def test_a_cache_keeps_the_newest_sorted_by_time() -> None:
+    source = SimpleFilter()
+    cache = Cache(source, 3)
+    passed: list[Any] = []
+    cache.registerCallback(passed.append)
+    for seconds in (4, 1, 3, 2):
+        source.signalMessage(at(seconds))
+    assert [m.header.stamp.sec for m in passed] == [4, 1, 3, 2]
+    assert [m.header.stamp.sec for m in cache.cache_msgs] == [2, 3, 4]
+
+    def second(message: Any) -> Any:
+        return message and message.header.stamp.sec
+
+    assert second(cache.getElemAfterTime(Time(seconds=2.5))) == 3
+    assert second(cache.getElemBeforeTime(Time(seconds=2.5))) == 2
+    assert cache.getElemAfterTime(Time(seconds=5)) is cache.getElemBeforeTime(Time()) is None
+    assert list(map(second, cache.getInterval(Time(seconds=2), Time(seconds=3)))) == [2, 3]
+    assert second(cache.getLast()) == 4
+    assert cache.getOldestTime() is not None
+    assert cache.getLatestTime() == cache.getLastestTime()
+
+
+def test_an_empty_cache_has_nothing() -> None:
+    cache = Cache()
+    assert cache.getLast() is cache.getOldestTime() is cache.getLatestTime() is None
+
+
+def test_a_chain_passes_messages_through_its_filters() -> None:
+    source, out = SimpleFilter(), list[Any]()
+    chain = Chain(source)
+    chain.registerCallback(out.append)
+    source.signalMessage(at(0))
+    first, second = Cache(cache_size=9), Cache(cache_size=9)
+    chain.addFilter(first)
+    source.signalMessage(at(1))
+    chain.addFilter(second)
+    source.signalMessage(at(2))
+    assert [m.header.stamp.sec for m in out] == [0, 1, 2]
+    assert (len(first.cache_msgs), len(second.cache_msgs)) == (2, 1)
+    assert chain.getFilter(1) is second
+    with pytest.raises(KeyError):
+        chain.getFilter(2)
+    with pytest.raises(RuntimeError, match="connected"):
+        chain.connectInput(source)

@@ -1,0 +1,318 @@
+"""Messages that belong together: synchronizers, caches and chains of filters.
+
+Names and meanings are those of ROS 2's `message_filters`, so methods have its spelling.
+"""
+
+from __future__ import annotations
+
+import itertools
+import threading
+from bisect import bisect_left, bisect_right
+from typing import TYPE_CHECKING, Any, Protocol
+
+from zbot.clock import ROSClock
+from zbot.log import get_logger
+from zbot.time import Duration, Time
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Sequence
+
+    from zbot.node import Node
+
+    Queue = dict[int, Any]  #: messages by their time in nanoseconds
+
+
+class Filter(Protocol):
+    """What gives messages to those that register with it."""
+
+    def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:  # noqa: N802 - ROS 2's
+        """Call a function with each output."""
+        ...
+
+
+class SimpleFilter:
+    """Hands what comes out of it to all registered callbacks."""
+
+    def __init__(self) -> None:
+        self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
+
+    def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:  # noqa: N802 - as above
+        """Call a function with each output, followed by `args`; returns the connection's number."""
+        connection = max(self.callbacks, default=-1) + 1
+        self.callbacks[connection] = (cb, args)
+        return connection
+
+    def signalMessage(self, *msg: Any) -> None:  # noqa: N802 - as above
+        """Call all callbacks, in the order in which they were registered."""
+        for callback, args in list(self.callbacks.values()):
+            callback(*msg, *args)
+
+
+class Subscriber(SimpleFilter):
+    """A subscription as the beginning of filters.
+
+    Args:
+        node: The node that subscribes.
+        msg_type: Class of the messages.
+        topic: Name of the topic.
+        qos_profile: As in `create_subscription`; 10 if left out.
+        options: What else `create_subscription` takes.
+    """
+
+    def __init__(
+        self, node: Node, msg_type: type[Any], topic: str, qos_profile: Any = 10, **options: Any
+    ) -> None:
+        super().__init__()
+        self.node = node
+        self.topic = topic
+        self.sub = node.create_subscription(
+            msg_type, topic, self.callback, qos_profile=qos_profile, **options
+        )
+
+    def callback(self, msg: Any) -> None:
+        """Take a message from the subscription."""
+        self.signalMessage(msg)
+
+    def getTopic(self) -> str:  # noqa: N802 - as above
+        """Return the name of the topic, as it was given."""
+        return self.topic
+
+    def unsubscribe(self) -> None:
+        """Receive nothing more; may be called twice."""
+        self.node.destroy_subscription(self.sub)
+
+    def __getattr__(self, name: str) -> Any:
+        if name == "sub":  # before there is one
+            raise AttributeError(name)
+        return getattr(self.sub, name)
+
+
+class Cache(SimpleFilter):
+    """The last messages, to be looked up by their time.
+
+    Args:
+        f: The filter whose messages are kept; they are passed on, too.
+        cache_size: How many are kept.
+        allow_headerless: Whether a message without a stamp counts as one of now.
+    """
+
+    def __init__(
+        self, f: Filter | None = None, cache_size: int = 1, allow_headerless: bool = False
+    ) -> None:
+        super().__init__()
+        self.cache_size = cache_size
+        self.allow_headerless = allow_headerless
+        self.cache_msgs: list[Any] = []
+        self.cache_times: list[Time] = []
+        if f is not None:
+            self.connectInput(f)
+
+    def connectInput(self, f: Filter) -> None:  # noqa: N802 - as above
+        """Keep the messages of a filter."""
+        self.incoming_connection = f.registerCallback(self.add)
+
+    def add(self, msg: Any) -> None:
+        """Keep a message, sorted by its time, and forget the oldest if there are too many."""
+        stamp = stamp_of(msg, self.allow_headerless)
+        if stamp is None:
+            return
+        place = bisect_right([each.nanoseconds for each in self.cache_times], stamp.nanoseconds)
+        self.cache_times.insert(place, stamp)
+        self.cache_msgs.insert(place, msg)
+        if len(self.cache_msgs) > self.cache_size:
+            del self.cache_msgs[0], self.cache_times[0]
+        self.signalMessage(msg)
+
+    def getInterval(self, from_stamp: Time, to_stamp: Time) -> list[Any]:  # noqa: N802 - as above
+        """Return the messages from one time to another, both included."""
+        first, last = self._before(from_stamp), self._until(to_stamp)
+        return self.cache_msgs[first:last]
+
+    def getElemAfterTime(self, stamp: Time) -> Any:  # noqa: N802 - as above
+        """Return the oldest message that is not before a time; None if there is none."""
+        return next(iter(self.cache_msgs[self._before(stamp) :]), None)
+
+    def getElemBeforeTime(self, stamp: Time) -> Any:  # noqa: N802 - as above
+        """Return the newest message that is not after a time; None if there is none."""
+        older = self.cache_msgs[: self._until(stamp)]
+        return older[-1] if older else None
+
+    def getLatestTime(self) -> Time | None:  # noqa: N802 - as above
+        """Return the time of the newest message; None if there is none."""
+        return self.cache_times[-1] if self.cache_times else None
+
+    getLastestTime = getLatestTime  # noqa: N815 - as ROS 2 has it
+
+    def getOldestTime(self) -> Time | None:  # noqa: N802 - as above
+        """Return the time of the oldest message; None if there is none."""
+        return self.cache_times[0] if self.cache_times else None
+
+    def getLast(self) -> Any:  # noqa: N802 - as above
+        """Return the newest message; None if there is none."""
+        return self.cache_msgs[-1] if self.cache_msgs else None
+
+    def _before(self, stamp: Time) -> int:
+        return bisect_left([each.nanoseconds for each in self.cache_times], stamp.nanoseconds)
+
+    def _until(self, stamp: Time) -> int:
+        return bisect_right([each.nanoseconds for each in self.cache_times], stamp.nanoseconds)
+
+
+class Chain(SimpleFilter):
+    """Filters one after the other: what comes out of the last one comes out of the chain.
+
+    Args:
+        message_filter: What goes in.
+    """
+
+    def __init__(self, message_filter: Filter | None = None) -> None:
+        super().__init__()
+        self.incoming_connection: int | None = None
+        self._filters: list[Any] = []
+        self._last_connection = 0
+        if message_filter is not None:
+            self.connectInput(message_filter)
+
+    def connectInput(self, message_filter: Filter) -> None:  # noqa: N802 - as above
+        """Take what comes out of a filter.
+
+        Raises:
+            RuntimeError: There is an input already.
+        """
+        if self.incoming_connection is not None:
+            raise RuntimeError("Already connected")
+        self.incoming_connection = message_filter.registerCallback(self.add)
+
+    def add(self, message: Any) -> None:
+        """Put a message into the first filter."""
+        if self._filters:
+            self._filters[0].add(message)
+        else:
+            self.signalMessage(message)
+
+    def addFilter(self, message_filter: Any) -> None:  # noqa: N802 - as above
+        """Put a filter at the end."""
+        if self._filters:
+            last = self._filters[-1]
+            del last.callbacks[self._last_connection]
+            last.registerCallback(message_filter.add)
+        self._filters.append(message_filter)
+        self._last_connection = message_filter.registerCallback(self.signalMessage)
+
+    def getFilter(self, index: int) -> Any:  # noqa: N802 - as above
+        """Return a filter by its place.
+
+        Raises:
+            KeyError: There is none.
+        """
+        if not 0 <= index < len(self._filters):
+            raise KeyError(index)
+        return self._filters[index]
+
+
+class TimeSynchronizer(SimpleFilter):
+    """Calls back with one message of each filter when all of them have the same stamp.
+
+    Args:
+        fs: The filters.
+        queue_size: How many messages of each wait for the others; then the oldest is dropped.
+    """
+
+    def __init__(self, fs: Sequence[Filter], queue_size: int) -> None:
+        super().__init__()
+        self.queue_size = queue_size
+        # One thread may add while another one's callback runs, and a callback may add itself.
+        self.lock = threading.RLock()
+        self.connectInput(fs)
+
+    def connectInput(self, fs: Sequence[Filter]) -> None:  # noqa: N802 - as above
+        """Take the messages of other filters from now on."""
+        self.queues: list[Queue] = [{} for _ in fs]
+        self.input_connections = [
+            each.registerCallback(self.add, queue, index)
+            for index, (each, queue) in enumerate(zip(fs, self.queues, strict=True))
+        ]
+
+    def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:  # noqa: ARG002 - the approximate one needs it
+        """Take a message of the filter whose queue this is."""
+        stamp = stamp_of(msg, allow_headerless=False)
+        if stamp is None:
+            return
+        with self.lock:
+            self._keep(my_queue, stamp, msg)
+            for shared in sorted(set(my_queue).intersection(*self.queues)):
+                self.signalMessage(*[queue.pop(shared) for queue in self.queues])
+
+    def _keep(self, queue: Queue, stamp: Time, msg: Any) -> None:
+        queue[stamp.nanoseconds] = msg
+        while len(queue) > self.queue_size:
+            del queue[min(queue)]
+
+
+class ApproximateTimeSynchronizer(TimeSynchronizer):
+    """Calls back with one message of each filter when their stamps are close together.
+
+    Args:
+        fs: The filters.
+        queue_size: How many messages of each wait for the others; then the oldest is dropped.
+        slop: How far apart the stamps may be, seconds.
+        allow_headerless: Whether a message without a stamp counts as one of now.
+        sync_arrival_time: Whether what counts is when messages arrive, not their stamps.
+    """
+
+    def __init__(
+        self,
+        fs: Sequence[Filter],
+        queue_size: int,
+        slop: float,
+        allow_headerless: bool = False,
+        sync_arrival_time: bool = False,
+    ) -> None:
+        self.slop = Duration(seconds=slop)
+        self.allow_headerless = allow_headerless
+        self.sync_arrival_time = sync_arrival_time
+        super().__init__(fs, queue_size)
+
+    def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
+        """Take a message of the filter whose queue this is."""
+        arrived = ROSClock().now() if self.sync_arrival_time else None
+        stamp = arrived or stamp_of(msg, self.allow_headerless)
+        if stamp is None:
+            return
+        with self.lock:
+            self._keep(my_queue, stamp, msg)
+            if stamp.nanoseconds in my_queue:  # not itself the oldest of too many
+                self._match(stamp.nanoseconds, my_queue if my_queue_index is not None else None)
+
+    def _match(self, stamp_ns: int, own: Queue | None) -> None:
+        slop_ns = self.slop.nanoseconds
+        candidates = [
+            [stamp_ns] if queue is own else _near(queue, stamp_ns, slop_ns) for queue in self.queues
+        ]
+        for stamps in itertools.product(*candidates):
+            if max(stamps) - min(stamps) <= slop_ns:
+                pairs = zip(self.queues, stamps, strict=True)
+                self.signalMessage(*[queue.pop(each) for queue, each in pairs])
+                return
+
+
+def _near(queue: Iterable[int], stamp_ns: int, slop_ns: int) -> list[int]:
+    """Return the stamps that are close enough, the closest first."""
+    near = (each for each in queue if abs(each - stamp_ns) <= slop_ns)
+    return sorted(near, key=lambda each: abs(each - stamp_ns))
+
+
+def stamp_of(msg: Any, allow_headerless: bool) -> Time | None:
+    """Return the stamp in a message's header; without one, the time, or None and a warning."""
+    stamp = getattr(getattr(msg, "header", None), "stamp", None)
+    if stamp is not None:
+        return stamp if hasattr(stamp, "nanoseconds") else Time.from_msg(stamp)
+    if allow_headerless:
+        return ROSClock().now()
+    get_logger("message_filters").warning(
+        f"A {type(msg).__name__} has no header.stamp and is dropped: filters go by the time of a "
+        "message. Send a type with a header, or say allow_headerless=True to use the time of "
+        "arrival.",
+        once=True,
+    )
+    return None

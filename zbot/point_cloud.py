@@ -1,0 +1,254 @@
+"""Point clouds as numpy arrays and back: the functions of `sensor_msgs_py.point_cloud2`.
+
+Needs numpy, which `pip install 'zbot[numpy]'` brings.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections import namedtuple
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+
+from sensor_msgs.msg import PointCloud2, PointField
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from std_msgs.msg import Header
+
+#: numpy's code for each of PointField's data types.
+_CODES = {
+    PointField.INT8: "i1",
+    PointField.UINT8: "u1",
+    PointField.INT16: "i2",
+    PointField.UINT16: "u2",
+    PointField.INT32: "i4",
+    PointField.UINT32: "u4",
+    PointField.FLOAT32: "f4",
+    PointField.FLOAT64: "f8",
+}
+_UNNAMED = "unnamed_field"
+
+
+class PointCloudError(ZbotError, AssertionError):
+    """A cloud, its fields or its points do not fit together."""
+
+
+def dtype_from_fields(
+    fields: Iterable[PointField], point_step: int | None = None
+) -> np.dtype[np.void]:
+    """Return numpy's type of one point.
+
+    Args:
+        fields: What a point consists of. One with a count of 3 becomes `x_0`, `x_1`, `x_2`.
+        point_step: Bytes from one point to the next; as many as the fields need if left out.
+
+    Raises:
+        PointCloudError: Two fields have the same name, or one has an unknown data type.
+    """
+    return _dtype(fields, point_step, "=")
+
+
+def _dtype(fields: Iterable[PointField], point_step: int | None, order: str) -> np.dtype[np.void]:
+    import numpy as np  # noqa: PLC0415 - an extra
+
+    names: list[str] = []
+    offsets: list[int] = []
+    formats: list[str] = []
+    for index, field in enumerate(fields):
+        if field.datatype not in _CODES:
+            raise PointCloudError(f"field '{field.name}' has the unknown type {field.datatype}")
+        size = int(_CODES[field.datatype][1])
+        name = field.name or f"{_UNNAMED}_{index}"
+        for item in range(field.count):
+            names.append(f"{name}_{item}" if field.count > 1 else name)
+            offsets.append(field.offset + item * size)
+            formats.append(order + _CODES[field.datatype])
+    if len(set(names)) < len(names):
+        raise PointCloudError(f"two fields have the same name: {', '.join(names)}")
+    parts: dict[str, Any] = {"names": names, "formats": formats, "offsets": offsets}
+    if point_step is not None:
+        parts["itemsize"] = point_step
+    return np.dtype(parts)  # type: ignore[call-overload,no-any-return]
+
+
+def read_points(
+    cloud: PointCloud2,
+    field_names: Iterable[str] | None = None,
+    skip_nans: bool = False,
+    uvs: Iterable[int] | None = None,
+    reshape_organized_cloud: bool = False,
+) -> NDArray[np.void]:
+    """Return the points of a cloud as a structured array: `points['x']` are all the x.
+
+    Args:
+        cloud: The cloud; its bytes are not copied where that can be avoided.
+        field_names: Which fields; all if left out.
+        skip_nans: Leave out points with a value that is no number, unless the cloud says that it
+            has none (`is_dense`).
+        uvs: The indices of the points that are wanted.
+        reshape_organized_cloud: Whether the array of a cloud with rows has rows, too.
+
+    Raises:
+        PointCloudError: The cloud has no such field, or less data than its size needs.
+    """
+    points = _all_points(cloud)
+    if field_names is not None:
+        points = _with_fields(points, list(field_names))
+    if skip_nans and not cloud.is_dense:
+        points = points[~_has_nan(points)]
+    if uvs is not None:
+        points = points[_indices(uvs)]
+    if reshape_organized_cloud and cloud.height > 1:
+        points = points.reshape(cloud.height, cloud.width)
+    return points
+
+
+def _all_points(cloud: PointCloud2) -> NDArray[np.void]:
+    import numpy as np  # noqa: PLC0415 - an extra
+
+    dtype = _dtype(cloud.fields, cloud.point_step, ">" if cloud.is_bigendian else "<")
+    row_step = cloud.row_step if cloud.height > 1 else 0
+    row_step = max(row_step, cloud.width * cloud.point_step)
+    last_row = cloud.width * cloud.point_step
+    needed = (cloud.height - 1) * row_step + last_row if cloud.height and cloud.width else 0
+    if len(cloud.data) < needed:
+        raise PointCloudError(
+            f"a cloud of {cloud.width}x{cloud.height} points needs {needed} bytes, "
+            f"but it has {len(cloud.data)}"
+        )
+    shape = (cloud.height, cloud.width)
+    rows: Any = np.ndarray(shape, dtype, memoryview(cloud.data), 0, (row_step, cloud.point_step))
+    points = rows.reshape(-1)
+    return points.astype(dtype.newbyteorder("=")) if not dtype.isnative else points  # type: ignore[no-any-return]
+
+
+def _with_fields(points: NDArray[np.void], names: list[str]) -> NDArray[np.void]:
+    known = points.dtype.names or ()
+    missing = [name for name in names if name not in known]
+    if missing:
+        raise PointCloudError(f"the cloud has no field {missing[0]!r}, but {', '.join(known)}")
+    return points[names]
+
+
+def _has_nan(points: NDArray[np.void]) -> NDArray[np.bool_]:
+    import numpy as np  # noqa: PLC0415 - an extra
+
+    columns = [np.isnan(points[name]) for name in points.dtype.names or ()]
+    found: NDArray[np.bool_] = np.any(columns, axis=0)
+    return found
+
+
+def _indices(uvs: Iterable[int]) -> NDArray[np.int_]:
+    import numpy as np  # noqa: PLC0415 - an extra
+
+    return uvs if isinstance(uvs, np.ndarray) else np.fromiter(uvs, int)
+
+
+def read_points_numpy(
+    cloud: PointCloud2,
+    field_names: Iterable[str] | None = None,
+    skip_nans: bool = False,
+    uvs: Iterable[int] | None = None,
+    reshape_organized_cloud: bool = False,
+) -> NDArray[Any]:
+    """Return the points of a cloud as an array of shape (points, fields); see `read_points`.
+
+    Raises:
+        PointCloudError: The fields have different data types, so no such array can hold them.
+    """
+    from numpy.lib.recfunctions import structured_to_unstructured  # noqa: PLC0415 - an extra
+
+    names = None if field_names is None else list(field_names)
+    wanted = [field for field in cloud.fields if names is None or field.name in names]
+    _check_one_type(wanted)
+    points = read_points(cloud, names, skip_nans, uvs, reshape_organized_cloud)
+    found: NDArray[Any] = structured_to_unstructured(points)
+    return found
+
+
+def _check_one_type(fields: Sequence[PointField]) -> None:
+    if len({field.datatype for field in fields}) > 1:
+        raise PointCloudError("the fields have different data types: use read_points()")
+
+
+def read_points_list(
+    cloud: PointCloud2,
+    field_names: Iterable[str] | None = None,
+    skip_nans: bool = False,
+    uvs: Iterable[int] | None = None,
+) -> list[Any]:
+    """Return the points of a cloud as named tuples: `points[0].x`; see `read_points`."""
+    points = read_points(cloud, field_names, skip_nans, uvs)
+    point = namedtuple("Point", points.dtype.names or ())  # type: ignore[misc]
+    return [point._make(each) for each in points]
+
+
+def create_cloud(
+    header: Header,
+    fields: Iterable[PointField],
+    points: Any,
+    step: int | None = None,
+    point_step: int | None = None,
+) -> PointCloud2:
+    """Return points as a cloud.
+
+    Args:
+        header: Whose frame the points are in, and when they were measured.
+        fields: What a point consists of.
+        points: An array of shape (points, fields) or (rows, columns, fields), a structured array,
+            or any lists of that form.
+        step: Bytes from one point to the next; as many as the fields, or the array, have.
+        point_step: Another name for `step`.
+
+    Raises:
+        PointCloudError: The points do not fit the fields.
+    """
+    fields = list(fields)
+    array = _structured(fields, points, step if step is not None else point_step)
+    width, height = (array.shape[0], array.shape[1] if array.ndim > 1 else 1)
+    return PointCloud2(
+        header=header,
+        height=height,
+        width=width,
+        is_dense=False,
+        is_bigendian=sys.byteorder != "little",
+        fields=fields,
+        point_step=array.dtype.itemsize,
+        row_step=array.dtype.itemsize * width,
+        data=array.tobytes(),
+    )
+
+
+def _structured(fields: Sequence[PointField], points: Any, step: int | None) -> NDArray[np.void]:
+    import numpy as np  # noqa: PLC0415 - an extra
+    from numpy.lib.recfunctions import unstructured_to_structured  # noqa: PLC0415 - an extra
+
+    if not isinstance(points, np.ndarray):
+        return np.array(list(map(tuple, points)), dtype=dtype_from_fields(fields, step))
+    if points.dtype.names is None:
+        _check_one_type(fields)
+        found: NDArray[np.void] = unstructured_to_structured(
+            points, dtype_from_fields(fields, step)
+        )
+        return found
+    expected = dtype_from_fields(fields, points.dtype.itemsize if step is None else step)
+    if points.dtype != expected:
+        raise PointCloudError(f"the points are {points.dtype}, but the fields say {expected}")
+    return points
+
+
+def create_cloud_xyz32(
+    header: Header, points: Any, step: int | None = None, point_step: int | None = None
+) -> PointCloud2:
+    """Return points of three coordinates each, in metres, as a cloud; see `create_cloud`."""
+    fields = [
+        PointField(name=name, offset=4 * index, datatype=PointField.FLOAT32, count=1)
+        for index, name in enumerate("xyz")
+    ]
+    return create_cloud(header, fields, points, step, point_step)
