@@ -36,6 +36,7 @@ def clean_environment(
     for name in list(os.environ):
         if name.startswith(_PREFIXES) and name != "ZBOT_ROS2_PREFIX":
             monkeypatch.delenv(name)
+    monkeypatch.setenv("ZBOT_NO_BROWSER", "1")  # no pages on the desktop of who runs the tests
     # The machine may have joined a class, and have a hub: no test is to meet it.
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path_factory.getbasetemp() / "no_settings"))
     monkeypatch.setenv("ZBOT_HUB_PORT", "9")  # "discard", where nobody listens

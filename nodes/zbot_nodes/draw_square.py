@@ -39,13 +39,21 @@ class DrawSquare(zbot.Node):
         self.state = State.FORWARD
         self.pose: Pose | None = None
         self.goal: tuple[float, float, float] | None = None
+        self.poses_to_ignore = math.inf
         self.create_timer(0.016, self.step)
         self.reset_client.wait_for_service()
-        self.reset_client.call_async(Empty.Request())
+        self.reset_client.call_async(Empty.Request()).add_done_callback(self.begin)
+
+    def begin(self, _reset: zbot.Future[Empty.Response]) -> None:
+        """Look from now on; one pose from before the reset may still be on its way."""
+        self.poses_to_ignore = 1
 
     def look(self, pose: Pose) -> None:
         """Remember where the turtle is."""
-        self.pose = pose
+        if self.poses_to_ignore:
+            self.poses_to_ignore -= 1
+        else:
+            self.pose = pose
 
     def step(self) -> None:
         """Do the next thing, 62 times a second."""

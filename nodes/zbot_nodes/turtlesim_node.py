@@ -1,7 +1,8 @@
 """Simulate turtles that draw.
 
 Run:        zbot run turtlesim turtlesim_node
-Drive:      zbot run turtlesim turtle_teleop_key
+            zbot run turtlesim turtlesim_node --no-browser
+Drive:      with the arrow keys in its page, or zbot run turtlesim turtle_teleop_key
 Subscribes: /turtle1/cmd_vel (geometry_msgs/msg/Twist), and so on for every turtle
 Publishes:  /turtle1/pose (turtlesim/msg/Pose), /turtle1/color_sensor (turtlesim/msg/Color)
 Serves:     /spawn /kill /clear /reset, /turtle1/set_pen, /turtle1/teleport_absolute,
@@ -13,6 +14,7 @@ from __future__ import annotations
 
 import zbot
 from zbot.parameter_event_handler import ParameterEventHandler
+from zbot_nodes.turtlesim.page import shown
 from zbot_nodes.turtlesim.ports import TurtlePorts
 from zbot_nodes.turtlesim.scene import SCENE, Scene
 from zbot_nodes.turtlesim.world import TICK_S, TurtleWorld
@@ -118,7 +120,9 @@ class TurtlesimNode(zbot.Node):
 def main() -> None:
     """Run until Ctrl-C."""
     with zbot.init():
-        zbot.spin(TurtlesimNode())
+        node = TurtlesimNode()
+        with shown(node):
+            zbot.spin(node)
 
 
 if __name__ == "__main__":

@@ -30,9 +30,11 @@ _ICON = (
 def add_pages(system: System) -> None:
     """Serve every panel at its address, and the first one at `/`."""
     app.add_static_files(_ADDRESS, str(_STATIC))
-    for name in ("page.js", "table.js", "picture.js", "plot.js"):
+    for name in ("page.js", "table.js", "picture.js", "plot.js", "turtle.js", "console.js"):
         ui.add_head_html(f'<script src="{_ADDRESS}/{name}"></script>', shared=True)
-    ui.add_head_html(f'<link rel="stylesheet" href="{_ADDRESS}/page.css">', shared=True)
+    for name in ("page.css", "turtle.css"):
+        link = f'<link rel="stylesheet" href="{_ADDRESS}/{name}">'
+        ui.add_head_html(link, shared=True)
     for panel in PANELS:
         ui.page(panel.path, title=f"{panel.title} - zbot", favicon=_ICON)(_page(panel, system))
     ui.page("/", title=f"{PANELS[0].title} - zbot", favicon=_ICON)(_page(PANELS[0], system))

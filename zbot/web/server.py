@@ -8,6 +8,7 @@ import socket
 import sys
 
 from zbot.errors import ZbotError
+from zbot.web.announcement import announce
 from zbot.web.browser import open_page
 from zbot.web.guard import Guard, address, is_loopback
 from zbot.web.system import System
@@ -52,6 +53,9 @@ def serve(
     try:
         with System(read_only=read_only) as system:
             addresses = _addresses(host, listener.getsockname()[1], start_path, token)
+
+            if token is None:
+                announce(system.node, address(host, listener.getsockname()[1], "", None))
 
             def tell() -> None:
                 print("\n".join(f"zbot web: {one}" for one in addresses), flush=True)

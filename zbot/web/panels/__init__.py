@@ -1,9 +1,25 @@
 """The panels of the live page, in the order of its list."""
 
-from zbot.web.panels import classroom, plot, topics
+from zbot.web.panels import (
+    actions,
+    classroom,
+    console,
+    parameters,
+    plot,
+    processes,
+    services,
+    topics,
+    turtle,
+)
 
 PANELS = (
     topics.PANEL,
     plot.PANEL,
+    turtle.PANEL,
+    services.PANEL,
+    actions.PANEL,
+    parameters.PANEL,
+    console.PANEL,
+    processes.PANEL,
     classroom.PANEL,
 )

@@ -1,0 +1,102 @@
+"""turtlesim shows its page to whoever sits in front of the machine."""
+
+from __future__ import annotations
+
+import sys
+import urllib.request
+from typing import TYPE_CHECKING
+
+import pytest
+
+from tests.conftest import wait_until
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from tests.conftest import Program
+
+    Start = Callable[..., Program]
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="a browser is chosen otherwise")
+
+RUN = ("zbot", "run", "turtlesim", "turtlesim_node")
+HINT = "pip install 'zbot[web]'"
+
+
+@pytest.fixture
+def visited(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return the file with the addresses that were opened in this machine's browser."""
+    addresses = tmp_path / "visited"
+    browser = tmp_path / "browser.sh"
+    browser.write_text(f'#!/bin/sh\necho "$1" >> {addresses}\n', encoding="utf-8")
+    browser.chmod(0o755)
+    monkeypatch.setenv("BROWSER", f"{browser} %s")
+    monkeypatch.setenv("DISPLAY", ":99")
+    monkeypatch.delenv("SSH_CONNECTION", raising=False)
+    monkeypatch.delenv("ZBOT_NO_BROWSER")
+    return addresses
+
+
+def opened(addresses: Path) -> list[str]:
+    return addresses.read_text(encoding="utf-8").split() if addresses.exists() else []
+
+
+def test_it_opens_the_page_at_the_turtle(start: Start, visited: Path) -> None:
+    pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
+    program = start(*RUN)
+    program.wait_for("Spawning turtle [turtle1]")
+    assert wait_until(lambda: bool(opened(visited)), 30)
+    (address,) = opened(visited)
+    assert address.endswith("/turtle?node=/turtlesim")
+    with urllib.request.urlopen(address) as page:
+        assert page.status == 200
+    other = start(*RUN, "--ros-args", "-r", "__ns:=/second")
+    other.wait_for("Spawning turtle [turtle1]")
+    assert wait_until(lambda: len(opened(visited)) == 2, 30)
+    root = address.partition("/turtle")[0]
+    assert opened(visited)[1] == f"{root}/turtle?node=/second/turtlesim"
+    assert program.stop(timeout_s=20) == -2
+    with pytest.raises(OSError, match="refused"):
+        urllib.request.urlopen(root)
+
+
+def test_its_page_ends_with_it_however_it_ends(start: Start, visited: Path) -> None:
+    pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
+    program = start(*RUN)
+    assert wait_until(lambda: bool(opened(visited)), 30)
+    program.process.kill()
+    assert wait_until(lambda: not is_served(opened(visited)[0]), 20)
+
+
+def is_served(address: str) -> bool:
+    try:
+        with urllib.request.urlopen(address):
+            return True
+    except OSError:
+        return False
+
+
+@pytest.mark.parametrize(
+    ("words", "variables"), [(("--no-browser",), {}), ((), {"ZBOT_NO_BROWSER": "1"})]
+)
+def test_it_does_not_when_nobody_wants_it(
+    start: Start, visited: Path, words: tuple[str, ...], variables: dict[str, str]
+) -> None:
+    program = start(*RUN, *words, env=variables)
+    program.wait_for("Spawning turtle [turtle1]")
+    assert start("zbot", "topic", "echo", "--once", "/turtle1/pose").wait(20) == 0
+    assert opened(visited) == []
+    assert program.stop() == -2
+
+
+def test_without_the_extra_it_says_how_to_get_it_and_runs_on(
+    start: Start, visited: Path, tmp_path: Path
+) -> None:
+    hidden = "import sys; sys.modules['nicegui'] = None\n"
+    (tmp_path / "sitecustomize.py").write_text(hidden, encoding="utf-8")
+    program = start(*RUN, env={"PYTHONPATH": str(tmp_path)})
+    program.wait_for(HINT)
+    assert start("zbot", "topic", "echo", "--once", "/turtle1/pose").wait(20) == 0
+    assert opened(visited) == []
+    assert program.stop() == -2

@@ -1,0 +1,26 @@
+"""Commands as one types them."""
+
+from __future__ import annotations
+
+import shlex
+
+import pytest
+
+from zbot.web.command_line import command_line
+
+
+@pytest.mark.parametrize(
+    ("word", "typed"),
+    [
+        ("/turtle1/cmd_vel", "/turtle1/cmd_vel"),
+        ("{linear: {x: 2.0}}", '"{linear: {x: 2.0}}"'),
+        ("it's", '"it\'s"'),
+        ('say "hi"', "'say \"hi\"'"),
+        ("$HOME", "'$HOME'"),
+        ("", '""'),
+        ("a;b", '"a;b"'),
+    ],
+)
+def test_words_are_quoted_where_a_shell_needs_it(word: str, typed: str) -> None:
+    assert command_line("topic", "pub", word) == f"zbot topic pub {typed}"
+    assert shlex.split(typed) == [word]

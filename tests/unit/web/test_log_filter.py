@@ -1,0 +1,41 @@
+"""Which log lines a reader wants."""
+
+from __future__ import annotations
+
+import pytest
+
+from zbot.web.log_filter import LogFilter, counts, level_of
+from zbot.web.log_ring import LogLine
+
+
+def line(level: int = 20, name: str = "robot.arm", text: str = "Moves on") -> LogLine:
+    return LogLine(1, 0, level, name, text, "", "", 0)
+
+
+@pytest.mark.parametrize(
+    ("wanted", "condition"),
+    [
+        (LogFilter(), ""),
+        (LogFilter(level=20), "m.level >= 20"),
+        (LogFilter(logger="robot"), "m.name == 'robot'"),
+        (LogFilter(logger="robot.arm"), "m.name == 'robot.arm'"),
+        (LogFilter(text="MOVES"), "'moves' in m.msg.lower()"),
+        (LogFilter(text="arm"), "'arm' in m.msg.lower()"),
+        (LogFilter(20, "robot"), "m.level >= 20 and m.name == 'robot'"),
+    ],
+)  # fmt: skip
+def test_lines_that_are_wanted(wanted: LogFilter, condition: str) -> None:
+    assert wanted.matches(line())
+    assert wanted.condition == condition
+
+
+@pytest.mark.parametrize(
+    "wanted", [LogFilter(level=30), LogFilter(logger="rob"), LogFilter(text="stops")]
+)
+def test_lines_that_are_not(wanted: LogFilter) -> None:
+    assert not wanted.matches(line())
+
+
+def test_lines_are_counted_by_level() -> None:
+    assert counts([line(10), line(20), line(25), line(255), line(0)]) == {10: 2, 20: 2, 50: 1}
+    assert level_of(line(40)) == 40

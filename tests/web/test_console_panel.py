@@ -1,0 +1,95 @@
+"""The console in the page: lines of all nodes, filtered, paused, and thousands of them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+import zbot
+
+pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
+
+from playwright.sync_api import expect
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from playwright.sync_api import Locator, Page
+
+    from tests.web.conftest import Server
+
+
+@pytest.fixture
+def loggers(
+    make_context: Callable[[], zbot.Context], server: Server, page: Page
+) -> tuple[zbot.Node, zbot.Node]:
+    context = make_context()
+    nodes = zbot.Node("left", context=context), zbot.Node("right", context=context)
+    page.goto(f"{server.address}/console")
+    expect(page.get_by_text("No log line yet.")).to_be_visible()
+    return nodes
+
+
+def lines(page: Page) -> Locator:
+    return page.locator(".zb-log tr")
+
+
+def choose(page: Page, label: str, option: str) -> None:
+    page.get_by_label(label, exact=True).click()
+    page.get_by_role("option", name=option, exact=True).click()
+
+
+def test_lines_are_filtered_by_level_node_and_text(
+    page: Page, loggers: tuple[zbot.Node, zbot.Node]
+) -> None:
+    left, right = loggers
+    left.get_logger().info("all <b>quiet</b>")
+    left.get_logger().warning("a wall ahead")
+    right.get_logger().error("no battery")
+    expect(lines(page)).to_have_count(3)
+    expect(lines(page).first).to_contain_text("all <b>quiet</b>")
+    expect(page.get_by_text("1 error")).to_be_visible()
+    choose(page, "Level", "Warn")
+    expect(lines(page)).to_have_count(2)
+    expect(page.locator(".zb-command")).to_have_text(
+        'zbot topic echo --filter "m.level >= 30" /rosout'
+    )
+    choose(page, "Node", "right")
+    expect(lines(page)).to_have_count(1)
+    expect(lines(page)).to_contain_text("no battery")
+    choose(page, "Node", "All nodes")
+    page.get_by_label("Text", exact=True).fill("WALL")
+    expect(lines(page)).to_have_count(1)
+    expect(lines(page)).to_contain_text("a wall ahead")
+
+
+def test_a_pause_keeps_lines_and_clear_forgets_them(
+    page: Page, loggers: tuple[zbot.Node, zbot.Node]
+) -> None:
+    left, _ = loggers
+    left.get_logger().info("one")
+    expect(lines(page)).to_have_count(1)
+    page.get_by_role("button", name="Pause").click()
+    expect(page.get_by_role("button", name="Go on")).to_be_visible()
+    left.get_logger().info("two")
+    page.wait_for_timeout(400)  # time enough for a line to come, if it could
+    expect(lines(page)).to_have_count(1)
+    page.get_by_role("button", name="Go on").click()
+    expect(lines(page)).to_have_count(2)
+    page.get_by_role("button", name="Clear").click()
+    expect(lines(page)).to_have_count(0)
+    left.get_logger().info("three")
+    expect(lines(page)).to_have_count(1)
+
+
+def test_thousands_of_lines_leave_a_thousand_in_the_page(
+    page: Page, loggers: tuple[zbot.Node, zbot.Node]
+) -> None:
+    left, _ = loggers
+    for number in range(5000):
+        left.get_logger().info(f"line {number}")
+    expect(lines(page).last).to_contain_text("line 4999")
+    assert lines(page).count() <= 1000
+    left.get_logger().info("and one more")
+    expect(lines(page).last).to_contain_text("and one more")

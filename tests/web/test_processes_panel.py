@@ -1,0 +1,69 @@
+"""Processes in the page: what runs, what it costs, and stopping it."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import pytest
+
+pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
+
+from playwright.sync_api import expect
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from playwright.sync_api import Locator, Page
+
+    from tests.conftest import Program
+    from tests.web.conftest import Server
+
+    Start = Callable[..., Program]
+
+
+@pytest.fixture
+def talker(start: Start) -> Program:
+    program = start("zbot", "run", "talker")
+    program.wait_for("Publishing")
+    return program
+
+
+def row(page: Page, node: str) -> Locator:
+    return page.locator(".zb-list tbody tr").filter(has_text=node)
+
+
+def test_a_process_shows_what_it_costs(talker: Program, server: Server, page: Page) -> None:
+    page.goto(f"{server.address}/processes")
+    expect(row(page, "/talker")).to_contain_text(str(talker.process.pid))
+    expect(row(page, "/talker")).to_contain_text(re.compile(r"\d+ %"))
+    expect(row(page, "/talker")).to_contain_text("MB")
+    expect(page.locator(".zb-list tbody tr")).to_have_count(1)
+
+
+def test_stop_ends_a_process_as_ctrl_c_does(talker: Program, server: Server, page: Page) -> None:
+    page.goto(f"{server.address}/processes")
+    row(page, "/talker").click()
+    page.get_by_role("button", name="Stop").click()
+    expect(page.locator(".zb-command")).to_have_text("zbot node kill /talker")
+    assert talker.wait(20) == -2
+    expect(row(page, "/talker")).to_have_count(0)
+    expect(page.get_by_text("It has ended.")).to_be_visible()
+
+
+def test_the_page_does_not_stop_itself(server: Server, page: Page) -> None:
+    page.goto(f"{server.address}/processes")
+    page.get_by_text("Hidden nodes").click()
+    row(page, "_zbot_web").click()
+    expect(page.get_by_text("This process serves the page that you see.")).to_be_visible()
+    expect(page.get_by_role("button", name="Stop")).to_have_count(0)
+
+
+def test_a_page_that_may_only_look_stops_nothing(
+    talker: Program, serve: Callable[..., Server], page: Page
+) -> None:
+    page.goto(f"{serve('--read-only').address}/processes")
+    row(page, "/talker").click()
+    expect(page.get_by_text("This page is read-only.")).to_be_visible()
+    expect(page.get_by_role("button", name="Stop")).to_have_count(0)
+    assert talker.process.poll() is None

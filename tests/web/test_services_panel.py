@@ -1,0 +1,154 @@
+"""Services and actions in the page: forms from their types, replies, feedback, cancelling."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+import pytest
+
+import zbot
+from zbot.action import ActionServer, CancelResponse
+
+pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
+
+from playwright.sync_api import expect
+
+from example_interfaces.action import Fibonacci
+from example_interfaces.srv import AddTwoInts
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from playwright.sync_api import Locator, Page
+
+    from tests.conftest import Program, Spinner
+    from tests.web.conftest import Server
+
+    Start = Callable[..., Program]
+    Spin = Callable[..., Spinner]
+
+
+@pytest.fixture
+def node(make_context: Callable[[], zbot.Context]) -> zbot.Node:
+    return zbot.Node("worker", context=make_context())
+
+
+@pytest.fixture
+def turtlesim(start: Start) -> Program:
+    program = start("zbot", "run", "turtlesim", "turtlesim_node", "--no-browser")
+    program.wait_for("Spawning turtle [turtle1]")
+    return program
+
+
+def row(page: Page, key: str) -> Locator:
+    return page.locator(f".zb-list tr[data-key='{key}']")
+
+
+def command(page: Page) -> Locator:
+    return page.locator(".zb-command")
+
+
+def test_a_form_calls_spawn_and_a_second_turtle_is_drawn(
+    turtlesim: Program, server: Server, page: Page
+) -> None:
+    page.goto(f"{server.address}/services")
+    row(page, "/spawn").click()
+    expect(page.locator(".zb-side")).to_contain_text("turtlesim/srv/Spawn")
+    page.get_by_label("x", exact=True).fill("7")
+    page.get_by_label("name", exact=True).fill("eve")
+    expect(command(page)).to_have_text(
+        'zbot service call /spawn turtlesim/srv/Spawn "{x: 7.0, name: eve}"'
+    )
+    page.get_by_role("button", name="Call").click()
+    expect(page.locator(".zb-message")).to_contain_text("eve")
+    turtlesim.wait_for("Spawning turtle [eve] at x=[7.000000]")
+    page.goto(f"{server.address}/turtle")
+    expect(page.locator("[data-turtle=eve]")).to_be_visible()
+    expect(page.locator("[data-turtle]")).to_have_count(2)
+
+
+def test_services_of_every_node_are_shown_when_asked_for(
+    server: Server, page: Page, node: zbot.Node
+) -> None:
+    node.create_service(AddTwoInts, "add", lambda _, response: response)
+    page.goto(f"{server.address}/services")
+    expect(row(page, "/add")).to_contain_text("/worker")
+    expect(row(page, "/worker/get_parameters")).to_have_count(0)
+    page.get_by_text("Those that every node has").click()
+    expect(row(page, "/worker/get_parameters")).to_be_visible()
+    page.get_by_label("Filter").fill("add")
+    expect(row(page, "/worker/get_parameters")).to_have_count(0)
+
+
+def test_what_a_handler_raises_is_told(
+    server: Server, page: Page, node: zbot.Node, spin: Spin
+) -> None:
+    def fail(_request: object, _response: object) -> AddTwoInts.Response:
+        raise ValueError("the <b>numbers</b> are on strike")
+
+    node.create_service(AddTwoInts, "add", fail)
+    spin(node)
+    page.goto(f"{server.address}/services?service=/add")
+    page.get_by_role("button", name="Call").click()
+    expect(page.locator(".zb-message")).to_contain_text("the <b>numbers</b> are on strike")
+
+
+def test_a_wrong_entry_cannot_be_sent(server: Server, page: Page, node: zbot.Node) -> None:
+    node.create_service(AddTwoInts, "add", lambda _, response: response)
+    page.goto(f"{server.address}/services?service=/add")
+    page.get_by_label("a", exact=True).fill("two")
+    expect(page.get_by_text("write a number, not 'two'")).to_be_visible()
+    expect(page.get_by_role("button", name="Call")).to_be_disabled()
+
+
+def test_a_page_that_may_only_look_calls_nothing(
+    serve: Callable[..., Server], page: Page, node: zbot.Node
+) -> None:
+    node.create_service(AddTwoInts, "add", lambda _, response: response)
+    page.goto(f"{serve('--read-only').address}/services?service=/add")
+    expect(page.get_by_text("This page is read-only.")).to_be_visible()
+    expect(page.get_by_role("button", name="Call")).to_have_count(0)
+
+
+def test_a_goal_shows_its_feedback_and_can_be_cancelled(
+    turtlesim: Program, server: Server, page: Page
+) -> None:
+    page.goto(f"{server.address}/actions")
+    row(page, "/turtle1/rotate_absolute").click()
+    page.get_by_label("theta", exact=True).fill("3")
+    expect(command(page)).to_have_text(
+        "zbot action send_goal --feedback /turtle1/rotate_absolute "
+        'turtlesim/action/RotateAbsolute "{theta: 3.0}"'
+    )
+    page.get_by_role("button", name="Send goal").click()
+    expect(page.locator(".zb-message").first).to_contain_text(re.compile(r"remaining\s*[12]\."))
+    page.get_by_role("button", name="Cancel").click()
+    expect(page.locator(".zb-goal-state")).to_have_text("canceled")
+    turtlesim.wait_for("Rotation goal canceled")
+    expect(page.locator(".zb-message").nth(1)).to_contain_text("delta")
+    page.get_by_label("theta", exact=True).fill("0.2")
+    page.get_by_role("button", name="Send goal").click()
+    expect(page.locator(".zb-goal-state")).to_have_text("succeeded")
+
+
+def test_a_goal_that_is_refused_or_goes_on_is_told(
+    server: Server, page: Page, node: zbot.Node, spin: Spin
+) -> None:
+    ended: zbot.Future[bool] = zbot.Future()
+
+    async def execute(goal: object) -> Fibonacci.Result:
+        await ended
+        goal.succeed()  # type: ignore[attr-defined] # a server's goal handle
+        return Fibonacci.Result(sequence=[1, 1, 2])
+
+    ActionServer(node, Fibonacci, "count", execute, cancel_callback=lambda _: CancelResponse.REJECT)
+    spin(node)
+    page.goto(f"{server.address}/actions?action=/count")
+    page.get_by_role("button", name="Send goal").click()
+    expect(page.locator(".zb-goal-state")).to_have_text("accepted")
+    page.get_by_role("button", name="Cancel").click()
+    expect(page.get_by_text("The server goes on")).to_be_visible()
+    ended.set_result(True)
+    expect(page.locator(".zb-goal-state")).to_have_text("succeeded")
+    expect(page.locator(".zb-message").nth(1)).to_contain_text("sequence")

@@ -1,0 +1,207 @@
+"""The turtle in the page: seen, driven, drawn; in a real browser."""
+
+from __future__ import annotations
+
+import math
+import re
+from functools import partial
+from typing import TYPE_CHECKING
+
+import pytest
+
+from tests.conftest import wait_until
+
+pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
+
+from playwright.sync_api import expect
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from playwright.sync_api import Locator, Page
+
+    from tests.conftest import Program
+    from tests.web.conftest import Server, Visit
+
+    Start = Callable[..., Program]
+
+PLACE = re.compile(r"(\w+) +x (\S+) m +y (\S+) m +theta (\S+) rad")
+#: Red, green, blue and opacity of a pixel of the sheet, at metres.
+PIXEL = """([x, y]) => {
+  const sheet = document.querySelector(".zb-sheet"), scale = sheet.width / 500;
+  const [column, row] = [x * 45 * scale, (499 - y * 45) * scale];
+  return [...sheet.getContext("2d").getImageData(column, row, 1, 1).data];
+}"""
+
+
+@pytest.fixture
+def turtlesim(start: Start) -> Program:
+    program = start("zbot", "run", "turtlesim", "turtlesim_node", "--no-browser")
+    program.wait_for("Spawning turtle [turtle1]")
+    return program
+
+
+@pytest.fixture
+def turtles(turtlesim: Program, server: Server, page: Page) -> Page:
+    assert turtlesim.process.poll() is None
+    page.goto(f"{server.address}/turtle")
+    expect(turtle(page, "turtle1")).to_be_visible()
+    return page
+
+
+def turtle(page: Page, name: str) -> Locator:
+    return page.locator(f'[data-turtle="{name}"]')
+
+
+def place(page: Page) -> tuple[float, float, float]:
+    """Return x, y and theta of the chosen turtle; no numbers while none is seen."""
+    found = PLACE.search(page.locator(".zb-turtle-place").inner_text())
+    if found is None:
+        return math.nan, math.nan, math.nan
+    return float(found[2]), float(found[3]), float(found[4])
+
+
+def colour_at(page: Page, x: float, y: float) -> tuple[int, int, int] | None:
+    """Return what was drawn at a place in metres; None where nobody drew."""
+    r, g, b, opacity = page.evaluate(PIXEL, [x, y])
+    return (r, g, b) if opacity == 255 else None
+
+
+def is_blank(page: Page, x: float, y: float) -> bool:
+    return colour_at(page, x, y) is None
+
+
+def near(*colour: int) -> object:
+    # A canvas rounds on its way.
+    return pytest.approx(colour, abs=3)
+
+
+def command(page: Page) -> Locator:
+    return page.locator(".zb-command")
+
+
+def waits_for(page: Page, condition: Callable[[], bool], timeout_s: float = 15) -> bool:
+    def look() -> bool:
+        page.wait_for_timeout(20)  # lets the browser's events come
+        return condition()
+
+    return wait_until(look, timeout_s)
+
+
+def test_an_arrow_key_drives_two_metres_and_draws_a_line(turtles: Page) -> None:
+    turtles.keyboard.press("ArrowUp")
+    expect(command(turtles)).to_have_text(
+        'zbot topic pub --once /turtle1/cmd_vel geometry_msgs/msg/Twist "{linear: {x: 2.0}}"'
+    )
+    assert waits_for(turtles, lambda: place(turtles)[0] > 7.4)
+    x, y, theta = place(turtles)
+    assert x == pytest.approx(7.544, abs=0.1)
+    assert (y, theta) == (5.54, 0.0)
+    assert waits_for(turtles, lambda: colour_at(turtles, 6.5, 5.544) == near(179, 184, 255))
+    assert colour_at(turtles, 6.5, 5.0) is None
+
+
+def test_a_page_that_comes_later_shows_what_was_drawn(
+    turtles: Page, visit: Callable[..., Visit]
+) -> None:
+    turtles.keyboard.press("ArrowUp")
+    assert waits_for(turtles, lambda: place(turtles)[0] > 7.4)
+    late = visit().page
+    late.goto(turtles.url)
+    expect(turtle(late, "turtle1")).to_be_visible()
+    assert waits_for(late, lambda: colour_at(late, 6.5, 5.544) == near(179, 184, 255))
+    turtles.get_by_role("button", name="Clear").click()
+    for page in (turtles, late):
+        assert waits_for(page, partial(is_blank, page, 6.5, 5.544))
+
+
+def test_letters_turn_the_turtle_until_f_is_pressed(turtles: Page) -> None:
+    turtles.keyboard.press("r")
+    expect(command(turtles)).to_have_text(
+        "zbot action send_goal /turtle1/rotate_absolute turtlesim/action/RotateAbsolute "
+        '"{theta: 1.5708}"'
+    )
+    assert waits_for(turtles, lambda: place(turtles)[2] > 0.3)
+    turtles.keyboard.press("f")
+    turned = place(turtles)[2]
+    assert waits_for(turtles, lambda: place(turtles)[2] == place_later(turtles)[2])
+    assert turned <= place(turtles)[2] < 1.5
+    turtles.keyboard.press("g")
+    assert waits_for(turtles, lambda: abs(place(turtles)[2]) <= 0.02)
+
+
+def place_later(page: Page) -> tuple[float, float, float]:
+    page.wait_for_timeout(300)
+    return place(page)
+
+
+def test_turtles_come_with_their_pens_and_go(turtles: Page) -> None:
+    turtles.get_by_label("x", exact=True).fill("3")
+    turtles.get_by_label("Name of the new turtle").fill("eve")
+    turtles.get_by_role("button", name="Spawn another").click()
+    expect(turtle(turtles, "eve")).to_have_class(re.compile("zb-chosen"))
+    expect(command(turtles)).to_have_text("zbot topic echo /eve/pose")
+    turtles.get_by_label("Pen colour").fill("#ff8000")
+    expect(command(turtles)).to_contain_text("zbot service call /eve/set_pen turtlesim/srv/SetPen")
+    turtles.locator(".zb-stage").click(position={"x": 5, "y": 5})
+    turtles.keyboard.press("ArrowUp")
+    assert waits_for(turtles, lambda: place(turtles)[0] > 4.9)
+    assert waits_for(turtles, lambda: colour_at(turtles, 4.0, 2.0) == near(255, 128, 0))
+    turtle(turtles, "turtle1").click()
+    assert waits_for(turtles, lambda: place(turtles)[1] == 5.54)
+    turtles.get_by_role("button", name="Kill").click()
+    expect(turtle(turtles, "turtle1")).to_have_count(0)
+    turtles.get_by_role("button", name="Reset").click()
+    expect(turtle(turtles, "turtle1")).to_be_visible()
+    expect(turtle(turtles, "eve")).to_have_count(0)
+
+
+def test_a_name_that_is_taken_is_told(turtles: Page) -> None:
+    turtles.get_by_label("Name of the new turtle").fill("turtle1")
+    turtles.get_by_role("button", name="Spawn another").click()
+    expect(turtles.get_by_text("A turtle named turtle1 already exists")).to_be_visible()
+
+
+def test_the_background_can_be_chosen(turtles: Page) -> None:
+    turtles.get_by_label("Background colour").fill("#305040")
+    expect(turtles.locator(".zb-stage")).to_have_css("background-color", "rgb(48, 80, 64)")
+    expect(command(turtles)).to_have_text(
+        "zbot param set /turtlesim background_r 48 background_g 80 background_b 64"
+    )
+
+
+def test_two_simulators_are_kept_apart(start: Start, server: Server, page: Page) -> None:
+    launched = start("zbot", "launch", "turtlesim", "multisim.launch.py")
+    launched.wait_for("Spawning turtle [turtle1]")
+    launched.wait_for("Spawning turtle [turtle1]")
+    page.goto(f"{server.address}/turtle?node=/turtlesim2/turtlesim")
+    expect(turtle(page, "turtle1")).to_be_visible()
+    page.keyboard.press("ArrowUp")
+    expect(command(page)).to_contain_text("/turtlesim2/turtle1/cmd_vel")
+    assert waits_for(page, lambda: place(page)[0] > 7.4)
+    page.get_by_label("Simulator").click()
+    page.get_by_role("option", name="/turtlesim1/turtlesim").click()
+    assert waits_for(page, lambda: place(page)[0] == 5.54)
+    assert launched.stop(timeout_s=15) == 0
+
+
+def test_without_a_simulator_the_page_says_how_to_start_one(
+    start: Start, server: Server, page: Page
+) -> None:
+    page.goto(f"{server.address}/turtle")
+    expect(page.get_by_text("No turtlesim is running.")).to_be_visible()
+    program = start("zbot", "run", "turtlesim", "turtlesim_node", "--no-browser")
+    expect(turtle(page, "turtle1")).to_be_visible()
+    program.process.kill()
+    expect(page.get_by_text("No turtlesim is running.")).to_be_visible()
+
+
+def test_a_page_that_may_only_look_has_no_controls(
+    turtlesim: Program, serve: Callable[..., Server], page: Page
+) -> None:
+    assert turtlesim.process.poll() is None
+    page.goto(f"{serve('--read-only').address}/turtle")
+    expect(turtle(page, "turtle1")).to_be_visible()
+    expect(page.get_by_role("button", name="Clear")).to_have_count(0)
+    page.keyboard.press("ArrowUp")
+    expect(page.get_by_text("this page is read-only: driving is not possible")).to_be_visible()

@@ -1,0 +1,68 @@
+"""A message that came as a tree in the page: a reply, a goal's feedback, its result."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from nicegui import ui
+
+from zbot.web.table import Cell, Column, Table
+from zbot.web.value_text import tree
+
+if TYPE_CHECKING:
+    from zbot.web.panel import Part
+
+_COLUMNS = (
+    Column("Field", "zb-mono zb-cut", "40%"),
+    Column("Value", "zb-mono zb-wrap"),
+    Column("Type", "zb-muted zb-cut", "20%"),
+)
+
+
+class MessageView:
+    """A heading with a tree below it, hidden while there is nothing to show.
+
+    Args:
+        part: Of the page.
+        title: What the message is: `Reply`.
+    """
+
+    def __init__(self, part: Part, title: str) -> None:
+        with ui.element("div").classes("zb-message") as self._box:
+            with ui.element("div").classes("zb-row"):
+                ui.label(title).classes("zb-heading")
+                self._note = ui.label().classes("zb-muted")
+            self._table = Table(part.frame, _COLUMNS)
+            self._table.element.classes("zb-tree")
+            self._error = ui.label().classes("zb-bad zb-wrap")
+        self.clear()
+
+    def clear(self) -> None:
+        """Show nothing."""
+        self._box.set_visibility(False)
+
+    def show(self, message: Any, note: str = "") -> None:
+        """Show a message, and a note beside its title."""
+        rows = {
+            row.path: [
+                Cell(row.name, indent=row.depth),
+                Cell(row.text),
+                Cell(row.type.rpartition("/")[2], hint=row.type),
+            ]
+            for row in tree(message)
+        }
+        self._table.show(rows)
+        self._say("" if rows else "It has no fields.", note)
+
+    def complain(self, error: Exception) -> None:
+        """Show an error's sentence instead."""
+        self._table.show({})
+        self._say(str(error), "")
+        self._error.classes(add="zb-bad")
+
+    def _say(self, text: str, note: str) -> None:
+        self._box.set_visibility(True)
+        self._note.set_text(note)
+        self._error.set_text(text)
+        self._error.set_visibility(bool(text))
+        self._error.classes(remove="zb-bad")

@@ -1,0 +1,198 @@
+"""The panel of actions: goals from a form, their feedback as it comes, and their end."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from nicegui import ui
+
+from zbot.action.goal_state import GoalState
+from zbot.errors import ZbotError
+from zbot.graph import full_names
+from zbot.web.call import complain, in_thread
+from zbot.web.command_line import command_line
+from zbot.web.form_view import FormView
+from zbot.web.list_panel import ListPanel
+from zbot.web.message_view import MessageView
+from zbot.web.panel import Frame, Panel
+from zbot.web.system import answer
+from zbot.web.table import Cell, Column
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from zbot.action import ActionClient
+    from zbot.graph import Snapshot
+    from zbot.web.lease import Lease
+    from zbot.web.panel import Part
+
+_FEEDBACK_HZ = 15.0
+_COLUMNS = (
+    Column("Action", "zb-mono zb-cut"),
+    Column("Type", "zb-muted zb-cut zb-spare"),
+    Column("Served by", "zb-mono zb-cut"),
+)
+_COLOURS = {
+    GoalState.SUCCEEDED: "zb-good",
+    GoalState.ABORTED: "zb-bad",
+    GoalState.CANCELED: "zb-warn",
+}
+
+
+def _build(frame: Frame) -> None:
+    ListPanel(
+        frame,
+        columns=_COLUMNS,
+        rows=_rows,
+        details=_ActionDetails,
+        key="action",
+        command="zbot action list -t",
+        empty="No action yet: start a node, e.g. zbot run fibonacci_action_server",
+        hidden="Without a server",
+    )
+
+
+def _rows(graph: Snapshot, hidden: bool) -> dict[str, list[str | Cell]]:
+    kinds = () if hidden else (EntityKind.SERVICE,)
+    return {name: _row(graph, name, types) for name, types in graph.actions(*kinds)}
+
+
+def _row(graph: Snapshot, name: str, types: list[str]) -> list[str | Cell]:
+    ends = graph.on(f"{name}/_action/send_goal", EntityKind.SERVICE)
+    servers = ", ".join(sorted(set(full_names(ends))))
+    kind = ", ".join(types)
+    return [Cell(name, hint=name), Cell(kind, hint=kind), Cell(servers, hint=servers)]
+
+
+class _ActionDetails:
+    def __init__(self, part: Part, name: str) -> None:
+        self.part, self.name = part, name
+        self.client: Lease[ActionClient[Any, Any, Any]] | None = None
+        self.goal: Any = None
+        self.feedback: Any = None
+        self.count = 0
+        self.type_name = ""
+        self.absent = ui.label("Nobody serves it now.").classes("zb-muted")
+        self.place = ui.element("div").classes("zb-col")
+        part.frame.show_command(command_line("action", "info", name))
+        self.end_look = part.live(self.look, 5.0)
+
+    def look(self) -> None:
+        """Wait for somebody who serves it."""
+        types = dict(self.part.system.snapshot().actions()).get(self.name)
+        if types is None:
+            return
+        self.end_look()
+        self.type_name = types[0]
+        self.absent.set_visibility(False)
+        with self.place:
+            ui.label(self.type_name).classes("zb-muted zb-mono")
+            ui.timer(0, self.build, once=True)
+
+    async def build(self) -> None:
+        """Show the form, once the type is known: another machine may have to tell it."""
+        system = self.part.system
+        try:
+            self.action_type = await in_thread(system.interface, self.type_name)
+            if not system.read_only:
+                self.client = self.part.keep(system.action_client(self.name, self.type_name))
+        except ZbotError as error:
+            with self.place:
+                ui.label(str(error)).classes("zb-bad")
+            return
+        with self.place:
+            self.fill()
+
+    def fill(self) -> None:
+        """Show the inputs, the buttons and the places for what comes."""
+        ui.label("Goal").classes("zb-heading")
+        self.form = FormView(self.action_type.Goal, self.changed)
+        if self.client is None:
+            ui.label("This page is read-only.").classes("zb-muted")
+            return
+        with ui.element("div").classes("zb-row"):
+            self.send_button = ui.button("Send goal", on_click=self.send)
+            self.send_button.props("unelevated dense")
+            self.cancel_button = ui.button("Cancel", on_click=self.cancel).props("outline dense")
+            self.state = ui.label().classes("zb-goal-state")
+        self.feedback_view = MessageView(self.part, "Feedback")
+        self.result_view = MessageView(self.part, "Result")
+        self.follow(None)
+        self.changed()
+        self.part.live(self.update, _FEEDBACK_HZ)
+
+    def changed(self) -> None:
+        """Follow what was typed."""
+        if self.client is None:
+            return
+        is_right = not self.form.problems
+        self.send_button.set_enabled(is_right and self.goal is None)
+        if is_right:
+            words = ["action", "send_goal", "--feedback", self.name, self.type_name]
+            self.part.frame.show_command(command_line(*words, self.form.yaml()))
+
+    def take(self, feedback: Any) -> None:
+        """Keep feedback; in zbot's thread."""
+        self.feedback = feedback.feedback
+        self.count += 1
+
+    def update(self) -> None:
+        """Show the latest feedback."""
+        feedback, self.feedback = self.feedback, None
+        if feedback is not None:
+            self.feedback_view.show(feedback, f"number {self.count}")
+
+    def follow(self, goal: Any) -> None:
+        """Let the buttons do what is possible now."""
+        self.goal = goal
+        self.cancel_button.set_enabled(goal is not None)
+        self.send_button.set_enabled(goal is None)
+
+    async def send(self) -> None:
+        """Send a goal and wait for its end."""
+        if self.client is None or self.form.problems:
+            return
+        self.count, self.feedback = 0, None
+        self.feedback_view.clear()
+        self.result_view.clear()
+        self.say("sent")
+        try:
+            await self.reach(self.client.entity)
+        except ZbotError as error:
+            complain(error)
+            self.say("failed", "zb-bad")
+            self.result_view.complain(error)
+        finally:
+            self.follow(None)
+
+    async def reach(self, client: ActionClient[Any, Any, Any]) -> None:
+        """Send a goal, wait for its end, and show that."""
+        self.send_button.set_enabled(False)
+        goal = await answer(client.send_goal_async(self.form.message(), self.take))
+        if not goal.accepted:
+            self.say("refused", "zb-bad")
+            return
+        self.follow(goal)
+        self.say("accepted")
+        outcome: Any = await answer(goal.get_result_async())
+        state = GoalState(outcome.status)
+        self.update()
+        self.say(state.name.lower(), _COLOURS.get(state, ""))
+        self.result_view.show(outcome.result)
+
+    async def cancel(self) -> None:
+        """Ask the server to stop."""
+        goal = self.goal
+        if goal is None:
+            return
+        self.cancel_button.set_enabled(False)
+        response: Any = await answer(goal.cancel_goal_async())
+        if not response.goals_canceling:
+            ui.notify("The server goes on: it does not take this goal back.", type="warning")
+
+    def say(self, text: str, classes: str = "") -> None:
+        """Show what has become of the goal."""
+        self.state.set_text(text)
+        self.state.classes(replace=f"zb-goal-state {classes}")
+
+
+PANEL = Panel("/actions", "Actions", "flag", _build)

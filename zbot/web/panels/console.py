@@ -1,0 +1,134 @@
+"""The panel of log lines: /rosout of all nodes, with filters."""
+
+from __future__ import annotations
+
+from collections import Counter
+from datetime import datetime
+from typing import TYPE_CHECKING, Any
+
+from nicegui import ui
+
+from zbot.web.command_line import command_line
+from zbot.web.log_filter import LEVELS, LogFilter, counts, level_of
+from zbot.web.panel import Frame, Panel
+
+if TYPE_CHECKING:
+    from zbot.web.log_ring import LogLine
+
+_HZ = 10.0
+#: Lines that a page shows at most, and gets at once: more than can be read.
+_MOST_SHOWN = 1000
+_MOST_AT_ONCE = 300
+_ANY = "All nodes"
+_COLOURS = {10: "zb-muted", 20: "", 30: "zb-warn", 40: "zb-bad", 50: "zb-bad"}
+
+
+class _Console:
+    def __init__(self, frame: Frame) -> None:
+        self.frame = frame
+        self.logs = frame.system.logs
+        self.filter = LogFilter(logger=frame.query.get("node", ""))
+        self.begin = 0  # lines up to this number were cleared
+        self.last = 0  # and up to this one looked at
+        self.loggers: set[str] = set()
+        self.counts: Counter[int] = Counter()
+        self.is_paused = False
+        self.is_anew = True
+        with frame.toolbar:
+            self.build_filters()
+        with ui.element("div").classes("zb-card zb-console"):
+            ui.element("table").classes("zb-log")
+        self.empty = ui.label("No log line yet.").classes("zb-empty")
+        self.show_command()
+        frame.live(self.update, _HZ)
+
+    def build_filters(self) -> None:
+        """Show the counts, the filters and the buttons."""
+        self.numbers = {
+            level: ui.label().classes(f"zb-log-count {_COLOURS[level]}") for level in (30, 40)
+        }
+        level = ui.select(LEVELS, value=self.filter.level, on_change=self.change)
+        level.props('dense outlined options-dense aria-label="Level"').classes("zb-log-level")
+        node = ui.select([_ANY], value=_ANY, on_change=self.change)
+        node.props('dense outlined options-dense aria-label="Node"').classes("zb-log-node")
+        text = ui.input(placeholder="Text", on_change=self.change)
+        text.props('dense outlined clearable debounce=150 aria-label="Text"')
+        text.classes("zb-search")
+        self.level, self.node, self.text = level, node, text
+        self.pause = ui.button("Pause", on_click=self.toggle_pause).props("outline dense")
+        ui.button("Clear", on_click=self.clear).props("outline dense")
+
+    # -- what the user wants -------------------------------------------------------------------
+
+    def change(self) -> None:
+        """Show other lines."""
+        logger = "" if self.node.value in {_ANY, None} else str(self.node.value)
+        self.filter = LogFilter(int(self.level.value), logger, (self.text.value or "").strip())
+        self.is_anew = True
+        self.show_command()
+
+    def show_command(self) -> None:
+        """Show what prints these lines in a terminal."""
+        condition = self.filter.condition
+        words = ["--filter", condition] if condition else []
+        self.frame.show_command(command_line("topic", "echo", *words, "/rosout"))
+
+    def toggle_pause(self) -> None:
+        """Stand still, or go on with what came meanwhile."""
+        self.is_paused = not self.is_paused
+        self.pause.set_text("Go on" if self.is_paused else "Pause")
+
+    def clear(self) -> None:
+        """Forget the lines that came up to now, in this page."""
+        self.begin = self.last = self.logs.last
+        self.counts.clear()
+        self.is_anew = True
+
+    # -- what is new ---------------------------------------------------------------------------
+
+    def update(self) -> None:
+        """Show the new lines, or all that the filter leaves if that has changed."""
+        if self.is_paused and not self.is_anew:
+            return
+        new = self.logs.since(self.last)
+        if not new and not self.is_anew:
+            return
+        self.last = new[-1].number if new else self.last
+        self.count(new)
+        if self.is_anew:
+            wanted = list(filter(self.filter.matches, self.logs.since(self.begin)))
+            lines = [line for line in wanted if line.number <= self.last][-_MOST_SHOWN:]
+        else:
+            lines = list(filter(self.filter.matches, new))[-_MOST_AT_ONCE:]
+        rows = [_row(line) for line in lines]
+        self.frame.call("zbotConsole.add", rows, self.is_anew, _MOST_SHOWN)
+        self.empty.set_visibility(self.is_anew and not rows)
+        self.is_anew = False
+
+    def count(self, new: list[LogLine]) -> None:
+        """Count lines, and offer the loggers that there are."""
+        self.counts.update(counts(new))
+        for level, label in self.numbers.items():
+            number = sum(count for one, count in self.counts.items() if one // 10 == level // 10)
+            label.set_text(f"{number} {LEVELS[level].lower()}" if number else "")
+        found = self.loggers | {line.name for line in new}
+        if found != self.loggers:
+            self.loggers = found
+            self.node.set_options([_ANY, *sorted(found)])
+            if self.filter.logger in found and self.node.value == _ANY:
+                self.node.set_value(self.filter.logger)
+
+
+def _row(line: LogLine) -> list[Any]:
+    moment = datetime.fromtimestamp(line.stamp_ns / 1e9).astimezone()
+    place = f"{line.file}:{line.line} {line.function}" if line.file else ""
+    level = level_of(line)
+    time = f"{moment:%H:%M:%S}.{moment.microsecond // 1000:03}"
+    return [time, LEVELS[level].upper(), line.name, line.text, place, _COLOURS[level]]
+
+
+def _build(frame: Frame) -> None:
+    _Console(frame)
+
+
+PANEL = Panel("/console", "Console", "subject", _build)

@@ -1,0 +1,135 @@
+"""The panel of services: who serves them, and a form that calls them."""
+
+from __future__ import annotations
+
+import time
+from typing import TYPE_CHECKING, Any
+
+from nicegui import ui
+
+from zbot.errors import ZbotError
+from zbot.graph import full_names
+from zbot.names import is_hidden
+from zbot.web.call import call, complain, in_thread
+from zbot.web.command_line import command_line
+from zbot.web.form_view import FormView
+from zbot.web.list_panel import ListPanel
+from zbot.web.message_view import MessageView
+from zbot.web.panel import Frame, Panel
+from zbot.web.table import Cell, Column
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from zbot.graph import Snapshot
+    from zbot.web.panel import Part
+
+#: Packages of services that every node has.
+_OF_EVERY_NODE = ("rcl_interfaces/", "type_description_interfaces/")
+_COLUMNS = (
+    Column("Service", "zb-mono zb-cut"),
+    Column("Type", "zb-muted zb-cut zb-spare"),
+    Column("Served by", "zb-mono zb-cut"),
+)
+
+
+def _build(frame: Frame) -> None:
+    ListPanel(
+        frame,
+        columns=_COLUMNS,
+        rows=_rows,
+        details=_ServiceDetails,
+        key="service",
+        command="zbot service list -t",
+        empty="No service yet: start a node, e.g. zbot run add_two_ints_server",
+        hidden="Those that every node has",
+    )
+
+
+def _rows(graph: Snapshot, hidden: bool) -> dict[str, list[str | Cell]]:
+    return {
+        name: _row(graph, name, types)
+        for name, types in graph.services()
+        if hidden or not (is_hidden(name) or types[0].startswith(_OF_EVERY_NODE))
+    }
+
+
+def _row(graph: Snapshot, name: str, types: list[str]) -> list[str | Cell]:
+    servers = ", ".join(sorted(set(full_names(graph.on(name, EntityKind.SERVICE)))))
+    kind = ", ".join(types)
+    return [Cell(name, hint=name), Cell(kind, hint=kind), Cell(servers, hint=servers)]
+
+
+class _ServiceDetails:
+    def __init__(self, part: Part, name: str) -> None:
+        self.part, self.name = part, name
+        self.type_name = ""
+        self.absent = ui.label("Nobody serves it now.").classes("zb-muted")
+        self.place = ui.element("div").classes("zb-col")
+        part.frame.show_command(command_line("service", "info", name))
+        self.end_look = part.live(self.look, 5.0)
+
+    def look(self) -> None:
+        """Wait for somebody who serves it."""
+        types = dict(self.part.system.snapshot().services()).get(self.name)
+        if types is None:
+            return
+        self.end_look()
+        self.type_name = types[0]
+        self.absent.set_visibility(False)
+        with self.place:
+            ui.label(self.type_name).classes("zb-muted zb-mono")
+            ui.timer(0, self.build, once=True)
+
+    async def build(self) -> None:
+        """Show the form, once the type is known: another machine may have to tell it."""
+        try:
+            service_type = await in_thread(self.part.system.interface, self.type_name)
+        except ZbotError as error:
+            with self.place:
+                ui.label(str(error)).classes("zb-bad")
+            return
+        with self.place:
+            self.fill(service_type)
+
+    def fill(self, service_type: Any) -> None:
+        """Show the inputs, the button and the place for the reply."""
+        ui.label("Request").classes("zb-heading")
+        self.form = FormView(service_type.Request, self.changed)
+        if self.part.frame.read_only:
+            ui.label("This page is read-only.").classes("zb-muted")
+            return
+        self.button = ui.button("Call", on_click=self.call).props("unelevated dense")
+        self.button.classes("zb-act")
+        self.reply = MessageView(self.part, "Reply")
+        self.changed()
+
+    def changed(self) -> None:
+        """Follow what was typed."""
+        is_right = not self.form.problems
+        if self.part.frame.read_only:
+            return
+        self.button.set_enabled(is_right)
+        if is_right:
+            words = [self.form.yaml()] if self.form.form.members else []
+            line = command_line("service", "call", self.name, self.type_name, *words)
+            self.part.frame.show_command(line)
+
+    async def call(self) -> None:
+        """Call the service, and show what it replies."""
+        if self.form.problems:
+            return
+        self.button.props("loading")
+        begun = time.monotonic()
+        try:
+            request = self.form.message()
+            response = await call(self.part.system, self.name, self.type_name, request)
+        except ZbotError as error:
+            complain(error)
+            self.reply.complain(error)
+        else:
+            self.reply.show(response, f"after {1000 * (time.monotonic() - begun):.0f} ms")
+        finally:
+            self.button.props(remove="loading")
+
+
+PANEL = Panel("/services", "Services", "handyman", _build)

@@ -1,0 +1,317 @@
+"""The panel of turtles: their world as turtlesim has it, and everything one can do to them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from nicegui import ui
+
+from zbot.web.call import guarded
+from zbot.web.panel import Frame, Panel
+from zbot.web.turtle_remote import (
+    ARROWS,
+    CANCEL,
+    HEADINGS,
+    Simulator,
+    TurtleRemote,
+    simulators,
+)
+from zbot.web.turtle_stage import Stage
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Coroutine
+
+    from nicegui.events import GenericEventArguments
+
+    from zbot.web.turtle_stage import SeenTurtle
+
+_RUN = "zbot run turtlesim turtlesim_node"
+_ARROW_ICONS = {
+    "ArrowLeft": "keyboard_arrow_left",
+    "ArrowUp": "keyboard_arrow_up",
+    "ArrowDown": "keyboard_arrow_down",
+    "ArrowRight": "keyboard_arrow_right",
+}
+_BLACK = "#000000"
+#: As the letters lie on a keyboard.
+_WHEEL = ("e", "r", "t", "d", CANCEL, "g", "c", "v", "b")
+
+
+class TurtlePanel:
+    """One browser's page of turtles.
+
+    Args:
+        frame: The page.
+    """
+
+    def __init__(self, frame: Frame) -> None:
+        self._frame = frame
+        self._stage = Stage(frame)
+        self._remote: TurtleRemote | None = None
+        self._chosen = ""
+        self._revision = -1
+        self._names: list[str] = []
+        frame.show_command(_RUN)
+        with frame.toolbar:
+            self._simulator = ui.select([], on_change=self._on_simulator).props(
+                'dense outlined options-dense aria-label="Simulator"'
+            )
+        self._build()
+        ui.on("zbot_turtle_key", lambda event: self.press(event.args))
+        ui.on("zbot_turtle", lambda event: self._choose(str(event.args)))
+        frame.live(self._update)
+
+    # -- what is seen --------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        with ui.element("div").classes("zb-turtle-page"):
+            with ui.element("div").classes("zb-col"):
+                self._build_stage()
+            with ui.element("div").classes("zb-col zb-turtle-side") as self._side:
+                self._build_driving()
+                self._build_turtle()
+                self._build_world()
+        self._side.set_visibility(not self._frame.read_only)
+
+    def _build_stage(self) -> None:
+        with ui.element("div").classes("zb-stage").props('aria-label="Turtles"'):
+            ui.element("canvas").classes("zb-sheet")
+            ui.element("svg").classes("zb-turtles").props('viewBox="0 0 500 500"')
+            self._empty = ui.label(f"No turtlesim is running. Start one:  {_RUN}")
+            self._empty.classes("zb-stage-empty")
+        self._place = ui.label().classes("zb-mono zb-muted zb-turtle-place")
+
+    def _build_driving(self) -> None:
+        with ui.element("div").classes("zb-card zb-drive"):
+            with ui.element("div").classes("zb-col"):
+                ui.label("Drive").classes("zb-heading")
+                with ui.element("div").classes("zb-arrows"):
+                    for key, icon in _ARROW_ICONS.items():
+                        button = self._key(key, icon=icon)
+                        button.props(f'aria-label="{key}"').classes(f"zb-{key.lower()}")
+            with ui.element("div").classes("zb-col"):
+                ui.label("Turn to").classes("zb-heading")
+                with ui.element("div").classes("zb-wheel"):
+                    for key in _WHEEL:
+                        button = self._key(key, text=key.upper())
+                        is_heading = key in HEADINGS
+                        button.tooltip(f"{HEADINGS[key]} rad" if is_heading else "Stop turning")
+            ui.label(
+                "The keys do the same: arrows, the letters around F, and F to stop turning."
+            ).classes("zb-muted zb-hint")
+
+    def _key(self, key: str, text: str = "", icon: str | None = None) -> ui.button:
+        button = ui.button(text, icon=icon, on_click=lambda: self.press(key))
+        return button.props("outline dense").classes("zb-key")
+
+    def _build_turtle(self) -> None:
+        with ui.element("div").classes("zb-card zb-col zb-inputs"):
+            with ui.element("div").classes("zb-row"):
+                ui.label("Turtle").classes("zb-heading zb-caption")
+                self._turtle = ui.select([], on_change=self._on_turtle).props(
+                    'dense outlined options-dense aria-label="Turtle"'
+                )
+                ui.element("div").classes("zb-grow")
+                self._button("Kill", self._kill, "Remove this turtle").classes("zb-danger")
+            with ui.element("div").classes("zb-row"):
+                ui.label("Pen").classes("zb-heading zb-caption")
+                self._pen_colour = _colour("Pen colour", self._set_pen)
+                self._pen_width = _number("width", 3, "px")
+                self._pen_width.on("change", guarded(self._set_pen))
+                self._pen_down = ui.switch("draws", value=True).props("dense")
+                self._pen_down.on("click", guarded(self._set_pen))
+            with ui.element("div").classes("zb-row"):
+                ui.label("Place").classes("zb-heading zb-caption")
+                self._x = _number("x", 2.0, "m")
+                self._y = _number("y", 2.0, "m")
+                self._theta = _number("theta", 0.0, "rad")
+            with ui.element("div").classes("zb-row zb-indented"):
+                self._button("Teleport", self._teleport, "Put the turtle there, drawing a line")
+                self._button("Spawn another", self._spawn, "Add a turtle there")
+                self._new_name = ui.input(placeholder="its name").props("dense outlined")
+                self._new_name.classes("zb-new-name").props('aria-label="Name of the new turtle"')
+
+    def _build_world(self) -> None:
+        with ui.element("div").classes("zb-card zb-row zb-inputs"):
+            ui.label("World").classes("zb-heading zb-caption")
+            self._background = _colour("Background colour", self._set_background)
+            ui.label("background").classes("zb-muted")
+            ui.element("div").classes("zb-grow")
+            self._button("Clear", self._clear, "Wipe out the lines")
+            self._button("Reset", self._reset, "Begin anew with one turtle")
+
+    def _button(
+        self, text: str, act: Callable[[], Coroutine[Any, Any, None]], hint: str
+    ) -> ui.button:
+        button = ui.button(text, on_click=guarded(act), color=None)
+        button.props("outline dense no-wrap")
+        return button.classes("zb-button").tooltip(hint)
+
+    # -- what is new ---------------------------------------------------------------------------
+
+    def _update(self) -> None:
+        if self._revision != self._frame.system.revision:
+            self._revision = self._frame.system.revision
+            self._match_simulators()
+        self._stage.update()
+        if list(self._stage.turtles) != self._names:
+            self._match_turtles()
+        seen = self._stage.turtles.get(self._chosen)
+        self._place.set_text(_place(seen) if seen is not None else "")
+        _keep(self._background, _hex(self._stage.background))
+        if seen is not None:
+            self._match_pen(seen)
+
+    def _match_simulators(self) -> None:
+        found = {one.node: one for one in simulators(self._frame.system.snapshot())}
+        self._simulator.set_options(list(found))
+        self._simulator.set_visibility(len(found) > 1)
+        self._empty.set_visibility(not found)
+        wanted = self._frame.query.pop("node", self._simulator.value)
+        chosen = found.get(wanted) or next(iter(found.values()), None)
+        if chosen != (self._remote.simulator if self._remote is not None else None):
+            self._look_at(chosen)
+
+    def _on_simulator(self) -> None:
+        found = simulators(self._frame.system.snapshot())
+        chosen = next((one for one in found if one.node == self._simulator.value), None)
+        if chosen is not None and self._remote is not None and chosen != self._remote.simulator:
+            self._look_at(chosen)
+
+    def _look_at(self, simulator: Simulator | None) -> None:
+        if self._remote is not None:
+            self._remote.close()
+        self._remote = TurtleRemote(self._frame, simulator) if simulator is not None else None
+        self._stage.look_at(simulator)
+        if simulator is not None:
+            self._simulator.set_value(simulator.node)
+            inside = simulator.namespace != "/"
+            place = f" --ros-args -r __ns:={simulator.namespace}" if inside else ""
+            self._frame.show_command(_RUN + place)
+
+    def _match_turtles(self) -> None:
+        self._names = list(self._stage.turtles)
+        self._turtle.set_options(self._names)
+        if self._chosen not in self._names:
+            self._choose(self._names[0] if self._names else "")
+        else:
+            self._turtle.set_value(self._chosen)
+
+    def _on_turtle(self) -> None:
+        if self._turtle.value and self._turtle.value != self._chosen:
+            self._choose(self._turtle.value)
+
+    def _choose(self, name: str) -> None:
+        self._chosen = name
+        self._turtle.set_value(name or None)
+        self._frame.call("zbotTurtle.choose", name)
+        if name and self._remote is not None:
+            self._remote.prepare(name)
+            pose = self._remote.simulator.name(f"{name}/pose")
+            self._frame.show_command(f"zbot topic echo {pose}")
+
+    def _match_pen(self, seen: SeenTurtle) -> None:
+        _keep(self._pen_colour, _hex(seen.pen))
+        _keep(self._pen_width, seen.pen_width)
+        _keep(self._pen_down, seen.is_pen_down)
+
+    # -- what is done --------------------------------------------------------------------------
+
+    async def press(self, key: str) -> None:
+        """Do what a key stands for."""
+        await guarded(self._press)(key)
+
+    async def _press(self, key: str) -> None:
+        if self._remote is None or not self._chosen:
+            return
+        if key in ARROWS:
+            self._remote.drive(self._chosen, *ARROWS[key])
+        elif key in HEADINGS:
+            await self._remote.rotate(self._chosen, HEADINGS[key])
+        elif key == CANCEL:
+            await self._remote.cancel(self._chosen)
+
+    async def _kill(self) -> None:
+        if self._remote is not None and self._chosen:
+            await self._remote.kill(self._chosen)
+
+    async def _spawn(self) -> None:
+        if self._remote is None:
+            return
+        name = await self._remote.spawn(*self._where(), self._new_name.value or "")
+        if name:
+            self._choose(name)
+            self._new_name.set_value("")
+        else:
+            ui.notify(f"A turtle named {self._new_name.value} already exists", type="negative")
+
+    async def _teleport(self) -> None:
+        if self._remote is not None and self._chosen:
+            await self._remote.teleport(self._chosen, *self._where())
+
+    def _where(self) -> tuple[float, float, float]:
+        x, y, theta = (float(one.value or 0.0) for one in (self._x, self._y, self._theta))
+        return x, y, theta
+
+    async def _set_pen(self, _event: object = None) -> None:
+        if self._remote is not None and self._chosen:
+            colour, width = (
+                _channels(self._pen_colour.value or _BLACK),
+                int(self._pen_width.value or 0),
+            )
+            is_down = bool(self._pen_down.value)
+            width = min(max(width, 0), 255)
+            await self._remote.set_pen(self._chosen, colour, width, is_down=is_down)
+
+    async def _set_background(self) -> None:
+        if self._remote is not None:
+            await self._remote.set_background(_channels(self._background.value or _BLACK))
+
+    async def _clear(self) -> None:
+        if self._remote is not None:
+            await self._remote.clear()
+
+    async def _reset(self) -> None:
+        if self._remote is not None:
+            await self._remote.reset()
+
+
+def _colour(label: str, on_choice: Callable[[], Coroutine[Any, Any, None]]) -> ui.input:
+    box = ui.input(value=_BLACK).props(f'dense borderless type=color aria-label="{label}"')
+
+    async def choose(event: GenericEventArguments) -> None:
+        box.set_value(event.args)
+        await guarded(on_choice)()
+
+    # Only at the end: while one looks for a colour, an input tells each that it passes.
+    box.on("change", choose, js_handler="(value) => emit(value)")
+    return box.classes("zb-colour")
+
+
+def _number(label: str, value: float, unit: str) -> ui.number:
+    number = ui.number(value=value, prefix=label, suffix=unit)
+    number.props(f'dense outlined aria-label="{label}"')
+    return number.classes("zb-short-number")
+
+
+def _keep(element: Any, value: object) -> None:
+    """Show what the simulator says, unless the user has just changed that very input."""
+    told = getattr(element, "told", None)
+    if told != value:
+        element.told = value
+        element.set_value(value)
+
+
+def _place(seen: SeenTurtle) -> str:
+    return f"{seen.name}   x {seen.x:.2f} m   y {seen.y:.2f} m   theta {seen.theta:.2f} rad"
+
+
+def _hex(colour: tuple[int, int, int]) -> str:
+    return "#" + "".join(f"{channel:02x}" for channel in colour)
+
+
+def _channels(text: str) -> tuple[int, int, int]:
+    return int(text[1:3], 16), int(text[3:5], 16), int(text[5:7], 16)
+
+
+PANEL = Panel("/turtle", "Turtle", "pets", TurtlePanel)  # type: ignore[arg-type] # kept by the page

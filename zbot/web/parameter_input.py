@@ -1,0 +1,167 @@
+"""One parameter in the page: its name, what it is for, and an input that sets it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from nicegui import ui
+
+from zbot.errors import ZbotError
+from zbot.parameter import Parameter
+from zbot.web.call import guarded
+from zbot.web.command_line import command_line
+from zbot.web.form_value import EntryError
+from zbot.web.remote_parameter import set_value, show_value
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from nicegui.events import GenericEventArguments
+
+    from zbot.web.panel import Part
+    from zbot.web.remote_parameter import Range, RemoteParameter
+
+#: While a slider is dragged, seconds between two values.
+_DRAG_S = 0.1
+_STEPS = 200  # of a slider whose range names none
+
+
+class ParameterInput:
+    """A row for one parameter, made where it is called.
+
+    Args:
+        part: Of the page.
+        node: The node's full name.
+        parameter: What it tells of the parameter.
+    """
+
+    def __init__(self, part: Part, node: str, parameter: RemoteParameter) -> None:
+        self._part, self._node, self._parameter = part, node, parameter
+        self._value = parameter.value
+        self._is_setting = False
+        self._waiting: Any = None  # what was chosen while the node still thought about the last
+        self._showers: list[Callable[[Any], object]] = []
+        with ui.element("div").classes("zb-parameter").props(f'data-name="{parameter.name}"'):
+            with ui.element("div").classes("zb-row"):
+                ui.label(parameter.name).classes("zb-mono zb-parameter-name")
+                ui.label(parameter.type.text).classes("zb-muted")
+                if parameter.is_read_only:
+                    ui.label("read-only").classes("zb-badge")
+            about = " ".join(filter(None, (parameter.description, parameter.constraints)))
+            ui.label(about).classes("zb-muted zb-about").set_visibility(bool(about))
+            with ui.element("div").classes("zb-row"):
+                self._build()
+            self._refusal = ui.label().classes("zb-bad zb-refusal")
+            self._refusal.set_visibility(False)
+
+    def show(self, type_: Parameter.Type, value: Any) -> bool:
+        """Show a value that somebody has set; return False if it has another type now."""
+        if type_ != self._parameter.type:
+            return False
+        self._value = value
+        for shower in self._showers:
+            shower(value)
+        return True
+
+    # -- inputs --------------------------------------------------------------------------------
+
+    def _build(self) -> None:
+        parameter = self._parameter
+        if parameter.is_read_only or self._part.frame.read_only:
+            label = ui.label().classes("zb-mono")
+            self._showers.append(lambda value: label.set_text(self._text(value)))
+        elif parameter.type is Parameter.Type.BOOL:
+            self._add_switch()
+        else:
+            if parameter.range is not None:
+                self._add_slider(parameter.range)
+            self._add_text()
+        self.show(parameter.type, parameter.value)
+
+    def _add_switch(self) -> None:
+        switch = ui.switch().props(f'dense aria-label="{self._parameter.name}"')
+        switch.on("click", guarded(self._on_switch(switch)))
+        self._showers.append(switch.set_value)
+
+    def _on_switch(self, switch: ui.switch) -> Callable[..., Any]:
+        async def flip(_event: object) -> None:
+            await self._set(bool(switch.value))
+
+        return flip
+
+    def _add_slider(self, limits: Range) -> None:
+        is_whole = self._parameter.type is Parameter.Type.INTEGER
+        step = limits.step or (1 if is_whole else (limits.high - limits.low) / _STEPS)
+        slider = ui.slider(min=limits.low, max=limits.high, step=step)
+        slider.props(f'aria-label="{self._parameter.name} slider"').classes("zb-grow")
+        convert = round if is_whole else float
+
+        async def slide(_event: object) -> None:
+            await self._set(convert(slider.value or 0.0))
+
+        # Only what the user does: what others set moves the slider too.
+        slider.on("update:model-value", guarded(slide), throttle=_DRAG_S, args=[])
+        self._showers.append(slider.set_value)
+
+    def _add_text(self) -> None:
+        parameter = self._parameter
+        box = ui.input().props(f'dense outlined hide-bottom-space aria-label="{parameter.name}"')
+        box.classes("zb-short-number" if parameter.range is not None else "zb-grow")
+        if parameter.range is not None:
+            ui.label(parameter.range.text).classes("zb-muted zb-range")
+
+        async def commit(event: GenericEventArguments) -> None:
+            try:
+                value = parameter.read(event.args)
+            except EntryError as error:
+                self._refuse(error.reason)
+                return
+            await self._set(value)
+
+        box.on("change", guarded(commit), js_handler="(value) => emit(value)")
+        self._showers.append(lambda value: box.set_value(self._text(value)))
+
+    def _text(self, value: Any) -> str:
+        return show_value(self._parameter.type, value)
+
+    # -- setting -------------------------------------------------------------------------------
+
+    async def _set(self, value: Any) -> None:
+        if self._is_setting:
+            self._waiting = value
+            return
+        self._is_setting = True
+        try:
+            await self._send(value)
+            while self._waiting is not None:
+                value, self._waiting = self._waiting, None
+                await self._send(value)
+        finally:
+            self._is_setting = False
+
+    async def _send(self, value: Any) -> None:
+        parameter = self._parameter
+        text = show_value(parameter.type, value)
+        words = ("param", "set", self._node, parameter.name, text)
+        self._part.frame.show_command(command_line(*words))
+        message = Parameter(parameter.name, parameter.type, value)
+        try:
+            refusal = await set_value(self._part.system, self._node, message)
+        except ZbotError:
+            self._spring_back()
+            raise
+        if refusal:
+            self._refuse(refusal)
+        else:
+            self._refusal.set_visibility(False)
+            self.show(parameter.type, value)
+
+    def _refuse(self, reason: str) -> None:
+        """Show why a value will not do, and the one that holds."""
+        self._refusal.set_text(reason)
+        self._refusal.set_visibility(True)
+        self._spring_back()
+
+    def _spring_back(self) -> None:
+        for shower in self._showers:
+            shower(self._value)

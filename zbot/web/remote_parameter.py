@@ -1,0 +1,147 @@
+"""Parameters of other nodes, as a page shows and sets them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from zbot.interfaces import FieldType, get_service
+from zbot.parameter import Parameter, parameter_value_to_python
+from zbot.web.call import call
+from zbot.web.form_value import Entry, EntryError, read, show
+
+if TYPE_CHECKING:
+    from zbot.graph import Snapshot
+    from zbot.web.system import System
+
+_LIST = "rcl_interfaces/srv/ListParameters"
+_GET = "rcl_interfaces/srv/GetParameters"
+_DESCRIBE = "rcl_interfaces/srv/DescribeParameters"
+_SET = "rcl_interfaces/srv/SetParameters"
+_TYPES = {
+    Parameter.Type.BOOL: FieldType("bool"),
+    Parameter.Type.INTEGER: FieldType("int64"),
+    Parameter.Type.DOUBLE: FieldType("float64"),
+    Parameter.Type.STRING: FieldType("string"),
+    Parameter.Type.BYTE_ARRAY: FieldType("byte", "sequence"),
+    Parameter.Type.BOOL_ARRAY: FieldType("bool", "sequence"),
+    Parameter.Type.INTEGER_ARRAY: FieldType("int64", "sequence"),
+    Parameter.Type.DOUBLE_ARRAY: FieldType("float64", "sequence"),
+    Parameter.Type.STRING_ARRAY: FieldType("string", "sequence"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """What a number may be."""
+
+    low: float
+    high: float
+    step: float  #: 0 if anything in between will do
+
+    @property
+    def text(self) -> str:
+        """The range in words."""
+        step = f" in steps of {self.step:g}" if self.step not in {0, 1} else ""
+        return f"{self.low:g} to {self.high:g}{step}"
+
+
+@dataclass(frozen=True, slots=True)
+class RemoteParameter:
+    """A parameter with what its node tells of it."""
+
+    name: str
+    type: Parameter.Type
+    value: Any
+    description: str
+    constraints: str  #: in the node's own words
+    range: Range | None
+    is_read_only: bool
+
+    @property
+    def text(self) -> str:
+        """The value as an input shows it."""
+        return show_value(self.type, self.value)
+
+    def read(self, entry: Entry) -> Any:
+        """Return the value that an entry stands for.
+
+        Raises:
+            EntryError: It is none of the parameter's type.
+        """
+        kind = _TYPES.get(self.type)
+        if kind is None:
+            raise EntryError(self.name, "it has no value: set one with `zbot param set`")
+        return read(kind, entry, self.name, lambda: 0)
+
+
+def show_value(type_: Parameter.Type, value: Any) -> str:
+    """Return a value as an input shows it."""
+    kind = _TYPES.get(type_)
+    return "" if kind is None else show(kind, value)
+
+
+def nodes_with_parameters(graph: Snapshot) -> list[str]:
+    """Return the full names of the nodes that offer their parameters, sorted."""
+    served = (name for name, types in graph.services() if _SET in types)
+    return sorted(name.rpartition("/")[0] for name in served)
+
+
+async def load(system: System, node: str) -> list[RemoteParameter]:
+    """Return a node's parameters, sorted by name.
+
+    Raises:
+        ServiceError: The node is gone.
+        NoAnswerError: It does not answer.
+    """
+    listed = await _ask(system, node, "list_parameters", _LIST)
+    names = sorted(listed.result.names)
+    if not names:
+        return []
+    described = await _ask(system, node, "describe_parameters", _DESCRIBE, names=names)
+    got = await _ask(system, node, "get_parameters", _GET, names=names)
+    found = zip(names, got.values, described.descriptors, strict=True)
+    return [_remote(name, value, descriptor) for name, value, descriptor in found]
+
+
+async def set_value(system: System, node: str, parameter: Parameter[Any]) -> str:
+    """Set one parameter; return why the node refuses it, or an empty text.
+
+    Raises:
+        ReadOnlyError: The page may only look.
+        ServiceError: The node is gone.
+        NoAnswerError: It does not answer.
+    """
+    request = get_service(_SET).Request(  # type: ignore[attr-defined] # of each service
+        parameters=[parameter.to_parameter_msg()]
+    )
+    response = await call(system, f"{node}/set_parameters", _SET, request)
+    (result,) = response.results
+    return "" if result.successful else result.reason or "the node refuses it"
+
+
+async def _ask(system: System, node: str, name: str, type_name: str, **fields: Any) -> Any:
+    request = get_service(type_name).Request(**fields)  # type: ignore[attr-defined] # as above
+    return await call(system, f"{node}/{name}", type_name, request, changes=False)
+
+
+def _remote(name: str, value: Any, descriptor: Any) -> RemoteParameter:
+    type_ = Parameter.Type(value.type)
+    return RemoteParameter(
+        name,
+        type_,
+        parameter_value_to_python(value),
+        descriptor.description,
+        descriptor.additional_constraints,
+        _range(descriptor),
+        descriptor.read_only,
+    )
+
+
+def _range(descriptor: Any) -> Range | None:
+    for one in (*descriptor.integer_range, *descriptor.floating_point_range):
+        low, high, step = float(one.from_value), float(one.to_value), float(one.step)
+        if math.isfinite(low) and math.isfinite(high) and low < high:
+            return Range(low, high, step)
+    return None

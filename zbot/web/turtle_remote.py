@@ -1,0 +1,225 @@
+"""What a user does to turtles: messages, service calls and goals, and the commands for the same."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from zbot.graph import full_names
+from zbot.interfaces import get_action, get_message, get_service
+from zbot.names import fully_qualified
+from zbot.node import Node
+from zbot.parameter import Parameter
+from zbot.web.call import call
+from zbot.web.command_line import command_line
+from zbot.web.form import Form
+from zbot.web.system import ReadOnlyError, answer
+
+if TYPE_CHECKING:
+    from zbot.action import ActionClient
+    from zbot.graph import Snapshot
+    from zbot.publisher import Publisher
+    from zbot.task import Future
+    from zbot.web.lease import Lease
+    from zbot.web.panel import Frame
+
+SCENE_TYPE = "zbot_msgs/srv/TurtleScene"
+_SCENE = "/_scene"
+_TWIST = "geometry_msgs/msg/Twist"
+_ROTATE = "turtlesim/action/RotateAbsolute"
+_EMPTY = "std_srvs/srv/Empty"
+#: As turtle_teleop_key: forward in m/s, turn in rad/s.
+ARROWS = {
+    "ArrowUp": (2.0, 0.0),
+    "ArrowDown": (-2.0, 0.0),
+    "ArrowLeft": (0.0, 2.0),
+    "ArrowRight": (0.0, -2.0),
+}
+#: The letters lie around F as the headings around a turtle that looks at G.
+HEADINGS = {
+    "e": 2.3562,
+    "r": 1.5708,
+    "t": 0.7854,
+    "d": 3.1416,
+    "g": 0.0,
+    "c": -2.3562,
+    "v": -1.5708,
+    "b": -0.7854,
+}
+CANCEL = "f"
+_TELEOP = "teleop_turtle"
+_DRIVER_DEPTH = 1
+
+
+class Simulator(NamedTuple):
+    """A turtlesim node."""
+
+    node: str  #: its full name
+    namespace: str  #: which its services and turtles are in
+
+    def name(self, relative: str) -> str:
+        """Return the full name of something of its own: `spawn`, `turtle1/pose`."""
+        return fully_qualified(self.namespace, relative)
+
+    @property
+    def scene(self) -> str:
+        """The service that tells what there is to draw."""
+        return self.node + _SCENE
+
+
+def simulators(graph: Snapshot) -> list[Simulator]:
+    """Return the turtlesim nodes that run, sorted."""
+    found = [name for name, types in graph.services() if SCENE_TYPE in types]
+    nodes = (name.removesuffix(_SCENE) for name in found if name.endswith(_SCENE))
+    return [Simulator(node, node.rpartition("/")[0] or "/") for node in nodes]
+
+
+class TurtleRemote:
+    """A page's hold on the turtles of one simulator. Its methods belong to NiceGUI's loop.
+
+    Args:
+        frame: The page.
+        simulator: Which turtles.
+    """
+
+    def __init__(self, frame: Frame, simulator: Simulator) -> None:
+        self._frame = frame
+        self._system = frame.system
+        self.simulator = simulator
+        self._driver: Node | None = None
+        self._publishers: dict[str, Publisher[Any]] = {}
+        self._clients: dict[str, Lease[ActionClient[Any, Any, Any]]] = {}
+        self._goals: dict[str, Future[Any]] = {}
+        frame.on_close(self.close)
+
+    def close(self) -> None:
+        """Be gone from the graph."""
+        clients, self._clients = self._clients, {}
+        for lease in clients.values():
+            self._frame.drop(lease)
+        driver, self._driver = self._driver, None
+        self._publishers.clear()
+        if driver is not None and self._system.context.ok():
+            driver.destroy_node()
+
+    # -- driving -------------------------------------------------------------------------------
+
+    def drive(self, turtle: str, forward: float, turn: float) -> None:
+        """Give a turtle a velocity, which lasts 1 s: m/s and rad/s.
+
+        Raises:
+            ReadOnlyError: The page may only look.
+        """
+        if self._system.read_only:
+            raise ReadOnlyError("driving")
+        twist: Any = get_message(_TWIST)()
+        twist.linear.x, twist.angular.z = forward, turn
+        topic = self.simulator.name(f"{turtle}/cmd_vel")
+        if topic not in self._publishers:
+            self._publishers[topic] = self._publisher(topic)
+        self._publishers[topic].publish(twist)
+        entries = {"linear.x": forward, "angular.z": turn}
+        values = Form(type(twist)).yaml(entries)
+        self._show("topic", "pub", "--once", topic, _TWIST, values)
+
+    def _publisher(self, topic: str) -> Publisher[Any]:
+        # The graph is to look as with turtle_teleop_key, so the page stands in for that.
+        if self._driver is None:
+            name = fully_qualified(self.simulator.namespace, _TELEOP)
+            is_free = name not in full_names(self._system.snapshot().nodes)
+            self._driver = Node(
+                _TELEOP if is_free else f"_{_TELEOP}_of_page",
+                context=self._system.context,
+                namespace=self.simulator.namespace,
+                use_global_arguments=False,
+                enable_rosout=False,
+                start_parameter_services=False,
+            )
+        return self._driver.create_publisher(get_message(_TWIST), topic, _DRIVER_DEPTH)
+
+    def prepare(self, turtle: str) -> None:
+        """Get ready for a turtle's goals: the first one of a new client takes a while."""
+        if turtle not in self._clients and not self._system.read_only:
+            lease = self._system.action_client(self._rotation(turtle), _ROTATE)
+            self._clients[turtle] = self._frame.keep(lease)
+
+    def _rotation(self, turtle: str) -> str:
+        return self.simulator.name(f"{turtle}/rotate_absolute")
+
+    async def rotate(self, turtle: str, theta: float) -> None:
+        """Let a turtle turn to a heading in rad.
+
+        Raises:
+            ReadOnlyError: The page may only look.
+            ServiceError: The turtle is gone.
+        """
+        if self._system.read_only:
+            raise ReadOnlyError("turning")
+        values = f"{{theta: {theta}}}"
+        self._show("action", "send_goal", self._rotation(turtle), _ROTATE, values)
+        self.prepare(turtle)
+        goal = get_action(_ROTATE).Goal(theta=theta)  # type: ignore[attr-defined] # of each action
+        self._goals[turtle] = self._clients[turtle].entity.send_goal_async(goal)
+        await answer(self._goals[turtle])
+
+    async def cancel(self, turtle: str) -> None:
+        """Let a turtle turn no further."""
+        sent = self._goals.pop(turtle, None)
+        if sent is not None:
+            goal = await answer(sent)
+            await answer(goal.cancel_goal_async())
+
+    # -- the world -----------------------------------------------------------------------------
+
+    async def call(self, relative: str, type_name: str, **values: Any) -> Any:
+        """Call a service of the simulator, with the fields of its request."""
+        name = self.simulator.name(relative)
+        request = get_service(type_name).Request(**values)  # type: ignore[attr-defined] # as above
+        form = Form(type(request))
+        words = [form.yaml(form.entries(request))] if values else []
+        self._show("service", "call", name, type_name, *words)
+        return await call(self._system, name, type_name, request)
+
+    async def clear(self) -> None:
+        """Wipe out the lines."""
+        await self.call("clear", _EMPTY)
+
+    async def reset(self) -> None:
+        """Begin anew."""
+        await self.call("reset", _EMPTY)
+
+    async def spawn(self, x: float, y: float, theta: float, name: str) -> str:
+        """Add a turtle; return its name, empty if that was taken."""
+        values = {"x": x, "y": y, "theta": theta, "name": name}
+        response = await self.call("spawn", "turtlesim/srv/Spawn", **values)
+        return str(response.name)
+
+    async def kill(self, turtle: str) -> None:
+        """Remove a turtle."""
+        await self.call("kill", "turtlesim/srv/Kill", name=turtle)
+
+    async def teleport(self, turtle: str, x: float, y: float, theta: float) -> None:
+        """Put a turtle elsewhere."""
+        relative, type_name = f"{turtle}/teleport_absolute", "turtlesim/srv/TeleportAbsolute"
+        await self.call(relative, type_name, x=x, y=y, theta=theta)
+
+    async def set_pen(
+        self, turtle: str, colour: tuple[int, int, int], width: int, *, is_down: bool
+    ) -> None:
+        """Change what a turtle draws with."""
+        r, g, b = colour
+        values = {"r": r, "g": g, "b": b, "width": width, "off": int(not is_down)}
+        await self.call(f"{turtle}/set_pen", "turtlesim/srv/SetPen", **values)
+
+    async def set_background(self, colour: tuple[int, int, int]) -> None:
+        """Change the background."""
+        values = {f"background_{one}": value for one, value in zip("rgb", colour, strict=True)}
+        pairs = [word for name, value in values.items() for word in (name, str(value))]
+        self._show("param", "set", self.simulator.node, *pairs)
+        parameters = [Parameter(name, value=value) for name, value in values.items()]
+        type_name = "rcl_interfaces/srv/SetParameters"
+        messages = [one.to_parameter_msg() for one in parameters]
+        request = get_service(type_name).Request(parameters=messages)  # type: ignore[attr-defined]
+        await call(self._system, f"{self.simulator.node}/set_parameters", type_name, request)
+
+    def _show(self, *words: str) -> None:
+        self._frame.show_command(command_line(*words))
