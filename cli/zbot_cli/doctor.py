@@ -110,6 +110,7 @@ def _local_findings() -> Iterator[Finding]:
         ("loopback", _loopback),
         ("meeting port", _meeting_port),
         ("clock", _clock),
+        ("class", _class),
     )
     for name, check in checks:
         try:
@@ -188,6 +189,23 @@ def _clock() -> Finding:
             "check the machine's time synchronisation",
         )
     return Finding("clock", "steady")
+
+
+def _class() -> Finding:
+    from zbot.classroom.state import present_state  # noqa: PLC0415 - help is quick
+
+    state = present_state()
+    if state["role"] is None:
+        return Finding("class", "this machine has joined nothing")
+    where = f"{state['class'] or 'a hub'} as {state['role']}"
+    if not state["hub"]:
+        advice = "its hub does not run: `zbot status` says how to start it"
+        return Finding("class", f"joined {where}", advice)
+    if state["role"] in {"student", "partner"} and not state["linked"]:
+        other = f"{state['host']}:{state['port']}"
+        advice = f"nobody answers at {other}: are you in the same network as the teacher?"
+        return Finding("class", f"joined {where}, not linked", advice)
+    return Finding("class", f"joined {where}")
 
 
 def _graph_findings(graph: Snapshot) -> list[Finding]:

@@ -1,0 +1,41 @@
+from __future__ import annotations
+
+import os
+
+import pytest
+
+from zbot_cli.domain_names import SeveralDomainsError, enter_domain
+
+
+@pytest.fixture(autouse=True)
+def no_domain(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ZBOT_DOMAIN_ID", "")  # restored afterwards
+
+
+@pytest.mark.parametrize(
+    ("words", "kept"),
+    [
+        ("topic echo /17/temperature", "topic echo /temperature"),
+        ("topic echo /17/a/b --once", "topic echo /a/b --once"),
+        ("topic hz /17/a /17/b", "topic hz /a /b"),
+        ("topic list /17", "topic list"),
+        ("topic list -t /17/", "topic list -t /"),
+        ("graph /17 --dot", "graph --dot"),
+        ("param set /17/node path /18/file", "param set /node path /18/file"),
+        ("topic pub /17/a std_msgs/String /17/b", "topic pub /a std_msgs/String /17/b"),
+    ],
+)
+def test_a_number_in_front_names_the_domain(words: str, kept: str) -> None:
+    assert enter_domain(words.split()) == kept.split()
+    assert os.environ["ZBOT_DOMAIN_ID"] == "17"
+
+
+@pytest.mark.parametrize("words", ["topic echo /scan", "topic echo /robot17/scan", "topic list"])
+def test_names_of_ones_own_domain_stay_as_they_are(words: str) -> None:
+    assert enter_domain(words.split()) == words.split()
+    assert not os.environ["ZBOT_DOMAIN_ID"]
+
+
+def test_a_command_looks_at_one_domain() -> None:
+    with pytest.raises(SeveralDomainsError, match="not at /17 and /18"):
+        enter_domain(["topic", "echo", "/17/a", "/18/a"])
