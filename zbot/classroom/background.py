@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 READY = "ready"
 _STOP_TIMEOUT_S = 5.0
 _PAUSE_S = 0.02
+_MOMENT_S = 0.2
 
 
 @dataclass(frozen=True)
@@ -65,6 +66,16 @@ def _lock(file: IO[str]) -> bool:
     return True
 
 
+def _lock_in_time(file: IO[str]) -> bool:
+    """Lock a file; whoever just looks whether it is locked holds it for a moment."""
+    deadline = time.monotonic() + _MOMENT_S
+    while not _lock(file):
+        if time.monotonic() > deadline:
+            return False
+        time.sleep(_PAUSE_S)
+    return True
+
+
 @contextlib.contextmanager
 def the_only_one() -> Iterator[None]:
     """Be the machine's hub for the length of a block.
@@ -74,7 +85,7 @@ def the_only_one() -> Iterator[None]:
     """
     make_private_folder(folder())
     with (folder() / "hub.lock").open("w", encoding="utf-8") as file:
-        if not _lock(file):
+        if not _lock_in_time(file):
             running = find()
             raise AlreadyJoinedError(f"has a hub already ({running.role if running else 'busy'})")
         try:

@@ -1,0 +1,54 @@
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING
+
+import pytest
+
+from zbot.classroom import background
+from zbot.classroom.errors import AlreadyJoinedError
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+
+@pytest.fixture(autouse=True)
+def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+
+
+def test_a_machine_has_one_hub() -> None:
+    with background.the_only_one():
+        background.announce("student", ("tcp/127.0.0.1:1",), ())
+        found = background.find()
+        assert found is not None
+        assert found.role == "student"
+        with pytest.raises(AlreadyJoinedError, match="has a hub already"):
+            _be_another()
+    assert background.find() is None
+    _be_another()
+
+
+def _be_another() -> None:
+    with background.the_only_one():
+        return
+
+
+def test_whoever_looks_for_a_hub_does_not_keep_one_from_starting() -> None:
+    over = threading.Event()
+
+    def look() -> None:
+        while not over.is_set():
+            background.find()
+
+    looker = threading.Thread(target=look)
+    looker.start()
+    for _ in range(20):
+        _be_another()
+    over.set()
+    looker.join()
+
+
+def test_without_a_hub_there_is_nothing_to_stop() -> None:
+    assert background.find() is None
+    assert not background.stop()
