@@ -66,6 +66,7 @@ rosidl_runtime_py.get_interfaces: get_interfaces get_message_interfaces get_inte
 message_filters: Subscriber TimeSynchronizer ApproximateTimeSynchronizer Cache Chain SimpleFilter
 sensor_msgs_py.point_cloud2: read_points read_points_list read_points_numpy create_cloud
 sensor_msgs_py.point_cloud2: create_cloud_xyz32 dtype_from_fields PointCloud2 PointField
+cv_bridge: CvBridge CvBridgeError
 rosidl_parser.definition: NamespacedType BasicType AbstractSequence UnboundedString
 rclpy.impl.logging_severity: LoggingSeverity
 rclpy.impl.rcutils_logger: RcutilsLogger

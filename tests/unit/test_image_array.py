@@ -1,0 +1,115 @@
+"""Images become arrays, and arrays images."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from zbot.image_array import CvBridge, CvBridgeError
+
+from sensor_msgs.msg import CompressedImage, Image
+from std_msgs.msg import Header
+
+np = pytest.importorskip("numpy")
+BRIDGE = CvBridge()
+RGB = np.array([[[255, 0, 10], [1, 2, 3]]], np.uint8)
+
+
+@pytest.mark.parametrize(
+    ("shape", "dtype", "encoding", "as_passed"),
+    [
+        ((2, 3, 3), "uint8", "bgr8", "8UC3"),
+        ((2, 3, 4), "uint8", "rgba8", "8UC4"),
+        ((2, 3), "uint8", "mono8", "8UC1"),
+        ((2, 3), "uint16", "mono16", "16UC1"),
+        ((2, 3), "float32", "32FC1", "32FC1"),
+        ((2, 3, 2), "float64", "64FC2", "64FC2"),
+        ((2, 3), "uint8", "bayer_rggb8", "8UC1"),
+    ],
+)
+def test_an_array_goes_into_a_message_and_back(
+    shape: tuple[int, ...], dtype: str, encoding: str, as_passed: str
+) -> None:
+    array = np.arange(np.prod(shape)).reshape(shape).astype(dtype)
+    image = BRIDGE.cv2_to_imgmsg(array, encoding, header=Header(frame_id="camera"))
+    assert (image.height, image.width, image.encoding) == (2, 3, encoding)
+    assert image.step * image.height == len(image.data) == array.nbytes
+    assert image.header.frame_id == "camera"
+    back = BRIDGE.imgmsg_to_cv2(image)
+    assert back.dtype == array.dtype
+    assert back.tolist() == array.tolist()
+    assert BRIDGE.cv2_to_imgmsg(array).encoding == as_passed
+
+
+@pytest.mark.parametrize(
+    ("source", "target", "expected"),
+    [
+        ("rgb8", "bgr8", [[[10, 0, 255], [3, 2, 1]]]),
+        ("bgr8", "rgba8", [[[10, 0, 255, 255], [3, 2, 1, 255]]]),
+        ("rgb8", "mono8", [[77, 2]]),
+        ("bgr8", "mono8", [[32, 2]]),
+        ("rgb8", "rgb16", [[[65535, 0, 2570], [257, 514, 771]]]),
+        ("rgb8", "8UC3", RGB.tolist()),
+    ],
+)
+def test_colors_are_converted(source: str, target: str, expected: Any) -> None:
+    image = BRIDGE.cv2_to_imgmsg(RGB, source)
+    assert BRIDGE.imgmsg_to_cv2(image, target).tolist() == expected
+
+
+def test_grey_becomes_color_and_wide_becomes_narrow() -> None:
+    grey = BRIDGE.cv2_to_imgmsg(np.array([[0, 65535, 32768]], np.uint16), "mono16")
+    assert BRIDGE.imgmsg_to_cv2(grey, "mono8").tolist() == [[0, 255, 128]]
+    assert BRIDGE.imgmsg_to_cv2(grey, "bgr8").tolist() == [[[0] * 3, [255] * 3, [128] * 3]]
+    depth = BRIDGE.cv2_to_imgmsg(np.array([[-1.0, 300.0]], np.float32), "32FC1")
+    assert BRIDGE.imgmsg_to_cv2(depth, "8UC1").tolist() == [[0, 255]]
+
+
+def test_padding_and_the_order_of_bytes_are_the_images() -> None:
+    data = bytes([0, 1, 9, 0, 2, 9])
+    image = Image(height=2, width=1, encoding="16UC1", is_bigendian=1, step=3, data=data)
+    assert BRIDGE.imgmsg_to_cv2(image).tolist() == [[1], [2]]
+
+
+@pytest.mark.parametrize(
+    ("encoding", "target", "sentence"),
+    [
+        ("8UC3", "bgr8", "makes no sense"),
+        ("rgb8", "8UC1", "makes no sense"),
+        ("rgb8", "purple8", "unknown encoding 'purple8'"),
+    ],
+)
+def test_what_cannot_be_converted_is_said(encoding: str, target: str, sentence: str) -> None:
+    image = BRIDGE.cv2_to_imgmsg(RGB, encoding)
+    with pytest.raises(CvBridgeError, match=sentence):
+        BRIDGE.imgmsg_to_cv2(image, target)
+
+
+def test_an_array_of_another_type_than_the_encoding_is_refused() -> None:
+    with pytest.raises(CvBridgeError, match="mono8, but image has the type 8UC3"):
+        BRIDGE.cv2_to_imgmsg(RGB, "mono8")
+    with pytest.raises(TypeError, match="numpy array, not a list"):
+        BRIDGE.cv2_to_imgmsg([[1]])  # type: ignore[arg-type]
+
+
+def test_an_image_that_is_too_short_is_refused() -> None:
+    image = Image(height=2, width=2, encoding="rgb8", step=6, data=b"abc")
+    with pytest.raises(CvBridgeError, match="needs 12 bytes, but it has 3"):
+        BRIDGE.imgmsg_to_cv2(image)
+
+
+def test_without_opencv_compressed_images_say_what_to_install(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "cv2", None)
+    with pytest.raises(CvBridgeError, match="pip install opencv-python-headless"):
+        BRIDGE.compressed_imgmsg_to_cv2(CompressedImage(format="jpeg"))
+
+
+def test_a_compressed_image_is_read_back() -> None:
+    pytest.importorskip("cv2", reason="OpenCV is not installed")
+    array = np.full((4, 4, 3), 100, np.uint8)
+    image = BRIDGE.cv2_to_compressed_imgmsg(array, "png")
+    assert image.format == "png"
+    assert BRIDGE.compressed_imgmsg_to_cv2(image, "mono8").tolist() == [[100] * 4] * 4

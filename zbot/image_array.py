@@ -1,0 +1,276 @@
+"""Images as numpy arrays and back: `CvBridge`, as programs know it from ROS 2's `cv_bridge`.
+
+Needs numpy (`pip install 'zbot[numpy]'`). OpenCV is used where it is installed and only for what
+numpy alone cannot do: Bayer patterns, YUV, and images that are compressed.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+
+from sensor_msgs.msg import CompressedImage, Image
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    from std_msgs.msg import Header
+
+#: Bits, kind of number and channels of an encoding in OpenCV's manner: 8UC3, 32FC1, 16UC.
+_GENERIC = re.compile(r"(8|16|32|64)(U|S|F)C(\d*)\Z")
+_KINDS = {"U": "u", "S": "i", "F": "f"}
+#: Where red, green, blue and alpha are, in colour encodings.
+_ORDERS = {"rgb": (0, 1, 2), "bgr": (2, 1, 0), "rgba": (0, 1, 2, 3), "bgra": (2, 1, 0, 3)}
+_COLOR = re.compile(r"(rgba|bgra|rgb|bgr|mono)(8|16)\Z")
+#: OpenCV's conversion to bgr8 of the encodings that numpy alone cannot convert.
+_CV_TO_BGR = {
+    "bayer_rggb8": "COLOR_BayerBG2BGR",
+    "bayer_bggr8": "COLOR_BayerRG2BGR",
+    "bayer_gbrg8": "COLOR_BayerGR2BGR",
+    "bayer_grbg8": "COLOR_BayerGB2BGR",
+    "yuv422": "COLOR_YUV2BGR_UYVY",
+    "uyvy": "COLOR_YUV2BGR_UYVY",
+    "yuv422_yuy2": "COLOR_YUV2BGR_YUY2",
+    "yuyv": "COLOR_YUV2BGR_YUY2",
+}
+# Of red, green and blue in grey: ITU-R BT.601, as OpenCV.
+_LUMA = (0.299, 0.587, 0.114)
+_FILE_NAMES = {"jpg": "jpeg", "jpe": "jpeg", "tif": "tiff"}
+
+
+class CvBridgeError(ZbotError, TypeError):
+    """An image cannot be converted as wished."""
+
+
+class CvBridge:
+    """Converts between image messages and arrays of shape (height, width[, channels])."""
+
+    def imgmsg_to_cv2(self, img_msg: Image, desired_encoding: str = "passthrough") -> NDArray[Any]:
+        """Return an image as an array.
+
+        Args:
+            img_msg: The image. Its pixels are copied only if they have to be converted.
+            desired_encoding: `bgr8`, `rgb8`, `mono8` ...; `passthrough` leaves it as it is.
+
+        Raises:
+            CvBridgeError: There is no such encoding or conversion, or too little data.
+        """
+        array = _pixels(img_msg)
+        if desired_encoding in {"passthrough", img_msg.encoding}:
+            return array
+        return converted(array, img_msg.encoding, desired_encoding)
+
+    def cv2_to_imgmsg(
+        self, cvim: NDArray[Any], encoding: str = "passthrough", header: Header | None = None
+    ) -> Image:
+        """Return an array as an image.
+
+        Args:
+            cvim: Of shape (height, width) or (height, width, channels).
+            encoding: What the channels are: `bgr8`, `mono8`, `32FC1` ... Nothing is converted.
+            header: Taken over if given.
+
+        Raises:
+            CvBridgeError: The array is none, or not of this encoding's type.
+        """
+        import numpy as np  # noqa: PLC0415 - an extra
+
+        if not isinstance(cvim, np.ndarray) or cvim.ndim not in {2, 3}:
+            raise CvBridgeError(f"give an image as a numpy array, not a {type(cvim).__name__}")
+        channels = cvim.shape[2] if cvim.ndim == 3 else 1
+        actual = self.dtype_with_channels_to_cvtype2(cvim.dtype, channels)
+        if encoding == "passthrough":
+            encoding = actual
+        elif self.encoding_to_cvtype2(encoding) != actual:
+            raise CvBridgeError(
+                f"encoding specified as {encoding}, but image has the type {actual}"
+            )
+        order = cvim.dtype.byteorder
+        image = Image(
+            height=cvim.shape[0],
+            width=cvim.shape[1],
+            encoding=encoding,
+            is_bigendian=int(order == ">" or (order == "=" and sys.byteorder == "big")),
+            step=cvim.shape[1] * channels * cvim.dtype.itemsize,
+            data=cvim.tobytes(),
+        )
+        if header is not None:
+            image.header = header
+        return image
+
+    def compressed_imgmsg_to_cv2(
+        self, cmprs_img_msg: CompressedImage, desired_encoding: str = "passthrough"
+    ) -> NDArray[Any]:
+        """Return a compressed image as an array, in `bgr8` unless another encoding is wished.
+
+        Raises:
+            CvBridgeError: OpenCV is not installed, or cannot read the image.
+        """
+        import numpy as np  # noqa: PLC0415 - an extra
+
+        cv2 = _opencv("images that are compressed")
+        octets = np.frombuffer(bytes(cmprs_img_msg.data), np.uint8)
+        array: NDArray[Any] | None = cv2.imdecode(octets, cv2.IMREAD_UNCHANGED)
+        if array is None:
+            raise CvBridgeError(f"the image is no {cmprs_img_msg.format or 'image that is known'}")
+        if desired_encoding == "passthrough":
+            return array
+        bits = 8 * array.dtype.itemsize
+        name = {2: "mono", 3: "bgr", 4: "bgra"}[array.ndim if array.ndim == 2 else array.shape[2]]
+        return converted(array, f"{name}{bits}", desired_encoding)
+
+    def cv2_to_compressed_imgmsg(
+        self, cvim: NDArray[Any], dst_format: str = "jpg", header: Header | None = None
+    ) -> CompressedImage:
+        """Return an array (grey, or blue-green-red) as a compressed image, `jpg` or `png`.
+
+        Raises:
+            CvBridgeError: OpenCV is not installed, or cannot write this format.
+        """
+        cv2 = _opencv("images that are compressed")
+        is_written, octets = cv2.imencode(f".{dst_format}", cvim)
+        if not is_written:
+            raise CvBridgeError(f"OpenCV cannot write {dst_format!r}")
+        image = CompressedImage(
+            format=_FILE_NAMES.get(dst_format, dst_format), data=octets.tobytes()
+        )
+        if header is not None:
+            image.header = header
+        return image
+
+    def encoding_to_dtype_with_channels(self, encoding: str) -> tuple[str, int]:
+        """Return numpy's name of the type of one value, and the number of channels."""
+        code, channels = _layout(encoding)
+        names = {"u": "uint", "i": "int", "f": "float"}
+        return f"{names[code[0]]}{8 * int(code[1])}", channels
+
+    def encoding_to_cvtype2(self, encoding: str) -> str:
+        """Return the type of an encoding in OpenCV's manner: `bgr8` is `8UC3`."""
+        code, channels = _layout(encoding)
+        return _cv_type(code, channels)
+
+    def dtype_with_channels_to_cvtype2(self, dtype: Any, n_channels: int) -> str:
+        """Return the type of an array's values in OpenCV's manner: `8UC3`."""
+        import numpy as np  # noqa: PLC0415 - an extra
+
+        return _cv_type(np.dtype(dtype).str[1:], n_channels)
+
+    def cvtype2_to_dtype_with_channels(self, cvtype: str) -> tuple[str, int]:
+        """Return what `encoding_to_dtype_with_channels` returns, for a type like `8UC3`."""
+        return self.encoding_to_dtype_with_channels(cvtype)
+
+
+def _layout(encoding: str) -> tuple[str, int]:
+    """Return numpy's code of one value and the number of channels: `bgr8` is ('u1', 3)."""
+    if match := _GENERIC.match(encoding):
+        bits, kind, channels = match.groups()
+        return f"{_KINDS[kind]}{int(bits) // 8}", int(channels or 1)
+    if match := _COLOR.match(encoding):
+        return f"u{int(match[2]) // 8}", len(_ORDERS.get(match[1], "1"))
+    if encoding.startswith("bayer_"):
+        return ("u2" if encoding.endswith("16") else "u1"), 1
+    if encoding in _CV_TO_BGR:
+        return "u1", 2
+    raise CvBridgeError(f"unknown encoding {encoding!r}: there are bgr8, rgb8, mono8, 32FC1 ...")
+
+
+def _cv_type(code: str, channels: int) -> str:
+    letters = {kind: letter for letter, kind in _KINDS.items()}
+    if code[0] not in letters:
+        raise CvBridgeError(f"an image cannot consist of values of the type {code!r}")
+    return f"{8 * int(code[1:])}{letters[code[0]]}C{channels}"
+
+
+def _pixels(image: Image) -> NDArray[Any]:
+    import numpy as np  # noqa: PLC0415 - an extra
+
+    code, channels = _layout(image.encoding)
+    dtype = np.dtype((">" if image.is_bigendian else "<") + code)
+    row = image.width * channels * dtype.itemsize
+    step = max(image.step, row)
+    needed = (image.height - 1) * step + row if image.height else 0
+    if len(image.data) < needed:
+        raise CvBridgeError(
+            f"an image of {image.width}x{image.height} in {image.encoding} needs {needed} bytes, "
+            f"but it has {len(image.data)}"
+        )
+    shape = (image.height, image.width, channels)
+    strides = (step, channels * dtype.itemsize, dtype.itemsize)
+    array: NDArray[Any] = np.ndarray(shape, dtype, memoryview(image.data), 0, strides)
+    array = array.astype(dtype.newbyteorder("="), copy=False)
+    return array[:, :, 0] if channels == 1 else array
+
+
+# -- conversion --------------------------------------------------------------------------------
+
+
+def converted(array: NDArray[Any], source: str, target: str) -> NDArray[Any]:
+    """Return an image of one encoding in another, with the range of its values adapted.
+
+    Raises:
+        CvBridgeError: There is no such encoding, or the conversion makes no sense.
+    """
+    (_, have), (code, want) = _layout(source), _layout(target)
+    if source in _CV_TO_BGR:
+        cv2 = _opencv(f"images in {source}")
+        array, source = cv2.cvtColor(array, getattr(cv2, _CV_TO_BGR[source])), "bgr8"
+    origin, goal = _COLOR.match(source), _COLOR.match(target)
+    if origin and goal:
+        return _scaled(_recolored(array, origin[1], goal[1]), code)
+    if goal or have != want:
+        raise CvBridgeError(f"an image in {source} cannot become {target}: that makes no sense")
+    return _cast(array, code)
+
+
+def _recolored(array: NDArray[Any], source: str, target: str) -> NDArray[Any]:
+    import numpy as np  # noqa: PLC0415 - an extra
+
+    if source == target:
+        return array
+    if target == "mono":
+        grey = sum(
+            weight * array[:, :, place].astype(np.float64)
+            for weight, place in zip(_LUMA, _ORDERS[source][:3], strict=True)
+        )
+        return _cast(np.rint(grey), array.dtype.str[1:])
+    channels = {
+        place: array if source == "mono" else array[:, :, _ORDERS[source][color]]
+        for color, place in enumerate(_ORDERS[target][:3])
+    }
+    if len(target) == 4:
+        opaque = np.full(array.shape[:2], np.iinfo(array.dtype).max, array.dtype)
+        channels[3] = array[:, :, 3] if len(source) == 4 and source != "mono" else opaque
+    return np.dstack([channels[place] for place in sorted(channels)])
+
+
+def _scaled(array: NDArray[Any], code: str) -> NDArray[Any]:
+    """Return 8 bits as 16 or the other way round, so that white stays white."""
+    import numpy as np  # noqa: PLC0415 - an extra
+
+    if array.dtype.itemsize == int(code[1]):
+        return array
+    factor = 65535 / 255 if code == "u2" else 255 / 65535
+    return _cast(np.rint(array * factor), code)
+
+
+def _cast(array: NDArray[Any], code: str) -> NDArray[Any]:
+    import numpy as np  # noqa: PLC0415 - an extra
+
+    dtype: np.dtype[Any] = np.dtype(code)
+    if dtype.kind == "f":
+        return array.astype(dtype, copy=False)
+    limits = np.iinfo(dtype)
+    clipped: NDArray[Any] = np.clip(array, limits.min, limits.max)
+    return clipped.astype(dtype)
+
+
+def _opencv(purpose: str) -> Any:
+    try:
+        import cv2  # type: ignore[import-not-found,unused-ignore] # noqa: PLC0415 - optional
+    except ImportError:
+        raise CvBridgeError(f"{purpose} need OpenCV: pip install opencv-python-headless") from None
+    return cv2
