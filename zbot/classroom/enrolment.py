@@ -57,18 +57,23 @@ def knock(address: Address, wish: Wish, ask_pin: AskPin, link: Link = IN_THE_CLE
         session = open_hub_client(link.endpoint(address), {**settings, **link.settings})
         if session is not None:
             with session:
-                return _Visit(session, address).enrol(wish, ask_pin)
+                return _Visit(session, address, is_class=bool(settings)).enrol(wish, ask_pin)
     raise NoHubError(address.host, address.port)
 
 
 class _Visit:
-    def __init__(self, session: zenoh.Session, address: Address) -> None:
+    def __init__(self, session: zenoh.Session, address: Address, *, is_class: bool) -> None:
         self._session = session
         self._address = address
+        self._is_class = is_class  # known before it has said anything: only classes have users
 
     def enrol(self, wish: Wish, ask_pin: AskPin) -> Membership:
+        begun = time.monotonic()
         greetings = ask(self._session, DOOR_KEY, {"op": "hello"}, timeout_s=_ANSWER_TIMEOUT_S)
-        if not greetings:  # at once: nobody serves a door there
+        if not greetings:
+            if self._is_class or time.monotonic() - begun > _ANSWER_TIMEOUT_S / 2:
+                raise SilentHubError(self._address.host, self._address.port)
+            # At once: nobody serves a door there.
             return Membership("partner", self._address.host, self._address.port)
         hello = greetings[0]
         pin = ask_pin(clean_name(str(hello.get("class")))) if hello.get("pin") else ""
@@ -77,7 +82,11 @@ class _Visit:
         guest = PinGuest(Secret(pin))
         challenge = self._ask("enrol", guest.hello())
         sealed = self._ask("claim", guest.claim(challenge, asdict(wish)))
-        return _membership(self._address, guest.opened(sealed))
+        given = guest.opened(sealed)
+        try:
+            return _membership(self._address, given)
+        except (KeyError, TypeError, ValueError) as exc:
+            raise NoHubError(self._address.host, self._address.port) from exc
 
     def _ask(self, verb: str, question: dict[str, Any]) -> dict[str, Any]:
         deadline = time.monotonic() + _LONGEST_WAIT_S
@@ -94,7 +103,9 @@ class _Visit:
 
 def _wait_s(answer: dict[str, Any]) -> float | None:
     wait_s = answer.get("wait_s")
-    return max(wait_s, 0.0) if isinstance(wait_s, (int, float)) else None
+    if not isinstance(wait_s, (int, float)) or not 0 <= wait_s <= _LONGEST_WAIT_S:
+        return None
+    return wait_s
 
 
 def _checked(answer: dict[str, Any]) -> dict[str, Any]:

@@ -49,6 +49,8 @@ LOBBY_SECRET = Secret("lobby")  #: known to all: Zenoh wants a password from eac
 
 #: A message between laptops is refused above this size (bytes): two uncompressed 4K images.
 MAX_MESSAGE_SIZE = 64 * 1024 * 1024
+#: How many sessions may be open: a class has a few hundred, whoever else comes may have many.
+MAX_SESSIONS = 4000
 #: How many connections may be half open: a class that reconnects, and 1,000 of a troublemaker.
 ACCEPT_PENDING = 2000
 #: How long (ms) one may stay half open; honest ones take 10 ms, on bad Wi-Fi 1 s.
@@ -134,6 +136,7 @@ def limits() -> dict[str, Any]:
     """Return what keeps a hub up when somebody sends too much or opens too many connections."""
     return {
         "transport/link/rx/max_message_size": MAX_MESSAGE_SIZE,
+        "transport/unicast/max_sessions": MAX_SESSIONS,
         "transport/unicast/accept_pending": ACCEPT_PENDING,
         "transport/unicast/accept_timeout": ACCEPT_TIMEOUT_MS,
     }
