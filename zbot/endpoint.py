@@ -60,6 +60,8 @@ class Endpoint:
 class TopicEndpoint(Endpoint):
     """One that has a topic."""
 
+    _topic = ""
+
     @property
     def topic_name(self) -> str:
         """The topic's full name."""
@@ -67,5 +69,9 @@ class TopicEndpoint(Endpoint):
 
     @property
     def topic(self) -> str:
-        """The topic's full name."""
-        return self._token.name
+        """The topic's name as it was given when this was created."""
+        return self._topic or self._token.name
+
+    @topic.setter
+    def topic(self, given: str) -> None:
+        self._topic = given

@@ -278,6 +278,7 @@ class Node(GraphQueries, NodeParameters):
             logger_name=handle.logger_name,
             callback_group=callback_group or handle.default_callback_group,
         )
+        publisher.topic = topic
         handle.publishers.append(publisher)
         handle.adviser.add(token, handle.logger_name)
         if event_callbacks is not None:
@@ -331,6 +332,7 @@ class Node(GraphQueries, NodeParameters):
             raw=raw,
             logger_name=handle.logger_name,
         )
+        subscription.topic = topic
         handle.subscriptions.append(subscription)
         handle.adviser.add(subscription.token, handle.logger_name)
         handle.add(subscription)
@@ -375,6 +377,7 @@ class Node(GraphQueries, NodeParameters):
             callback_group=callback_group or handle.default_callback_group,
             logger_name=handle.logger_name,
         )
+        service.srv_name = srv_name
         handle.services.append(service)
         handle.add(service)
         return service
@@ -412,6 +415,7 @@ class Node(GraphQueries, NodeParameters):
             callback_group=callback_group or handle.default_callback_group,
             logger_name=handle.logger_name,
         )
+        client.srv_name = srv_name
         handle.clients.append(client)
         handle.add(client)
         return client

@@ -373,6 +373,9 @@ def _wants_info(callback: Callable[..., Any]) -> bool:
     Raises:
         CallbackSignatureError: It takes neither one nor two arguments.
     """
+    expected = "(message) or (message, info)"
+    if not callable(callback):
+        raise CallbackSignatureError("a subscription's callback", expected)
     try:
         signature = inspect.signature(callback)
     except (TypeError, ValueError):
@@ -383,7 +386,7 @@ def _wants_info(callback: Callable[..., Any]) -> bool:
         except TypeError:
             continue
         return len(arguments) == 2
-    raise CallbackSignatureError("a subscription's callback", "(message) or (message, info)")
+    raise CallbackSignatureError("a subscription's callback", expected)
 
 
 def _declare(context: Context, token: EndpointToken) -> Any:

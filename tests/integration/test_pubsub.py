@@ -10,11 +10,12 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from zbot.errors import InvalidHandleError, MessageTypeError
+from zbot.errors import CallbackSignatureError, InvalidHandleError, MessageTypeError
 from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from zbot.serialization import deserialize_message, serialize_message
 
 from std_msgs.msg import Float32, Int64, String
+from std_srvs.srv import Trigger
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -477,3 +478,21 @@ def test_counts_follow_the_other_side(talker: zbot.Node, listener: zbot.Node) ->
     await_match(publisher, 1)
     listener.context.shutdown()
     await_match(publisher, 0)
+
+
+def test_endpoints_keep_the_names_they_were_given(make_context: MakeContext) -> None:
+    node = zbot.Node("named", namespace="/ns", context=make_context())
+    publisher = node.create_publisher(String, "~/news", 1)
+    subscription = node.create_subscription(String, "news", lambda _: None, 1)
+    assert (publisher.topic, publisher.topic_name) == ("~/news", "/ns/named/news")
+    assert (subscription.topic, subscription.topic_name) == ("news", "/ns/news")
+    client = node.create_client(Trigger, "help")
+    service = node.create_service(Trigger, "/help", lambda _, response: response)
+    assert (client.srv_name, client.service_name) == ("help", "/ns/help")
+    assert (service.srv_name, service.service_name) == ("/help", "/help")
+
+
+@pytest.mark.parametrize("callback", [None, 5, "hear"])
+def test_a_callback_that_is_none_is_refused_at_once(listener: zbot.Node, callback: Any) -> None:
+    with pytest.raises(CallbackSignatureError, match=r"\(message\) or \(message, info\)"):
+        listener.create_subscription(String, "news", callback, 1)

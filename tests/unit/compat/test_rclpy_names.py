@@ -82,6 +82,12 @@ tf2_ros.static_transform_broadcaster: StaticTransformBroadcaster
 tf2_py: BufferCore TransformException
 tf2_geometry_msgs: do_transform_point do_transform_pose do_transform_vector3 PointStamped
 tf_transformations: euler_from_quaternion quaternion_from_euler quaternion_multiply
+rclpy.experimental: EventsExecutor
+rclpy.experimental.events_executor: EventsExecutor
+rclpy.waitable: Waitable NumberOfEntities
+rclpy.type_support: check_for_type_support MsgT
+rclpy.impl.implementation_singleton: rclpy_implementation
+rclpy._rclpy_pybind11: RCLError InvalidHandle
 """
 
 
