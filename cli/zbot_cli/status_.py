@@ -27,7 +27,8 @@ def _lines(state: dict[str, Any]) -> list[str]:
         lines.append(f"its hub does not run (was it switched off?): `{again}` starts it again")
     elif state["role"] in {"student", "partner"}:
         where = f"{state['host']}:{state['port']}"
-        lines.append("linked" if state["linked"] else f"not linked: {where} does not answer now")
+        reason = state["problem"] or f"{where} does not answer now"
+        lines.append("linked" if state["linked"] else f"not linked: {reason}")
     return lines + [f"the teacher said: {text}" for text in state["notices"]]
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import socket
 import ssl
+from dataclasses import replace
 from datetime import datetime, timedelta, timezone
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +13,8 @@ import zenoh
 
 from tests.classroom.talk import HERE, free_port, open_session
 from tests.conftest import wait_until
+from zbot.classroom.state import certificate_problem
+from zbot.membership import Membership
 from zbot.security.certificate import Validity
 from zbot.security.errors import (
     EarlyCertificateError,
@@ -235,3 +238,15 @@ def test_what_travels_between_hubs_is_encrypted(
         wrapped = context.wrap_socket(plain, server_hostname=HERE)
         assert wrapped.version() == "TLSv1.3"
         wrapped.close()
+
+
+def test_the_status_of_a_laptop_says_why_it_is_not_linked(
+    store: Keystore, listen: Callable[..., int]
+) -> None:
+    ana = store.issue("ana")
+    joined = Membership("student", HERE, listen(store.issue("teacher", [HERE])))
+    joined = replace(joined, keystore=str(ana.folder))
+    assert certificate_problem(joined) is None
+    assert certificate_problem(replace(joined, port=free_port())) is None
+    store.issue("ana", validity=PAST, renew=True)
+    assert "expired on" in str(certificate_problem(joined))

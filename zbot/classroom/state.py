@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from zbot import membership
 from zbot.classroom import background
+from zbot.classroom.address import Address
 from zbot.classroom.desk import ask
+from zbot.classroom.link import Link
 from zbot.classroom.serving import HUB_KEY
 from zbot.config import hub_port
+from zbot.security.errors import SecurityError
 from zbot.session import open_hub_client
+
+if TYPE_CHECKING:
+    from zbot.membership import Membership
 
 _TIMEOUT_S = 1.0
 
@@ -18,6 +24,7 @@ def present_state() -> dict[str, Any]:
     """Return a document: role, address, whether the hub runs and whether it is linked."""
     joined, hub = membership.load(), background.find()
     facts = {} if hub is None else hub_facts(hub.pid)
+    is_linked = facts.get("linked", False)
     return {
         "role": joined.role if joined else hub.role if hub else None,
         "host": joined.host if joined else None,
@@ -26,9 +33,23 @@ def present_state() -> dict[str, Any]:
         "number": joined.number if joined else None,
         "name": joined.name if joined else None,
         "hub": hub is not None,
-        "linked": facts.get("linked", False),
+        "linked": is_linked,
+        "problem": certificate_problem(joined) if joined and hub and not is_linked else None,
         "notices": facts.get("notices", []),
     }
+
+
+def certificate_problem(joined: Membership) -> str | None:
+    """Return what is wrong with this machine's certificate, or that of the hub that it dials."""
+    if joined.role == "teacher":
+        return None
+    try:
+        Link(joined.keystore).check_dialling(Address(joined.host, joined.port))
+    except SecurityError as error:
+        return str(error)
+    except OSError:
+        return None  # nobody answers there
+    return None
 
 
 def hub_facts(pid: int) -> dict[str, Any]:

@@ -58,7 +58,7 @@ ACCEPT_TIMEOUT_MS = 3000
 
 _SAYING = ("put", "delete", "reply", "declare_queryable", "liveliness_token")
 _ASKING = ("declare_subscriber", "query", "liveliness_query", "declare_liveliness_subscriber")
-_EVERYWHERE = ("**", "**/@adv/**", "@/**", "@zbot/**", "@class/**", "@ros2_lv/**")
+_EVERYWHERE = ("**", "**/@adv/**", "@/**", "@zbot/**", "@class/**", "@hub/**", "@ros2_lv/**")
 
 
 class UserNameError(SetupError, ValueError):
