@@ -98,6 +98,7 @@ class Layout:
     frames: tuple[Frame, ...]  #: outer ones before those inside
     columns: dict[int, tuple[float, float]]  #: left and right of each layer
     crossings: int  #: how often links cross
+    best: int  #: how often they crossed when all of it was laid out anew
 
     def moved(self, dx: float, dy: float) -> Layout:
         """Return it moved as a whole."""
@@ -107,6 +108,7 @@ class Layout:
             tuple(frame.moved(dx, dy) for frame in self.frames),
             {layer: (left + dx, right + dx) for layer, (left, right) in self.columns.items()},
             self.crossings,
+            self.best,
         )
 
     @cached_property

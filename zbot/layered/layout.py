@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from statistics import median
 from typing import TYPE_CHECKING
 
@@ -35,14 +36,16 @@ def lay_out(items: Sequence[Item], links: Sequence[Link], previous: Layout | Non
             most are new or the links would become a tangle.
     """
     if not items:
-        return Layout({}, (), (), {}, 0)
+        return Layout({}, (), (), {}, 0, 0)
     if previous is None or not _is_known(items, previous):
         return _aligned(_laid_out(items, links, None), previous)
-    kept = _laid_out(items, links, previous)
-    if kept.crossings <= _BEARABLE:
+    kept = replace(_laid_out(items, links, previous), best=previous.best)
+    if kept.crossings <= _BEARABLE + 2 * kept.best:
         return kept
     new = _laid_out(items, links, None)
-    return _aligned(new, previous) if kept.crossings > _BEARABLE + 2 * new.crossings else kept
+    if kept.crossings <= _BEARABLE + 2 * new.crossings:
+        return replace(kept, best=new.crossings)
+    return _aligned(new, previous)
 
 
 def _is_known(items: Sequence[Item], previous: Layout) -> bool:
@@ -63,7 +66,7 @@ def _laid_out(items: Sequence[Item], links: Sequence[Link], previous: Layout | N
         x = (left + right) / 2
         places[item.key] = Place(x, y[vertex], item.width, item.height, net.layer[vertex])
     found = routes(net, y, spans, [places[item.key] for item in items])
-    return Layout(places, found, frames(net, y, spans), spans, crossings)
+    return Layout(places, found, frames(net, y, spans), spans, crossings, crossings)
 
 
 def _aligned(new: Layout, previous: Layout | None) -> Layout:

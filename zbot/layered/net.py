@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from math import sqrt
 from typing import TYPE_CHECKING
 
 from zbot.layered.layers import Arc, assign, turned
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
 LABEL_HEIGHT = 18.0
 _ROW = 64.0  # about what an item and the space to the next one take
 _COLUMN = 240.0
+_MOST_LAYERS = 14  # as many as can be read from afar
 _SHAPE = 1.7  # of a wall or a screen: its width by its height
 
 
@@ -38,12 +40,10 @@ class Net:
         # A label needs a layer of its own between two items.
         arcs = [(index[ln.start], index[ln.end], 2 if ln.label_width else 1) for ln in links]
         layers = {index[key]: layer for key, layer in known.items() if key in index}
-        self.is_turned = turned(self.size, arcs, layers)
-        pairs = zip(arcs, self.is_turned, strict=True)
-        self.arcs = [(b, a, span) if turn else (a, b, span) for (a, b, span), turn in pairs]
-        proper = [arc for arc in self.arcs if arc[0] != arc[1]]
-        self.layer = assign(self.size, proper, layers)
-        self.component = _components(items, proper)
+        self._set_layers(arcs, turned(self.size, arcs, layers), layers)
+        if not layers and max(self.layer) > _most_layers(self.size):
+            self._set_layers(arcs, _wrapped(arcs, self.layer, _most_layers(self.size)), layers)
+        self.component = _components(items, self.arcs)
         if not layers:
             _fold(self.layer, self.component)
         self.frames: list[tuple[str, ...]] = [item.frames for item in items]
@@ -54,6 +54,15 @@ class Net:
         self.rows: dict[int, list[int]] = {layer: [] for layer in sorted(set(self.layer))}
         for vertex, layer in enumerate(self.layer):
             self.rows[layer].append(vertex)
+
+    def _set_layers(
+        self, arcs: list[Arc], is_turned: list[bool], known: Mapping[int, int]
+    ) -> None:
+        self.is_turned = is_turned
+        pairs = zip(arcs, is_turned, strict=True)
+        self.arcs = [(b, a, span) if turn else (a, b, span) for (a, b, span), turn in pairs]
+        proper = [arc for arc in self.arcs if arc[0] != arc[1]]
+        self.layer = assign(self.size, proper, known)
 
     @property
     def is_item(self) -> range:
@@ -136,6 +145,17 @@ def _components(items: Sequence[Item], arcs: list[Arc]) -> list[int]:
         for vertex in vertices:
             component[vertex] = number
     return component
+
+
+def _most_layers(size: int) -> int:
+    """Return how many layers a screen takes: an even number, as topics are between nodes."""
+    return max(_MOST_LAYERS, round(sqrt(size) / 2) * 2)
+
+
+def _wrapped(arcs: list[Arc], layer: list[int], most: int) -> list[bool]:
+    """Return which arcs point back once the layers are wrapped as lines of text are."""
+    rank = [(one % most, one, vertex) for vertex, one in enumerate(layer)]
+    return [rank[start] > rank[end] for start, end, _ in arcs]
 
 
 def _fold(layer: list[int], component: list[int]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bisect import bisect_left, insort
+from bisect import bisect_right, insort
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -113,8 +113,15 @@ def _between(net: Net, row: list[int], following: list[int]) -> int:
     seen: list[int] = []
     total = 0
     for vertex in row:
-        ends = sorted(place[one] for one in net.right[vertex] if one in place)
-        total += sum(len(seen) - bisect_left(seen, end + 1) for end in ends)
+        near = net.right[vertex]
+        if len(near) == 1:
+            end = place[near[0]]
+            total += len(seen) - bisect_right(seen, end)
+            insort(seen, end)
+            continue
+        ends = sorted([place[one] for one in near])
+        for end in ends:
+            total += len(seen) - bisect_right(seen, end)
         for end in ends:
             insort(seen, end)
     return total
