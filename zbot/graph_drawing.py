@@ -43,9 +43,10 @@ class Drawing:
         """Return it as a file that needs nothing else, for light and dark screens.
 
         Args:
-            labels: What to write beside edges, as their rates.
+            labels: What to write beside edges, as their rates. With any mapping, also an empty one,
+                every edge has a place for it (`text.rate`) that a page can fill.
         """
-        body = "\n".join([*self._frames(), *self._edges(labels or {}), *self._items()])
+        body = "\n".join([*self._frames(), *self._edges(labels), *self._items()])
         left, top, right, bottom = self.layout.bounds if self.layout.places else (0, 0, 220, 40)
         left, top = left - _MARGIN, top - _MARGIN
         width, height = right - left + _MARGIN, bottom - top + _MARGIN
@@ -73,12 +74,13 @@ class Drawing:
                 f'<text x="{left + 12:.1f}" y="{top + 18:.1f}">{escape(frame.name)}</text></g>'
             )
 
-    def _edges(self, labels: Mapping[Edge, str]) -> Iterator[str]:
+    def _edges(self, labels: Mapping[Edge, str] | None) -> Iterator[str]:
         for edge, route in zip(self.view.edges, self.layout.routes, strict=True):
             points = [*route.points]
             points[0] = self._touching(edge.start_key, points[0])
             points[-1] = self._touching(edge.end_key, points[-1])
-            yield _edge(edge, route, points, labels.get(edge, ""))
+            label = None if labels is None else labels.get(edge, "")
+            yield _edge(edge, route, points, label)
 
     def _touching(self, key: str, point: tuple[float, float]) -> tuple[float, float]:
         """Move a point from the box around an ellipse to the ellipse."""
@@ -97,7 +99,7 @@ class Drawing:
             shape = f'<ellipse rx="{place.width / 2:.1f}" ry="{place.height / 2:.1f}"/>'
             facts = f'data-node="{escape(name)}"'
             key = node_key(name)
-            yield _item(key, place, shape, classes="node", facts=facts, name=name, title=name)
+            yield _item(key, place, shape, classes="item node", facts=facts, name=name, title=name)
         for key, box in self._boxes.items():
             yield _box(box, self.layout.places[key])
 
@@ -157,7 +159,7 @@ def _box(box: TopicView, place: Place) -> str:
         # What stands for several things has a double border.
         inner = f'width="{place.width - 8:.1f}" height="{place.height - 8:.1f}" rx="3"'
         shape += f'<rect class="inner" x="{left + 4:.1f}" y="{top + 4:.1f}" {inner}/>'
-    classes = f"topic {box.kind.value}" if box.kind.value != "topic" else "topic"
+    classes = f"item topic {box.kind.value}" if box.kind.value != "topic" else "item topic"
     classes += " wrong" if box.problem else ""
     facts = f'data-topic="{escape(box.name)}" data-types="{escape(" ".join(box.types))}"'
     title = "\n".join(filter(None, [box.name, *box.types, *box.stands_for, box.problem]))
@@ -180,21 +182,27 @@ def _item(
     )
 
 
-def _edge(edge: Edge, route: Route, points: list[tuple[float, float]], label: str) -> str:
-    key = f"e:{edge.start_key}>{edge.end_key}#{edge.label}"
-    topic = edge.label or (edge.end if edge.is_publishing else edge.start)
+def edge_key(edge: Edge) -> str:
+    """Return what tells an edge from everything else in the picture."""
+    return f"e:{edge.start_key}>{edge.end_key}#{edge.label}"
+
+
+def _edge(edge: Edge, route: Route, points: list[tuple[float, float]], rate: str | None) -> str:
     way = -1 if route.is_backward else 1
-    heads = _head(points[-1], -1 if len(points) == 4 and edge.start == edge.end else way)
-    heads += _head(points[0], -way) if edge.is_both_ways else ""
-    text, spot = (edge.label, route.label) if edge.label else (label, _beside(edge, points))
-    if edge.label and label:
-        text = f"{edge.label}  {label}"
-    if spot is not None and text:
-        heads += f'<text x="{spot[0]:.1f}" y="{spot[1] - 5:.1f}">{escape(text)}</text>'
+    parts = [f'<path class="line" d="{_curve(points, edge)}"/>']
+    parts.append(_head(points[-1], -1 if edge.start_key == edge.end_key else way))
+    parts += [_head(points[0], -way)] if edge.is_both_ways else []
+    if route.label is not None:
+        x, y = route.label
+        parts.append(f'<text x="{x:.1f}" y="{y - 5:.1f}">{escape(edge.label)}</text>')
+    if rate is not None:
+        x, y = (route.label[0], route.label[1] + 19) if route.label else _beside(edge, points)
+        parts.append(f'<text class="rate" x="{x:.1f}" y="{y - 5:.1f}">{escape(rate)}</text>')
     return (
-        f'<g class="edge{" wrong" if edge.is_wrong else ""}" data-key="{escape(key)}"'
+        f'<g class="edge{" wrong" if edge.is_wrong else ""}" data-key="{escape(edge_key(edge))}"'
         f' data-from="{escape(edge.start_key)}" data-to="{escape(edge.end_key)}"'
-        f' data-topic="{escape(topic)}"><path class="line" d="{_curve(points, edge)}"/>{heads}</g>'
+        f' data-topic="{escape(edge.topic)}" data-about="{escape(edge.kind.key(edge.topic))}">'
+        f"{''.join(parts)}</g>"
     )
 
 

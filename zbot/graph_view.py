@@ -22,6 +22,9 @@ if TYPE_CHECKING:
 __all__ = ["BoxKind", "Edge", "Filters", "GraphView", "Grouping", "Mode", "TopicView", "view"]
 
 
+_TOOL = "/_zbot_"  # nodes of zbot's own commands and of the page: nobody misses them
+
+
 class Mode(str, Enum):
     """Which topics are boxes of their own (rqt_graph's three choices)."""
 
@@ -45,6 +48,11 @@ class Edge:
     def is_both_ways(self) -> bool:
         """Whether answers come back: goals go one way, feedback and results the other."""
         return self.kind is BoxKind.ACTION
+
+    @property
+    def topic(self) -> str:
+        """The topic at its end or on its label."""
+        return self.label or (self.end if self.is_publishing else self.start)
 
     @property
     def start_key(self) -> str:
@@ -126,7 +134,8 @@ def view(
     shown = [topic.among(nodes) for topic in _chosen(found, mode, filters)]
     topics = tuple(topic for topic in shown if topic.ends)
     kept = {topic.name for topic in topics} | nodes
-    left_out = sorted(name for name in names | {topic.name for topic in found} if name not in kept)
+    known = {name for name in names if _TOOL not in name} | {topic.name for topic in found}
+    left_out = sorted(known - kept)
     return GraphView(mode, tuple(sorted(nodes)), topics, grouping.namespaces, tuple(left_out))
 
 

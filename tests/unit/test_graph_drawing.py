@@ -83,7 +83,7 @@ def test_long_names_take_two_lines() -> None:
 def test_what_looks_wrong_is_red_and_says_why() -> None:
     tokens = (*TALKING.tokens, node("lost"), subscribes("lost", "/chater"))
     root = parsed(draw(view(Snapshot(tokens))).svg())
-    [wrong] = [one for one in root.iter(SVG + "g") if one.get("class") == "topic wrong"]
+    [wrong] = [one for one in root.iter(SVG + "g") if one.get("class") == "item topic wrong"]
     assert wrong.attrib["data-topic"] == "/chater"
     assert "is /chatter meant?" in (wrong.findtext(SVG + "title") or "")
     assert [key for key in keys(draw(view(Snapshot(tokens))).svg(), "wrong") if key[0] == "e"] == [

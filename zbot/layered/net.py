@@ -55,9 +55,7 @@ class Net:
         for vertex, layer in enumerate(self.layer):
             self.rows[layer].append(vertex)
 
-    def _set_layers(
-        self, arcs: list[Arc], is_turned: list[bool], known: Mapping[int, int]
-    ) -> None:
+    def _set_layers(self, arcs: list[Arc], is_turned: list[bool], known: Mapping[int, int]) -> None:
         self.is_turned = is_turned
         pairs = zip(arcs, is_turned, strict=True)
         self.arcs = [(b, a, span) if turn else (a, b, span) for (a, b, span), turn in pairs]

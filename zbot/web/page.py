@@ -19,6 +19,16 @@ if TYPE_CHECKING:
 
 _STATIC = Path(__file__).parent / "static"
 _ADDRESS = f"/_zbot/{__version__}"
+# page.js makes what the others add to.
+_SCRIPTS = (
+    "page.js",
+    "table.js",
+    "graph.js",
+    "picture.js",
+    "plot.js",
+    "turtle.js",
+    "console.js",
+)
 _ICON = (
     '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 32 32">'
     '<rect width="32" height="32" rx="8" fill="#0b6bcb"/>'
@@ -30,9 +40,9 @@ _ICON = (
 def add_pages(system: System) -> None:
     """Serve every panel at its address, and the first one at `/`."""
     app.add_static_files(_ADDRESS, str(_STATIC))
-    for name in ("page.js", "table.js", "picture.js", "plot.js", "turtle.js", "console.js"):
+    for name in _SCRIPTS:
         ui.add_head_html(f'<script src="{_ADDRESS}/{name}"></script>', shared=True)
-    for name in ("page.css", "turtle.css"):
+    for name in ("page.css", "graph.css", "turtle.css"):
         link = f'<link rel="stylesheet" href="{_ADDRESS}/{name}">'
         ui.add_head_html(link, shared=True)
     for panel in PANELS:

@@ -4,6 +4,7 @@ from zbot.web.panels import (
     actions,
     classroom,
     console,
+    graph,
     parameters,
     plot,
     processes,
@@ -13,6 +14,7 @@ from zbot.web.panels import (
 )
 
 PANELS = (
+    graph.PANEL,
     topics.PANEL,
     plot.PANEL,
     turtle.PANEL,

@@ -1,0 +1,287 @@
+from __future__ import annotations
+
+import json
+import re
+import signal
+import subprocess
+import sys
+import time
+from typing import TYPE_CHECKING
+from xml.etree import ElementTree as ET
+
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+
+from std_msgs.msg import Int32, String
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from playwright.sync_api import Page
+
+    from tests.conftest import Program, Spinner
+    from tests.web.conftest import Server, Visit
+
+#: On a machine that does nothing else it is 0.3 s.
+_SOON_S = 3.0
+
+
+class Nodes:
+    """Makes nodes, and keeps them until the test ends."""
+
+    def __init__(self, context: zbot.Context) -> None:
+        self._context = context
+        self._made: list[zbot.Node] = []
+
+    def __call__(self, name: str, namespace: str = "") -> zbot.Node:
+        made = zbot.Node(
+            name, context=self._context, namespace=namespace, start_parameter_services=False
+        )
+        self._made.append(made)
+        return made
+
+
+@pytest.fixture
+def node(make_context: Callable[[], zbot.Context]) -> Nodes:
+    return Nodes(make_context())
+
+
+def talk(node: Nodes) -> tuple[zbot.Node, zbot.Node]:
+    talker, listener = node("talker"), node("listener")
+    talker.create_publisher(String, "chatter", 10)
+    listener.create_subscription(String, "chatter", print, 10)
+    return talker, listener
+
+
+def of(name: str) -> str:
+    return f".zb-graph [data-node='{name}'], .zb-graph [data-topic='{name}'].topic"
+
+
+def drawn(page: Page, what: str) -> list[str]:
+    script = (
+        f"[...document.querySelectorAll('.zb-graph .{what}[data-key]')].map(one => one.dataset.key)"
+    )
+    return sorted(page.evaluate(script))
+
+
+def command(page: Page) -> str:
+    return page.locator(".zb-command").inner_text()
+
+
+def place(page: Page, name: str) -> tuple[int, int]:
+    box = page.locator(of(name)).bounding_box()
+    assert box is not None
+    return round(box["x"]), round(box["y"])
+
+
+def test_page_shows_what_the_command_prints(server: Server, page: Page, node: Nodes) -> None:
+    talk(node)
+    camera = node("camera", "/robot")
+    camera.create_publisher(String, "image", 10)
+    for options in ("", "show=active", "no-dead-sinks=1&nodes=-/talker", "debug-topics=1"):
+        page.goto(f"{server.address}/graph?{options}")
+        page.wait_for_selector(of("/listener"))
+        words = command(page).split()
+        assert words[:2] == ["zbot", "graph"]
+        out = subprocess.run(
+            [sys.executable, "-m", "zbot_cli", *words[1:], "--json"],
+            capture_output=True,
+            check=True,
+            timeout=20,
+        ).stdout
+        printed = json.loads(out)
+        assert drawn(page, "node") == [f"n:{name}" for name in printed["nodes"]]
+        assert drawn(page, "topic") == [f"t:{one['name']}" for one in printed["topics"]]
+        assert len(drawn(page, "edge")) == len(printed["edges"])
+
+
+def test_nodes_come_and_go_at_once(
+    server: Server, page: Page, node: Nodes, start: Callable[..., Program]
+) -> None:
+    page.goto(f"{server.address}/graph")
+    page.wait_for_selector("text=no node is running")
+    begin = time.monotonic()
+    talk(node)
+    page.wait_for_selector(of("/talker"))
+    page.wait_for_selector(of("/chatter"))
+    assert time.monotonic() - begin < _SOON_S
+    program = start("zbot", "run", "sensor")
+    page.wait_for_selector(of("/temperature"))
+    begin = time.monotonic()
+    program.stop(signal.SIGKILL)
+    page.wait_for_selector(of("/temperature"), state="detached")
+    page.wait_for_selector(of("/temperature_sensor"), state="detached")
+    assert time.monotonic() - begin < _SOON_S
+    assert drawn(page, "node") == ["n:/listener", "n:/talker"]
+
+
+def test_what_is_there_stays_where_it_is(server: Server, page: Page, node: Nodes) -> None:
+    talk(node)
+    page.goto(f"{server.address}/graph")
+    page.wait_for_selector(of("/chatter"))
+    page.locator(".zb-graph").hover()
+    page.mouse.wheel(0, 10)  # from now on the picture is not fitted to the page
+    before = {name: place(page, name) for name in ("/talker", "/chatter", "/listener")}
+    node("late").create_subscription(String, "chatter", print, 10)
+    page.wait_for_selector(of("/late"))
+    assert wait_until(lambda: place(page, "/late") == place(page, "/late"))
+    for name, spot in before.items():
+        assert place(page, name) == pytest.approx(spot, abs=2)
+
+
+def test_modes_and_filters_are_in_the_address(server: Server, page: Page, node: Nodes) -> None:
+    talk(node)
+    page.goto(f"{server.address}/graph")
+    page.wait_for_selector(of("/chatter"))
+    page.click("button:has-text('Nodes')")
+    page.wait_for_selector(of("/chatter"), state="detached")
+    page.wait_for_selector(".zb-graph .edge text:has-text('/chatter')")
+    page.fill("input[aria-label=Nodes]", "-/listener")
+    page.wait_for_selector(of("/listener"), state="detached")
+    page.wait_for_url("**/graph?show=nodes&nodes=-%2Flistener")
+    assert command(page) == "zbot graph --show nodes --nodes -/listener"
+    page.reload()
+    page.wait_for_selector(of("/talker"))
+    assert drawn(page, "node") == ["n:/talker"]
+    assert page.input_value("input[aria-label=Nodes]") == "-/listener"
+
+
+def test_a_wrong_filter_is_told_and_changes_nothing(
+    server: Server, page: Page, node: Nodes
+) -> None:
+    talk(node)
+    page.goto(f"{server.address}/graph")
+    page.wait_for_selector(of("/chatter"))
+    page.fill("input[aria-label=Topics]", "/chat(")
+    page.wait_for_selector(".q-field--error")
+    assert drawn(page, "topic") == ["t:/chatter"]
+
+
+def test_what_to_hide_and_to_group_is_a_menu(server: Server, page: Page, node: Nodes) -> None:
+    talk(node)
+    page.goto(f"{server.address}/graph")
+    page.wait_for_selector(of("/chatter"))
+    page.wait_for_selector(".zb-graph-left-out:has-text('/rosout')")
+    page.click("button[aria-label='Hide and group']")
+    page.click(".zb-graph-tick:has-text('Debug')")
+    page.wait_for_selector(of("/rosout"))
+    page.wait_for_url("**/graph?debug-topics=1")
+
+
+def test_what_looks_wrong_is_red_with_a_sentence(server: Server, page: Page, node: Nodes) -> None:
+    talk(node)
+    lost = node("lost")
+    lost.create_subscription(Int32, "chatter", print, 10)
+    lost.create_subscription(String, "chater", print, 10)
+    page.goto(f"{server.address}/graph")
+    page.wait_for_selector(".zb-graph .topic.wrong[data-topic='/chatter']")
+    page.wait_for_selector(".zb-graph .topic.wrong[data-topic='/chater']")
+    said = page.locator(".zb-graph-problems").inner_text()
+    assert "nobody publishes /chater: is /chatter meant?" in said
+    assert "std_msgs/msg/Int32 (/lost), std_msgs/msg/String (/listener, /talker)" in said
+    assert drawn(page, "edge.wrong") == ["e:t:/chater>n:/lost#", "e:t:/chatter>n:/lost#"]
+
+
+def test_the_mouse_lights_up_neighbours(server: Server, page: Page, node: Nodes) -> None:
+    talk(node)
+    node("other")
+    page.goto(f"{server.address}/graph")
+    page.locator(of("/chatter")).hover()
+    page.wait_for_selector(".zb-graph .node.incoming[data-node='/talker']")
+    page.wait_for_selector(".zb-graph .node.outgoing[data-node='/listener']")
+    assert drawn(page, "chosen") == ["t:/chatter"]
+    assert not page.locator(".zb-graph .both, .zb-graph .incoming[data-node='/other']").count()
+    page.mouse.move(0, 0)
+    page.wait_for_selector(".zb-graph .incoming", state="detached")
+
+
+def test_a_click_shows_details_and_the_command(server: Server, page: Page, node: Nodes) -> None:
+    talk(node)
+    page.goto(f"{server.address}/graph")
+    page.locator(of("/talker")).click()
+    page.wait_for_selector(".zb-side:has-text('std_msgs/msg/String') >> text=Publishes")
+    assert command(page) == "zbot node info /talker"
+    page.locator(of("/chatter")).click()
+    page.wait_for_selector(".zb-side:has-text('Published by'):has-text('/talker')")
+    assert command(page) == "zbot topic info /chatter --verbose"
+    page.reload()
+    page.wait_for_selector(".zb-side >> text=Published by")
+    page.click(".zb-side button[aria-label=Close]")
+    page.wait_for_selector(".zb-side", state="hidden")
+    assert command(page) == "zbot graph"
+
+
+def test_rates_are_measured_only_if_wanted(
+    server: Server, page: Page, node: Nodes, spin: Callable[..., Spinner]
+) -> None:
+    talker, listener = talk(node)
+    publisher = talker.create_publisher(String, "news", 10)
+    listener.create_subscription(String, "news", lambda _: None, 10)
+    talker.create_timer(0.02, lambda: publisher.publish(String(data="x")))
+    spin(talker)
+    page.goto(f"{server.address}/graph")
+    page.wait_for_selector(of("/news"))
+    assert wait_until(lambda: publisher.get_subscription_count() == 1)
+    page.click("text=Rates")
+    page.wait_for_selector(".zb-graph .rate:has-text('Hz')")
+    assert publisher.get_subscription_count() == 2
+    texts = page.locator(".zb-graph .rate").all_text_contents()
+    assert all(re.fullmatch(r"[\d.]+ Hz|", text) for text in texts)
+    page.click("text=Rates")
+    page.wait_for_selector(".zb-graph .rate", state="detached")
+    assert wait_until(lambda: publisher.get_subscription_count() == 1)
+
+
+def test_pictures_are_downloaded(server: Server, page: Page, node: Nodes, tmp_path: Path) -> None:
+    talk(node)
+    page.goto(f"{server.address}/graph")
+    page.wait_for_selector(of("/chatter"))
+    saved = {}
+    for name in ("SVG", "PNG", "DOT"):
+        page.click("button[aria-label=Save]")
+        with page.expect_download() as download:
+            page.click(f".q-menu .q-item:has-text('{name}')")
+        target = tmp_path / download.value.suggested_filename
+        download.value.save_as(target)
+        saved[target.name] = target.read_bytes()
+    names = [one.get("data-node") for one in ET.fromstring(saved["graph.svg"]).iter()]
+    assert [name for name in names if name] == ["/listener", "/talker"]
+    assert saved["graph.png"].startswith(b"\x89PNG\r\n\x1a\n")
+    assert len(saved["graph.png"]) > 5_000
+    assert saved["graph.dot"].startswith(b"digraph graph_of_nodes {")
+
+
+def test_the_wheel_zooms_and_dragging_moves(server: Server, page: Page, node: Nodes) -> None:
+    talk(node)
+    page.goto(f"{server.address}/graph")
+    before = place(page, "/talker")
+    page.locator(of("/chatter")).hover()
+    page.mouse.wheel(0, -200)
+    assert wait_until(lambda: place(page, "/talker")[0] < before[0])
+    page.click("button[aria-label='Show all']")
+    assert wait_until(lambda: place(page, "/talker") == pytest.approx(before, abs=2))
+    page.mouse.move(300, 560)
+    page.mouse.down()
+    page.mouse.move(360, 500, steps=3)
+    page.mouse.up()
+    assert place(page, "/talker") == pytest.approx((before[0] + 60, before[1] - 60), abs=3)
+
+
+def test_a_large_graph_is_drawn_at_once(
+    server: Server, visit: Callable[..., Visit], node: Nodes
+) -> None:
+    nodes = [node(f"node_{number}") for number in range(50)]
+    for number in range(150):
+        nodes[number % 50].create_publisher(String, f"part_{number % 7}/topic_{number}", 1)
+        other = nodes[(number + 1 + number // 50) % 50]
+        other.create_subscription(String, f"part_{number % 7}/topic_{number}", print, 1)
+    page = visit().page
+    page.goto(f"{server.address}/graph")
+    page.wait_for_function("document.querySelectorAll('.zb-graph .item').length === 200")
+    begin = time.monotonic()
+    page.reload()
+    page.wait_for_function("document.querySelectorAll('.zb-graph .item').length === 200")
+    assert time.monotonic() - begin < 10  # 1.5 s on a machine that does nothing else

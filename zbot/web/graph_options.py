@@ -1,0 +1,115 @@
+"""What the graph's page shows, as the page's address and as the command that shows the same."""
+
+from __future__ import annotations
+
+import shlex
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Any
+
+from zbot.graph_filter import Filters, Grouping, InvalidFilterError, compile_filter
+from zbot.graph_view import Mode, view
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from zbot.graph import Snapshot
+    from zbot.graph_view import GraphView
+
+MOST_NAMESPACES = 9
+_NAMESPACES = "group-namespaces"
+_TEXTS = ("nodes", "topics")
+
+#: `zbot graph`'s switches: whether it changes the filters or the grouping, which field, to what.
+FLAGS: dict[str, tuple[str, str, bool]] = {
+    "debug-topics": ("filters", "debug", False),
+    "params": ("filters", "params", False),
+    "no-tf": ("filters", "tf", True),
+    "no-dead-sinks": ("filters", "dead_sinks", True),
+    "no-leaf-topics": ("filters", "leaf_topics", True),
+    "no-actions": ("filters", "actions", True),
+    "include-hidden": ("filters", "hidden", False),
+    "no-group-actions": ("grouping", "actions", False),
+    "no-group-tf": ("grouping", "tf", False),
+    "no-group-images": ("grouping", "images", False),
+}
+
+
+@dataclass(frozen=True)
+class GraphOptions:
+    """All that can be chosen about the graph's picture."""
+
+    mode: Mode = Mode.ALL
+    filters: Filters = field(default_factory=Filters)
+    grouping: Grouping = field(default_factory=Grouping)
+
+    @classmethod
+    def from_query(cls, query: Mapping[str, str]) -> GraphOptions:
+        """Return what an address asks for; what it misspells, is as if it were not there."""
+        found = cls()
+        for flag in FLAGS:
+            if flag in query:
+                found = found.flagged(flag, is_set=True)
+        for name in _TEXTS:
+            if filter_problem(query.get(name, "/")) is None:
+                found = found.filtered(name, query.get(name, "/"))
+        levels = query.get(_NAMESPACES, "")
+        if levels.isdecimal() and int(levels) <= MOST_NAMESPACES:
+            found = found.framed(int(levels))
+        modes = [mode for mode in Mode if mode.value == query.get("show")]
+        return replace(found, mode=modes[0]) if modes else found
+
+    @property
+    def query(self) -> dict[str, str]:
+        """What stands in the address: all that is not as usual."""
+        found = {} if self.mode is Mode.ALL else {"show": self.mode.value}
+        for name in _TEXTS:
+            if getattr(self.filters, name).strip() not in {"", "/"}:
+                found[name] = getattr(self.filters, name)
+        if self.grouping.namespaces != Grouping().namespaces:
+            found[_NAMESPACES] = str(self.grouping.namespaces)
+        return found | {flag: "1" for flag in FLAGS if self.has(flag)}
+
+    @property
+    def command(self) -> str:
+        """The command that shows the same."""
+        words = ["zbot", "graph"]
+        for name, value in self.query.items():
+            words += [f"--{name}"] if name in FLAGS else [f"--{name}", shlex.quote(value)]
+        return " ".join(words)
+
+    def has(self, flag: str) -> bool:
+        """Whether a switch of `zbot graph` is set."""
+        part, name, value = FLAGS[flag]
+        return bool(getattr(getattr(self, part), name) is value)
+
+    def flagged(self, flag: str, *, is_set: bool) -> GraphOptions:
+        """Return them with a switch of `zbot graph` set or not."""
+        part, name, value = FLAGS[flag]
+        changed: dict[str, Any] = {name: value if is_set else not value}
+        if part == "filters":
+            return replace(self, filters=replace(self.filters, **changed))
+        return replace(self, grouping=replace(self.grouping, **changed))
+
+    def filtered(self, name: str, text: str) -> GraphOptions:
+        """Return them with another filter for `nodes` or `topics`."""
+        filters = self.filters
+        if name == "nodes":
+            return replace(self, filters=replace(filters, nodes=text))
+        return replace(self, filters=replace(filters, topics=text))
+
+    def framed(self, namespaces: int) -> GraphOptions:
+        """Return them with frames around so many levels of namespaces."""
+        return replace(self, grouping=replace(self.grouping, namespaces=namespaces))
+
+    def view(self, snapshot: Snapshot) -> GraphView:
+        """Return what to draw of a snapshot."""
+        return view(snapshot, self.mode, self.filters, self.grouping)
+
+
+def filter_problem(text: str | None) -> str | None:
+    """Return what is wrong with a filter, in a sentence; None if nothing is."""
+    try:
+        compile_filter(text or "")
+    except InvalidFilterError as exc:
+        return str(exc)
+    return None

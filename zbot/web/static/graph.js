@@ -1,0 +1,329 @@
+// The picture of the graph: it changes without jumping, is zoomed and moved, and lights up.
+"use strict";
+zbot.graph = (() => {
+  const MOVE_MS = 350; // as in graph.css
+  const LARGEST = 1.7; // a graph of two nodes does not fill the wall
+  const LAYERS = ["frame", "edge", "item"]; // the later ones lie above
+  const MOST_PIXELS = 8000; // of a picture's longer side: all browsers can draw that
+  const pictures = new Map();
+
+  const parse = (text) => {
+    const svg = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
+    if (svg.localName !== "svg") throw new Error("the picture of the graph cannot be read");
+    return document.importNode(svg, true);
+  };
+  const layerOf = (group) => LAYERS.find((one) => group.classList.contains(one)) ?? "item";
+  const keyed = (root) => [...root.querySelectorAll("g[data-key]")];
+
+  class Picture {
+    constructor(place) {
+      this.place = place;
+      this.groups = new Map();
+      this.view = null; // what is seen of the picture: left, top, width, height
+      this.isFitted = true; // until somebody zooms or moves it
+      this.chosen = "";
+      this.lit = "";
+      new ResizeObserver(() => this.resize()).observe(place);
+      this.listen();
+    }
+
+    // -- what is in it ----------------------------------------------------------------------
+
+    show(text) {
+      const next = parse(text);
+      this.content = next.getAttribute("viewBox").split(" ").map(Number);
+      if (!this.svg) this.begin(next);
+      const groups = keyed(next);
+      const empty = next.querySelector("text.empty");
+      this.svg.querySelector("text.empty")?.remove();
+      if (empty) this.svg.append(empty);
+      const keys = new Set(groups.map((group) => group.dataset.key));
+      for (const [key, group] of this.groups) {
+        if (!keys.has(key)) this.leave(key, group);
+      }
+      for (const group of groups) this.put(group);
+      this.light(keys.has(this.lit) ? this.lit : "");
+      if (this.isFitted) this.fit();
+    }
+
+    begin(next) {
+      this.svg = next.cloneNode(false);
+      this.svg.removeAttribute("width");
+      this.svg.removeAttribute("height");
+      this.svg.append(next.querySelector("style"));
+      this.layers = {};
+      for (const name of LAYERS) {
+        this.layers[name] = document.createElementNS(this.svg.namespaceURI, "g");
+        this.svg.append(this.layers[name]);
+      }
+      this.place.replaceChildren(this.svg);
+      this.dress();
+    }
+
+    // A group keeps its element as long as it is there: so it can move instead of jumping.
+    put(next) {
+      const key = next.dataset.key;
+      const group = this.groups.get(key);
+      place(next);
+      if (!group) {
+        next.classList.add("appearing");
+        this.groups.set(key, next);
+        this.layers[layerOf(next)].append(next);
+        return;
+      }
+      const lights = [...group.classList].filter((one) => LIGHTS.includes(one));
+      group.setAttribute("class", [next.getAttribute("class"), ...lights].join(" "));
+      for (const { name, value } of next.attributes) {
+        if (name !== "class" && name !== "style") group.setAttribute(name, value);
+      }
+      group.style.transform = next.style.transform;
+      const [olds, news] = [[...group.children], [...next.children]];
+      if (olds.map(kindOf).join() !== news.map(kindOf).join()) group.replaceChildren(...news);
+      else news.forEach((child, index) => update(olds[index], child));
+    }
+
+    leave(key, group) {
+      this.groups.delete(key);
+      for (const name of Object.keys(group.dataset)) delete group.dataset[name];
+      group.setAttribute("class", `${group.getAttribute("class")} leaving`);
+      setTimeout(() => group.remove(), MOVE_MS);
+    }
+
+    showRates(texts) {
+      for (const [key, group] of this.groups) {
+        const rate = group.querySelector("text.rate");
+        if (rate) rate.textContent = texts[key] ?? "";
+      }
+    }
+
+    dress() {
+      const isDark = zbot.isDark();
+      this.svg?.classList.toggle("dark", isDark);
+      this.svg?.classList.toggle("light", !isDark);
+    }
+
+    // -- what lights up ---------------------------------------------------------------------
+
+    // As rqt_graph has it: what leads here, what leads away from here, and what does both.
+    light(key) {
+      this.lit = key;
+      if (!this.svg) return;
+      const ways = this.neighbours(key);
+      this.svg.classList.toggle("lit", ways.size > 0);
+      for (const [one, group] of this.groups) {
+        group.classList.remove(...LIGHTS);
+        if (ways.has(one)) group.classList.add(ways.get(one));
+      }
+    }
+
+    neighbours(key) {
+      const ways = new Map();
+      const add = (one, way) => {
+        const before = ways.get(one);
+        ways.set(one, before && before !== way ? "both" : way);
+      };
+      const group = this.groups.get(key);
+      if (!group || group.classList.contains("frame")) return ways;
+      const edges = [...this.groups.values()].filter((one) => one.dataset.from);
+      for (const edge of edges) {
+        const { from, to, topic } = edge.dataset;
+        const isBoth = edge.querySelectorAll(".head").length > 1;
+        if (edge === group || (group.dataset.from && edge.querySelector("text:not(.rate)") && group.dataset.topic === topic)) {
+          add(edge.dataset.key, "chosen");
+          add(from, "incoming");
+          add(to, "outgoing");
+        } else if (from === key || to === key) {
+          const way = isBoth ? "both" : from === key ? "outgoing" : "incoming";
+          add(edge.dataset.key, way);
+          if (from !== to) add(from === key ? to : from, way);
+        }
+      }
+      ways.set(key, "chosen");
+      return ways;
+    }
+
+    choose(key) {
+      this.groups.get(this.chosen)?.classList.remove("marked");
+      this.chosen = key;
+      this.groups.get(key)?.classList.add("marked");
+    }
+
+    // -- what is seen of it -----------------------------------------------------------------
+
+    get size() {
+      return [Math.max(1, this.place.clientWidth), Math.max(1, this.place.clientHeight)];
+    }
+
+    fit() {
+      this.isFitted = true;
+      const [left, top, width, height] = this.content;
+      const [w, h] = this.size;
+      // What is said about problems lies above the picture: its place is not to be drawn on.
+      const said = this.place.parentElement.querySelector(".zb-graph-problems");
+      const above = said && said.offsetHeight < h / 3 ? said.offsetHeight : 0;
+      const scale = Math.min(w / width, (h - above) / height, LARGEST);
+      const [x, y] = [left + width / 2, top + height / 2 - above / scale / 2];
+      this.look([x - w / scale / 2, y - h / scale / 2, w / scale, h / scale], !this.view);
+    }
+
+    resize() {
+      if (!this.svg) return;
+      if (this.isFitted) {
+        this.view = null;
+        this.fit();
+        return;
+      }
+      const scale = this.size[0] / this.view[2];
+      this.look([this.view[0], this.view[1], this.size[0] / scale, this.size[1] / scale], true);
+    }
+
+    look(goal, isAtOnce) {
+      const from = this.view ?? goal;
+      const begin = performance.now();
+      const isStill = isAtOnce || matchMedia("(prefers-reduced-motion: reduce)").matches;
+      cancelAnimationFrame(this.turn);
+      const step = (now) => {
+        const part = isStill ? 1 : Math.min(1, Math.max(0, now - begin) / MOVE_MS);
+        const eased = 1 - (1 - part) ** 3;
+        this.view = goal.map((value, index) => from[index] + (value - from[index]) * eased);
+        this.svg.setAttribute("viewBox", this.view.join(" "));
+        if (part < 1) this.turn = requestAnimationFrame(step);
+      };
+      step(begin);
+    }
+
+    point(event) {
+      const box = this.place.getBoundingClientRect();
+      const scale = this.view[2] / box.width;
+      return [this.view[0] + (event.clientX - box.left) * scale, this.view[1] + (event.clientY - box.top) * scale];
+    }
+
+    zoom(factor, [x, y] = [this.view[0] + this.view[2] / 2, this.view[1] + this.view[3] / 2]) {
+      const least = this.content[2] / 40;
+      const most = Math.max(this.content[2], this.content[3], this.size[0]) * 4;
+      const by = Math.min(most / this.view[2], Math.max(least / this.view[2], factor));
+      const [left, top, width, height] = this.view;
+      this.isFitted = false;
+      this.look([x - (x - left) * by, y - (y - top) * by, width * by, height * by], true);
+    }
+
+    listen() {
+      const target = (event) => event.target.closest?.("g[data-key]")?.dataset.key ?? "";
+      let held = null; // where the picture was taken hold of
+      let hasMoved = false;
+      this.place.addEventListener("wheel", (event) => {
+        if (!this.svg) return;
+        event.preventDefault();
+        this.zoom(Math.exp(Math.max(-60, Math.min(60, event.deltaY)) * 0.004), this.point(event));
+      }, { passive: false });
+      this.place.addEventListener("pointerdown", (event) => {
+        if (!this.svg || event.button) return;
+        [held, hasMoved] = [[event.clientX, event.clientY, ...this.view], false];
+      });
+      this.place.addEventListener("pointermove", (event) => {
+        if (!held) return;
+        const [dx, dy] = [event.clientX - held[0], event.clientY - held[1]];
+        if (!hasMoved && Math.hypot(dx, dy) < 4) return;
+        if (!hasMoved) this.place.setPointerCapture(event.pointerId);
+        hasMoved = true;
+        this.isFitted = false;
+        const scale = held[4] / this.size[0];
+        this.look([held[2] - dx * scale, held[3] - dy * scale, held[4], held[5]], true);
+      });
+      for (const name of ["pointerup", "pointercancel"]) {
+        this.place.addEventListener(name, () => (held = null));
+      }
+      this.place.addEventListener("click", (event) => {
+        if (!hasMoved) this.pick(target(event));
+      });
+      this.place.addEventListener("dblclick", (event) => {
+        if (!target(event)) this.fit();
+      });
+      this.place.addEventListener("pointerover", (event) => {
+        if (!held) this.light(target(event));
+      });
+      this.place.addEventListener("pointerleave", () => this.light(""));
+      this.place.addEventListener("focusin", (event) => this.light(target(event)));
+      this.place.addEventListener("focusout", () => this.light(""));
+      this.place.addEventListener("keydown", (event) => this.press(event, target(event)));
+    }
+
+    press(event, key) {
+      if (event.key === "Enter" && key) this.pick(key);
+      else if (event.key === "Escape") this.pick("");
+      else if (event.key === "+") this.zoom(0.8);
+      else if (event.key === "-") this.zoom(1.25);
+      else if (event.key === "0") this.fit();
+      else return;
+      event.preventDefault();
+    }
+
+    // An arrow stands for its topic; a frame for nothing.
+    pick(key) {
+      const group = this.groups.get(key);
+      const isEdge = group?.classList.contains("edge");
+      const shown = isEdge ? group.dataset.about : group?.classList.contains("frame") ? "" : key;
+      emitEvent("zbot_choose", this.place.id, shown ?? "");
+    }
+  }
+
+  const LIGHTS = ["chosen", "incoming", "outgoing", "both"];
+  const kindOf = (child) => `${child.localName}.${child.getAttribute("class") ?? ""}`;
+
+  // Only what CSS sets can glide.
+  function place(group) {
+    const at = /translate\(([-\d.]+),([-\d.]+)\)/.exec(group.getAttribute("transform") ?? "");
+    if (at) group.style.transform = `translate(${at[1]}px, ${at[2]}px)`;
+    group.removeAttribute("transform");
+    for (const path of group.querySelectorAll(":scope > path")) glide(path);
+  }
+
+  function glide(path) {
+    path.style.setProperty("d", `path("${path.getAttribute("d")}")`);
+  }
+
+  function update(old, next) {
+    for (const { name, value } of next.attributes) {
+      if (name !== "style" && old.getAttribute(name) !== value) old.setAttribute(name, value);
+    }
+    if (old.localName === "path") glide(old);
+    else if (old.innerHTML !== next.innerHTML) old.replaceChildren(...next.childNodes);
+  }
+
+  function pictureAt(id) {
+    const place = document.getElementById(id);
+    if (place && !pictures.has(id)) pictures.set(id, new Picture(place));
+    return pictures.get(id);
+  }
+
+  new MutationObserver(() => pictures.forEach((one) => one.dress())).observe(
+    document.documentElement, { attributes: true, subtree: true, attributeFilter: ["class"] },
+  );
+
+  function savePng(name, text) {
+    const svg = parse(text);
+    svg.classList.add(zbot.isDark() ? "dark" : "light");
+    const [width, height] = [Number(svg.getAttribute("width")), Number(svg.getAttribute("height"))];
+    const scale = Math.min(2, MOST_PIXELS / Math.max(width, height));
+    const image = new Image();
+    image.onload = () => {
+      const canvas = document.createElement("canvas");
+      [canvas.width, canvas.height] = [Math.round(width * scale), Math.round(height * scale)];
+      canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+      canvas.toBlob((blob) => zbot.save(name, blob, "image/png"), "image/png");
+    };
+    image.src = `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg.outerHTML)}`;
+  }
+
+  return {
+    show(id, text, chosen) {
+      const picture = pictureAt(id);
+      picture?.show(text);
+      picture?.choose(chosen);
+    },
+    showRates: (id, texts) => pictureAt(id)?.showRates(texts),
+    choose: (id, key) => pictureAt(id)?.choose(key),
+    fit: (id) => pictureAt(id)?.fit(),
+    savePng,
+  };
+})();
