@@ -114,6 +114,11 @@ class System:
         """The domain, 0 to 232."""
         return self.context.get_domain_id()
 
+    @property
+    def node_name(self) -> str:
+        """The full name of the hidden node that looks for all pages."""
+        return self.node.get_fully_qualified_name()
+
     def close(self) -> None:
         """Leave the domain; may be called twice."""
         self.context.shutdown()
@@ -218,8 +223,8 @@ class System:
         feed.subscription = subscription
 
     def _type_of(self, topic: str) -> str | None:
-        ends = self.snapshot().publishers(topic) or self.snapshot().subscriptions(topic)
-        own = self.node.get_name()
+        graph, own = self.snapshot(), self.node.get_name()
+        ends = [*graph.publishers(topic), *graph.subscriptions(topic)]
         return next((end.type_name for end in ends if end.node != own), None)
 
     def _learn(self, feed: Feed) -> None:

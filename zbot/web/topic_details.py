@@ -7,19 +7,18 @@ from urllib.parse import urlencode
 
 from nicegui import ui
 
-from zbot.names import fully_qualified, is_hidden
 from zbot.web.publish_form import add_publish_form
 from zbot.web.table import Cell, Column, Table
 from zbot.web.topic_picture import add_picture
+from zbot.web.topic_rows import topic_rows
 from zbot.web.value_text import amount, tree
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Sequence
 
     from zbot.web.panel import Part
     from zbot.web.value_text import TreeRow
     from zbot.web.watch import Watch
-    from zbot.wire.tokens import EndpointToken
 
 _TREE_HZ = 10.0
 _COLUMNS = (
@@ -65,9 +64,10 @@ def _add_facts(part: Part, watch: Watch) -> None:
         problem.set_visibility(bool(watch.problem))
         if part.system.revision != seen:
             seen = part.system.revision
-            graph = part.system.snapshot()
-            _fill(publishers, graph.publishers(watch.topic))
-            _fill(subscriptions, graph.subscriptions(watch.topic))
+            rows = topic_rows(part.system.snapshot(), part.system.node_name)
+            row = next((one for one in rows if one.name == watch.topic), None)
+            _fill(publishers, row.publishers if row else ())
+            _fill(subscriptions, row.subscriptions if row else ())
 
     part.live(update, 2.0)
 
@@ -88,13 +88,12 @@ def _end_list(title: str) -> ui.element:
         return ui.element("div").classes("zb-chips")
 
 
-def _fill(chips: ui.element, ends: Iterable[EndpointToken]) -> None:
-    names = sorted({fully_qualified(end.namespace, end.node) for end in ends})
+def _fill(chips: ui.element, nodes: Sequence[str]) -> None:
     chips.clear()
     with chips:
-        for name in filter(lambda one: not is_hidden(one), names):
+        for name in nodes:
             ui.label(name).classes("zb-chip zb-mono")
-        if all(map(is_hidden, names)):
+        if not nodes:
             ui.label("nobody").classes("zb-muted")
 
 

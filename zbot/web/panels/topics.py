@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING
 
 from nicegui import ui
 
-from zbot.graph_filter import UNGROUPED, Filters
-from zbot.graph_view import Mode, view
+from zbot.names import is_hidden
 from zbot.web.panel import Frame, Panel
 from zbot.web.table import Cell, Column, Table
 from zbot.web.topic_details import show_topic
+from zbot.web.topic_rows import topic_rows
 from zbot.web.value_text import amount, brief
 
 if TYPE_CHECKING:
-    from zbot.graph_view import TopicView
     from zbot.web.panel import Part
+    from zbot.web.topic_rows import TopicRow
     from zbot.web.watch import Watch
 
 #: Rows whose messages are counted; whoever has more topics finds theirs by the filter.
@@ -44,7 +44,7 @@ class _Topics:
         self.watches: dict[str, Watch] = {}
         self.details: Part | None = None
         self.seen: tuple[int, str, bool] | None = None
-        self.topics: list[TopicView] = []
+        self.topics: list[TopicRow] = []
         with frame.toolbar:
             search = ui.input(placeholder="Filter", on_change=self.search)
             search.props('dense outlined clearable aria-label="Filter"').classes("zb-search")
@@ -83,15 +83,14 @@ class _Topics:
         self.table.show({topic.name: self.row(topic) for topic in self.topics})
         self.empty.set_visibility(not self.topics)
 
-    def find(self) -> list[TopicView]:
+    def find(self) -> list[TopicRow]:
         """Return the topics that the filter leaves."""
-        hides = not self.hidden
-        filters = Filters(debug=False, params=False, actions=hides, hidden=hides)
-        topics = view(self.frame.system.snapshot(), Mode.ALL, filters, UNGROUPED).topics
+        system = self.frame.system
         return [
             topic
-            for topic in topics
-            if self.filter in topic.name.lower() or self.filter in " ".join(topic.types).lower()
+            for topic in topic_rows(system.snapshot(), system.node_name)
+            if (self.hidden or not is_hidden(topic.name))
+            and self.filter in f"{topic.name} {' '.join(topic.types)}".lower()
         ]
 
     def match_watches(self) -> None:
@@ -102,7 +101,7 @@ class _Topics:
         for name in sorted(names - self.watches.keys()):
             self.watches[name] = self.frame.watch(name)
 
-    def row(self, topic: TopicView) -> list[str | Cell]:
+    def row(self, topic: TopicRow) -> list[str | Cell]:
         """Return the cells of one topic."""
         watch = self.watches.get(topic.name)
         rate = amount(watch.rate_hz, "Hz") if watch else ""
@@ -150,14 +149,14 @@ class _Topics:
         self.side.clear()
 
 
-def _name(topic: TopicView) -> Cell:
+def _name(topic: TopicRow) -> Cell:
     if topic.guess is not None:
         hint = f"nobody publishes {topic.name}: is {topic.guess} meant?"
         return Cell(topic.name, "zb-bad", hint=hint)
     return Cell(topic.name, hint=topic.name)
 
 
-def _types(topic: TopicView) -> Cell:
+def _types(topic: TopicRow) -> Cell:
     text = ", ".join(topic.types)
     if topic.has_clash:
         return Cell(text, "zb-bad", hint=f"these types cannot hear each other: {text}")

@@ -1,0 +1,70 @@
+from __future__ import annotations
+
+from itertools import count
+
+from zbot.graph import Snapshot
+from zbot.qos import QoSProfile
+from zbot.web.topic_rows import topic_rows
+from zbot.wire.tokens import EndpointToken, EntityKind
+
+STRING, FLOAT = "std_msgs/msg/String", "std_msgs/msg/Float32"
+OWN = "/_zbot_web_1"
+_numbers = count(1)
+
+
+def end(node: str, topic: str, type_name: str = STRING, *, publishes: bool = True) -> EndpointToken:
+    namespace, _, name = node.rpartition("/")
+    return EndpointToken(
+        domain=0,
+        zid="a",
+        nid=1,
+        eid=next(_numbers),
+        kind=EntityKind.PUBLISHER if publishes else EntityKind.SUBSCRIPTION,
+        namespace=namespace or "/",
+        node=name,
+        name=topic,
+        type_name=type_name,
+        type_hash="RIHS01_0",
+        qos=QoSProfile(depth=1),
+    )
+
+
+def test_topics_are_listed_with_who_uses_them_in_natural_order() -> None:
+    graph = Snapshot(
+        (
+            end("/b", "/robot10/x"),
+            end("/a", "/robot2/x"),
+            end("/c", "/robot2/x", publishes=False),
+            end("/space/d", "/robot2/x", publishes=False),
+        )
+    )
+    first, second = topic_rows(graph, OWN)
+    assert (first.name, second.name) == ("/robot2/x", "/robot10/x")
+    assert (first.publishers, first.subscriptions) == (("/a",), ("/c", "/space/d"))
+    assert first.types == (STRING,)
+
+
+def test_page_itself_does_not_count_but_commands_do() -> None:
+    graph = Snapshot(
+        (
+            end("/_zbot_cli_pub_7", "/x"),
+            end(OWN, "/x", publishes=False),
+            end(OWN, "/only_mine", publishes=False),
+        )
+    )
+    (row,) = topic_rows(graph, OWN)
+    assert (row.name, row.publishers, row.subscriptions) == ("/x", ("/_zbot_cli_pub_7",), ())
+
+
+def test_what_looks_wrong_is_told() -> None:
+    graph = Snapshot(
+        (
+            end("/a", "/chatter"),
+            end("/b", "/chatter", FLOAT, publishes=False),
+            end("/c", "/chater", publishes=False),
+        )
+    )
+    typo, clash = topic_rows(graph, OWN)
+    assert (typo.guess, typo.has_clash) == ("/chatter", False)
+    assert (clash.guess, clash.has_clash) == (None, True)
+    assert clash.types == (FLOAT, STRING)

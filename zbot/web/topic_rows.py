@@ -1,0 +1,69 @@
+"""The topics of a graph, as a list shows them."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from zbot.names import fully_qualified, nearest
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from zbot.graph import Snapshot
+    from zbot.wire.tokens import EndpointToken
+
+
+@dataclass(frozen=True, slots=True)
+class TopicRow:
+    """A topic, who uses it, and what looks wrong with it."""
+
+    name: str
+    types: tuple[str, ...]
+    publishers: tuple[str, ...]  #: full names of nodes, sorted; as often as they publish
+    subscriptions: tuple[str, ...]  #: likewise
+    guess: str | None  #: the published topic that was probably meant, if nobody publishes this one
+
+    @property
+    def has_clash(self) -> bool:
+        """Whether its nodes use different types, and so cannot hear each other."""
+        return len(self.types) > 1
+
+
+def topic_rows(graph: Snapshot, own_node: str) -> list[TopicRow]:
+    """Return the topics, those with numbers in the order of these; a page's own ends do not count.
+
+    Args:
+        graph: Who is there.
+        own_node: Full name of the page's node, which listens to whatever is looked at.
+    """
+    ends: dict[str, list[EndpointToken]] = {}
+    for end in graph.of_kind(EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION):
+        if _node(end) != own_node:
+            ends.setdefault(end.name, []).append(end)
+    published = {name for name, of_name in ends.items() if any(map(_is_publisher, of_name))}
+    return [_row(name, ends[name], published) for name in sorted(ends, key=_natural)]
+
+
+def _row(name: str, ends: list[EndpointToken], published: set[str]) -> TopicRow:
+    return TopicRow(
+        name,
+        tuple(sorted({end.type_name for end in ends})),
+        tuple(sorted(_node(end) for end in ends if _is_publisher(end))),
+        tuple(sorted(_node(end) for end in ends if not _is_publisher(end))),
+        None if name in published else nearest(name, sorted(published)),
+    )
+
+
+def _node(end: EndpointToken) -> str:
+    return fully_qualified(end.namespace, end.node)
+
+
+def _is_publisher(end: EndpointToken) -> bool:
+    return end.kind is EntityKind.PUBLISHER
+
+
+def _natural(name: str) -> list[tuple[int, str]]:
+    """`/robot2` before `/robot10`."""
+    parts = re.split(r"(\d+)", name)
+    return [(int(part), "") if part.isdecimal() else (-1, part) for part in parts]
