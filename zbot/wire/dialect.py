@@ -61,7 +61,7 @@ class _Native:
     parse_key = staticmethod(keys.parse_key)
 
     @staticmethod
-    def domain_of(domain: int, _name: str) -> int:
+    def domain_of(domain: int, name: str) -> int:  # noqa: ARG004 - the shared one looks at it
         return domain
 
     @staticmethod
