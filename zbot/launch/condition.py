@@ -8,7 +8,7 @@ from zbot.launch.errors import ConditionError
 from zbot.launch.substitution import describe, normalize, perform, to_bool
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from zbot.launch.context import LaunchContext
     from zbot.launch.substitution import SomeSubstitutionsType
@@ -33,6 +33,31 @@ class Condition:
         return f"{type(self).__name__}()"
 
 
+class AndCondition(Condition):
+    """Holds if all of several conditions hold."""
+
+    def __init__(self, conditions: Sequence[Condition]) -> None:
+        super().__init__()
+        self.conditions = list(conditions)
+
+    def evaluate(self, context: LaunchContext) -> bool:
+        """Return whether it holds."""
+        return all(condition.evaluate(context) for condition in self.conditions)
+
+    def describe(self) -> str:
+        """Return one line about it."""
+        parts = ", ".join(condition.describe() for condition in self.conditions)
+        return f"{type(self).__name__}({parts})"
+
+
+class OrCondition(AndCondition):
+    """Holds if one of several conditions holds."""
+
+    def evaluate(self, context: LaunchContext) -> bool:
+        """Return whether it holds."""
+        return any(condition.evaluate(context) for condition in self.conditions)
+
+
 class IfCondition(Condition):
     """Holds if a text says true, 1, yes or on."""
 
@@ -46,11 +71,7 @@ class IfCondition(Condition):
         Raises:
             ConditionError: The text says neither true nor false.
         """
-        text = perform(context, self.expression)
-        value = to_bool(text)
-        if value is None:
-            raise ConditionError(text)
-        return value
+        return evaluate_condition_expression(context, self.expression)
 
     def describe(self) -> str:
         """Return one line about it."""
@@ -88,3 +109,18 @@ class LaunchConfigurationNotEquals(LaunchConfigurationEquals):
     def evaluate(self, context: LaunchContext) -> bool:
         """Return whether it holds."""
         return not super().evaluate(context)
+
+
+def evaluate_condition_expression(
+    context: LaunchContext, expression: SomeSubstitutionsType
+) -> bool:
+    """Return whether a text says true.
+
+    Raises:
+        ConditionError: It says neither true nor false.
+    """
+    text = perform(context, expression)
+    value = to_bool(text)
+    if value is None:
+        raise ConditionError(text)
+    return value

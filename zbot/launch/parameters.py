@@ -125,14 +125,37 @@ def to_words(context: LaunchContext, parameters: Iterable[Any]) -> list[str]:
     return words
 
 
+def evaluate_parameters(
+    context: LaunchContext, parameters: Iterable[Any]
+) -> tuple[dict[str, Any] | Path, ...]:
+    """Return the values of a node's parameters: a dictionary or the path of a file for each item.
+
+    Raises:
+        EntityTypeError: Something in it is no parameter.
+    """
+    return tuple(_evaluated(context, item) for item in parameters)
+
+
+def _evaluated(context: LaunchContext, item: Any) -> dict[str, Any] | Path:
+    if isinstance(item, Mapping):
+        return dict(flatten(context, item))
+    if isinstance(item, Parameter):
+        return {perform(context, item.name): item.evaluate(context)}
+    return _as_file(item).evaluate(context)
+
+
+def _as_file(item: Any) -> ParameterFile:
+    if isinstance(item, ParameterFile):
+        return item
+    try:
+        return ParameterFile(item)
+    except EntityTypeError:
+        expected = "a dictionary, the path of a YAML file or a ParameterFile"
+        raise EntityTypeError("an item of parameters", expected, item) from None
+
+
 def _file(context: LaunchContext, item: Any) -> list[str]:
-    if not isinstance(item, ParameterFile):
-        try:
-            item = ParameterFile(item)
-        except EntityTypeError:
-            expected = "a dictionary, the path of a YAML file or a ParameterFile"
-            raise EntityTypeError("an item of parameters", expected, item) from None
-    path = item.evaluate(context)
+    path = _as_file(item).evaluate(context)
     if not path.is_file():
         context.journal.warning("launch_ros", f"Parameter file path is not a file: {path}")
         return []

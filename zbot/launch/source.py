@@ -59,7 +59,7 @@ class LaunchDescriptionSource:
             LaunchError: The file is not there, or makes no sense.
         """
         if self._description is None:
-            self._description = self._load(perform(context, self._location))
+            self._description = load_launch_file(perform(context, self._location), self.format)
         return self._description
 
     def try_get_launch_description_without_context(
@@ -77,7 +77,7 @@ class LaunchDescriptionSource:
             location = self.location_before_launch(including)
             if location is None:
                 return None
-            self._description = self._load(location)
+            self._description = load_launch_file(location, self.format)
         return self._description
 
     def location_before_launch(self, including: str = "") -> str | None:
@@ -107,21 +107,37 @@ class LaunchDescriptionSource:
         """The path as it was written, for people."""
         return describe(self._location)
 
-    def _load(self, location: str) -> LaunchDescription:
-        path = Path(location).absolute()
-        if not path.is_file():
-            raise LaunchFileNotFoundError(f"launch file '{location}' not found")
-        kind = self.format or _FORMATS.get(path.suffix, "")
-        if kind == "python":
-            from zbot.launch.python_file import load  # noqa: PLC0415 - read when needed
 
-            return load(path)
-        if kind in {"xml", "yaml"}:
-            from zbot.launch.frontend import load_file  # noqa: PLC0415 - most files are Python
+def load_launch_file(location: str, kind: str = "") -> LaunchDescription:
+    """Return what a launch file describes.
 
-            return load_file(path, kind)
-        reason = "the name of a launch file ends in .py, .xml, .yaml or .yml"
-        raise LaunchFileError(str(path), 0, reason)
+    Args:
+        location: Its path.
+        kind: `python`, `xml` or `yaml`; by the file's name if empty.
+
+    Raises:
+        LaunchFileNotFoundError: There is no such file.
+        LaunchFileError: It makes no sense.
+    """
+    path = Path(location).absolute()
+    if not path.is_file():
+        raise LaunchFileNotFoundError(f"launch file '{location}' not found")
+    kind = kind or _FORMATS.get(path.suffix, "")
+    if kind == "python":
+        from zbot.launch.python_file import load  # noqa: PLC0415 - read when needed
+
+        return load(path)
+    if kind in {"xml", "yaml"}:
+        from zbot.launch.frontend import load_file  # noqa: PLC0415 - most files are Python
+
+        return load_file(path, kind)
+    reason = "the name of a launch file ends in .py, .xml, .yaml or .yml"
+    raise LaunchFileError(str(path), 0, reason)
+
+
+def load_python_launch_file(location: str) -> LaunchDescription:
+    """Return what a launch file in Python describes, whatever its name; see above."""
+    return load_launch_file(location, "python")
 
 
 class AnyLaunchDescriptionSource(LaunchDescriptionSource):

@@ -37,6 +37,10 @@ SomeSubstitutionsType: TypeAlias = (
 )
 
 
+#: The same for `isinstance`, as launch files ask.
+SomeSubstitutionsType_types_tuple = (str, Substitution, PurePath, Iterable)
+
+
 class TextSubstitution(Substitution):
     """A text that is known already."""
 

@@ -8,6 +8,9 @@ from zbot.launch.actions.configuration import PopEnvironment as PopEnvironment
 from zbot.launch.actions.configuration import PopLaunchConfigurations as PopLaunchConfigurations
 from zbot.launch.actions.configuration import PushEnvironment as PushEnvironment
 from zbot.launch.actions.configuration import PushLaunchConfigurations as PushLaunchConfigurations
+from zbot.launch.actions.configuration import (
+    ReplaceEnvironmentVariables as ReplaceEnvironmentVariables,
+)
 from zbot.launch.actions.configuration import ResetEnvironment as ResetEnvironment
 from zbot.launch.actions.configuration import ResetLaunchConfigurations as ResetLaunchConfigurations
 from zbot.launch.actions.configuration import SetEnvironmentVariable as SetEnvironmentVariable
@@ -30,6 +33,8 @@ from zbot.launch.actions.log import LogDebug as LogDebug
 from zbot.launch.actions.log import LogError as LogError
 from zbot.launch.actions.log import LogInfo as LogInfo
 from zbot.launch.actions.log import LogWarning as LogWarning
+from zbot.launch.actions.loop import ForEach as ForEach
+from zbot.launch.actions.loop import ForLoop as ForLoop
 from zbot.launch.actions.node import Node as Node
 from zbot.launch.actions.opaque import OpaqueCoroutine as OpaqueCoroutine
 from zbot.launch.actions.opaque import OpaqueFunction as OpaqueFunction

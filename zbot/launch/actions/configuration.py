@@ -146,6 +146,25 @@ class AppendEnvironmentVariable(SetEnvironmentVariable):
         context.environment[name] = value
 
 
+class ReplaceEnvironmentVariables(Action):
+    """Leave no environment variables but these."""
+
+    def __init__(
+        self,
+        environment: Mapping[SomeSubstitutionsType, SomeSubstitutionsType] | None = None,
+        **options: Any,
+    ) -> None:
+        super().__init__(**options)
+        self.environment = dict(environment or {})
+
+    def execute(self, context: LaunchContext) -> None:
+        """Replace them."""
+        context.environment = {
+            perform(context, name): perform(context, value)
+            for name, value in self.environment.items()
+        }
+
+
 class PushEnvironment(Action):
     """Remember the environment."""
 

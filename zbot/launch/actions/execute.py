@@ -108,6 +108,10 @@ class ExecuteLocal(Action):
         name = perform(context, description.name) if description.name else _base_name(first)
         return description.prepare(context, words, name)
 
+    def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
+        """Return the actions that are done when it ends, unless a function says which."""
+        return list(self.on_exit) if isinstance(self.on_exit, (list, tuple)) else []
+
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         """Start the program, unless the launch is ending.
 

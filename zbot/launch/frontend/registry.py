@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     Builder = Callable[[Entity, Parser], LaunchDescriptionEntity]
 
-Class = TypeVar("Class", bound="type[Any]")
+Exposed = TypeVar("Exposed", bound="Callable[..., Any]")
 
 ACTIONS: dict[str, Builder] = {}
 _ADDED: dict[str, Callable[[list[list[Substitution]]], Substitution]] = {}
@@ -36,12 +36,17 @@ def action(*names: str) -> Callable[[Builder], Builder]:
     return register
 
 
-def expose_action(name: str) -> Callable[[Class], Class]:
-    """Let a class with a classmethod `parse` make the actions of a tag."""
+def expose_action(name: str) -> Callable[[Exposed], Exposed]:
+    """Let a function, or a class with a classmethod `parse`, make the actions of a tag.
 
-    def register(exposed: Class) -> Class:
+    It is given the entity and the parser, and returns a class and the arguments to make it with.
+    """
+
+    def register(exposed: Exposed) -> Exposed:
+        parse: Callable[..., Any] = getattr(exposed, "parse", exposed)
+
         def build(entity: Entity, parser: Parser) -> LaunchDescriptionEntity:
-            made, arguments = exposed.parse(entity, parser)
+            made, arguments = parse(entity, parser)
             entity_made: LaunchDescriptionEntity = made(**arguments)
             return entity_made
 
@@ -51,12 +56,17 @@ def expose_action(name: str) -> Callable[[Class], Class]:
     return register
 
 
-def expose_substitution(name: str) -> Callable[[Class], Class]:
-    """Let a class with a classmethod `parse` make the substitutions of a name."""
+def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
+    """Let a function, or a class with a classmethod `parse`, make the substitutions of a name.
 
-    def register(exposed: Class) -> Class:
+    It is given the arguments, and returns a class and the options to make it with.
+    """
+
+    def register(exposed: Exposed) -> Exposed:
+        parse: Callable[..., Any] = getattr(exposed, "parse", exposed)
+
         def build(arguments: list[list[Substitution]]) -> Substitution:
-            made, options = exposed.parse(arguments)
+            made, options = parse(arguments)
             substitution: Substitution = made(**options)
             return substitution
 
@@ -90,6 +100,12 @@ def _command(command: Any, on_stderr: Any = "fail") -> Substitution:
     return subs.Command(command, on_stderr=on_stderr)
 
 
+def _expression(*words: Any) -> Substitution:
+    if len(words) == 2:  # as in ROS 2: the expression, and modules with commas between
+        return subs.PythonExpression(words[0], python_modules=words[1])
+    return subs.PythonExpression(_joined([*words]))
+
+
 def _parameter(name: Any, default: Any = None) -> Substitution:
     return subs.Parameter(name, default=default)
 
@@ -110,7 +126,7 @@ _MAKERS: dict[str, tuple[Callable[..., Substitution], int, int]] = {
     "filename": (subs.ThisLaunchFile, 0, 0),
     "launch_log_dir": (subs.LaunchLogDir, 0, 0),
     "log_dir": (subs.LaunchLogDir, 0, 0),
-    "eval": (lambda *words: subs.PythonExpression(_joined([*words])), 1, 999),
+    "eval": (_expression, 1, 999),
     "command": (_command, 1, 2),
     "not": (subs.NotSubstitution, 1, 1),
     "and": (subs.AndSubstitution, 2, 2),

@@ -1,7 +1,7 @@
 r"""Texts with substitutions: `$(find-pkg-share my_pkg)/config/$(var robot).yaml`.
 
 An argument is separated by blanks; quotes keep blanks together, and substitutions may stand inside
-both. A backslash takes its meaning from `$`, quotes and backslashes.
+both. A backslash takes its meaning from `$`, brackets, quotes and backslashes.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from zbot.launch.substitution import Substitution
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
-_ESCAPED = "\\$\"'"
+_ESCAPED = "\\$\"'()"
 _BLANKS = " \t\r\n"
 
 

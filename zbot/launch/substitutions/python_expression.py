@@ -19,7 +19,8 @@ class PythonExpression(Substitution):
 
     Args:
         expression: The expression.
-        python_modules: Modules that it may use; of `math` the names alone work too.
+        python_modules: Modules that it may use, in a list or with commas between; of `math` the
+            names alone work too.
     """
 
     def __init__(
@@ -46,8 +47,8 @@ class PythonExpression(Substitution):
 
     def _names(self, context: LaunchContext) -> dict[str, Any]:
         names: dict[str, Any] = {}
-        for module in self.python_modules:
-            name = perform(context, module)
+        texts = (perform(context, module) for module in self.python_modules)
+        for name in (part.strip() for text in texts for part in text.split(",") if part.strip()):
             imported = importlib.import_module(name)
             names[name.partition(".")[0]] = importlib.import_module(name.partition(".")[0])
             if name == "math":

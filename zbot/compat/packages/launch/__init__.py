@@ -15,7 +15,9 @@ from zbot.launch import (
     SomeSubstitutionsType,
     Substitution,
 )
+from zbot.launch.event_handler import Entities as SomeActionsType
 from zbot.launch.event_handler import Entities as SomeEntitiesType
+from zbot.launch.substitution import SomeSubstitutionsType_types_tuple
 
 __all__ = [
     "Action",
@@ -28,8 +30,10 @@ __all__ = [
     "LaunchDescriptionSource",
     "LaunchIntrospector",
     "LaunchService",
+    "SomeActionsType",
     "SomeEntitiesType",
     "SomeSubstitutionsType",
+    "SomeSubstitutionsType_types_tuple",
     "Substitution",
 ]
 

@@ -1,3 +1,6 @@
-"""`SomeSubstitutionsType` under its own module's name."""
+"""What may be given where a text is wanted."""
 
-from zbot.launch import SomeSubstitutionsType as SomeSubstitutionsType
+from zbot.launch.substitution import SomeSubstitutionsType as SomeSubstitutionsType
+from zbot.launch.substitution import (
+    SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple,
+)

@@ -10,4 +10,5 @@ __getattr__ = submodules(
     "events",
     "parameter_descriptions",
     "substitutions",
+    "utilities",
 )

@@ -4,4 +4,4 @@ from zbot.compat.submodules import submodules
 from zbot.launch.frontend.parser import Parser as Parser
 from zbot.launch.frontend.xml_file import Entity as Entity
 
-__getattr__ = submodules(__name__, "launch_description_sources")
+__getattr__ = submodules(__name__, "launch_description_sources", "entity", "parser")

@@ -6,6 +6,8 @@ from zbot.launch.actions import DeclareLaunchArgument as DeclareLaunchArgument
 from zbot.launch.actions import EmitEvent as EmitEvent
 from zbot.launch.actions import ExecuteLocal as ExecuteLocal
 from zbot.launch.actions import ExecuteProcess as ExecuteProcess
+from zbot.launch.actions import ForEach as ForEach
+from zbot.launch.actions import ForLoop as ForLoop
 from zbot.launch.actions import GroupAction as GroupAction
 from zbot.launch.actions import IncludeLaunchDescription as IncludeLaunchDescription
 from zbot.launch.actions import Log as Log
@@ -20,6 +22,7 @@ from zbot.launch.actions import PopLaunchConfigurations as PopLaunchConfiguratio
 from zbot.launch.actions import PushEnvironment as PushEnvironment
 from zbot.launch.actions import PushLaunchConfigurations as PushLaunchConfigurations
 from zbot.launch.actions import RegisterEventHandler as RegisterEventHandler
+from zbot.launch.actions import ReplaceEnvironmentVariables as ReplaceEnvironmentVariables
 from zbot.launch.actions import ResetEnvironment as ResetEnvironment
 from zbot.launch.actions import ResetLaunchConfigurations as ResetLaunchConfigurations
 from zbot.launch.actions import SetEnvironmentVariable as SetEnvironmentVariable

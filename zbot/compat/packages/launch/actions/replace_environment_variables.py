@@ -1,0 +1,3 @@
+"""The action under its own module's name."""
+
+from zbot.launch.actions import ReplaceEnvironmentVariables as ReplaceEnvironmentVariables

@@ -1,0 +1,3 @@
+"""`AndCondition` under its own module's name."""
+
+from zbot.launch.condition import AndCondition as AndCondition

@@ -1,0 +1,3 @@
+"""What a node's parameters are."""
+
+from zbot.launch.parameters import evaluate_parameters as evaluate_parameters

@@ -1,0 +1,3 @@
+"""`Entity` under its own module's name."""
+
+from zbot.launch.frontend.xml_file import Entity as Entity

@@ -1,0 +1,105 @@
+"""Actions that are made several times, with different values."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.action import Action
+from zbot.launch.errors import LaunchArgumentError
+from zbot.launch.substitution import describe, normalize, perform
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from zbot.launch.context import LaunchContext
+    from zbot.launch.entity import LaunchDescriptionEntity
+    from zbot.launch.substitution import SomeSubstitutionsType
+
+    Entities = Sequence[LaunchDescriptionEntity] | None
+
+SEPARATOR = ";"
+
+
+class ForEach(Action):
+    """Do what a function returns for each of several dictionaries of values.
+
+    Args:
+        input_values: YAML dictionaries with semicolons between: `{name: a, id: 1};{name: b}`.
+        function: Called with the values of one dictionary as keywords.
+    """
+
+    def __init__(
+        self,
+        input_values: SomeSubstitutionsType,
+        *,
+        function: Callable[..., Entities],
+        **options: Any,
+    ) -> None:
+        super().__init__(**options)
+        self.input_values, self.function = normalize(input_values), function
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
+        """Return what the function returns, for each dictionary in its order.
+
+        Raises:
+            LaunchArgumentError: A part is no dictionary.
+        """
+        text = perform(context, self.input_values)
+        parts = [part for part in text.split(SEPARATOR) if part.strip()]
+        return [each for part in parts for each in self.function(**_values(part)) or ()]
+
+    def describe(self) -> str:
+        """Return the values."""
+        return f"ForEach({describe(self.input_values)})"
+
+
+class ForLoop(Action):
+    """Do what a function returns for the numbers from 0.
+
+    Args:
+        length: How many numbers.
+        function: Called with `i`, the number.
+        name: What the loop is called.
+    """
+
+    def __init__(
+        self,
+        length: SomeSubstitutionsType,
+        *,
+        function: Callable[..., Entities],
+        name: str | None = None,
+        **options: Any,
+    ) -> None:
+        super().__init__(**options)
+        self.length, self.function, self.name = normalize(length), function, name
+
+    def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
+        """Return the loop over the numbers.
+
+        Raises:
+            LaunchArgumentError: The length is no whole number.
+        """
+        text = perform(context, self.length)
+        try:
+            length = int(text)
+        except ValueError:
+            raise LaunchArgumentError(f"a ForLoop needs a whole number, not '{text}'") from None
+        numbers = SEPARATOR.join(f"{{i: {number}}}" for number in range(length))
+        return [ForEach(numbers, function=self.function)]
+
+    def describe(self) -> str:
+        """Return how many times."""
+        return f"ForLoop({describe(self.length)})"
+
+
+def _values(text: str) -> dict[str, Any]:
+    import yaml  # noqa: PLC0415 - 15 ms; few launch files have loops
+
+    try:
+        values = yaml.safe_load(text)
+    except yaml.YAMLError:
+        values = None
+    if not isinstance(values, dict):
+        shown = " ".join(text.split())
+        raise LaunchArgumentError(f"a ForEach needs dictionaries like {{name: a}}, not '{shown}'")
+    return values
