@@ -13,6 +13,8 @@ Parameters: background_r, background_g, background_b (0 to 255), holonomic (bool
 from __future__ import annotations
 
 import zbot
+from zbot.errors import InvalidTopicNameError
+from zbot.names import validate_topic_name
 from zbot.parameter_event_handler import ParameterEventHandler
 from zbot_nodes.turtlesim.page import shown
 from zbot_nodes.turtlesim.ports import TurtlePorts
@@ -87,11 +89,22 @@ class TurtlesimNode(zbot.Node):
             self.ports[name] = TurtlePorts(self, self.world, turtles[name])
 
     def spawn(self, request: Spawn.Request, response: Spawn.Response) -> Spawn.Response:
-        """Add a turtle; the answer has its name, or none if that was taken."""
+        """Add a turtle; the answer has its name, or none if that is taken or cannot be one."""
+        if request.name and not self.is_possible(request.name):
+            return response
         turtle = self.world.spawn(request.x, request.y, request.theta, request.name)
         self.match_ports()
         response.name = "" if turtle is None else turtle.name
         return response
+
+    def is_possible(self, name: str) -> bool:
+        """Return whether topics can have a turtle's name in them; tell if not."""
+        try:
+            validate_topic_name(f"{name}/pose")
+        except InvalidTopicNameError as error:
+            self.get_logger().error(f"A turtle cannot be named [{name}]: {error}")
+            return False
+        return True
 
     def kill(self, request: Kill.Request, response: Kill.Response) -> Kill.Response:
         """Remove a turtle."""

@@ -113,6 +113,19 @@ def test_it_goes_on_at_the_wall(turtlesim: Program, start: Start) -> None:
     turtlesim.wait_for("A turtle named [turtle1] already exists")
 
 
+@pytest.mark.parametrize("name", ["a b", "1st", "dash-ed"])
+def test_a_name_that_no_topic_can_have_is_refused(
+    turtlesim: Program, start: Start, name: str
+) -> None:
+    told = output(start, "service", "call", "/spawn", "turtlesim/srv/Spawn", f"{{name: '{name}'}}")
+    assert "turtlesim.srv.Spawn_Response(name='')" in told
+    turtlesim.wait_for(f"A turtle cannot be named [{name}]")
+    assert "turtlesim.srv.Spawn_Response(name='turtle2')" in output(
+        start, "service", "call", "/spawn", "turtlesim/srv/Spawn", "{x: 1, y: 1}"
+    )
+    assert turtlesim.stop() == -2
+
+
 def test_a_square_is_drawn(turtlesim: Program, start: Start) -> None:
     square = start("zbot", "run", "turtlesim", "draw_square")
     square.wait_for("New goal [7.544445 5.544445, 0.000000]")

@@ -61,6 +61,15 @@ def test_it_opens_the_page_at_the_turtle(start: Start, visited: Path) -> None:
         urllib.request.urlopen(root)
 
 
+def test_two_that_begin_at_once_share_a_page(start: Start, visited: Path) -> None:
+    pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
+    launched = start("zbot", "launch", "turtlesim", "multisim.launch.py")
+    assert wait_until(lambda: len(opened(visited)) == 2, 40)
+    roots = {address.partition("/turtle?")[0] for address in opened(visited)}
+    assert len(roots) == 1
+    assert launched.stop(timeout_s=20) == 0
+
+
 def test_its_page_ends_with_it_however_it_ends(start: Start, visited: Path) -> None:
     pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
     program = start(*RUN)

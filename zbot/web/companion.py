@@ -8,15 +8,20 @@ from __future__ import annotations
 import importlib.util
 import os
 import signal
+import socket
 import subprocess
 import sys
 import threading
+import webbrowser
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from typing_extensions import Self
 
 _GOODBYE_S = 5.0
+_PATIENCE_S = 30.0
+# Which of several programs that begin at once serves the page: who can bind this port.
+_ABOVE_MEETING_PORT = 2000
 
 
 def is_installed() -> bool:
@@ -52,13 +57,47 @@ class Companion:
 
 
 def main() -> None:
-    """Serve until standard input closes."""
+    """Serve until standard input closes, or show the page that another companion serves."""
     from zbot.signals import SignalHandlerOptions, install  # noqa: PLC0415 - only in that process
     from zbot.web.server import serve  # noqa: PLC0415 - as above
 
-    install(SignalHandlerOptions.ALL)
     threading.Thread(target=_end_with_input, name="zbot companion", daemon=True).start()
-    serve(open_browser=True, start_path=sys.argv[1])
+    path = sys.argv[1]
+    with socket.socket() as arbiter:
+        if _is_first(arbiter):
+            install(SignalHandlerOptions.ALL)
+            serve(open_browser=True, start_path=path)
+        else:
+            _show_others(path)
+
+
+def _is_first(arbiter: socket.socket) -> bool:
+    """Return whether no other program of the domain has begun to show its page."""
+    from zbot.config import MEETING_PORT, domain_id  # noqa: PLC0415 - only in that process
+
+    try:
+        arbiter.bind(("127.0.0.1", MEETING_PORT + _ABOVE_MEETING_PORT + domain_id()))
+        arbiter.listen()
+    except OSError:
+        return False
+    return True
+
+
+def _show_others(path: str) -> None:
+    """Open the page that another companion is about to serve."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the program beside it tells of Ctrl-C
+    from zbot.context import Context  # noqa: PLC0415 - only in that process
+    from zbot.node import Node  # noqa: PLC0415 - as above
+    from zbot.web.announcement import TOPIC, running_page  # noqa: PLC0415 - as above
+
+    context = Context()
+    context.init([])
+    node = Node(f"_zbot_companion_{os.getpid()}", context=context, enable_rosout=False)
+    context.graph.wait_for(lambda graph: bool(graph.publishers(TOPIC)), _PATIENCE_S)
+    address = running_page(node)
+    context.shutdown()
+    if address is not None:
+        webbrowser.open(address + path)
 
 
 def _end_with_input() -> None:

@@ -243,7 +243,7 @@ class TurtlePanel:
             self._choose(name)
             self._new_name.set_value("")
         else:
-            ui.notify(f"A turtle named {self._new_name.value} already exists", type="negative")
+            ui.notify(_why_no_turtle(self._new_name.value or "", self._names), type="negative")
 
     async def _teleport(self) -> None:
         if self._remote is not None and self._chosen:
@@ -274,6 +274,12 @@ class TurtlePanel:
     async def _reset(self) -> None:
         if self._remote is not None:
             await self._remote.reset()
+
+
+def _why_no_turtle(name: str, taken: list[str]) -> str:
+    if name in taken:
+        return f"A turtle named {name} already exists"
+    return f"No turtle can be named {name!r}: use letters, digits and underscores"
 
 
 def _colour(label: str, on_choice: Callable[[], Coroutine[Any, Any, None]]) -> ui.input:
