@@ -36,12 +36,15 @@ class Lesson:
         rig: The machines.
         nodes: How many each laptop runs.
         pin: The class's PIN; empty for none.
+        hz: How often each node speaks.
     """
 
-    def __init__(self, rig: Rig, nodes: int, *, pin: str = "") -> None:
+    def __init__(self, rig: Rig, nodes: int, *, pin: str = "", hz: float = 10) -> None:
         self.rig = rig
         self._pin = {"ZBOT_PIN": pin} if pin else {}
+        self.has_pin = bool(pin)
         self._nodes = nodes
+        self._hz = hz
         self._pupils: dict[Node, Program] = {}
         self.seen_after_s = 0.0  #: from the last node's start until the teacher saw all
         self.code = self.open_class()
@@ -94,7 +97,7 @@ class Lesson:
 
     def start_node(self, laptop: Machine, name: str, neighbour: str) -> Program:
         """Start a pupil's node."""
-        program = laptop.start("pupil.py", name, neighbour)
+        program = laptop.start("pupil.py", name, neighbour, "--hz", str(self._hz))
         self._pupils[self.number_of(laptop), f"/{name}"] = program
         return program
 

@@ -12,7 +12,7 @@ from zbot import membership
 from zbot.classroom.address import EVERYWHERE, Address
 from zbot.classroom.door import Door
 from zbot.classroom.errors import ClassroomError
-from zbot.classroom.hub import HubSettings, rate_limit
+from zbot.classroom.hub import HubSettings
 from zbot.classroom.keys import DESK_KEY, DOOR_KEY, NOTICES_KEY
 from zbot.classroom.link import Link
 from zbot.classroom.record import MOST_NOTICES, ClassRecord, user_of
@@ -64,7 +64,7 @@ class Classroom:
         settings = teacher_access(students, shared_is_open=self._record.is_open, shares=shares)
         if not self._record.pin:
             self._go_by_ids(settings["access_control"])
-        settings |= {**rate_limit(_NUMBERS, "ingress"), **link.settings}
+        settings |= link.settings
         return HubSettings(listen, extra=settings)
 
     def _go_by_ids(self, access: Document) -> None:

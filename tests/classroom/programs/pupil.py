@@ -4,8 +4,9 @@ Run:        pupil.py NAME NEIGHBOUR [--hz 10]
 Publishes:  NAME/words (std_msgs/String), a number and the monotonic time in nanoseconds
 Subscribes: NEIGHBOUR/words
 
-Prints `node TIME` when its node exists, `hears TIME` with the first message, `gap FIRST NEXT` when
-numbers are missing, and when it is interrupted a line of JSON: received, lost, delays_us.
+Prints `node TIME` when its node exists, with the time at which its making began, `hears TIME` with
+the first message, `gap FIRST NEXT` when numbers are missing, and when it is interrupted a line of
+JSON: received, lost, delays_us.
 """
 
 from __future__ import annotations
@@ -22,8 +23,9 @@ from std_msgs.msg import String
 
 class Pupil(zbot.Node):
     def __init__(self, name: str, neighbour: str, hz: float) -> None:
+        begun_ns = time.monotonic_ns()
         super().__init__(name)
-        print("node", time.monotonic_ns(), flush=True)
+        print("node", begun_ns, flush=True)
         self.said = 0
         self.heard: int | None = None
         self.lost = 0

@@ -1,0 +1,353 @@
+"""Hold a class of thirty laptops with five nodes each, all on this machine, and measure it.
+
+Run: python -m benchmarks.classroom [--laptops 30] [--nodes 5] [--pin] [--netem-minutes 10] [--write]
+
+Needs Linux, root and iproute2 (tests/classroom/rig.py), and for the full size 8 GB of memory. One
+machine does the work of thirty here, so what takes processor time takes longer than in a class.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import platform
+import statistics
+import sys
+import time
+from datetime import datetime, timezone
+from importlib.metadata import version
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import zbot
+from tests.classroom.lesson import Lesson, hub_pid
+from tests.classroom.rig import Rig, obstacle
+from tests.classroom.weather import Weather, spoil
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from tests.classroom.machine import Machine
+
+PIN = "4711"
+IDLE_S = 20.0
+ASLEEP_S = 30.0
+FLOOD_S = 60
+CUT_S = 30.0
+TRIES = 3
+HZ = 2.0
+RESULTS = Path(__file__).parent / "CLASSROOM.md"
+
+
+class Report:
+    """A table of what was measured and what it may be at most; printed as it grows."""
+
+    def __init__(self) -> None:
+        self.lines: list[str] = []
+        self.failures = 0
+
+    def say(self, line: str) -> None:
+        print(line, flush=True)
+        self.lines.append(line)
+
+    def head(self, title: str) -> None:
+        self.say(f"\n## {title}\n")
+        self.say("| what | measured | at most | |\n|---|---|---|---|")
+
+    def row(self, what: str, measured: float, limit: float | None = None, unit: str = "s") -> None:
+        good = limit is None or measured <= limit
+        self.failures += not good
+        shown = "" if limit is None else f"{limit:g} {unit}"
+        verdict = "" if limit is None else "yes" if good else "**no**"
+        self.say(f"| {what} | {measured:.3g} {unit} | {shown} | {verdict} |")
+
+
+def percentile(values: Sequence[float], share: float) -> float:
+    return sorted(values)[int(len(values) * share)]
+
+
+def resident_mb(pid: int) -> float:
+    status = Path(f"/proc/{pid}/status").read_text(encoding="ascii")
+    return int(status.split("VmRSS:")[1].split()[0]) / 1024
+
+
+def cpu_s(pid: int) -> float:
+    fields = Path(f"/proc/{pid}/stat").read_text(encoding="ascii").rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+# -- a lesson --------------------------------------------------------------------------------------
+
+
+def measure_beginning(report: Report, lesson: Lesson) -> None:
+    begun = time.monotonic()
+    lesson.join()
+    joined = time.monotonic() - begun
+    report.row("all laptops have joined, four at a time", joined)
+    before = lesson.rig.teacher.traffic()
+    lesson.start_nodes()
+    report.row(
+        "all nodes are seen by the teacher, after the last one's start", lesson.seen_after_s, 10
+    )
+    carried = lesson.rig.teacher.traffic() - before
+    megabytes = (carried.received_bytes + carried.sent_bytes) / 1e6
+    report.row("the teacher's interface carried meanwhile", megabytes, None, "MB")
+
+
+def measure_newcomers(report: Report, lesson: Lesson) -> None:
+    after_start: list[float] = []
+    after_birth: list[float] = []
+    for number in range(10):
+        laptop = lesson.rig.laptops[-1 - number % len(lesson.rig.laptops)]
+        node = (lesson.number_of(laptop), f"/newcomer{number}")
+        begun = time.monotonic()
+        program = laptop.start("pupil.py", node[1][1:], "pupil0")
+        seen = lesson.watch.until(lambda nodes, node=node: node in nodes)
+        after_start.append(seen - begun)
+        after_birth.append(seen - int(program.wait_for("node").split()[1]) / 1e9)
+        program.stop(timeout_s=20)
+    report.row("a new node is seen, worst of 10", max(after_birth), 0.5)
+    report.row("the same from the start of its process, median", statistics.median(after_start))
+
+
+def measure_idleness(report: Report, lesson: Lesson) -> None:
+    pid = hub_pid(lesson.rig.teacher)
+    before, used = lesson.rig.teacher.traffic(), cpu_s(pid)
+    time.sleep(IDLE_S)
+    carried = lesson.rig.teacher.traffic() - before
+    kilobytes = (carried.received_bytes + carried.sent_bytes) / 1000 / IDLE_S
+    packets = (carried.received_packets + carried.sent_packets) / IDLE_S
+    report.row("idle traffic at the teacher, both ways", kilobytes, 5, "kB/s")
+    report.row("packets of it", packets, None, "/s")
+    report.row("processor time of the teacher's hub", (cpu_s(pid) - used) / IDLE_S * 100, None, "%")
+    report.row("memory of the teacher's hub", resident_mb(pid), None, "MB")
+    laptops = [resident_mb(hub_pid(laptop)) for laptop in lesson.rig.laptops]
+    report.row("memory of a laptop's hub, median", statistics.median(laptops), None, "MB")
+
+
+def measure_losses(report: Report, lesson: Lesson) -> None:
+    lost, back = [], []
+    for number in range(TRIES):
+        laptop = lesson.rig.laptops[number % len(lesson.rig.laptops)]
+        for cut, mend in (
+            (laptop.leave_air, laptop.return_to_air),
+            (laptop.unplug, laptop.plug_in),
+        ):
+            gone = time_until_gone(lesson, laptop, cut)
+            lost.append(gone)
+            back.append(time_until_back(lesson, mend))
+    report.row(f"a lost laptop is shown, worst of {len(lost)}", max(lost), 5)
+    report.row(f"it is back after its Wi-Fi is, worst of {len(back)}", max(back))
+    laptop = lesson.rig.laptops[0]
+    time_until_gone(lesson, laptop, laptop.sleep)
+    time.sleep(ASLEEP_S)
+    report.row(
+        f"it is back after {ASLEEP_S:.0f} s of sleep", time_until_back(lesson, laptop.wake_up)
+    )
+
+
+def time_until_gone(lesson: Lesson, laptop: Machine, cut: Callable[[], None]) -> float:
+    nodes = lesson.nodes_of(laptop)
+    begun = time.monotonic()
+    cut()
+    return lesson.watch.until(lambda seen: not nodes & seen) - begun
+
+
+def time_until_back(lesson: Lesson, mend: Callable[[], None]) -> float:
+    begun = time.monotonic()
+    mend()
+    return max(0.0, lesson.watch.until(lesson.all_there, 60) - begun)
+
+
+def measure_restarts(report: Report, lesson: Lesson) -> None:
+    took = []
+    for _ in range(TRIES):
+        lesson.kill_hub()
+        took.append(time_until_back(lesson, lesson.open_class))
+    report.row(
+        f"all are back after the hub was killed, from the command on, worst of {TRIES}",
+        max(took),
+        3,
+    )
+
+
+def measure_commands(report: Report, lesson: Lesson) -> None:
+    teacher = lesson.rig.teacher
+    listed = teacher.run("zbot", "class", "list", "--json")
+    here = sum(len(row["nodes"]) for row in json.loads(listed.out)["students"] if row["here"])
+    report.row(f"`zbot class list`, which shows {here} nodes", listed.took_s)
+    checked = teacher.run("zbot", "class", "check", "publishes std_msgs/String on /pupil0/words")
+    report.row(f"`zbot class check`: {checked.out.splitlines()[-1]}", checked.took_s)
+    echoed = teacher.run("zbot", "topic", "echo", "--once", "/1/pupil0/words")
+    report.row("`zbot topic echo --once /1/pupil0/words`", echoed.took_s)
+
+
+def measure_refusals(report: Report, lesson: Lesson, laptop: Machine) -> None:
+    code = lesson.code
+    typo = code[:-1] + ("2" if code[-1] != "2" else "3")
+    report.row("wrong code", refusal(laptop, typo, "typo"), 2)
+    report.row("dead teacher", refusal(laptop, "10.77.200.1", "nobody answers"), 2)
+    if lesson.has_pin:
+        report.row("wrong PIN", refusal(laptop, code, "wrong PIN"), 2)
+    laptop.block_port(7447)
+    report.row("blocked port", refusal(laptop, code, "is blocked"), 2)
+    laptop.unblock_ports()
+
+
+def refusal(laptop: Machine, target: str, words: str) -> float:
+    refused = laptop.run("zbot", "join", target, env={"ZBOT_PIN": "4712"})
+    assert words in refused.err, refused.err
+    return refused.took_s
+
+
+def measure_flood(report: Report, lesson: Lesson) -> None:
+    flooded, other = lesson.rig.laptops[0], lesson.rig.laptops[1]
+    teacher = lesson.rig.teacher.start("hear.py", "2/ana/words", "1/flood")
+    teacher.wait_for("hearing")
+    ana = other.start("pupil.py", "ana", "ana", "--hz", "200")
+    ana.wait_for("hears")
+    flood = flooded.start("flood.py")
+    flood.wait_for("flood")
+    time.sleep(FLOOD_S)
+    for program in (flood, ana, teacher):
+        program.stop(timeout_s=20)
+    heard = json.loads(teacher.lines[-1])
+    # The flood's rhythm (flood.py): the second in which it begins or ends is neither.
+    with_flood, without = (by_second(heard["delays_us"], phase) for phase in (1, 3))
+    p99 = [
+        percentile([one for second in part for one in second], 0.99) / 1000
+        for part in (with_flood, without)
+    ]
+    best = [
+        min(percentile(second, 0.99) for second in part) / 1000 for part in (with_flood, without)
+    ]
+    report.row(
+        "messages of the flood that reached the teacher", heard["others"] / FLOOD_S * 2, None, "/s"
+    )
+    report.row("p99 of another's messages to the teacher, without", p99[1], None, "ms")
+    report.row("with the flood", p99[0], None, "ms")
+    report.row("p99 of the best second, without", best[1], None, "ms")
+    report.row("with the flood, as a share of that", best[0] / best[1] * 100, 120, "%")
+
+
+def by_second(delays_us: dict[str, list[int]], phase: int) -> list[list[int]]:
+    whole = (
+        delays
+        for second, delays in delays_us.items()
+        if int(second) % 4 == phase and len(delays) > 100
+    )
+    return list(whole)
+
+
+def measure_end(report: Report, lesson: Lesson) -> None:
+    heard = lesson.end_nodes()
+    delays = [delay for one in heard for delay in one.delays_us]
+    report.row("local messages lost in all of this", sum(one.lost for one in heard), 0, "")
+    report.row("of", sum(one.received for one in heard), None, "")
+    report.row("local delay, p50", percentile(delays, 0.5) / 1000, None, "ms")
+    report.row("local delay, p99", percentile(delays, 0.99) / 1000, None, "ms")
+
+
+def hold_lesson(report: Report, options: argparse.Namespace) -> None:
+    pin = PIN if options.pin else ""
+    report.head(
+        f"{options.laptops} laptops with {options.nodes} nodes each, "
+        f"{'with' if pin else 'without'} a PIN"
+    )
+    with Rig(options.laptops + 1) as rig:
+        late = rig.laptops.pop()
+        lesson = Lesson(rig, options.nodes, pin=pin, hz=HZ)
+        measure_beginning(report, lesson)
+        measure_newcomers(report, lesson)
+        measure_idleness(report, lesson)
+        measure_losses(report, lesson)
+        measure_restarts(report, lesson)
+        measure_commands(report, lesson)
+        measure_refusals(report, lesson, late)
+        measure_end(report, lesson)
+        measure_flood(report, lesson)
+
+
+# -- bad Wi-Fi -------------------------------------------------------------------------------------
+
+
+def endure_weather(report: Report, minutes: float) -> None:
+    weather = Weather(delay_ms=20, jitter_ms=10, loss=0.02)
+    with Rig(1) as rig:
+        lesson, laptop = Lesson(rig, 1), rig.laptops[0]
+        lesson.join()
+        means = spoil(rig, weather, [laptop])
+        report.head(
+            f"{minutes:g} minutes of 20 ± 10 ms and 2 % loss each way ({means}), cut for {CUT_S:.0f} s"
+        )
+        domain = lesson.domain_of(laptop)
+        room = rig.teacher.start("control_room.py", env=domain)
+        room.wait_for("receiving")
+        telemetry = laptop.start("telemetry.py", env=domain)
+        first = int(room.wait_for("first").split()[1])
+        watched = {"teacher's hub": hub_pid(rig.teacher), "laptop's hub": hub_pid(laptop)}
+        watched |= {"receiving node": room.process.pid, "sending node": telemetry.process.pid}
+        time.sleep(minutes * 60 / 4)
+        before = {what: resident_mb(pid) for what, pid in watched.items()}
+        time.sleep(minutes * 60 / 4)
+        laptop.leave_air()
+        time.sleep(CUT_S)
+        laptop.return_to_air()
+        time.sleep(minutes * 60 / 2)
+        after = {what: resident_mb(pid) for what, pid in watched.items()}
+        telemetry.stop(timeout_s=20)
+        time.sleep(2)
+        room.stop(timeout_s=20)
+    for what, pid_before in before.items():
+        report.row(f"growth of the {what}", after[what] - pid_before, 5, "MB")
+    tell_of_numbers(report, first, json.loads(telemetry.lines[-1]), json.loads(room.lines[-1]))
+
+
+def tell_of_numbers(report: Report, first: int, sent: dict[str, Any], got: dict[str, Any]) -> None:
+    report.row("numbers sent, reliable and keep all", sent["sent"] - first + 1, None, "")
+    report.row("received", got["received"], None, "")
+    report.row("gaps, of which the cut is one", len(got["gaps"]), 1, "")
+    report.row("lost in the cut, and told of", got["told_lost"], None, "")
+    unknown = sent["sent"] - first + 1 - got["received"] - got["told_lost"]
+    report.row("lost without a word", unknown, 0, "")
+    report.row("slowest to arrive", got["slowest_ms"], None, "ms")
+    report.row("longest that a publish() took", sent["longest_publish_ms"], None, "ms")
+    outcomes = [outcome for _, outcome in sent["calls"]]
+    for outcome in dict.fromkeys(outcomes):
+        report.row(f"service calls: {outcome}", outcomes.count(outcome), None, "")
+    report.row("longest service call, of 5 s allowed", max(took for took, _ in sent["calls"]), 5.5)
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--laptops", type=int, default=30)
+    parser.add_argument("--nodes", type=int, default=5)
+    parser.add_argument("--pin", action="store_true", help="ask for a PIN")
+    parser.add_argument("--netem-minutes", type=float, default=0, help="bad Wi-Fi for so long, too")
+    parser.add_argument("--only-netem", action="store_true", help="no lesson")
+    parser.add_argument("--write", action="store_true", help="write benchmarks/CLASSROOM.md")
+    options = parser.parse_args()
+    reason = obstacle()
+    if reason is not None:
+        print(reason, file=sys.stderr)
+        return 1
+    report = Report()
+    report.say("# A classroom, measured\n")
+    report.say(
+        f"{datetime.now(timezone.utc):%Y-%m-%d}, {platform.system()} {platform.release()} "
+        f"{platform.machine()}, {os.cpu_count()} cores, Python {platform.python_version()}, "
+        f"zbot {zbot.__version__}, eclipse-zenoh {version('eclipse-zenoh')}. All machines are network "
+        "namespaces of one, with isolated ports and no multicast between them."
+    )
+    if not options.only_netem:
+        hold_lesson(report, options)
+    if options.netem_minutes:
+        endure_weather(report, options.netem_minutes)
+    if options.write:
+        RESULTS.write_text("\n".join(report.lines) + "\n", encoding="utf-8")
+    return 1 if report.failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
