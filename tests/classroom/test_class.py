@@ -86,6 +86,38 @@ def test_the_teacher_reaches_into_a_students_domain(lesson: Class) -> None:
     listener.stop()
 
 
+BURSTS = """
+import zbot
+from std_msgs.msg import String
+
+with zbot.init():
+    node = zbot.Node("bursts")
+    publishers = [node.create_publisher(String, f"burst_{k}", 10) for k in range(3)]
+
+    def burst():
+        for publisher in publishers:
+            publisher.publish(String(data="all at once"))
+
+    node.create_timer(0.1, burst)
+    zbot.spin(node)
+"""
+
+
+def test_messages_of_several_topics_at_once_all_arrive(lesson: Class) -> None:
+    program = lesson.ana.home / "bursts.py"
+    program.write_text(BURSTS)
+    ears = [
+        lesson.teacher.start("zbot", "topic", "echo", f"/{ANA}/burst_{k}", "std_msgs/String")
+        for k in range(3)
+    ]
+    bursts = lesson.ana.start("zbot", "run", str(program))
+    for ear in ears:
+        for _ in range(10):
+            ear.wait_for("all at once")
+    for one in (*ears, bursts):
+        one.stop()
+
+
 def test_students_are_alone_in_their_domains(lesson: Class) -> None:
     program = talker(lesson.ana, "/chatter")
     assert "Hello" in echo(lesson.ana, "/chatter")
