@@ -69,6 +69,7 @@ class LaunchContext:
         self._locals: list[dict[str, Any]] = []
         self._globals: dict[str, Any] = {}
         self._handlers: deque[BaseEventHandler] = deque()
+        self._locals_of: dict[BaseEventHandler, dict[str, Any]] = {}
         self._queue: deque[Event] = deque()
         self._pending: set[asyncio.Future[Any]] = set()
         self._loop: asyncio.AbstractEventLoop | None = None
@@ -95,10 +96,10 @@ class LaunchContext:
 
     def get_locals_as_dict(self) -> dict[str, Any]:
         """Return the locals, the innermost first."""
-        values = dict(self._globals)
-        for extension in self._locals:
-            values.update(extension)
-        return values
+        return {**self._globals, **self._inner_locals()}
+
+    def _inner_locals(self) -> dict[str, Any]:
+        return {key: value for extension in self._locals for key, value in extension.items()}
 
     @property
     def locals(self) -> _Locals:
@@ -142,7 +143,11 @@ class LaunchContext:
     # Events
 
     def register_event_handler(self, event_handler: BaseEventHandler, append: bool = False) -> None:
-        """Let a handler see every event from now on; the newest sees them first."""
+        """Let a handler see every event from now on; the newest sees them first.
+
+        What it leads to has the locals of now: `ThisLaunchFile` means the file it stands in.
+        """
+        self._locals_of[event_handler] = self._inner_locals()
         if append:
             self._handlers.append(event_handler)
         else:
@@ -152,6 +157,11 @@ class LaunchContext:
         """Let a handler see no more events; one that sees none is no error."""
         if event_handler in self._handlers:
             self._handlers.remove(event_handler)
+            self._locals_of.pop(event_handler, None)
+
+    def locals_of(self, event_handler: BaseEventHandler) -> dict[str, Any]:
+        """Return the locals that held when a handler was registered."""
+        return self._locals_of.get(event_handler, {})
 
     @property
     def event_handlers(self) -> tuple[BaseEventHandler, ...]:

@@ -104,13 +104,13 @@ class LaunchService:
                 return
             context.is_shutdown = True
             context.journal.debug("launch", f"shutdown: {event.reason}")
-        context.extend_locals({"event": event})
-        try:
-            for handler in context.event_handlers:
-                if handler.matches(event):
+        for handler in context.event_handlers:
+            if handler.matches(event):
+                context.extend_locals({**context.locals_of(handler), "event": event})
+                try:
                     self._handle(lambda one=handler: one.handle(event, context))  # type: ignore[misc]
-        finally:
-            context.pop_locals()
+                finally:
+                    context.pop_locals()
 
     def _handle(self, function: Callable[[], Sequence[LaunchDescriptionEntity]]) -> None:
         depth = self.context.depth

@@ -7,14 +7,24 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.launch import Action, LaunchContext, Substitution
+from zbot.launch import (
+    Action,
+    LaunchContext,
+    LaunchDescription,
+    LaunchDescriptionSource,
+    LaunchService,
+    Substitution,
+)
 from zbot.launch.actions import (
     ExecuteProcess,
     ForEach,
     ForLoop,
+    IncludeLaunchDescription,
     LogInfo,
     Node,
+    OpaqueFunction,
     ReplaceEnvironmentVariables,
+    TimerAction,
 )
 from zbot.launch.argument_check import ensure_argument_type, is_a, is_a_subclass
 from zbot.launch.condition import (
@@ -30,7 +40,7 @@ from zbot.launch.frontend.substitution_text import parse
 from zbot.launch.parameters import Parameter, ParameterFile, evaluate_parameters
 from zbot.launch.source import load_launch_file
 from zbot.launch.substitution import perform
-from zbot.launch.substitutions import LaunchConfiguration, PythonExpression
+from zbot.launch.substitutions import LaunchConfiguration, PythonExpression, ThisLaunchFileDir
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -70,8 +80,9 @@ def test_for_each_calls_with_the_values_of_every_dictionary(
 def test_a_loop_counts_from_zero_to_what_a_configuration_says() -> None:
     context, calls = LaunchContext(), list[Any]()
     context.launch_configurations["robots"] = "3"
-    (loop,) = ForLoop(LaunchConfiguration("robots"), function=recorder(calls)).visit(context) or ()
-    loop.visit(context)
+    found = ForLoop(LaunchConfiguration("robots"), function=recorder(calls)).visit(context) or ()
+    for loop in found:
+        loop.visit(context)
     assert calls == [{"i": 0}, {"i": 1}, {"i": 2}]
 
 
@@ -183,6 +194,26 @@ def test_what_follows_a_process_can_be_looked_at() -> None:
     action = LogInfo(msg="over")
     assert ExecuteProcess(cmd=["a"], on_exit=[action]).get_sub_entities() == [action]
     assert ExecuteProcess(cmd=["a"], on_exit=lambda *_: None).get_sub_entities() == []
+
+
+@pytest.mark.parametrize("deferred", [True, False])
+def test_an_included_file_knows_its_folder_also_when_a_timer_has_run_out(deferred: bool) -> None:
+    seen: list[tuple[str, str]] = []
+
+    def look(name: str) -> list[Action]:
+        def note(context: LaunchContext) -> None:
+            seen.append((name, ThisLaunchFileDir().perform(context)))
+
+        action = OpaqueFunction(function=note)
+        return [TimerAction(period=0.0, actions=[action])] if deferred else [action]
+
+    inner = LaunchDescriptionSource(LaunchDescription(look("inner")), "/b/inner.launch.py")
+    outer = LaunchDescription([IncludeLaunchDescription(inner), *look("outer")])
+    service = LaunchService()
+    source = LaunchDescriptionSource(outer, "/a/outer.launch.py")
+    service.include_launch_description(LaunchDescription([IncludeLaunchDescription(source)]))
+    assert service.run() == 0
+    assert sorted(seen) == [("inner", str(Path("/b"))), ("outer", str(Path("/a")))]
 
 
 def test_arguments_are_checked() -> None:
