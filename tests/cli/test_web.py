@@ -3,6 +3,8 @@ from __future__ import annotations
 import socket
 from typing import TYPE_CHECKING
 
+import pytest
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -35,13 +37,22 @@ def test_nothing_but_the_running_page_imports_the_extra(start: Callable[..., Pro
     program.wait_for("imported: []")
 
 
+def test_unknown_panel_is_told_with_a_guess(start: Callable[..., Program]) -> None:
+    pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
+    program = start("zbot", "web", "topcis", "--no-browser")
+    assert program.wait(30) == 1
+    assert program.lines == ["there is no panel 'topcis'", "", "hint: did you mean topics?"]
+
+
 def test_host_that_is_none_of_this_machine_is_told(start: Callable[..., Program]) -> None:
+    pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
     program = start("zbot", "web", "--no-browser", "--host", "192.0.2.1")
     assert program.wait(30) == 1
     assert program.lines[0].startswith("cannot listen on 192.0.2.1:8080: ")
 
 
 def test_taken_port_leads_to_the_next(start: Callable[..., Program]) -> None:
+    pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
     with socket.socket() as holder:
         holder.bind(("127.0.0.1", 0))
         holder.listen()

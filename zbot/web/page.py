@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING
 
 from nicegui import app, ui
 
+from zbot.errors import ZbotError
+from zbot.names import nearest
 from zbot.version import __version__
 from zbot.web.panel import Frame
 from zbot.web.panels import PANELS
@@ -37,9 +39,35 @@ _ICON = (
 )
 
 
+class UnknownPanelError(ZbotError, ValueError):
+    """The page has no panel of that name."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        known = [panel.path.strip("/") for panel in PANELS]
+        guess = nearest(name, known)
+        self.hint = f"did you mean {guess}?" if guess else f"there are {', '.join(known)}"
+        super().__init__(f"there is no panel {name!r}")
+
+
+def check_path(path: str) -> None:
+    """Refuse an address that leads to no panel.
+
+    Args:
+        path: With its query, if any: `/plot?curve=/pose.x`.
+
+    Raises:
+        UnknownPanelError: There is none.
+    """
+    bare = path.partition("?")[0]
+    if bare != "/" and bare not in {panel.path for panel in PANELS}:
+        raise UnknownPanelError(bare.strip("/"))
+
+
 def add_pages(system: System) -> None:
     """Serve every panel at its address, and the first one at `/`."""
-    app.add_static_files(_ADDRESS, str(_STATIC))
+    # No age: whoever updates zbot must not see what the browser remembers of the old one.
+    app.add_static_files(_ADDRESS, str(_STATIC), max_cache_age=0)
     for name in _SCRIPTS:
         ui.add_head_html(f'<script src="{_ADDRESS}/{name}"></script>', shared=True)
     for name in ("page.css", "graph.css", "turtle.css"):

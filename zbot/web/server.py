@@ -45,9 +45,15 @@ def serve(
         start_path: Which page to open first, with its query: `/plot?curve=/pose.x`.
 
     Raises:
+        UnknownPanelError: The path leads to no panel.
         ServerError: It cannot listen there.
         SessionError: Zenoh cannot open a session.
     """
+    # Half a second of imports, which nothing but a running server needs.
+    from zbot.web.application import run  # noqa: PLC0415
+    from zbot.web.page import check_path  # noqa: PLC0415
+
+    check_path(start_path)
     listener = listen(host, port)
     token = None if is_loopback(host) else secrets.token_urlsafe(16)
     try:
@@ -61,9 +67,6 @@ def serve(
                 print("\n".join(f"zbot web: {one}" for one in addresses), flush=True)
                 if open_browser:
                     open_page(addresses[0])
-
-            # Half a second of imports, which nothing but a running server needs.
-            from zbot.web.application import run  # noqa: PLC0415
 
             run(system, listener, lambda app: Guard(app, host=host, token=token), tell)
     finally:
