@@ -194,9 +194,9 @@ def _edge(edge: Edge, route: Route, points: list[tuple[float, float]], rate: str
     parts += [_head(points[0], -way)] if edge.is_both_ways else []
     if route.label is not None:
         x, y = route.label
-        parts.append(f'<text x="{x:.1f}" y="{y - 5:.1f}">{escape(edge.label)}</text>')
+        parts.append(f'<text x="{x:.1f}" y="{y - 6:.1f}">{escape(edge.label)}</text>')
     if rate is not None:
-        x, y = (route.label[0], route.label[1] + 19) if route.label else _beside(edge, points)
+        x, y = (route.label[0], route.label[1] + 20) if route.label else _beside(edge, points)
         parts.append(f'<text class="rate" x="{x:.1f}" y="{y - 5:.1f}">{escape(rate)}</text>')
     return (
         f'<g class="edge{" wrong" if edge.is_wrong else ""}" data-key="{escape(edge_key(edge))}"'

@@ -79,6 +79,7 @@ class GraphView:
     nodes: tuple[str, ...]
     topics: tuple[TopicView, ...]
     namespaces: int = 0  #: how many levels of them get a frame
+    problems: tuple[str, ...] = ()  #: sentences, also about topics that the mode leaves out
     left_out: tuple[str, ...] = field(default=(), compare=False)  #: names that filters hide
 
     @property
@@ -132,11 +133,14 @@ def view(
     # As in rqt_graph, a topic is judged with all its nodes, also those that are not drawn.
     found = find_topics(snapshot, open_nodes, grouping)
     shown = [topic.among(nodes) for topic in _chosen(found, mode, filters)]
+    judged = [topic.among(nodes) for topic in _chosen(found, Mode.ALL, filters)]
+    problems = tuple(topic.problem for topic in judged if topic.ends and topic.problem)
     topics = tuple(topic for topic in shown if topic.ends)
     kept = {topic.name for topic in topics} | nodes
     known = {name for name in names if _TOOL not in name} | {topic.name for topic in found}
     left_out = sorted(known - kept)
-    return GraphView(mode, tuple(sorted(nodes)), topics, grouping.namespaces, tuple(left_out))
+    namespaces, everybody = grouping.namespaces, tuple(sorted(nodes))
+    return GraphView(mode, everybody, topics, namespaces, problems, tuple(left_out))
 
 
 def _chosen(topics: list[TopicView], mode: Mode, filters: Filters) -> Iterator[TopicView]:

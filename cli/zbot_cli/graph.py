@@ -178,8 +178,7 @@ def _text(drawn: GraphView) -> str:
         return "no node is running"
     if drawn.mode is Mode.NODES:
         arrows = [_arrow_text(edge) for edge in drawn.edges]
-        wrong = [f"    {topic.problem}" for topic in drawn.topics if topic.problem]
-        return "\n".join([*drawn.nodes, *arrows, *wrong])
+        return "\n".join([*drawn.nodes, *arrows, *drawn.problems])
     blocks = [_topic_text(topic) for topic in drawn.boxes]
     connected = {name for box in drawn.boxes for name in box.publishers + box.subscriptions}
     alone = [name for name in drawn.nodes if name not in connected]
@@ -211,6 +210,7 @@ def _document(drawn: GraphView) -> dict[str, object]:
     return {
         "nodes": list(drawn.nodes),
         "topics": [_box_document(box) for box in drawn.boxes],
+        "problems": list(drawn.problems),
         "edges": [
             {"from": edge.start, "to": edge.end, "topic": edge.label or None}
             for edge in drawn.edges

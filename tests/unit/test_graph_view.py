@@ -212,6 +212,13 @@ def test_a_misspelt_topic_is_marked() -> None:
     assert boxes["/chatter"].guess is None
 
 
+def test_problems_are_told_in_every_mode() -> None:
+    snapshot = Snapshot((*TALKING.tokens, node("lost"), subscribes("lost", "/chater")))
+    for mode in Mode:
+        assert view(snapshot, mode).problems == ("nobody publishes /chater: is /chatter meant?",)
+    assert not view(snapshot, filters=Filters(nodes="-/lost")).problems
+
+
 def test_dot_tells_a_topic_from_a_node_of_the_same_name() -> None:
     drawn = view(Snapshot((node("ping"), publishes("ping", "/ping"), subscribes("ping", "/ping"))))
     text = dot(drawn)

@@ -109,16 +109,16 @@ def test_equal_graphs_get_equal_layouts(graph: Graph) -> None:
 
 @settings(deadline=None, max_examples=100)
 @given(graphs())
-def test_what_does_not_change_does_not_move(graph: Graph) -> None:
+def test_what_does_not_change_stays_in_its_column(graph: Graph) -> None:
     first = lay_out(*graph)
     again = lay_out(*graph, first)
     if again.crossings > first.crossings:
         return  # a link that passes may take another way, and then needs room
     for key, place in lay_out(*graph, again).places.items():
         assert (place.x, place.layer) == (again.places[key].x, again.places[key].layer)
-        assert place.y == pytest.approx(again.places[key].y, abs=2.0)
 
 
+@settings(deadline=None)
 @given(st.lists(st.integers(0, 9), min_size=2, max_size=8, unique=True))
 def test_links_point_right(order: list[int]) -> None:
     items, links = chain(*map(str, order))

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from zbot.layered.graph import Item, Link
 
-LABEL_HEIGHT = 18.0
+LABEL_HEIGHT = 36.0  # a line of text above the arrow, and one below it
 _ROW = 64.0  # about what an item and the space to the next one take
 _COLUMN = 240.0
 _MOST_LAYERS = 14  # as many as can be read from afar

@@ -98,12 +98,11 @@ class GraphPanel:
 
     def _tell(self, view: GraphView) -> None:
         """Say what looks wrong, and what is there but not shown."""
-        problems = [topic.problem for topic in view.topics if topic.problem]
         self._problems.clear()
         with self._problems:
-            for problem in problems:
+            for problem in view.problems:
                 ui.label(problem)
-        self._problems.set_visibility(bool(problems))
+        self._problems.set_visibility(bool(view.problems))
         names = ", ".join(view.left_out)
         self._left_out.set_text(f"not shown: {names}" if names else "")
 

@@ -4,6 +4,7 @@ zbot.graph = (() => {
   const MOVE_MS = 350; // as in graph.css
   const LARGEST = 1.7; // a graph of two nodes does not fill the wall
   const LAYERS = ["frame", "edge", "item"]; // the later ones lie above
+  const MOST_MOVING = 300; // groups; a large picture would move in jerks
   const MOST_PIXELS = 8000; // of a picture's longer side: all browsers can draw that
   const pictures = new Map();
 
@@ -24,6 +25,8 @@ zbot.graph = (() => {
       this.chosen = "";
       this.lit = "";
       new ResizeObserver(() => this.resize()).observe(place);
+      // The page switches between light and dark by a class of its body.
+      new MutationObserver(() => this.dress()).observe(document.body, { attributeFilter: ["class"] });
       this.listen();
     }
 
@@ -34,6 +37,7 @@ zbot.graph = (() => {
       this.content = next.getAttribute("viewBox").split(" ").map(Number);
       if (!this.svg) this.begin(next);
       const groups = keyed(next);
+      this.svg.classList.toggle("still", groups.length > MOST_MOVING);
       const empty = next.querySelector("text.empty");
       this.svg.querySelector("text.empty")?.remove();
       if (empty) this.svg.append(empty);
@@ -64,6 +68,8 @@ zbot.graph = (() => {
     put(next) {
       const key = next.dataset.key;
       const group = this.groups.get(key);
+      if (group?.source === next.outerHTML) return;
+      next.source = next.outerHTML;
       place(next);
       if (!group) {
         next.classList.add("appearing");
@@ -76,6 +82,7 @@ zbot.graph = (() => {
       for (const { name, value } of next.attributes) {
         if (name !== "class" && name !== "style") group.setAttribute(name, value);
       }
+      group.source = next.source;
       group.style.transform = next.style.transform;
       const [olds, news] = [[...group.children], [...next.children]];
       if (olds.map(kindOf).join() !== news.map(kindOf).join()) group.replaceChildren(...news);
@@ -275,7 +282,7 @@ zbot.graph = (() => {
     const at = /translate\(([-\d.]+),([-\d.]+)\)/.exec(group.getAttribute("transform") ?? "");
     if (at) group.style.transform = `translate(${at[1]}px, ${at[2]}px)`;
     group.removeAttribute("transform");
-    for (const path of group.querySelectorAll(":scope > path")) glide(path);
+    for (const path of group.children) if (path.localName === "path") glide(path);
   }
 
   function glide(path) {
@@ -295,10 +302,6 @@ zbot.graph = (() => {
     if (place && !pictures.has(id)) pictures.set(id, new Picture(place));
     return pictures.get(id);
   }
-
-  new MutationObserver(() => pictures.forEach((one) => one.dress())).observe(
-    document.documentElement, { attributes: true, subtree: true, attributeFilter: ["class"] },
-  );
 
   function savePng(name, text) {
     const svg = parse(text);
