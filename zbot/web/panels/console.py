@@ -20,6 +20,7 @@ _HZ = 10.0
 _MOST_SHOWN = 1000
 _MOST_AT_ONCE = 300
 _ANY = "All nodes"
+_COUNTED = {30: "warning", 40: "error"}
 _COLOURS = {10: "zb-muted", 20: "", 30: "zb-warn", 40: "zb-bad", 50: "zb-bad"}
 
 
@@ -45,7 +46,7 @@ class _Console:
     def build_filters(self) -> None:
         """Show the counts, the filters and the buttons."""
         self.numbers = {
-            level: ui.label().classes(f"zb-log-count {_COLOURS[level]}") for level in (30, 40)
+            level: ui.label().classes(f"zb-log-count {_COLOURS[level]}") for level in _COUNTED
         }
         level = ui.select(LEVELS, value=self.filter.level, on_change=self.change)
         level.props('dense outlined options-dense aria-label="Level"').classes("zb-log-level")
@@ -88,9 +89,7 @@ class _Console:
 
     def update(self) -> None:
         """Show the new lines, or all that the filter leaves if that has changed."""
-        if self.is_paused and not self.is_anew:
-            return
-        new = self.logs.since(self.last)
+        new = [] if self.is_paused else self.logs.since(self.last)
         if not new and not self.is_anew:
             return
         self.last = new[-1].number if new else self.last
@@ -109,8 +108,11 @@ class _Console:
         """Count lines, and offer the loggers that there are."""
         self.counts.update(counts(new))
         for level, label in self.numbers.items():
-            number = sum(count for one, count in self.counts.items() if one // 10 == level // 10)
-            label.set_text(f"{number} {LEVELS[level].lower()}" if number else "")
+            # What is worse than an error counts as one.
+            worse = (count for one, count in self.counts.items() if one > level == max(_COUNTED))
+            number = self.counts[level] + sum(worse)
+            word = _COUNTED[level] if number == 1 else f"{_COUNTED[level]}s"
+            label.set_text(f"{number} {word}" if number else "")
         found = self.loggers | {line.name for line in new}
         if found != self.loggers:
             self.loggers = found
