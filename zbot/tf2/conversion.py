@@ -3,13 +3,20 @@
 from __future__ import annotations
 
 import copy
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 from zbot.tf2.errors import TypeException
 from zbot.tf2.rigid import Rigid, multiply, rotate
 
-from geometry_msgs.msg import PointStamped, PoseStamped, PoseWithCovarianceStamped, Vector3Stamped
+from geometry_msgs.msg import (
+    PointStamped,
+    PolygonStamped,
+    PoseStamped,
+    PoseWithCovarianceStamped,
+    Vector3Stamped,
+    WrenchStamped,
+)
 
 #: Takes an object with header and a `TransformStamped`; returns a new object.
 Transformation = Callable[[Any, Any], Any]
@@ -82,14 +89,53 @@ def do_transform_pose_stamped(pose: Any, transform: Any) -> Any:
 
 
 def do_transform_pose_with_covariance_stamped(pose: Any, transform: Any) -> Any:
-    """Return a `PoseWithCovarianceStamped` in the parent frame; its covariance as it was."""
+    """Return a `PoseWithCovarianceStamped` in the transform's parent frame, covariance included."""
     moved = copy.deepcopy(pose)
     moved.header = copy.deepcopy(transform.header)
     moved.pose.pose = do_transform_pose(pose.pose.pose, transform)
+    moved.pose.covariance = transform_covariance(pose.pose.covariance, transform)
+    return moved
+
+
+def transform_covariance(covariance: Sequence[float], transform: Any) -> list[float]:
+    """Return the covariance of a pose, 6x6 row by row, in the transform's parent frame."""
+    rotation = rigid(transform).rotation
+
+    def turned(rows: Iterable[tuple[float, ...]]) -> list[tuple[float, ...]]:
+        # Of each row, both the position's and the angles' half are vectors.
+        return [
+            (*rotate(rotation, (a, b, c)), *rotate(rotation, (d, e, f)))
+            for a, b, c, d, e, f in rows
+        ]
+
+    rows = [tuple(map(float, covariance[start : start + 6])) for start in range(0, 36, 6)]
+    columns = zip(*turned(rows), strict=True)
+    # From the other side: the rows of the transposed matrix are its columns.
+    return [value for row in zip(*turned(columns), strict=True) for value in row]
+
+
+def do_transform_wrench(wrench: Any, transform: Any) -> Any:
+    """Return a `WrenchStamped` with force and torque rotated into the parent frame."""
+    moved = WrenchStamped(header=copy.deepcopy(transform.header))
+    rotation = rigid(transform).rotation
+    for name in ("force", "torque"):
+        v, target = getattr(wrench.wrench, name), getattr(moved.wrench, name)
+        target.x, target.y, target.z = rotate(rotation, (v.x, v.y, v.z))
+    return moved
+
+
+def do_transform_polygon_stamped(polygon: Any, transform: Any) -> Any:
+    """Return a `PolygonStamped` in the transform's parent frame."""
+    moved, motion = copy.deepcopy(polygon), rigid(transform)
+    moved.header = copy.deepcopy(transform.header)
+    for point in moved.polygon.points:
+        point.x, point.y, point.z = motion.apply((point.x, point.y, point.z))
     return moved
 
 
 add(PointStamped, do_transform_point)
 add(Vector3Stamped, do_transform_vector3)
+add(PolygonStamped, do_transform_polygon_stamped)
 add(PoseStamped, do_transform_pose_stamped)
 add(PoseWithCovarianceStamped, do_transform_pose_with_covariance_stamped)
+add(WrenchStamped, do_transform_wrench)

@@ -146,6 +146,37 @@ def compose_matrix(
     return composed
 
 
+def decompose_matrix(
+    matrix: Any,
+) -> tuple[
+    npt.NDArray[np.float64],
+    list[float],
+    tuple[float, float, float],
+    npt.NDArray[np.float64],
+    npt.NDArray[np.float64],
+]:
+    """Return scale, shear, angles, translation and perspective: what `compose_matrix` takes.
+
+    Raises:
+        ValueError: The matrix maps everything to a plane, or the origin to infinity.
+    """
+    m = np.array(matrix, dtype=float)
+    if abs(m[3, 3]) < _EPSILON or abs(np.linalg.det(m[:3, :3])) < _EPSILON:
+        raise ValueError("the matrix is singular: it cannot be taken apart")
+    m /= m[3, 3]
+    affine = np.vstack([m[:3], [0.0, 0.0, 0.0, 1.0]])
+    perspective = m[3] @ np.linalg.inv(affine)
+    turned, upper = np.linalg.qr(m[:3, :3])
+    signs = np.sign(np.diag(upper))  # of the many ways, the one with positive scales
+    turned, upper = turned * signs, signs[:, None] * upper
+    if np.linalg.det(turned) < 0:
+        turned, upper = -turned, -upper
+    scale = np.diag(upper).copy()
+    x_y, x_z, y_z = upper[0, 1] / scale[1], upper[0, 2] / scale[2], upper[1, 2] / scale[2]
+    angles = euler_from_matrix(turned)
+    return scale, [float(x_y), float(x_z), float(y_z)], angles, m[:3, 3].copy(), perspective
+
+
 def euler_matrix(ai: float, aj: float, ak: float, axes: str = "sxyz") -> Matrix:
     """Return the 4 x 4 matrix of three angles in rad."""
     return quaternion_matrix(quaternion_from_euler(ai, aj, ak, axes))
@@ -290,6 +321,11 @@ def quaternion_slerp(
         q0 * math.sin((1 - fraction) * angle) + q1 * math.sin(fraction * angle)
     ) / math.sin(angle)
     return result
+
+
+def random_rotation_matrix(rand: Any = None) -> Matrix:
+    """Return a matrix that turns by random angles; `rand` are three numbers from 0 to 1."""
+    return quaternion_matrix(random_quaternion(rand))
 
 
 def random_quaternion(rand: Any = None) -> Quaternion:

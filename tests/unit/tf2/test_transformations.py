@@ -106,3 +106,41 @@ def test_lengths() -> None:
 def test_axes_that_are_none_are_named() -> None:
     with pytest.raises(KeyError, match="sxyz"):
         tf.euler_matrix(1, 2, 3, "abc")
+
+
+positive = st.floats(0.2, 5)
+
+
+@given(st.tuples(positive, positive, positive), st.tuples(angles, st.floats(-1.5, 1.5), angles))
+def test_a_matrix_is_taken_apart_into_what_it_was_made_of(
+    scale: tuple[float, float, float], turn: tuple[float, float, float]
+) -> None:
+    parts = (scale, [0.1, -0.2, 0.3], turn, (1.0, -2.0, 3.0), (0.0, 0.0, 0.0, 1.0))
+    found = tf.decompose_matrix(tf.compose_matrix(*parts) * 2)
+    for part, expected in zip(found, parts, strict=True):
+        assert np.allclose(part, expected, atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    "matrix",
+    [
+        np.diag([-1.0, 2.0, 3.0, 1.0]),
+        tf.compose_matrix(translate=(1, 2, 3), perspective=(0.1, 0.2, 0.0, 1)),
+    ],
+)
+def test_mirrors_and_projections_are_taken_apart_too(matrix: np.ndarray) -> None:
+    assert np.allclose(tf.compose_matrix(*tf.decompose_matrix(matrix)), matrix)
+
+
+@pytest.mark.parametrize("matrix", [np.zeros((4, 4)), np.diag([1, 1, 0, 1]), np.diag([1, 1, 1, 0])])
+def test_a_singular_matrix_cannot_be_taken_apart(matrix: np.ndarray) -> None:
+    with pytest.raises(ValueError, match="singular"):
+        tf.decompose_matrix(matrix)
+
+
+def test_a_random_rotation_keeps_lengths() -> None:
+    matrix = tf.random_rotation_matrix()
+    assert np.allclose(matrix @ matrix.T, np.identity(4))
+    assert np.allclose(
+        tf.random_rotation_matrix([0.5, 0.25, 0.0]), tf.random_rotation_matrix([0.5, 0.25, 0.0])
+    )

@@ -2,6 +2,7 @@
 
 from zbot.tf2.transformations import compose_matrix as compose_matrix
 from zbot.tf2.transformations import concatenate_matrices as concatenate_matrices
+from zbot.tf2.transformations import decompose_matrix as decompose_matrix
 from zbot.tf2.transformations import euler_from_matrix as euler_from_matrix
 from zbot.tf2.transformations import euler_from_quaternion as euler_from_quaternion
 from zbot.tf2.transformations import euler_matrix as euler_matrix
@@ -17,6 +18,7 @@ from zbot.tf2.transformations import quaternion_matrix as quaternion_matrix
 from zbot.tf2.transformations import quaternion_multiply as quaternion_multiply
 from zbot.tf2.transformations import quaternion_slerp as quaternion_slerp
 from zbot.tf2.transformations import random_quaternion as random_quaternion
+from zbot.tf2.transformations import random_rotation_matrix as random_rotation_matrix
 from zbot.tf2.transformations import rotation_matrix as rotation_matrix
 from zbot.tf2.transformations import scale_matrix as scale_matrix
 from zbot.tf2.transformations import translation_from_matrix as translation_from_matrix
