@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from tests.cli.command import zbot
 from tests.conftest import wait_until
 
 pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
@@ -99,6 +100,8 @@ def test_an_arrow_key_drives_two_metres_and_draws_a_line(turtles: Page) -> None:
     assert (y, theta) == (5.54, 0.0)
     assert waits_for(turtles, lambda: colour_at(turtles, 6.5, 5.544) == near(179, 184, 255))
     assert colour_at(turtles, 6.5, 5.0) is None
+    # As with turtle_teleop_key, so that the lesson's graph looks the same.
+    assert zbot("node", "list").out == "/teleop_turtle\n/turtlesim\n"
 
 
 def test_a_page_that_comes_later_shows_what_was_drawn(

@@ -320,4 +320,8 @@ def _channels(text: str) -> tuple[int, int, int]:
     return int(text[1:3], 16), int(text[3:5], 16), int(text[5:7], 16)
 
 
-PANEL = Panel("/turtle", "Turtle", "pets", TurtlePanel)  # type: ignore[arg-type] # kept by the page
+def _build(frame: Frame) -> None:
+    TurtlePanel(frame)
+
+
+PANEL = Panel("/turtle", "Turtle", "pets", _build)
