@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.graph import full_names
@@ -48,6 +50,7 @@ HEADINGS = {
 CANCEL = "f"
 _TELEOP = "teleop_turtle"
 _DRIVER_DEPTH = 1
+_numbers = itertools.count(1)  # of pages that drive beside another one
 
 
 class Simulator(NamedTuple):
@@ -127,7 +130,7 @@ class TurtleRemote:
             name = fully_qualified(self.simulator.namespace, _TELEOP)
             is_free = name not in full_names(self._system.snapshot().nodes)
             self._driver = Node(
-                _TELEOP if is_free else f"_{_TELEOP}_of_page",
+                _TELEOP if is_free else f"_{_TELEOP}_{os.getpid()}_{next(_numbers)}",
                 context=self._system.context,
                 namespace=self.simulator.namespace,
                 use_global_arguments=False,
