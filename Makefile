@@ -1,4 +1,4 @@
-.PHONY: check test bench
+.PHONY: check test bench classroom
 
 check:
 	ruff format --check . && ruff check . && mypy && pyright && PYTHONPATH=cli:nodes lint-imports
@@ -8,3 +8,7 @@ test:
 
 bench:
 	python -m benchmarks
+
+# Thirty laptops in network namespaces; needs Linux, root and iproute2.
+classroom:
+	python -m benchmarks.classroom --pin --netem-minutes 10 --write

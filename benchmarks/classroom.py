@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import zbot
-from tests.classroom.lesson import Lesson, hub_pid
+from tests.classroom.lesson import Lesson, Node, hub_pid
 from tests.classroom.rig import Rig, obstacle
 from tests.classroom.weather import Weather, spoil
 
@@ -86,7 +86,7 @@ def measure_beginning(report: Report, lesson: Lesson) -> None:
     joined = time.monotonic() - begun
     report.row("all laptops have joined, four at a time", joined)
     before = lesson.rig.teacher.traffic()
-    lesson.start_nodes()
+    lesson.start_nodes(by_turns=True)
     report.row(
         "all nodes are seen by the teacher, after the last one's start", lesson.seen_after_s, 10
     )
@@ -103,12 +103,16 @@ def measure_newcomers(report: Report, lesson: Lesson) -> None:
         node = (lesson.number_of(laptop), f"/newcomer{number}")
         begun = time.monotonic()
         program = laptop.start("pupil.py", node[1][1:], "pupil0")
-        seen = lesson.watch.until(lambda nodes, node=node: node in nodes)
+        seen = lesson.watch.until(has(node))
         after_start.append(seen - begun)
         after_birth.append(seen - int(program.wait_for("node").split()[1]) / 1e9)
         program.stop(timeout_s=20)
     report.row("a new node is seen, worst of 10", max(after_birth), 0.5)
     report.row("the same from the start of its process, median", statistics.median(after_start))
+
+
+def has(node: Node) -> Callable[[set[Node]], bool]:
+    return lambda nodes: node in nodes
 
 
 def measure_idleness(report: Report, lesson: Lesson) -> None:
@@ -154,7 +158,7 @@ def time_until_gone(lesson: Lesson, laptop: Machine, cut: Callable[[], None]) ->
     return lesson.watch.until(lambda seen: not nodes & seen) - begun
 
 
-def time_until_back(lesson: Lesson, mend: Callable[[], None]) -> float:
+def time_until_back(lesson: Lesson, mend: Callable[[], object]) -> float:
     begun = time.monotonic()
     mend()
     return max(0.0, lesson.watch.until(lesson.all_there, 60) - begun)

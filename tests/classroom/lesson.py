@@ -86,13 +86,21 @@ class Lesson:
         """Return the environment in which a laptop's programs are in its own domain."""
         return {"ZBOT_DOMAIN_ID": str(self.number_of(laptop))}
 
-    def start_nodes(self) -> None:
-        """Start everybody's nodes, and wait until the teacher sees all."""
+    def start_nodes(self, *, by_turns: bool = False) -> None:
+        """Start everybody's nodes, and wait until the teacher sees all.
+
+        Args:
+            by_turns: Let a laptop's nodes be made before the next begins, as this machine has not
+                the processors of so many.
+        """
+        last = time.monotonic()
         for laptop in self.rig.laptops:
             for position in range(self._nodes):
                 neighbour = f"pupil{(position + 1) % self._nodes}"
+                last = time.monotonic()
                 self.start_node(laptop, f"pupil{position}", neighbour)
-        last = time.monotonic()
+            for node in self.nodes_of(laptop) if by_turns else ():
+                self._pupils[node].wait_for("node", 60)
         self.seen_after_s = self.watch.until(self.all_there, 60) - last
 
     def start_node(self, laptop: Machine, name: str, neighbour: str) -> Program:

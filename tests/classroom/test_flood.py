@@ -48,30 +48,3 @@ def is_settled(p99_us: dict[str, list[int]]) -> bool:
     if least < SECONDS:
         return False
     return least >= MOST_SECONDS or min(p99_us["flood"]) < SHARE * min(p99_us["quiet"])
-
-
-TWO_AT_ONCE = """
-import zbot
-from std_msgs.msg import String
-
-with zbot.init():
-    node = zbot.Node("robot")
-    publishers = [node.create_publisher(String, name, 10) for name in ("pose", "color")]
-    node.create_timer(0.05, lambda: [one.publish(String(data="1 1")) for one in publishers])
-    print("publishing", flush=True)
-    zbot.spin(node)
-"""
-
-
-def test_topics_published_together_all_reach_the_teacher(make_rig: Callable[[int], Rig]) -> None:
-    """Zenoh's downsampling of a domain, say, would let only the first of them through."""
-    rig = make_rig(1)
-    lesson = Lesson(rig, 1)
-    lesson.join()
-    rig.laptops[0].start("python", "-c", TWO_AT_ONCE).wait_for("publishing")
-
-    rates = rig.teacher.start("zbot", "topic", "hz", "/1/pose", "/1/color")
-
-    rates.wait_for("/pose")
-    rates.wait_for("/color")
-    rates.stop()

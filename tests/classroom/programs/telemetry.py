@@ -41,7 +41,7 @@ class Telemetry(zbot.Node):
         self.create_timer(1 / hz, self.send)
 
     def send(self) -> None:
-        if self.sent == self.count:
+        if self.count and self.sent == self.count:
             return
         begun = time.monotonic_ns()
         self.sent += 1
