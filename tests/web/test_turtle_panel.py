@@ -94,7 +94,7 @@ def test_an_arrow_key_drives_two_metres_and_draws_a_line(turtles: Page) -> None:
     expect(command(turtles)).to_have_text(
         'zbot topic pub --once /turtle1/cmd_vel geometry_msgs/msg/Twist "{linear: {x: 2.0}}"'
     )
-    assert waits_for(turtles, lambda: place(turtles)[0] > 7.4)
+    assert waits_for(turtles, lambda: place(turtles)[0] > 7.5)
     x, y, theta = place(turtles)
     assert x == pytest.approx(7.544, abs=0.1)
     assert (y, theta) == (5.54, 0.0)
@@ -108,7 +108,7 @@ def test_a_page_that_comes_later_shows_what_was_drawn(
     turtles: Page, visit: Callable[..., Visit]
 ) -> None:
     turtles.keyboard.press("ArrowUp")
-    assert waits_for(turtles, lambda: place(turtles)[0] > 7.4)
+    assert waits_for(turtles, lambda: place(turtles)[0] > 7.5)
     late = visit().page
     late.goto(turtles.url)
     expect(turtle(late, "turtle1")).to_be_visible()
@@ -148,7 +148,7 @@ def test_turtles_come_with_their_pens_and_go(turtles: Page) -> None:
     expect(command(turtles)).to_contain_text("zbot service call /eve/set_pen turtlesim/srv/SetPen")
     turtles.locator(".zb-stage").click(position={"x": 5, "y": 5})
     turtles.keyboard.press("ArrowUp")
-    assert waits_for(turtles, lambda: place(turtles)[0] > 4.9)
+    assert waits_for(turtles, lambda: place(turtles)[0] > 4.95)
     assert waits_for(turtles, lambda: colour_at(turtles, 4.0, 2.0) == near(255, 128, 0))
     turtle(turtles, "turtle1").click()
     assert waits_for(turtles, lambda: place(turtles)[1] == 5.54)
@@ -181,7 +181,7 @@ def test_two_simulators_are_kept_apart(start: Start, server: Server, page: Page)
     expect(turtle(page, "turtle1")).to_be_visible()
     page.keyboard.press("ArrowUp")
     expect(command(page)).to_contain_text("/turtlesim2/turtle1/cmd_vel")
-    assert waits_for(page, lambda: place(page)[0] > 7.4)
+    assert waits_for(page, lambda: place(page)[0] > 7.5)
     page.get_by_label("Simulator").click()
     page.get_by_role("option", name="/turtlesim1/turtlesim").click()
     assert waits_for(page, lambda: place(page)[0] == 5.54)
