@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import hmac
 import ipaddress
+import re
 import socket
 from typing import TYPE_CHECKING, Any
 from urllib.parse import parse_qsl, urlencode, urlsplit
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 
 _LOCAL_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
 _PARAMETER = "token"
+_HOST = re.compile(r"(?P<name>\[[0-9a-fA-F:.]+\]|[\w.-]+)(:\d+)?\Z")
 # What the browser enforces on top: whatever a page may contain, nothing is fetched from elsewhere
 # and no other site frames it. NiceGUI's templates are compiled in the browser: hence unsafe-eval.
 _POLICY = (
@@ -89,7 +91,8 @@ class Guard:
         return None
 
     def _is_ours(self, host: str) -> bool:
-        name = (urlsplit(f"//{host}").hostname or "").lower()
+        match = _HOST.match(host)
+        name = match["name"].strip("[]").lower() if match else ""
         if name in self._names:
             return True
         # With a token, any address will do: the machine may have several, and may get new ones.

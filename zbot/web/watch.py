@@ -85,7 +85,8 @@ class Feed:
     @property
     def is_wanted(self) -> bool:
         """Whether anybody wants its messages now."""
-        return any(watch.is_active for watch in self._watches)
+        # A copy, made in one step: other threads come and go meanwhile.
+        return any(watch.is_active for watch in tuple(self._watches))
 
     @property
     def is_abandoned(self) -> bool:
