@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -116,9 +117,9 @@ def test_a_matrix_is_taken_apart_into_what_it_was_made_of(
     scale: tuple[float, float, float], turn: tuple[float, float, float]
 ) -> None:
     parts = (scale, [0.1, -0.2, 0.3], turn, (1.0, -2.0, 3.0), (0.0, 0.0, 0.0, 1.0))
-    found = tf.decompose_matrix(tf.compose_matrix(*parts) * 2)
+    found: tuple[Any, ...] = tf.decompose_matrix(tf.compose_matrix(*parts) * 2)
     for part, expected in zip(found, parts, strict=True):
-        assert np.allclose([*part], [*expected], atol=1e-6)
+        assert np.allclose(part, expected, atol=1e-6)
 
 
 @pytest.mark.parametrize(
