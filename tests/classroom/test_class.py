@@ -138,7 +138,9 @@ def test_what_the_teacher_shares_everybody_sees(lesson: Class) -> None:
 
 def test_students_talk_to_everybody_only_once_the_teacher_allows_it(lesson: Class) -> None:
     program = talker(lesson.ana, "/class/talk")
-    program.wait_for("reaches others only while the teacher lets students speak there")
+    said = "reaches others only while the teacher lets students speak there"
+    if said not in program.output:
+        program.wait_for(said)
     assert echo(lesson.teacher, "/class/talk", 2) == ""
     lesson.teacher.run("zbot", "share", "class")
     assert "Hello World" in echo(lesson.ben, "/class/talk")

@@ -194,7 +194,7 @@ def test_twelve_programs_started_at_once_all_see_each_other(
         program.wait_for("ready")
     wanted = sorted(f"node_{number}" for number in range(12))
     with zbot.Context(mode="client") as client:
-        client.init([], domain_id=domain)
+        assert client.get_domain_id() == domain
         assert client.connect()
         assert sorted(token.node for token in client.graph.snapshot().nodes) == wanted
     newcomer = zbot.Node("zz_newcomer", context=make_context())
@@ -208,7 +208,7 @@ def test_twelve_programs_started_at_once_all_see_each_other(
 
 def test_a_client_alone_finds_nobody_and_opens_nothing(domain: int) -> None:
     with zbot.Context(mode="client") as client:
-        client.init([], domain_id=domain)
+        assert client.get_domain_id() == domain
         assert not client.connect()
         assert not holds_port(domain)
 
@@ -217,7 +217,7 @@ def test_a_client_that_waits_is_found_by_those_who_come(
     domain: int, make_context: MakeContext
 ) -> None:
     with zbot.Context(mode="client") as client:
-        client.init([], domain_id=domain)
+        assert client.get_domain_id() == domain
         assert client.connect(wait=True)
         zbot_node = zbot.Node("late", context=make_context())
         assert client.graph.wait_for(lambda graph: len(graph.nodes) == 1, 2)
@@ -342,7 +342,7 @@ def test_a_good_configuration_file_is_used(start: Start, tmp_path: Path, domain:
     program = start("named", source=IDLE)
     program.wait_for("ready")
     with zbot.Context(mode="client") as client:
-        client.init([], domain_id=domain)
+        assert client.get_domain_id() == domain
         assert client.connect()
         (token,) = client.graph.snapshot().nodes
         (reply,) = client.session.get(f"@/{token.zid}/peer")
