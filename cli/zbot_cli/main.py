@@ -6,6 +6,7 @@ A noun's module is imported when it is used: `zbot --help` must answer before a 
 from __future__ import annotations
 
 import os
+import signal
 import sys
 from typing import TYPE_CHECKING, Any, NoReturn
 
@@ -219,4 +220,6 @@ def main() -> NoReturn:
     if callable(outcome):
         outcome()  # what it raises is the program's own
     _flush()
+    # All is done and said: a Ctrl-C from here on would only print where Python's end stands.
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
     sys.exit(outcome)
