@@ -90,9 +90,9 @@ def test_an_end_with_a_result_is_told_at_once(pair: Pair) -> None:
 
     def linger(goal: Goal) -> None:
         goal.succeed(Fibonacci.Result(sequence=[5]))
-        release.wait(5)
+        release.wait(10)
 
-    pair.begin(linger)
+    pair.begin(linger, threads=2)  # one for those who ask meanwhile
     try:
         assert list(done(pair.send().get_result_async()).result.sequence) == [5]
     finally:
