@@ -181,10 +181,10 @@ def _declare(context: Context, token: EndpointToken) -> Any:
         return context.session.declare_publisher(key, **options)
     import zenoh.ext as advanced  # noqa: PLC0415 - only latched topics need it
 
-    if reliable:
-        options["sample_miss_detection"] = advanced.MissDetectionConfig(
-            heartbeat=None, sporadic_heartbeat=_HEARTBEAT_S
-        )
+    # Numbered samples need no timestamps, which every publisher of the session would pay for.
+    options["sample_miss_detection"] = advanced.MissDetectionConfig(
+        heartbeat=None, sporadic_heartbeat=_HEARTBEAT_S if reliable else None
+    )
     depth = _KEEP_ALL_CACHE if keep_all else max(qos.depth, 1)
     return advanced.declare_advanced_publisher(
         context.session,

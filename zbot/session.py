@@ -60,7 +60,6 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
     return {
         "metadata": facts,
         "adminspace/enabled": True,
-        "timestamping/enabled": True,  # advanced publishers with a cache need it
         "scouting/delay": 1,  # ms; Zenoh waits this long in open()
         "connect/timeout_ms": -1,
         "connect/exit_on_failure": False,
