@@ -29,10 +29,10 @@ if TYPE_CHECKING:
     from zbot.errors import ExternalShutdownException as ExternalShutdownException
     from zbot.errors import ZbotError as ZbotError
     from zbot.executor import Executor as Executor
-    from zbot.executor import MultiThreadedExecutor as MultiThreadedExecutor
     from zbot.executor import SingleThreadedExecutor as SingleThreadedExecutor
     from zbot.log import LoggingSeverity as LoggingSeverity
     from zbot.log import get_logger as get_logger
+    from zbot.multi_threaded_executor import MultiThreadedExecutor as MultiThreadedExecutor
     from zbot.node import Node as Node
     from zbot.parameter import Parameter as Parameter
     from zbot.publisher import Publisher as Publisher
@@ -75,7 +75,7 @@ _HOMES = {
     "ZbotError": "zbot.errors",
     "Executor": "zbot.executor",
     "ExternalShutdownException": "zbot.errors",
-    "MultiThreadedExecutor": "zbot.executor",
+    "MultiThreadedExecutor": "zbot.multi_threaded_executor",
     "SingleThreadedExecutor": "zbot.executor",
     "LoggingSeverity": "zbot.log",
     "get_logger": "zbot.log",

@@ -8,11 +8,9 @@ lock until the next post or the next timer.
 from __future__ import annotations
 
 import contextlib
-import os
 import threading
 import time
 from collections import deque
-from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
 from zbot.agenda import Agenda
@@ -89,7 +87,7 @@ def _deadline_ns(timeout_sec: float | None) -> int | None:
 
 
 class Executor:
-    """The base of both executors: nodes, the queue of work, and waiting.
+    """The base of all executors: nodes, the queue of work, and waiting.
 
     Args:
         context: Spinning ends when it is shut down; the default context if left out.
@@ -115,6 +113,16 @@ class Executor:
         context.add_waker(self.wake)
 
     # -- nodes ---------------------------------------------------------------------------------
+
+    @property
+    def is_spinning(self) -> bool:
+        """Whether a thread runs callbacks here right now."""
+        return self._spinner is not None
+
+    @property
+    def is_shutdown(self) -> bool:
+        """Whether it was shut down, and takes no node any more."""
+        return self._is_shutdown
 
     @property
     def context(self) -> Context:
@@ -203,6 +211,12 @@ class Executor:
         self._queued.discard(entity)
         return entity
 
+    def _pop_due_or_ready(self) -> Entity | None:
+        due = self._agenda.pop_due(time.monotonic_ns())
+        if due is not None:
+            self._queue(due)
+        return self._pop_ready()
+
     # -- work ----------------------------------------------------------------------------------
 
     def _next(
@@ -214,10 +228,7 @@ class Executor:
             ExternalShutdownException: The context was shut down meanwhile.
         """
         while not (self._is_shutdown or (stop is not None and stop())):
-            due = self._agenda.pop_due(time.monotonic_ns())
-            if due is not None:
-                self._queue(due)
-            entity = self._pop_ready()
+            entity = self._pop_due_or_ready()
             if entity is not None:
                 work = self._take(entity)
                 if work is not None:
@@ -327,6 +338,33 @@ class Executor:
             for waiting in () if is_held else group.ending_execution(entity):
                 self._queue(waiting)
 
+    def _serve_next(self, deadline_ns: int | None, stop: Callable[[], bool] | None) -> None:
+        """Run one piece of work inside the callback that the spinning thread is in."""
+        while not (self._is_shutdown or (stop is not None and stop())):
+            entity = self._pop_due_or_ready()
+            if entity is not None:
+                if self._serve_in_turn(entity):
+                    return
+            elif not self._context.ok():
+                raise ExternalShutdownException
+            elif not self._sleep(deadline_ns):
+                return
+
+    def _serve_in_turn(self, entity: Entity) -> bool:
+        mailbox = entity.mailbox
+        if mailbox is not None and mailbox.executor is not self:
+            mailbox.post(entity)
+            return False
+        if any(outer is entity for _, outer in _inside.stack):
+            return False  # a callback never begins inside itself; it is asked again at its end
+        if self.serve(entity):
+            self._queue(entity)  # it may have more
+            return True
+        due = entity.due_ns
+        if due is not None:
+            self._agenda.put(entity, due)
+        return False
+
     def _finish(self, entity: Entity) -> None:
         # In front: they had their turn already, and were sent away.
         for waiting in reversed(entity.callback_group.ending_execution(entity)):
@@ -356,15 +394,28 @@ class Executor:
             raise ExternalShutdownException
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Run one callback, waiting for it at most `timeout_sec` seconds (`None`: for ever)."""
+        """Run one callback, waiting for it at most `timeout_sec` seconds (`None`: for ever).
+
+        A callback may spin the executor that runs it: others run inside it then, those of its own
+        callback group too, but never itself.
+
+        Raises:
+            ExecutorBusyError: Another thread spins this executor.
+        """
         self._spin_once(_deadline_ns(timeout_sec))
 
     def spin_until_future_complete(
         self, future: Future[Any], timeout_sec: float | None = None
     ) -> None:
-        """Run callbacks until the future is done, at most `timeout_sec` seconds."""
-        future.add_waker(self._signal.set)
+        """Run callbacks until the future is done, at most `timeout_sec` seconds.
+
+        Where another thread spins this executor already, this one only waits for the future.
+        """
         deadline = _deadline_ns(timeout_sec)
+        if self._is_spun_elsewhere():
+            self._wait_beside(future, deadline)
+            return
+        future.add_waker(self._signal.set)
         while not future.is_over and self._context.ok() and not self._is_shutdown:
             self._spin_once(deadline, lambda: future.is_over)
             if deadline is not None and time.monotonic_ns() >= deadline:
@@ -374,11 +425,33 @@ class Executor:
         self, future: Future[Any], timeout_sec: float | None = None
     ) -> None:
         """Run one callback, or return earlier when the future is done."""
+        if self._is_spun_elsewhere():
+            self._wait_beside(future, _deadline_ns(timeout_sec))
+            return
         future.add_waker(self._signal.set)
         self._spin_once(_deadline_ns(timeout_sec), lambda: future.is_over)
 
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         raise NotImplementedError
+
+    def _is_spun_elsewhere(self) -> bool:
+        return self._spinner not in (None, threading.get_ident())
+
+    def _wait_beside(self, future: Future[Any], deadline_ns: int | None) -> None:
+        """Wait for a future while another thread runs the callbacks."""
+        wake = BinarySemaphore()
+        future.add_waker(wake.set)
+        self._context.add_waker(wake.set)
+        try:
+            while not future.is_over and self._context.ok() and not self._is_shutdown:
+                if deadline_ns is None:
+                    wake.wait(threading.TIMEOUT_MAX)
+                elif (left := deadline_ns - time.monotonic_ns()) > 0:
+                    wake.wait(left / 1e9)
+                else:
+                    return
+        finally:
+            self._context.remove_waker(wake.set)
 
     @contextlib.contextmanager
     def _spins(self) -> Iterator[None]:
@@ -454,88 +527,11 @@ class SingleThreadedExecutor(Executor):
         self._tell_interruption()
 
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
+        if self._spinner == threading.get_ident():
+            self._serve_next(deadline_ns, stop)
+            return
         with self._spins():
             work = self._next(deadline_ns, stop)
             self._is_disturbed = True  # one callback, and no more
             if work is not None:
                 self._execute(*work)
-
-
-class MultiThreadedExecutor(Executor):
-    """Runs callbacks in a pool of threads, as far as their callback groups allow.
-
-    Args:
-        num_threads: Size of the pool; by default one per processor core, but at least 2.
-        context: See `Executor`.
-    """
-
-    def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
-        super().__init__(context=context)
-        self._num_threads = max(1, num_threads or max(2, os.cpu_count() or 2))
-        self._pool = ThreadPoolExecutor(self._num_threads, thread_name_prefix="zbot executor")
-        self._failures: deque[BaseException] = deque()
-        self._idle = threading.Condition()
-        self._running = 0
-        self._workers: set[int] = set()  # threads that are inside a callback
-
-    def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
-        # As in rclpy, a shutdown from outside lets this executor's spin() return.
-        with self._spins(), contextlib.suppress(ExternalShutdownException):
-            work = self._next(deadline_ns, lambda: self._may_stop(stop))
-            if work is not None:
-                self._hand_over(*work)
-        if self._failures:
-            raise self._failures.popleft()
-
-    def _may_stop(self, stop: Callable[[], bool] | None) -> bool:
-        return bool(self._failures) or (stop is not None and stop())
-
-    def _pop_ready(self) -> Entity | None:
-        # Work that waits in the pool would be taken out of its bounded queue: leave it there.
-        return None if self._running >= self._num_threads else super()._pop_ready()
-
-    def _hand_over(self, entity: Entity, taken: Any) -> None:
-        with self._idle:
-            self._running += 1
-        if isinstance(entity.callback_group, ReentrantCallbackGroup):
-            self._queue(entity)  # its next piece may run beside this one
-        try:
-            self._pool.submit(self._work, entity, taken)
-        except RuntimeError:
-            # shutdown() came between, or the program is at its end.
-            self._is_shutdown = True
-            self._end_work()
-            self._finish(entity)
-
-    def _work(self, entity: Entity, taken: Any) -> None:
-        me = threading.get_ident()
-        self._workers.add(me)
-        try:
-            self._execute(entity, taken)
-        except BaseException as exc:  # noqa: BLE001 - raised again by the spinning thread
-            self._failures.append(exc)
-        finally:
-            self._workers.discard(me)
-            self._end_work()
-
-    def _end_work(self) -> None:
-        with self._idle:
-            self._running -= 1
-            self._idle.notify_all()
-        self._signal.set()
-
-    def wait_idle(self, timeout_s: float) -> bool:
-        """Wait until nothing spins here and no callback runs, other than the caller's own."""
-        own = threading.get_ident() in self._workers
-        with self._idle:
-            ended = self._idle.wait_for(
-                lambda: self._running <= own, None if timeout_s < 0 else timeout_s
-            )
-        return ended and super().wait_idle(timeout_s)
-
-    def shutdown(self, timeout_sec: float | None = None, *, wait_for_threads: bool = True) -> bool:
-        """Stop spinning, leave all nodes, wait for running callbacks, and end the threads."""
-        ended = super().shutdown(timeout_sec)
-        own = threading.get_ident() in self._workers
-        self._pool.shutdown(wait=wait_for_threads and ended and not own)
-        return ended

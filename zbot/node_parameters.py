@@ -365,7 +365,8 @@ def _declaration_of(namespace: str, index: int, item: Any) -> Declaration:
     if len(item) == 3 and not hasattr(descriptor, "dynamic_typing"):
         raise ParameterListError(index, item, "a tuple that ends with a ParameterDescriptor")
     full = f"{namespace}.{name}" if namespace else name
-    return _declaration(full, value, descriptor, is_bare=len(item) == 1)
+    # A (name, None), as programs for Foxy have it for what a file gives, is a name only as well.
+    return _declaration(full, value, descriptor, is_bare=value is None and descriptor is None)
 
 
 def _checked_names(names: Iterable[Any]) -> list[str]:

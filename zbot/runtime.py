@@ -115,13 +115,24 @@ def get_global_executor(context: Context | None = None) -> Executor:
 
 @contextlib.contextmanager
 def _holding(node: Node, executor: Executor | None) -> Iterator[Executor]:
-    executor = get_global_executor(node.context) if executor is None else executor
+    executor = _executor_of(node) if executor is None else executor
+    before = node.executor
     added = executor.add_node(node)
     try:
         yield executor
     finally:
         if added:
             executor.remove_node(node)
+            if before is not None and not before.is_shutdown:
+                before.add_node(node)
+
+
+def _executor_of(node: Node) -> Executor:
+    # Who is spun already stays where it is: the global executor would take it away.
+    executor = node.executor
+    if executor is not None and executor.is_spinning:
+        return executor
+    return get_global_executor(node.context)
 
 
 def spin(node: Node, executor: Executor | None = None) -> None:

@@ -135,6 +135,15 @@ def test_declaring_by_name_alone_warns_as_rclpy_does(node: zbot.Node) -> None:
     assert node.set_parameters([Parameter("anything", value="x")])[0].successful
 
 
+@pytest.mark.filterwarnings("ignore:when declaring parameter named")
+def test_a_list_of_declarations_may_leave_values_to_a_file(make_context: MakeContext) -> None:
+    arguments = ["--ros-args", "-p", "arm.speed:=2.5"]
+    node = zbot.Node("drive", context=make_context(), cli_args=arguments)
+    node.declare_parameters("arm", [("speed", None), ("limits", None)])
+    assert node.get_parameter("arm.speed").value == 2.5
+    assert node.get_parameter("arm.limits").type_ is Type.NOT_SET
+
+
 def test_a_descriptor_is_not_shared_by_two_declarations(node: zbot.Node) -> None:
     shared = ParameterDescriptor(description="shared")
     node.declare_parameter("a", 1, shared)

@@ -107,13 +107,92 @@ def test_spinning_until_a_cancelled_future_ends(executor: zbot.Executor) -> None
     assert not future.done()
 
 
-def test_an_executor_cannot_spin_inside_its_own_callback(
+def test_a_callback_cannot_spin_its_executor_for_ever(
     node: zbot.Node, single: zbot.Executor
 ) -> None:
-    node.create_guard_condition(single.spin_once).trigger()
+    node.create_guard_condition(single.spin).trigger()
     with pytest.raises(ExecutorBusyError, match="already spinning"):
         single.spin_once(timeout_sec=1)
     single.spin_once(timeout_sec=0)
+
+
+def test_others_run_while_a_callback_spins_its_executor(
+    node: zbot.Node, single: zbot.Executor
+) -> None:
+    calls: list[str] = []
+    other = node.create_guard_condition(lambda: calls.append("other"))
+
+    def outer() -> None:
+        calls.append("outer")
+        again.trigger()
+        other.trigger()
+        single.spin_once(timeout_sec=1)
+        single.spin_once(timeout_sec=0)
+        calls.append("end")
+
+    again = node.create_guard_condition(outer)
+    again.trigger()
+    single.spin_once(timeout_sec=1)
+    assert calls == ["outer", "other", "end"]
+
+
+def test_a_callback_that_spins_its_executor_begins_again_only_when_it_ended(
+    node: zbot.Node, single: zbot.Executor
+) -> None:
+    depths: list[int] = []
+    depth = 0
+
+    def tick() -> None:
+        nonlocal depth
+        depth += 1
+        depths.append(depth)
+        single.spin_once(timeout_sec=0.01)
+        depth -= 1
+
+    node.create_timer(0.001, tick)
+    for _ in range(3):
+        single.spin_once(timeout_sec=1)
+    assert depths == [1, 1, 1]
+
+
+def test_a_callback_waits_for_a_future_by_spinning_its_own_node(
+    node: zbot.Node, executor: zbot.Executor
+) -> None:
+    future: zbot.Future[str] = zbot.Future()
+    answers: list[str | None] = []
+
+    def ask() -> None:
+        threading.Timer(0.01, future.set_result, ["42"]).start()
+        zbot.spin_until_future_complete(node, future, timeout_sec=5)
+        answers.append(future.result())
+
+    node.create_guard_condition(ask).trigger()
+    done: zbot.Future[None] = zbot.Future()
+    watch = node.create_timer(
+        0.005,
+        lambda: done.set_result(None) if answers else None,
+        callback_group=zbot.ReentrantCallbackGroup(),
+    )
+    executor.spin_until_future_complete(done, timeout_sec=5)
+    watch.cancel()
+    assert answers == ["42"]
+    assert node.executor is executor
+
+
+def test_a_future_is_waited_for_beside_a_thread_that_spins(node: zbot.Node, spin: Spin) -> None:
+    spinner = spin(node)
+    assert wait_until(lambda: spinner.executor.is_spinning)
+    done: zbot.Future[int] = zbot.Future()
+    node.create_timer(0.01, lambda: done.set_result(1))
+    zbot.spin_until_future_complete(node, done, timeout_sec=5)
+    assert done.result() == 1
+    zbot.spin_until_future_complete(node, zbot.Future(), timeout_sec=0.01)
+    assert node.executor is spinner.executor
+
+
+def test_spinning_a_node_once_gives_it_back(node: zbot.Node, executor: zbot.Executor) -> None:
+    zbot.spin_once(node, timeout_sec=0)
+    assert node.executor is executor
 
 
 def test_two_threads_cannot_spin_one_executor(node: zbot.Node, spin: Spin) -> None:

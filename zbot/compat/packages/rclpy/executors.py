@@ -8,10 +8,10 @@ from zbot.errors import ExternalShutdownException as ExternalShutdownException
 from zbot.errors import InvalidHandleError as InvalidHandle
 from zbot.errors import ShutdownError as ShutdownException
 from zbot.executor import Executor as Executor
-from zbot.executor import MultiThreadedExecutor as MultiThreadedExecutor
 from zbot.executor import SingleThreadedExecutor as SingleThreadedExecutor
 from zbot.guard_condition import GuardCondition as GuardCondition
 from zbot.interfaces.message import Message as Msg
+from zbot.multi_threaded_executor import MultiThreadedExecutor as MultiThreadedExecutor
 from zbot.service import Service as Service
 from zbot.subscription import MessageInfo as MessageInfo
 from zbot.subscription import Subscription as Subscription
