@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -10,15 +11,8 @@ import typer
 from zbot.names import fully_qualified, validate_topic_name
 from zbot.wire.tokens import EntityKind
 from zbot_cli.action_type import UnknownActionError, suggestion
-from zbot_cli.form_options import (
-    Csv,
-    FlowStyle,
-    FullLength,
-    NoArr,
-    NoStr,
-    TruncateLength,
-)
-from zbot_cli.listing import AsJson, ShowTypes, new_app, print_json
+from zbot_cli.form_options import DEFAULT_FORM, FormOptions
+from zbot_cli.listing import AsJson, ShowTypes, new_app, print_entries, print_json, print_names
 from zbot_cli.looking import full_name, snapshot
 
 if TYPE_CHECKING:
@@ -40,24 +34,17 @@ def list_actions(
 ) -> None:
     """List the actions that somebody uses."""
     graph = snapshot()
-    actions = graph.actions()
-    if count:
-        print(len(actions))
-    elif as_json:
-        print_json(
-            [
-                {
-                    "name": name,
-                    "types": types,
-                    "servers": len(_nodes(graph, name, EntityKind.SERVICE)),
-                    "clients": len(_nodes(graph, name, EntityKind.CLIENT)),
-                }
-                for name, types in actions
-            ]
-        )
-    else:
-        for name, types in actions:
-            print(f"{name} [{', '.join(types)}]" if show_types else name)
+    facts = partial(_facts, graph)
+    print_entries(graph.actions(), facts, show_types=show_types, count=count, as_json=as_json)
+
+
+def _facts(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
+    return {
+        "name": name,
+        "types": types,
+        "servers": len(_nodes(graph, name, EntityKind.SERVICE)),
+        "clients": len(_nodes(graph, name, EntityKind.CLIENT)),
+    }
 
 
 def _nodes(graph: Snapshot, name: str, kind: EntityKind) -> dict[str, list[str]]:
@@ -126,13 +113,7 @@ def find(
     short = action_type.count("/") == 1
     wanted = action_type.replace("/", "/action/", 1) if short else action_type
     found = [name for name, types in snapshot().actions() if wanted in types]
-    if count:
-        print(len(found))
-    elif as_json:
-        print_json(found)
-    else:
-        for name in found:
-            print(name)
+    print_names(found, count=count, as_json=as_json)
 
 
 @app.command("send_goal")
@@ -181,24 +162,10 @@ def echo(
         str | None,
         typer.Option("-i", "--interfaces", help="Only these, e.g. 'FEEDBACK_TOPIC|STATUS_TOPIC'"),
     ] = None,
-    csv: Csv = False,
-    full_length: FullLength = False,
-    truncate_length: TruncateLength = 128,
-    no_arr: NoArr = False,
-    no_str: NoStr = False,
-    flow_style: FlowStyle = False,
+    form: FormOptions = DEFAULT_FORM,
     as_json: AsJson = False,
 ) -> None:
     """Print an action's feedback, status and service events."""
     from zbot_cli.action_echo import ActionEcho  # noqa: PLC0415 - lists do without
-    from zbot_cli.message_text import Form  # noqa: PLC0415 - as above
 
-    form = Form(
-        csv=csv,
-        length=None if full_length else truncate_length,
-        no_arr=no_arr,
-        no_str=no_str,
-        flow_style=flow_style,
-        json=as_json,
-    )
-    ActionEcho(_checked(action_name), action_type, interfaces, form).run()
+    ActionEcho(_checked(action_name), action_type, interfaces, form.form(as_json=as_json)).run()

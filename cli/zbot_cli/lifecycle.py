@@ -8,7 +8,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from zbot_cli.listing import AsJson, NoDaemon, SpinTime, UseSimTime, new_app, print_json
+from zbot_cli.listing import (
+    NO_DAEMON,
+    VISIBLE_NODES,
+    AsJson,
+    DaemonOptions,
+    NodeSearch,
+    new_app,
+    print_json,
+    print_names,
+)
 from zbot_cli.looking import hidden_node, snapshot
 from zbot_cli.managed_nodes import ManagedNodes, NodeSilentError, managed_nodes
 from zbot_cli.status import Status
@@ -20,10 +29,6 @@ if TYPE_CHECKING:
 
 app = new_app("Lead managed nodes through their lives")
 
-IncludeHidden = Annotated[
-    bool, typer.Option("--include-hidden-nodes", help="Consider hidden nodes too")
-]
-Timeout = Annotated[float, typer.Option("--timeout", help="Seconds to wait for the node")]
 NodeName = Annotated[str, typer.Argument(help="Name of the node, e.g. /lc_talker")]
 
 
@@ -40,33 +45,21 @@ def nodes(
         bool, typer.Option("-c", "--count-nodes", "--count", help="Print the number")
     ] = False,
     as_json: AsJson = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """List the managed nodes that are running."""
     names = managed_nodes(snapshot(), include_hidden=show_all)
-    if count:
-        print(len(names))
-    elif as_json:
-        print_json(names)
-    else:
-        for name in names:
-            print(name)
+    print_names(names, count=count, as_json=as_json)
 
 
 @app.command("get")
 def get(
     node_name: Annotated[str | None, typer.Argument(help="Every managed node if left out")] = None,
     as_json: AsJson = False,
-    include_hidden: IncludeHidden = False,
-    timeout: Timeout = 1.0,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """Print the states of managed nodes."""
-    with _managed(timeout) as remote:
+    with _managed(search.timeout) as remote:
         if node_name is not None:
             state = remote.state(remote.find(node_name))
             if as_json:
@@ -74,7 +67,7 @@ def get(
             else:
                 print(f"{state.label} [{state.id}]")
             return
-        answers = remote.states(remote.all(include_hidden=include_hidden))
+        answers = remote.states(remote.all(include_hidden=search.include_hidden))
     silent = [one for one in answers.values() if isinstance(one, NodeSilentError)]
     states = {name: one for name, one in answers.items() if not isinstance(one, NodeSilentError)}
     if as_json:
@@ -99,14 +92,10 @@ def list_transitions(
         bool, typer.Option("-a", "--all", help="Also those that are not possible now")
     ] = False,
     as_json: AsJson = False,
-    include_hidden: IncludeHidden = False,
-    timeout: Timeout = 1.0,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """List the transitions possible for a node now."""
-    with _managed(timeout) as remote:
+    with _managed(search.timeout) as remote:
         found = remote.transitions(remote.find(node_name), show_all=show_all)
     if as_json:
         print_json([_plain_transition(one) for one in found])
@@ -129,13 +118,9 @@ def _plain_transition(one: TransitionDescription) -> dict[str, Any]:
 def set_state(
     node_name: NodeName,
     transition: Annotated[str, typer.Argument(help="Label or number, e.g. configure or 1")],
-    include_hidden: IncludeHidden = False,
-    timeout: Timeout = 1.0,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """Make a transition of a node."""
-    with _managed(timeout) as remote:
+    with _managed(search.timeout) as remote:
         remote.change(remote.find(node_name), transition)
     print("Transitioning successful")

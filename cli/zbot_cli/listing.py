@@ -3,22 +3,63 @@
 from __future__ import annotations
 
 import json
-from typing import Annotated, Any
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-# ros2 asks these of its daemon; there is none here, so they are accepted and change nothing.
-SpinTime = Annotated[float, typer.Option("--spin-time", hidden=True, help="Accepted; not needed")]
-UseSimTime = Annotated[bool, typer.Option("-s", "--use-sim-time", hidden=True, help="Accepted")]
-NoDaemon = Annotated[bool, typer.Option("--no-daemon", hidden=True, help="Accepted; there is none")]
+from zbot_cli.option_groups import spread
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Sequence
+
+    from zbot.graph import NamesAndTypes
+
+
+@dataclass(frozen=True)
+class DaemonOptions:
+    """What ros2 asks of its daemon: accepted, and without effect on what only looks once."""
+
+    spin_time: Annotated[
+        float, typer.Option("--spin-time", hidden=True, help="Accepted; not needed")
+    ] = 0.5
+    use_sim_time: Annotated[
+        bool, typer.Option("-s", "--use-sim-time", hidden=True, help="Follow /clock")
+    ] = False
+    no_daemon: Annotated[
+        bool, typer.Option("--no-daemon", hidden=True, help="Accepted; there is none")
+    ] = False
+
+
+@dataclass(frozen=True)
+class NodeSearch(DaemonOptions):
+    """Which nodes a verb asks, and how long it waits for them."""
+
+    include_hidden: Annotated[
+        bool, typer.Option("--include-hidden-nodes", help="Consider hidden nodes too")
+    ] = False
+    timeout: Annotated[float, typer.Option("--timeout", help="Seconds to wait for the node")] = 1.0
+
+
+NO_DAEMON: Final = DaemonOptions()
+VISIBLE_NODES: Final = NodeSearch()
 
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON instead")]
 ShowTypes = Annotated[bool, typer.Option("-t", "--show-types", help="Add the types")]
 
 
+class _App(typer.Typer):
+    """A noun whose verbs may take groups of options (see `option_groups`)."""
+
+    def command(self, name: str | None = None, **settings: Any) -> Callable[..., Any]:
+        """Register a verb."""
+        register = super().command(name, **settings)
+        return lambda verb: register(spread(verb))
+
+
 def new_app(text: str, *, has_verbs: bool = True) -> typer.Typer:
     """Return the app of a noun: plain help (rich takes longer to import than most verbs take)."""
-    return typer.Typer(
+    return _App(
         help=text,
         no_args_is_help=has_verbs,
         add_completion=False,
@@ -31,3 +72,38 @@ def new_app(text: str, *, has_verbs: bool = True) -> typer.Typer:
 def print_json(value: Any) -> None:
     """Print one JSON document on one line."""
     print(json.dumps(value, ensure_ascii=False))
+
+
+def print_names(names: Sequence[str], *, count: bool, as_json: bool) -> None:
+    """Print names one on a line, as JSON, or just their number."""
+    if count:
+        print(len(names))
+    elif as_json:
+        print_json(names)
+    else:
+        for name in names:
+            print(name)
+
+
+def print_entries(
+    entries: NamesAndTypes,
+    facts: Callable[[str, list[str]], object],
+    *,
+    show_types: bool,
+    count: bool,
+    as_json: bool,
+) -> None:
+    """Print names as a listing shows them, with their types if it shall.
+
+    Args:
+        entries: Names and types.
+        facts: Returns what JSON tells of a name and its types.
+        show_types: Whether each name is followed by its types.
+        count: Whether only the number is wanted.
+        as_json: Whether JSON is.
+    """
+    if as_json and not count:
+        print_json([facts(name, types) for name, types in entries])
+        return
+    lines = [f"{name} [{', '.join(types)}]" if show_types else name for name, types in entries]
+    print_names(lines, count=count, as_json=False)

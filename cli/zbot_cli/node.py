@@ -12,7 +12,7 @@ from zbot.errors import ZbotError
 from zbot.graph import full_names
 from zbot.names import fully_qualified, is_hidden, nearest
 from zbot.wire.tokens import EntityKind
-from zbot_cli.listing import AsJson, NoDaemon, SpinTime, UseSimTime, new_app, print_json
+from zbot_cli.listing import NO_DAEMON, AsJson, DaemonOptions, new_app, print_json
 from zbot_cli.looking import client, full_name, snapshot, snapshot_of
 
 if TYPE_CHECKING:
@@ -46,9 +46,7 @@ def list_nodes(
         bool, typer.Option("-c", "--count-nodes", "--count", help="Print the number")
     ] = False,
     as_json: AsJson = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """List the nodes that are running."""
     nodes = [node for node in snapshot().nodes if show_all or not is_hidden(_name(node))]
@@ -84,9 +82,7 @@ def info(
         bool, typer.Option("--include-hidden", help="Show hidden names too")
     ] = False,
     as_json: AsJson = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Show a node's topics, services and actions."""
     graph = snapshot()

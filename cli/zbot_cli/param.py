@@ -12,7 +12,7 @@ import typer
 from zbot.errors import ZbotError
 from zbot.parameter import NoParametersError, Parameter
 from zbot.parameter_file import sections
-from zbot_cli.listing import AsJson, NoDaemon, SpinTime, UseSimTime, new_app, print_json
+from zbot_cli.listing import VISIBLE_NODES, AsJson, NodeSearch, new_app, print_json
 from zbot_cli.looking import hidden_node
 from zbot_cli.many_values import ManyValuesCommand
 from zbot_cli.parameter_text import (
@@ -32,10 +32,10 @@ if TYPE_CHECKING:
 
 app = new_app("Look at parameters and set them")
 
-IncludeHidden = Annotated[
-    bool, typer.Option("--include-hidden-nodes", help="Consider hidden nodes too")
+NodeAndNames = Annotated[
+    list[str],
+    typer.Argument(metavar="[NODE] PARAM...", help="Every node that has them if NODE is left out"),
 ]
-Timeout = Annotated[float, typer.Option("--timeout", help="Seconds to wait for the node")]
 
 
 class ListCommand(ManyValuesCommand):
@@ -77,17 +77,13 @@ def list_parameters(
     ] = None,
     show_types: Annotated[bool, typer.Option("--param-type", help="Add the types")] = False,
     as_json: AsJson = False,
-    include_hidden: IncludeHidden = False,
-    timeout: Timeout = 1.0,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """List the parameters of nodes."""
     wanted = _compiled(pattern)
-    with _remote(timeout) as remote:
+    with _remote(search.timeout) as remote:
         one = None if node_name is None else remote.find(node_name)
-        nodes = remote.nodes(include_hidden=include_hidden) if one is None else [one]
+        nodes = remote.nodes(include_hidden=search.include_hidden) if one is None else [one]
         answers = remote.ask_all(
             nodes, "ListParameters", lambda request, _: request(prefixes=prefixes or [])
         )
@@ -134,23 +130,14 @@ def _print_names(typed: dict[str, dict[str, Any]], *, as_json: bool, is_one: boo
 
 @app.command("get")
 def get(
-    words: Annotated[
-        list[str],
-        typer.Argument(
-            metavar="[NODE] PARAM...", help="Every node that has them if NODE is left out"
-        ),
-    ],
+    words: NodeAndNames,
     hide_type: Annotated[bool, typer.Option("--hide-type", help="Print the value alone")] = False,
     as_json: AsJson = False,
-    include_hidden: IncludeHidden = False,
-    timeout: Timeout = 1.0,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """Print the values of parameters."""
-    with _remote(timeout) as remote:
-        nodes, names = _targets(remote, words, include_hidden=include_hidden)
+    with _remote(search.timeout) as remote:
+        nodes, names = _targets(remote, words, include_hidden=search.include_hidden)
         values = {node: remote.values(node, names) for node in nodes}
     if as_json:
         print_json({node: plain_values(found) for node, found in values.items()})
@@ -208,11 +195,7 @@ def set_parameters(
         ),
     ],
     atomic: Annotated[bool, typer.Option("--atomic", help="Set all of them or none")] = False,
-    include_hidden: IncludeHidden = False,
-    timeout: Timeout = 1.0,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """Set parameters."""
     _refuse_options(words)
@@ -223,11 +206,11 @@ def set_parameters(
     values = dict(zip(pairs[::2], pairs[1::2], strict=True))
     messages = [message_of(name, text) for name, text in values.items()]
     failures = 0
-    with _remote(timeout) as remote:
+    with _remote(search.timeout) as remote:
         nodes = (
             [remote.find(words[0])]
             if has_node
-            else _nodes_with(remote, list(values), include_hidden=include_hidden)
+            else _nodes_with(remote, list(values), include_hidden=search.include_hidden)
         )
         for node in nodes:
             results = _send(remote, node, messages, atomic=atomic)
@@ -268,22 +251,13 @@ def _report(label: str, result: Any, success: str, doing: str) -> bool:
 
 @app.command("delete")
 def delete(
-    words: Annotated[
-        list[str],
-        typer.Argument(
-            metavar="[NODE] PARAM...", help="Every node that has them if NODE is left out"
-        ),
-    ],
-    include_hidden: IncludeHidden = False,
-    timeout: Timeout = 1.0,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    words: NodeAndNames,
+    search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """Delete parameters."""
     failures = 0
-    with _remote(timeout) as remote:
-        nodes, names = _targets(remote, words, include_hidden=include_hidden)
+    with _remote(search.timeout) as remote:
+        nodes, names = _targets(remote, words, include_hidden=search.include_hidden)
         for node in nodes:
             messages = [Parameter(name).to_parameter_msg() for name in names]
             results = _send(remote, node, messages)
@@ -300,22 +274,13 @@ def delete(
 
 @app.command("describe")
 def describe(
-    words: Annotated[
-        list[str],
-        typer.Argument(
-            metavar="[NODE] PARAM...", help="Every node that has them if NODE is left out"
-        ),
-    ],
+    words: NodeAndNames,
     as_json: AsJson = False,
-    include_hidden: IncludeHidden = False,
-    timeout: Timeout = 1.0,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """Show what parameters take and are for."""
-    with _remote(timeout) as remote:
-        nodes, names = _targets(remote, words, include_hidden=include_hidden)
+    with _remote(search.timeout) as remote:
+        nodes, names = _targets(remote, words, include_hidden=search.include_hidden)
         found = {node: remote.descriptors(node, names) for node in nodes}
     if as_json:
         print_json({node: list(map(description, many)) for node, many in found.items()})
@@ -333,16 +298,12 @@ def dump(
         str | None, typer.Argument(help="Name of the node; all if left out")
     ] = None,
     as_json: AsJson = False,
-    include_hidden: IncludeHidden = False,
-    timeout: Timeout = 1.0,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """Print parameters as a parameter file."""
-    with _remote(timeout) as remote:
+    with _remote(search.timeout) as remote:
         one = None if node_name is None else [remote.find(node_name)]
-        nodes = remote.nodes(include_hidden=include_hidden) if one is None else one
+        nodes = remote.nodes(include_hidden=search.include_hidden) if one is None else one
         values = {node: remote.values(node, remote.names(node)) for node in nodes}
     if as_json:
         print_json({node: plain_values(found) for node, found in values.items()})
@@ -361,11 +322,7 @@ def load(
     no_use_wildcard: Annotated[
         bool, typer.Option("--no-use-wildcard", help="Leave out what a file has for `/**`")
     ] = False,
-    include_hidden: IncludeHidden = False,
-    timeout: Timeout = 1.0,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """Set parameters from a file."""
     if len(words) > 2:
@@ -373,9 +330,13 @@ def load(
     path = words[-1]
     content = sections(path)
     failures = 0
-    with _remote(timeout) as remote:
+    with _remote(search.timeout) as remote:
         has_node = len(words) == 2
-        nodes = [remote.find(words[0])] if has_node else remote.nodes(include_hidden=include_hidden)
+        nodes = (
+            [remote.find(words[0])]
+            if has_node
+            else remote.nodes(include_hidden=search.include_hidden)
+        )
         wanted = {
             node: values_for(content, node, use_wildcards=not no_use_wildcard) for node in nodes
         }

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import functools
-import inspect
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Any, Final
 
@@ -20,8 +18,6 @@ from zbot.qos import (
 from zbot.time import Duration
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from zbot.wire.tokens import EndpointToken
 
 _POLICIES: dict[str, Any] = {
@@ -101,23 +97,6 @@ class Choice:
 
 
 NOT_TOLD: Final = Choice()
-
-
-def with_qos(verb: Callable[..., None]) -> Callable[..., None]:
-    """Give a verb the options of a profile, in the place of its parameter `qos`, a `Choice`."""
-    options = inspect.signature(Choice, eval_str=True).parameters.values()
-    signature = inspect.signature(verb, eval_str=True)
-    parameters: list[inspect.Parameter] = []
-    for parameter in signature.parameters.values():
-        parameters += options if parameter.name == "qos" else [parameter]
-
-    @functools.wraps(verb)
-    def run(**words: Any) -> None:
-        told = {option.name: words.pop(option.name) for option in options}
-        verb(qos=Choice(**told), **words)
-
-    run.__signature__ = signature.replace(parameters=parameters)  # type: ignore[attr-defined]
-    return run
 
 
 def _policy(name: str, policy: Any, word: str) -> Any:

@@ -2,31 +2,26 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from zbot.names import is_hidden
 from zbot.wire.tokens import EntityKind
-from zbot_cli.form_options import (
-    Csv,
-    FlowStyle,
-    FullLength,
-    NoArr,
-    NoStr,
-    TruncateLength,
-)
+from zbot_cli.form_options import DEFAULT_FORM, FormOptions
 from zbot_cli.listing import (
+    NO_DAEMON,
     AsJson,
-    NoDaemon,
+    DaemonOptions,
     ShowTypes,
-    SpinTime,
-    UseSimTime,
     new_app,
+    print_entries,
     print_json,
+    print_names,
 )
 from zbot_cli.looking import full_name, snapshot
-from zbot_cli.qos_options import NOT_TOLD, Choice, profile_lines, with_qos
+from zbot_cli.qos_options import NOT_TOLD, Choice, profile_lines
 from zbot_cli.service_type import NODE_SERVICE_TYPES, UnknownServiceError, known_services
 
 if TYPE_CHECKING:
@@ -68,9 +63,7 @@ def list_services(
     count: Count = False,
     include_hidden_services: IncludeHidden = False,
     as_json: AsJson = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """List the services that somebody serves."""
     graph = snapshot()
@@ -80,16 +73,11 @@ def list_services(
         for name, types in _shown(graph.services(), everything)
         if everything or not NODE_SERVICE_TYPES.issuperset(types)
     ]
-    if count:
-        print(len(services))
-    elif as_json:
-        print_json([_as_dict(graph, name, types) for name, types in services])
-    else:
-        for name, types in services:
-            print(f"{name} [{', '.join(types)}]" if show_types else name)
+    facts = partial(_facts, graph)
+    print_entries(services, facts, show_types=show_types, count=count, as_json=as_json)
 
 
-def _as_dict(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
+def _facts(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
     return {
         "name": name,
         "types": types,
@@ -101,9 +89,7 @@ def _as_dict(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
 @app.command("type")
 def type_of(
     service_name: ServiceName,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Print a service's type."""
     print("\n".join(_types(snapshot(), full_name(service_name))))
@@ -123,9 +109,7 @@ def info(
         bool, typer.Option("-v", "--verbose", help="Show every server and client")
     ] = False,
     as_json: AsJson = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Show a service's type, clients and servers."""
     graph, name = snapshot(), full_name(service_name)
@@ -180,9 +164,7 @@ def find(
     count: Count = False,
     include_hidden_services: IncludeHidden = False,
     as_json: AsJson = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """List the services that have a type."""
     short = service_type.count("/") == 1
@@ -192,17 +174,10 @@ def find(
         for name, types in _shown(snapshot().services(), include_hidden_services)
         if wanted in types
     ]
-    if count:
-        print(len(found))
-    elif as_json:
-        print_json(found)
-    else:
-        for name in found:
-            print(name)
+    print_names(found, count=count, as_json=as_json)
 
 
 @app.command("call")
-@with_qos
 def call(
     service_name: ServiceName,
     words: Annotated[
@@ -237,31 +212,16 @@ def call(
 
 
 @app.command("echo")
-@with_qos
 def echo(
     service_name: ServiceName,
     service_type: Annotated[
         str | None, typer.Argument(help="Type of the service, if nobody uses it yet")
     ] = None,
     qos: Choice = NOT_TOLD,
-    csv: Csv = False,
-    full_length: FullLength = False,
-    truncate_length: TruncateLength = 128,
-    no_arr: NoArr = False,
-    no_str: NoStr = False,
-    flow_style: FlowStyle = False,
+    form: FormOptions = DEFAULT_FORM,
     as_json: AsJson = False,
 ) -> None:
     """Print the calls of a service."""
-    from zbot_cli.message_text import Form  # noqa: PLC0415 - lists do without
     from zbot_cli.service_echo import ServiceEcho  # noqa: PLC0415 - lists do without
 
-    form = Form(
-        csv=csv,
-        length=None if full_length else truncate_length,
-        no_arr=no_arr,
-        no_str=no_str,
-        flow_style=flow_style,
-        json=as_json,
-    )
-    ServiceEcho(full_name(service_name), service_type, form, qos).run()
+    ServiceEcho(full_name(service_name), service_type, form.form(as_json=as_json), qos).run()

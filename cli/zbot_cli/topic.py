@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -9,25 +10,19 @@ import typer
 from zbot.errors import ZbotError
 from zbot.names import is_hidden, nearest
 from zbot.wire.tokens import EndpointToken, EntityKind
-from zbot_cli.form_options import (
-    Csv,
-    FlowStyle,
-    FullLength,
-    NoArr,
-    NoStr,
-    TruncateLength,
-)
+from zbot_cli.form_options import DEFAULT_FORM, FormOptions
 from zbot_cli.listing import (
+    NO_DAEMON,
     AsJson,
-    NoDaemon,
+    DaemonOptions,
     ShowTypes,
-    SpinTime,
-    UseSimTime,
     new_app,
+    print_entries,
     print_json,
+    print_names,
 )
 from zbot_cli.looking import client, full_name, snapshot, snapshot_of
-from zbot_cli.qos_options import NOT_TOLD, Choice, profile_lines, with_qos
+from zbot_cli.qos_options import NOT_TOLD, Choice, profile_lines
 
 if TYPE_CHECKING:
     from zbot.graph import NamesAndTypes, Snapshot
@@ -75,9 +70,7 @@ def list_topics(
     ] = False,
     include_hidden_topics: IncludeHidden = False,
     as_json: AsJson = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """List the topics that somebody uses."""
     with client() as context:
@@ -87,15 +80,11 @@ def list_topics(
         sorted([*graph.topics(), *((name, [UNKNOWN_TYPE]) for name in foreign)]),
         include_hidden_topics,
     )
-    if count:
-        print(len(topics))
-    elif as_json:
-        print_json([_as_dict(graph, name, types) for name, types in topics])
-    elif verbose:
+    if verbose and not (count or as_json):
         _print_verbose(graph, include_hidden_topics)
-    else:
-        for name, types in topics:
-            print(f"{name} [{', '.join(types)}]" if show_types else name)
+        return
+    facts = partial(_facts, graph)
+    print_entries(topics, facts, show_types=show_types, count=count, as_json=as_json)
 
 
 def _foreign(context: object, graph: Snapshot) -> dict[str, set[EntityKind]]:
@@ -106,7 +95,7 @@ def _foreign(context: object, graph: Snapshot) -> dict[str, set[EntityKind]]:
     return foreign_topics(context.session, graph, context.get_domain_id())  # type: ignore[attr-defined]
 
 
-def _as_dict(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
+def _facts(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
     return {
         "name": name,
         "types": types,
@@ -134,9 +123,7 @@ def info(
         bool, typer.Option("-v", "--verbose", help="Show every publisher and subscription")
     ] = False,
     as_json: AsJson = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Show a topic's type, publishers and subscriptions."""
     graph, name = snapshot(), full_name(topic_name)
@@ -190,9 +177,7 @@ def _endpoint_text(end: EndpointToken, title: str) -> str:
 def type_of(
     topic_name: TopicName,
     include_hidden_topics: IncludeHidden = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Print a topic's type."""
     topics = dict(_shown(snapshot().topics(), True))
@@ -212,9 +197,7 @@ def find(
     ] = False,
     include_hidden_topics: IncludeHidden = False,
     as_json: AsJson = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """List the topics that have a type."""
     wanted = topic_type if topic_type.count("/") == 2 else topic_type.replace("/", "/msg/", 1)
@@ -223,17 +206,10 @@ def find(
         for name, types in _shown(snapshot().topics(), include_hidden_topics)
         if wanted in types
     ]
-    if count:
-        print(len(found))
-    elif as_json:
-        print_json(found)
-    else:
-        for name in found:
-            print(name)
+    print_names(found, count=count, as_json=as_json)
 
 
 @app.command("echo")
-@with_qos
 def echo(
     topics: Annotated[
         list[str],
@@ -242,15 +218,10 @@ def echo(
         ),
     ],
     qos: Choice = NOT_TOLD,
-    csv: Csv = False,
+    form: FormOptions = DEFAULT_FORM,
     field: Annotated[
         list[str] | None, typer.Option("--field", help="Only this field, e.g. pose.position")
     ] = None,
-    full_length: FullLength = False,
-    truncate_length: TruncateLength = 128,
-    no_arr: NoArr = False,
-    no_str: NoStr = False,
-    flow_style: FlowStyle = False,
     no_lost_messages: Annotated[
         bool, typer.Option("--no-lost-messages", help="Do not report losses")
     ] = False,
@@ -273,41 +244,32 @@ def echo(
         str | None, typer.Option("-n", "--node-name", help="Name of the listening node")
     ] = None,
     as_json: AsJson = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
-    no_daemon: NoDaemon = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Print the messages of a topic."""
     from zbot_cli.echo import Echo  # noqa: PLC0415 - lists do without
-    from zbot_cli.message_text import Form  # noqa: PLC0415 - lists do without
 
-    form = Form(
-        csv=csv,
+    shown = form.form(
+        as_json=as_json,
         fields=tuple(field or ()),
-        length=None if full_length else truncate_length,
-        no_arr=no_arr,
-        no_str=no_str,
-        flow_style=flow_style,
         raw=raw,
         filter_expression=filter_expression,
         with_info=include_message_info,
         clear=clear,
-        json=as_json,
         losses=not no_lost_messages,
     )
     Echo(
         topics,
-        form,
+        shown,
         qos,
         once=once,
         timeout_s=timeout,
         node_name=node_name,
-        use_sim_time=use_sim_time,
+        use_sim_time=daemon.use_sim_time,
     ).run()
 
 
 @app.command("pub")
-@with_qos
 def pub(
     topic_name: TopicName,
     words: Annotated[
@@ -346,8 +308,7 @@ def pub(
     yaml_file: Annotated[
         str | None, typer.Option("--yaml-file", help="Publish each document of a file")
     ] = None,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Publish messages on a topic."""
     from zbot_cli.pub import Pace, Pub  # noqa: PLC0415 - lists do without
@@ -370,7 +331,7 @@ def pub(
         node_name=node_name,
         stdin=stdin,
         yaml_file=yaml_file,
-        use_sim_time=use_sim_time,
+        use_sim_time=daemon.use_sim_time,
     ).run()
 
 
@@ -381,7 +342,6 @@ AllTopics = Annotated[bool, typer.Option("-a", "--all", help="All topics known a
 
 
 @app.command("hz")
-@with_qos
 def hz(
     topics: Topics = None,
     window: Annotated[
@@ -397,8 +357,7 @@ def hz(
     all_topics: AllTopics = False,
     qos: Choice = NOT_TOLD,
     as_json: AsJson = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Measure how often messages come."""
     from zbot_cli.measure import Rates, measure  # noqa: PLC0415 - lists do without
@@ -409,20 +368,18 @@ def hz(
         qos,
         all_topics=all_topics,
         as_json=as_json,
-        use_sim_time=use_sim_time and not wall_time,
+        use_sim_time=daemon.use_sim_time and not wall_time,
     )
 
 
 @app.command("bw")
-@with_qos
 def bw(
     topics: Topics = None,
     window: Annotated[int, typer.Option("-w", "--window", help="Messages to measure over")] = 100,
     all_topics: AllTopics = False,
     qos: Choice = NOT_TOLD,
     as_json: AsJson = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Measure how many bytes come."""
     from zbot_cli.measure import Bandwidths, measure  # noqa: PLC0415 - lists do without
@@ -433,19 +390,17 @@ def bw(
         qos,
         all_topics=all_topics,
         as_json=as_json,
-        use_sim_time=use_sim_time,
+        use_sim_time=daemon.use_sim_time,
     )
 
 
 @app.command("delay")
-@with_qos
 def delay(
     topic_name: TopicName,
     window: Annotated[int, typer.Option("-w", "--window", help="Messages to measure over")] = 10000,
     qos: Choice = NOT_TOLD,
     as_json: AsJson = False,
-    spin_time: SpinTime = 0.5,
-    use_sim_time: UseSimTime = False,
+    daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Measure how old messages are when they come."""
     from zbot_cli.measure import Delays, measure  # noqa: PLC0415 - lists do without
@@ -456,5 +411,5 @@ def delay(
         qos,
         all_topics=False,
         as_json=as_json,
-        use_sim_time=use_sim_time,
+        use_sim_time=daemon.use_sim_time,
     )
