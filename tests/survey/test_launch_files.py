@@ -31,6 +31,19 @@ class Case(NamedTuple):
 CASES = [
     Case("talker_listener.launch.py", ("[talker-1]", "I heard: [Hello World: ")),
     Case(
+        "demo_packages.launch.yaml",
+        ("I heard: [Hello World: ", "Result of add_two_ints: for 2 + 3 = 5"),
+        nodes=(
+            "/py/listener",
+            "/py/talker",
+            "/service_node",
+            "/xml/listener",
+            "/xml/talker",
+            "/yaml/listener",
+            "/yaml/talker",
+        ),
+    ),
+    Case(
         "multisim.launch.py",
         ("Spawning turtle [turtle1]", "Spawning turtle [turtle1]"),
         nodes=("/turtlesim1/turtlesim", "/turtlesim2/turtlesim"),

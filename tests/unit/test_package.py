@@ -91,8 +91,15 @@ def test_interface_packages_that_zbot_brings_are_found() -> None:
 
 def test_the_share_folder_of_zbot_has_launch_files_only() -> None:
     share = package_share("zbot_nodes")
-    assert share == package_share("zbot").parent / "zbot_nodes"
-    assert {entry.name for entry in share.glob("*")} <= {"launch"}
+    assert {entry.name for entry in share.glob("*")} == {"launch"}
+    assert all(entry.is_file() for entry in share.glob("launch/*"))
+
+
+def test_names_for_the_same_files_have_share_folders_of_their_own() -> None:
+    files = list(package_share("zbot").glob("launch/*"))
+    assert package_share("zbot_nodes").name == "zbot_nodes"
+    assert files
+    assert all(file.is_file() for file in files)
 
 
 def test_a_prefix_of_ros_2_is_searched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

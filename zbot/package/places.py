@@ -22,6 +22,7 @@ _STAND_INS = _ZBOT / "compat" / "packages"
 _SHARE = _ZBOT / "share"
 #: Names that the nodes and launch files of zbot go by.
 BUNDLED_NAMES = ("zbot", "zbot_nodes", "demo_nodes_py", "demo_nodes_cpp")
+_OURS = ("launch",)
 _INDEX = Path("share", "ament_index", "resource_index", "packages")
 #: An installed Python package counts as one of ours if it has one of these in its folder.
 _MARKS = (MANIFEST, "launch", "msg", "srv", "action")
@@ -80,7 +81,12 @@ def _workspace() -> Iterator[Package]:
 
 def _bundled() -> Iterator[Package]:
     share = _SHARE if _SHARE.is_dir() else _ZBOT.parent  # the second in a checkout
-    yield from (Package(name, share, Origin.BUNDLED, None, ("launch",)) for name in BUNDLED_NAMES)
+    for name in BUNDLED_NAMES:
+        own = share / "launch" / name
+        has_own = own.is_dir()
+        yield Package(
+            name, own if has_own else share, Origin.BUNDLED, only=() if has_own else _OURS
+        )
     for parent in (_DEFINITIONS, _STAND_INS):
         if parent.is_dir():
             folders = (entry for entry in parent.iterdir() if entry.name.isidentifier())

@@ -57,8 +57,9 @@ def prefix_folder(package: Package) -> Path:
     """
     if package.prefix is not None:
         return package.prefix
-    # One folder for each place that the sources are in: two workspaces may have the same package.
-    place = hashlib.sha256(os.fsencode(package.folder.resolve())).hexdigest()[:16]
+    # Two workspaces may have the same package, and one folder of ours goes by several names.
+    sources = os.fsencode(package.folder.resolve() / package.name)
+    place = hashlib.sha256(sources).hexdigest()[:16]
     prefix = cache_folder() / "packages" / place
     files = {f"share/{package.name}/{target}": file for target, file in _shared(package).items()}
     if package.origin is Origin.WORKSPACE:
@@ -125,9 +126,11 @@ def _shared(package: Package) -> dict[str, Path]:
     that ROS 2 would not find it.
     """
     if package.only:
-        folders = (package.folder / part for part in package.only)
-        return {_relative(file, package): file for one in folders for file in files_below(one)}
-    files = {_relative(file, package): file for file in files_below(package.folder)}
+        # What is further down belongs to other packages that zbot brings.
+        below = (file for part in package.only for file in (package.folder / part).iterdir())
+        files = {_relative(file, package): file for file in below if file.is_file()}
+    else:
+        files = {_relative(file, package): file for file in files_below(package.folder)}
     if package.launch is not None:
         files.update({f"launch/{file.name}": file for file in files_below(package.launch)})
     if package.origin is Origin.WORKSPACE:

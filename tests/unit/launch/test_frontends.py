@@ -20,6 +20,7 @@ _XML = """\
   <let name="both" value="$(var robot)_x"/>
   <set_env name="A" value="b"/>
   <unset_env name="A"/>
+  <push_env/> <reset_env/> <pop_env/>
   <append_env name="A" value="c" prepend="true"/>
   <group scoped="false" if="true"><push-ros-namespace namespace="$(var robot)"/></group>
   <node pkg="p" exec="e" name="n" args="--a $(var robot)" output="screen" respawn="true">
@@ -44,6 +45,9 @@ launch:
 - let: {name: both, value: $(var robot)_x}
 - set_env: {name: A, value: b}
 - unset_env: {name: A}
+- push_env: {}
+- reset_env: {}
+- pop_env: {}
 - append_env: {name: A, value: c, prepend: true}
 - group:
     scoped: false
@@ -88,6 +92,9 @@ _TREE = """\
     SetLaunchConfiguration('both', LaunchConfig('robot') + '_x')
     SetEnvironmentVariable('A', 'b')
     UnsetEnvironmentVariable()
+    PushEnvironment()
+    ResetEnvironment()
+    PopEnvironment()
     AppendEnvironmentVariable('A', 'c')
     GroupAction() if IfCondition('true')
         group condition:

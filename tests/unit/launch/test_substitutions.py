@@ -174,6 +174,11 @@ def test_a_package_that_is_not_there_is_an_error(context: LaunchContext) -> None
         perform(context, FindPackageShare("no_such_package"))
 
 
+def test_a_package_is_found_while_a_launch_file_is_read() -> None:
+    found = FindPackageShare(package="demo_nodes_cpp").find("demo_nodes_cpp")
+    assert Path(found, "launch", "topics", "talker_listener_launch.py").is_file()
+
+
 def test_the_content_of_a_file_is_a_text(context: LaunchContext, tmp_path: Path) -> None:
     (tmp_path / "a.urdf").write_text("<robot/>", encoding="utf-8")
     assert perform(context, FileContent([str(tmp_path), "/a.urdf"])) == "<robot/>"

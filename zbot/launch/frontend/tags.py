@@ -175,6 +175,21 @@ def _append_env(entity: Entity, parser: Parser) -> Action:
     )
 
 
+@action("push_env")
+def _push_env(_: Entity, __: Parser) -> Action:
+    return actions.PushEnvironment()
+
+
+@action("pop_env")
+def _pop_env(_: Entity, __: Parser) -> Action:
+    return actions.PopEnvironment()
+
+
+@action("reset_env")
+def _reset_env(_: Entity, __: Parser) -> Action:
+    return actions.ResetEnvironment()
+
+
 @action("unset_let", "unset_launch_configuration")
 def _unset_let(entity: Entity, parser: Parser) -> Action:
     return actions.UnsetLaunchConfiguration(needed(entity, parser, "name"))

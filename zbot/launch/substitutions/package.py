@@ -25,7 +25,15 @@ class FindPackagePrefix(Substitution):
         Raises:
             PackageNotFoundError: There is no such package.
         """
-        return str(package_prefix(perform(context, self.package)))
+        return self.find(perform(context, self.package))
+
+    def find(self, package_name: str) -> str:
+        """Return the folder of any package, with no launch running.
+
+        Raises:
+            PackageNotFoundError: There is no such package.
+        """
+        return str(package_prefix(package_name))
 
     def describe(self) -> str:
         """Return the package."""
@@ -38,13 +46,13 @@ FindPackage = FindPackagePrefix
 class FindPackageShare(FindPackagePrefix):
     """The folder with what a package shares: `launch`, `config` and the like."""
 
-    def perform(self, context: LaunchContext) -> str:
-        """Return the folder.
+    def find(self, package_name: str) -> str:
+        """Return the folder of any package, with no launch running.
 
         Raises:
             PackageNotFoundError: There is no such package.
         """
-        return str(package_share(perform(context, self.package)))
+        return str(package_share(package_name))
 
 
 class ExecutableInPackage(FindPackagePrefix):
