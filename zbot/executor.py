@@ -240,6 +240,38 @@ class Executor:
                 return None
         return None
 
+    def wait_for_ready_callbacks(
+        self,
+        timeout_sec: float | None = None,
+        nodes: list[Node] | None = None,  # noqa: ARG002 - rclpy's signature
+        condition: Callable[[], bool] | None = None,
+    ) -> tuple[Task[None], Entity, Node | None]:
+        """Return the next callback, for an executor of your own that chooses where it runs.
+
+        Args:
+            timeout_sec: Seconds to wait; `None` for as long as it takes.
+            nodes: Not looked at: it is always this executor's.
+            condition: Waiting ends when it is true.
+
+        Returns:
+            What to call, in any thread, to run the callback; what it belongs to; and whose that is.
+
+        Raises:
+            TimeoutError: Nothing came in time, or `condition` is true.
+            ShutdownError: This executor was shut down.
+            ExternalShutdownException: The context was shut down.
+        """
+        with self._spins():
+            work = self._next(_deadline_ns(timeout_sec), condition)
+            self._is_disturbed = True  # one callback, and no more
+        if work is None:
+            if self._is_shutdown:
+                raise ShutdownError("this executor")
+            raise TimeoutError("no callback was ready in time")
+        entity, _ = work
+        owners = (node for node in self._nodes if entity in node.handle.mailbox)
+        return Task(self._execute, work), entity, next(owners, None)
+
     def _take(self, entity: Entity) -> tuple[Entity, Any] | None:
         mailbox = entity.mailbox
         if mailbox is not None and mailbox.executor is not self:

@@ -215,6 +215,32 @@ def test_another_executor_may_spin_inside_a_callback(
     assert calls == ["inner"]
 
 
+def test_an_executor_of_your_own_decides_where_callbacks_run(
+    context: zbot.Context, node: zbot.Node
+) -> None:
+    class Deferring(zbot.Executor):
+        def spin_once(self, timeout_sec: float | None = None) -> None:
+            handler, entity, owner = self.wait_for_ready_callbacks(timeout_sec=timeout_sec)
+            threading.Thread(target=handler).start()
+            taken.append((entity, owner))
+
+    taken: list[tuple[object, object]] = []
+    threads: list[int] = []
+    with Deferring(context=context) as mine:
+        mine.add_node(node)
+        guard = node.create_guard_condition(lambda: threads.append(threading.get_ident()))
+        guard.trigger()
+        mine.spin_once(timeout_sec=1)
+        assert wait_until(lambda: len(threads) == 1)
+        assert taken == [(guard, node)]
+        assert threads != [threading.get_ident()]
+        with pytest.raises(TimeoutError, match="no callback was ready"):
+            mine.wait_for_ready_callbacks(timeout_sec=0)
+        mine.shutdown()
+        with pytest.raises(RuntimeError, match="was shut down"):
+            mine.wait_for_ready_callbacks()
+
+
 # -- nodes -----------------------------------------------------------------------------------------
 
 

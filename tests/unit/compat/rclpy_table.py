@@ -41,7 +41,6 @@ WHY = {
     "get_num_entities": "zbot's own kinds of work need no wait set",
     "add_future": "zbot's own kinds of work need no wait set",
     "take_data": "zbot's own kinds of work need no wait set",
-    "wait_for_ready_callbacks": "inner part of rclpy's executors",
     "short_key": "the policies' names are enough",
     "notify_goal_done": "inner part of rclpy",
     "callback": "given to the constructor, and not shown",
