@@ -9,6 +9,7 @@ import pytest
 import zenoh
 
 from tests.classroom.talk import HERE, Talk, answers, dialling, free_port, open_session
+from tests.classroom.wiretap import Wiretap
 from tests.conftest import wait_until
 from zbot.security.access import (
     LOBBY,
@@ -66,7 +67,7 @@ class Room(Talk):
         assert wait_until(partial(answers, session, _DOOR))
         return session
 
-    def laptop(self, user: str) -> zenoh.Session:
+    def laptop(self, user: str, dialled: int | None = None) -> zenoh.Session:
         """Open a session behind a hub of its own, as on a joined laptop."""
         port, accepted = free_port(), self._folder / user
         write_private(accepted, accepted_users({user: self.secrets[user]}))
@@ -75,7 +76,7 @@ class Room(Talk):
             "listen/endpoints": [f"tcp/{HERE}:{port}"],
             **credentials(user, self.secrets[user], accepted),
         }
-        self._open({**dialling(self.port), **hub})
+        self._open({**dialling(dialled or self.port), **hub})
         return self.client(user, port)
 
     def close(self) -> None:
@@ -143,6 +144,23 @@ def test_student_hears_nothing_of_others(room: Room, student: zenoh.Session, key
         assert not room.reaches(student, speaker, key)
         assert not room.sees(student, speaker, key)
     assert room.hears(student, teacher, OWN)
+
+
+def test_not_even_the_names_of_foreign_topics_reach_a_laptop(room: Room) -> None:
+    wire = Wiretap(room.port)
+    room.laptop("17", wire.port)
+    other = room.laptop("18")
+    declared: list[Any] = [
+        other.liveliness().declare_token("@zbot/18/a/0/0/NN/%/%/diary"),
+        other.declare_subscriber("18/diary", zenoh.handlers.FifoChannel(10)),
+        other.declare_queryable("18/diary", zenoh.handlers.FifoChannel(10)),
+    ]
+    room.settle()
+    assert b"ping" in wire.came
+    assert b"diary" not in wire.came
+    for one in declared:
+        one.undeclare()
+    wire.close()
 
 
 @pytest.mark.parametrize("key", ["**", "*/x", "18/**", "@class/student/**", "@/**", "@zbot/**"])

@@ -24,7 +24,7 @@ _LEASE_MS = 4000
 # In a lease, and each is acknowledged: thirty idle laptops cost their teacher 4 kB/s.
 _KEEP_ALIVES = 2
 # As soon as the other hub is back everything has to be; but a hundred laptops must not flood it.
-_RETRY = {"period_init_ms": 250, "period_max_ms": 1000, "period_increase_factor": 2}
+_RETRY = {"period_init_ms": 250, "period_max_ms": 500, "period_increase_factor": 2}
 _HANDSHAKE_MS = 3000  # networks lose packets
 # Laptops that come back at once after a restart wait for each other here.
 _ACCEPT_PENDING = 500

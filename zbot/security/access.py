@@ -56,6 +56,11 @@ ACCEPT_PENDING = 2000
 #: How long (ms) one may stay half open; honest ones take 10 ms, on bad Wi-Fi 1 s.
 ACCEPT_TIMEOUT_MS = 3000
 
+# Whoever connects is below the hub ("south") rather than beside it. Zenoh sends a router beside it
+# the names of all keys, as they say nothing of who may use them: every topic and node of the class
+# to every laptop. One below gets the names of what it is told, which the rules decide.
+_REGIONS: dict[str, Any] = {"south": [{}]}
+
 _SAYING = ("put", "delete", "reply", "declare_queryable", "liveliness_token")
 _ASKING = ("declare_subscriber", "query", "liveliness_query", "declare_liveliness_subscriber")
 _EVERYWHERE = ("**", "**/@adv/**", "@/**", "@zbot/**", "@class/**", "@hub/**", "@ros2_lv/**")
@@ -128,6 +133,7 @@ def teacher_access(
                 for user, rules in policies
             ],
         },
+        "gateway": _REGIONS,
         **limits(),
     }
 

@@ -1,0 +1,63 @@
+"""A wire that remembers: what somebody who reads along with a machine's network gets to see."""
+
+from __future__ import annotations
+
+import contextlib
+import socket
+import threading
+from functools import partial
+from typing import TYPE_CHECKING
+
+from tests.classroom.talk import HERE
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+_CHUNK_BYTES = 65536
+
+
+class Wiretap:
+    """A TCP port that carries everything to another one and back, until it is closed.
+
+    Args:
+        target: The other port, of this machine.
+    """
+
+    def __init__(self, target: int) -> None:
+        self._target = target
+        self._server = socket.create_server((HERE, 0))
+        self._open = [self._server]
+        self._threads: list[threading.Thread] = []
+        self.came = bytearray()  #: all that has come from the other port
+        self.port = int(self._server.getsockname()[1])  #: to dial
+        self._start(self._accept)
+
+    def _start(self, work: Callable[[], None]) -> None:
+        self._threads.append(threading.Thread(target=work, daemon=True))
+        self._threads[-1].start()
+
+    def _accept(self) -> None:
+        with contextlib.suppress(OSError):  # it was closed
+            while True:
+                near, _ = self._server.accept()
+                far = socket.create_connection((HERE, self._target))
+                self._open += [near, far]
+                self._start(partial(self._carry, near, far, bytearray()))
+                self._start(partial(self._carry, far, near, self.came))
+
+    @staticmethod
+    def _carry(source: socket.socket, target: socket.socket, memory: bytearray) -> None:
+        with contextlib.suppress(OSError):  # either side has hung up
+            while chunk := source.recv(_CHUNK_BYTES):
+                memory += chunk
+                target.sendall(chunk)
+            target.shutdown(socket.SHUT_WR)
+
+    def close(self) -> None:
+        """Hang up."""
+        for one in self._open:
+            with contextlib.suppress(OSError):
+                one.shutdown(socket.SHUT_RDWR)
+            one.close()
+        for thread in self._threads:
+            thread.join(5)
