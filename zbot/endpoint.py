@@ -14,6 +14,9 @@ if TYPE_CHECKING:
     from zbot.qos import QoSProfile
     from zbot.wire.tokens import EndpointToken
 
+#: What ROS 2's programs are told of who carries the messages.
+RMW_IDENTIFIER = "rmw_zbot_zenoh"
+
 
 class Endpoint:
     """A part of a node that has a place in the graph; leaving a `with` block destroys it."""

@@ -581,3 +581,7 @@ class ParametersFileError(SetupError, ValueError):
 
 class ExternalShutdownException(ZbotError):  # noqa: N818 - rclpy's name
     """The context was shut down, by a signal or another thread, while an executor was waiting."""
+
+
+class ConditionReachedException(ZbotError):  # noqa: N818 - rclpy's name
+    """What an executor was to wait for is there."""

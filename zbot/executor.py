@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.agenda import Agenda
 from zbot.callback_group import CallbackGroup, ReentrantCallbackGroup
 from zbot.errors import (
+    ConditionReachedException,
     ExecutorBusyError,
     ExternalShutdownException,
     NotInitializedError,
@@ -23,6 +24,7 @@ from zbot.errors import (
 )
 from zbot.semaphore import BinarySemaphore
 from zbot.task import Future, Task
+from zbot.time import TimeoutObject
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Iterator
@@ -240,38 +242,6 @@ class Executor:
                 return None
         return None
 
-    def wait_for_ready_callbacks(
-        self,
-        timeout_sec: float | None = None,
-        nodes: list[Node] | None = None,  # noqa: ARG002 - rclpy's signature
-        condition: Callable[[], bool] | None = None,
-    ) -> tuple[Task[None], Entity, Node | None]:
-        """Return the next callback, for an executor of your own that chooses where it runs.
-
-        Args:
-            timeout_sec: Seconds to wait; `None` for as long as it takes.
-            nodes: Not looked at: it is always this executor's.
-            condition: Waiting ends when it is true.
-
-        Returns:
-            What to call, in any thread, to run the callback; what it belongs to; and whose that is.
-
-        Raises:
-            TimeoutError: Nothing came in time, or `condition` is true.
-            ShutdownError: This executor was shut down.
-            ExternalShutdownException: The context was shut down.
-        """
-        with self._spins():
-            work = self._next(_deadline_ns(timeout_sec), condition)
-            self._is_disturbed = True  # one callback, and no more
-        if work is None:
-            if self._is_shutdown:
-                raise ShutdownError("this executor")
-            raise TimeoutError("no callback was ready in time")
-        entity, _ = work
-        owners = (node for node in self._nodes if entity in node.handle.mailbox)
-        return Task(self._execute, work), entity, next(owners, None)
-
     def _take(self, entity: Entity) -> tuple[Entity, Any] | None:
         mailbox = entity.mailbox
         if mailbox is not None and mailbox.executor is not self:
@@ -299,6 +269,58 @@ class Executor:
         if left > 0:
             self._signal.wait(left / 1e9)
         return deadline_ns is None or time.monotonic_ns() < deadline_ns
+
+    def can_execute(self, entity: Entity) -> bool:
+        """Return whether an entity's callback group would let it run now."""
+        return entity.callback_group.can_execute(entity)
+
+    def wait_for_ready_callbacks(
+        self,
+        timeout_sec: float | TimeoutObject | None = None,
+        nodes: list[Node] | None = None,  # noqa: ARG002 - rclpy's signature
+        condition: Callable[[], bool] | None = None,
+    ) -> tuple[Task[None], Entity, Node | None]:
+        """Wait for one callback, for an executor of a program's own whose `spin_once` runs it.
+
+        Args:
+            timeout_sec: Seconds to wait; `None` or below 0 for as long as it takes.
+            nodes: Accepted; the nodes of this executor are waited for, and no others.
+            condition: Ends the waiting when it is true; asked when something wakes the executor.
+
+        Returns:
+            A task that runs the callback when it is called, in any thread; what it is a callback
+            of; and the node of that.
+
+        Raises:
+            TimeoutError: Nothing came in time.
+            ConditionReachedException: The condition is true.
+            ShutdownError: This executor was shut down.
+            ExternalShutdownException: The context was shut down.
+        """
+        seconds = timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec
+        with self._spins():
+            work = self._next(_deadline_ns(seconds), condition)
+        if work is not None:
+            entity = work[0]
+            if isinstance(entity.callback_group, ReentrantCallbackGroup):
+                self._queue(entity)  # its next piece may run beside this one
+            return Task(self._execute_alone, work), entity, self._node_of(entity)
+        if self._is_shutdown:
+            raise ShutdownError("this executor")
+        if condition is not None and condition():
+            raise ConditionReachedException
+        raise TimeoutError("no callback was ready in time")
+
+    def _execute_alone(self, entity: Entity, taken: Any) -> None:
+        self._is_disturbed = True  # one callback, and no more
+        try:
+            self._execute(entity, taken)
+        finally:
+            self._signal.set()  # it may have been another thread's: the entity may have more
+
+    def _node_of(self, entity: Entity) -> Node | None:
+        owners = (node for node in self._nodes if node.handle.mailbox is entity.mailbox)
+        return next(owners, None)
 
     def _execute(self, entity: Entity, taken: Any) -> None:
         """Run a piece of work and, while nobody else has any, the entity's next ones."""

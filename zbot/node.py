@@ -21,7 +21,7 @@ from zbot.names import (
 )
 from zbot.node_graph import GraphQueries
 from zbot.node_handle import NodeHandle
-from zbot.node_parameters import START_TYPE_DESCRIPTION_SERVICE, NodeParameters, overrides_of
+from zbot.node_parameters import NodeParameters, overrides_of
 from zbot.parameter_services import ParameterServices
 from zbot.publisher import Publisher
 from zbot.qos import (
@@ -33,11 +33,11 @@ from zbot.qos import (
 )
 from zbot.rosout import Rosout
 from zbot.service import Service
-from zbot.subscription import Subscription
+from zbot.subscription import ContentFilterOptions, Subscription
 from zbot.time import S_TO_NS
 from zbot.time_source import TimeSource
 from zbot.timer import Rate, Timer
-from zbot.type_description import serve_type_descriptions
+from zbot.type_description import TypeDescriptionService
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -134,17 +134,18 @@ class Node(GraphQueries, NodeParameters):
         context.add_node(self)
         self._zbot_logger = get_logger(handle.logger_name)
         self._zbot_rosout = Rosout(self, as_profile(rosout_qos_profile)) if enable_rosout else None
-        self._zbot_time = TimeSource(self, handle.clock)
+        self._zbot_time = TimeSource()
+        self._zbot_time.attach_clock(handle.clock)
         handle.parameters.overrides = overrides | {p.name: p for p in parameter_overrides or ()}
         handle.parameters.allow_undeclared = allow_undeclared_parameters
         self._zbot_add_parameter_events()
         if automatically_declare_parameters_from_overrides:
             self._zbot_declare_overrides()
-        self._zbot_declare_own(self._zbot_time)
+        self._zbot_declare_own()
+        self._zbot_time.attach_node(self)
         if start_parameter_services:
             self._zbot_parameter_services = ParameterServices(handle, self._zbot_resolve)
-        if handle.parameters.get(START_TYPE_DESCRIPTION_SERVICE).value is True:
-            serve_type_descriptions(handle, self._zbot_resolve)
+        self._zbot_type_descriptions = TypeDescriptionService(self)
         if enable_logger_service:
             from zbot.logger_services import LoggingService  # noqa: PLC0415 - few nodes have it
 
@@ -296,7 +297,7 @@ class Node(GraphQueries, NodeParameters):
         event_callbacks: Any = None,
         qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool | Literal["payload"] = False,
-        content_filter_options: Any = None,  # noqa: ARG002 - no middleware of Zenoh's filters content
+        content_filter_options: ContentFilterOptions | None = None,
     ) -> Subscription[MsgT]:
         """Create a subscription.
 
@@ -310,11 +311,12 @@ class Node(GraphQueries, NodeParameters):
             qos_overriding_options: Which policies parameters may override.
             raw: Give the callback each message as the bytes of ROS 2's CDR; with `"payload"`, as
                 the bytes that were sent, undecoded.
-            content_filter_options: Accepted and ignored.
+            content_filter_options: An expression that is true of the messages that are wanted.
 
         Raises:
             InvalidTopicNameError: The name breaks ROS 2's grammar.
             CallbackSignatureError: The callback takes neither one nor two arguments.
+            ContentFilterError: The expression does not fit the type.
             NotAMessageTypeError: The class is no message's.
             InvalidHandleError: The node was destroyed.
         """
@@ -331,6 +333,7 @@ class Node(GraphQueries, NodeParameters):
             callback_group=callback_group or handle.default_callback_group,
             raw=raw,
             logger_name=handle.logger_name,
+            content_filter=content_filter_options,
         )
         subscription.topic = topic
         handle.subscriptions.append(subscription)

@@ -16,7 +16,6 @@ if TYPE_CHECKING:
 
     from zbot.node_handle import NodeHandle
     from zbot.parameter_store import ParameterStore
-    from zbot.time_source import TimeSource
 
     from rcl_interfaces.msg import (
         ListParametersResult,
@@ -72,8 +71,8 @@ class NodeParameters:
         store = self._zbot_parameters
         store.declare(Declaration(name, one.value) for name, one in store.overrides.items())
 
-    def _zbot_declare_own(self, time: TimeSource) -> None:
-        """Declare what every node has, and let the clock follow `use_sim_time`."""
+    def _zbot_declare_own(self) -> None:
+        """Declare what every node has."""
         store = self._zbot_parameters
         services = Descriptor(description=_TYPE_SERVICE_TEXT, read_only=True)
         own = [
@@ -81,13 +80,6 @@ class NodeParameters:
             Declaration(START_TYPE_DESCRIPTION_SERVICE, True, services),
         ]
         store.declare(one for one in own if one.name not in store.values)
-
-        def follow(_: Parameters) -> None:
-            parameter = store.values.get(USE_SIM_TIME)
-            time.ros_time_is_active = parameter is not None and parameter.value is True
-
-        follow([])
-        store.post_set.append(follow)
 
     # -- declaring -----------------------------------------------------------------------------
 

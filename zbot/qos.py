@@ -144,6 +144,7 @@ class LivelinessPolicy(QoSPolicyEnum):
     RMW_QOS_POLICY_LIVELINESS_SYSTEM_DEFAULT = 0
     RMW_QOS_POLICY_LIVELINESS_AUTOMATIC = 1
     RMW_QOS_POLICY_LIVELINESS_MANUAL_BY_TOPIC = 3
+    RMW_QOS_POLICY_DURABILITY_UNKNOWN = 4  # rclpy's slip of the pen, which programs may have copied
 
 
 QoSHistoryPolicy = HistoryPolicy

@@ -28,6 +28,10 @@ class QoSOverridingOptions:
         entity_id: Tells two publishers or subscriptions of one topic apart.
     """
 
+    policy_kinds: tuple[QoSPolicyKind, ...]
+    callback: Callable[[QoSProfile], Any] | None
+    entity_id: str | None
+
     def __init__(
         self,
         policy_kinds: Iterable[QoSPolicyKind],

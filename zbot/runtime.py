@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot import signals
 from zbot.context import get_default_context
+from zbot.endpoint import RMW_IDENTIFIER
 from zbot.executor import SingleThreadedExecutor
 from zbot.node import Node
 from zbot.signals import SignalHandlerOptions
@@ -167,7 +168,7 @@ def spin_until_future_complete(
 
 def get_rmw_implementation_identifier() -> str:
     """Return what carries the messages, as ROS 2's programs ask for it."""
-    return "rmw_zbot_zenoh"
+    return RMW_IDENTIFIER
 
 
 def get_available_rmw_implementations() -> set[str]:

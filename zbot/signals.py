@@ -15,17 +15,26 @@ import signal
 import sys
 import threading
 import traceback
+import weakref
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from zbot.context import open_contexts
-from zbot.errors import ExternalShutdownException, NotInitializedError, SetupError
+from zbot.context import get_default_context, open_contexts
+from zbot.errors import (
+    ExternalShutdownException,
+    InvalidHandleError,
+    NotInitializedError,
+    SetupError,
+)
 from zbot.executor import spinning_in_main_thread
 from zbot.foreign_call import is_foreign
+from zbot.guard_condition import GuardCondition
 
 if TYPE_CHECKING:
     from types import FrameType
+
+    from zbot.context import Context
 
 _PACKAGE = str(Path(__file__).parent) + os.sep
 _TERMINATED = 128 + signal.SIGTERM
@@ -43,6 +52,37 @@ class SignalHandlerOptions(enum.Enum):
     ALL = 3
 
 
+class SignalHandlerGuardCondition(GuardCondition):
+    """Is triggered by Ctrl-C and SIGTERM, so that a `WaitSet` with it wakes up.
+
+    Args:
+        context: The context that must be alive; the default one if left out.
+
+    Raises:
+        NotInitializedError: It is not.
+    """
+
+    def __init__(self, context: Context | None = None) -> None:
+        if not (context or get_default_context()).ok():
+            raise NotInitializedError("a guard condition")
+        super().__init__()
+        _guards.add(self)
+
+    def destroy(self) -> None:
+        """Be triggered no more.
+
+        Raises:
+            InvalidHandleError: It was destroyed before.
+        """
+        if self not in _guards:
+            raise InvalidHandleError("the guard condition")
+        _guards.discard(self)
+        super().destroy()
+
+
+_guards: weakref.WeakSet[SignalHandlerGuardCondition] = weakref.WeakSet()
+
+
 class _Process:
     """What this process has installed, and how it is ending."""
 
@@ -53,7 +93,7 @@ class _Process:
     dies_of_sigterm = False
 
 
-def install(options: SignalHandlerOptions) -> None:
+def install(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
     """Handle signals (main thread only: Python allows it nowhere else) and hook the ways out."""
     _hook_ways_out()
     if threading.current_thread() is not threading.main_thread():
@@ -88,6 +128,14 @@ def _replace(number: int, handler: Any) -> None:
 def _interrupt_contexts() -> None:
     for context in list(open_contexts):
         context.interrupt()
+    if _guards:
+        # In a thread: who waits for one may hold its lock, and be what this signal interrupted.
+        threading.Thread(target=_trigger_guards, daemon=True).start()
+
+
+def _trigger_guards() -> None:
+    for guard in list(_guards):
+        guard.trigger()
 
 
 def _is_postponed(number: int, frame: FrameType | None) -> bool:

@@ -16,12 +16,12 @@ import time
 from collections import deque
 from enum import Enum
 from itertools import islice
-from typing import TYPE_CHECKING, Any, Generic, Literal, TypedDict, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, Literal, NamedTuple, TypedDict, TypeVar
 
 import zenoh
 
-from zbot.endpoint import TopicEndpoint
-from zbot.errors import CallbackSignatureError
+from zbot.endpoint import RMW_IDENTIFIER, TopicEndpoint
+from zbot.errors import CallbackSignatureError, ZbotError
 from zbot.handle import Handle
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.callback_group import CallbackGroup
+    from zbot.content_filter import ContentFilter
     from zbot.context import Context
     from zbot.mailbox import Mailbox
     from zbot.wire.tokens import EndpointToken
@@ -50,6 +51,13 @@ _MOST_SOURCES = 1024
 _unpack, _FACTS_LENGTH = LAYOUT.unpack, LAYOUT.size
 
 
+class PublisherGid(TypedDict):
+    """Which publisher sent a message."""
+
+    implementation_identifier: str
+    data: bytes
+
+
 class MessageInfo(TypedDict):
     """What a two-argument callback learns about its message; times in ns since the epoch."""
 
@@ -57,6 +65,22 @@ class MessageInfo(TypedDict):
     received_timestamp: int
     publication_sequence_number: int
     reception_sequence_number: int
+    publisher_gid: PublisherGid | None  #: `None` where the publisher is no node's
+
+
+class ContentFilterOptions(NamedTuple):
+    """Which messages a subscription wants; for `create_subscription`; see `zbot.content_filter`."""
+
+    filter_expression: str  #: an empty one lets every message through
+    expression_parameters: list[str]  #: what `%0`, `%1` ... stand for, written as in an expression
+
+
+class NoContentFilterError(ZbotError, LookupError):
+    """A subscription was asked for a filter that it does not have."""
+
+    def __init__(self, topic: str) -> None:
+        self.topic = topic
+        super().__init__(f"the subscription of {topic} has no content filter")
 
 
 class _Source:
@@ -85,6 +109,10 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         raw: Hand each message to the callback as the bytes of ROS 2's CDR; with `"payload"`, as
             the bytes that were sent, undecoded.
         logger_name: The node's logger.
+        content_filter: Which messages are wanted; all if left out.
+
+    Raises:
+        ContentFilterError: The filter does not fit the type.
     """
 
     class CallbackType(Enum):
@@ -106,8 +134,12 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         callback_group: CallbackGroup,
         raw: bool | Literal["payload"],
         logger_name: str,
+        content_filter: ContentFilterOptions | None = None,
     ) -> None:
         self.msg_type = msg_type
+        self._filter: ContentFilter | None = None
+        if content_filter is not None:
+            self.set_content_filter(*content_filter)
         self.callback_group = callback_group
         self.callback = callback
         self.raw = raw
@@ -121,6 +153,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._logger_name = logger_name
         decode = context.dialect.codec_for(msg_type).decode
         self._decode: Callable[[Any], Any] = decode
+        self._read = decode  # a filter looks at messages where the callback wants bytes
         if raw:
             self._decode = bytes if raw == "payload" else raw_decoder(decode)
         self._sources: dict[bytes, _Source] = {}
@@ -161,6 +194,44 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
     def get_publisher_count(self) -> int:
         """Return how many publishers the topic has in the whole domain."""
         return len(self._context.graph.snapshot().publishers(self.topic_name))
+
+    # -- content filter ------------------------------------------------------------------------
+
+    @property
+    def is_cft_enabled(self) -> bool:
+        """Whether a content filter keeps messages back."""
+        return self._filter is not None
+
+    def set_content_filter(self, filter_expression: str, expression_parameters: list[str]) -> None:
+        """Take only the messages of which an expression is true, from the next message on.
+
+        All messages travel, and are filtered where they arrive: it spares the callback, not the
+        network.
+
+        Args:
+            filter_expression: As in `zbot.content_filter`; an empty one takes the filter away.
+            expression_parameters: What `%0`, `%1` ... stand for.
+
+        Raises:
+            ContentFilterError: The filter does not fit the type; the former one stays.
+        """
+        from zbot.content_filter import ContentFilter  # noqa: PLC0415 - few have one
+
+        new = None
+        if filter_expression.strip():
+            new = ContentFilter(filter_expression, expression_parameters, self.msg_type)
+        self._filter = new
+        self._filter_options = ContentFilterOptions(filter_expression, list(expression_parameters))
+
+    def get_content_filter(self) -> ContentFilterOptions:
+        """Return the present filter.
+
+        Raises:
+            NoContentFilterError: There is none.
+        """
+        if self._filter is None:
+            raise NoContentFilterError(self.topic_name)
+        return self._filter_options
 
     # -- receiving -----------------------------------------------------------------------------
 
@@ -214,15 +285,17 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         Raises:
             CodecError: It cannot be read.
         """
-        sample = self.take()
-        if sample is None:
-            return None
-        attachment = sample.attachment
-        facts = None if attachment is None else attachment.to_bytes()
-        known = facts if facts is not None and len(facts) == _FACTS_LENGTH else None
-        self.received_count += 1
-        decode = raw_decoder(self._decode) if raw and not self.raw else self._decode
-        return decode(sample.payload.to_bytes()), self._info(known)
+        while (sample := self.take()) is not None:
+            payload = sample.payload.to_bytes()
+            if not self._is_wanted(payload):
+                continue
+            attachment = sample.attachment
+            facts = None if attachment is None else attachment.to_bytes()
+            known = facts if facts is not None and len(facts) == _FACTS_LENGTH else None
+            self.received_count += 1
+            decode = raw_decoder(self._decode) if raw and not self.raw else self._decode
+            return decode(payload), self._info(known)
+        return None
 
     def _fetch(self) -> bool:
         sample = self._try_recv()
@@ -261,12 +334,20 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         except CodecError as exc:
             self._refuse(str(exc))
             return None
-        if self._is_destroyed:
+        if self._is_destroyed or (self._filter is not None and not self._is_wanted(payload)):
             return None
         self.received_count += 1
         if self._with_info:
             return self._callback(message, self._info(facts))
         return self._callback(message)
+
+    def _is_wanted(self, payload: bytes) -> bool:
+        """Return whether the content filter, if any, lets a message through."""
+        try:
+            return self._filter is None or self._filter.admits(self._read(payload))
+        except CodecError as exc:
+            self._refuse(str(exc))  # the callback wants bytes, so nobody has looked before
+            return False
 
     def _admits(self, sample: zenoh.Sample, sequence: int, stamp_ns: int, gid: bytes) -> bool:
         """Note a message of a new publisher, behind a gap, or of a publisher that needs a look."""
@@ -321,12 +402,15 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             )
 
     def _info(self, facts: bytes | None) -> MessageInfo:
-        sequence, stamp_ns = (0, 0) if facts is None else _unpack(facts)[:2]
+        sequence, stamp_ns, _, gid = (0, 0, 0, b"") if facts is None else _unpack(facts)
         return MessageInfo(
             source_timestamp=stamp_ns,
             received_timestamp=time.time_ns(),
             publication_sequence_number=sequence,
             reception_sequence_number=self.received_count,
+            publisher_gid=PublisherGid(implementation_identifier=RMW_IDENTIFIER, data=gid)
+            if gid
+            else None,
         )
 
     def report_losses_to(self, listener: Callable[[int], None]) -> None:

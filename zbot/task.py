@@ -6,6 +6,7 @@ import inspect
 import sys
 import threading
 import warnings
+from enum import Enum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 if TYPE_CHECKING:
@@ -14,6 +15,19 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 T = TypeVar("T")
+
+
+class FutureState(Enum):
+    """How far a future is."""
+
+    PENDING = "PENDING"
+    CANCELLED = "CANCELLED"
+    FINISHED = "FINISHED"
+
+
+# Each member of an enum costs a look-up in its class, and every call of a service asks for some.
+_PENDING, _CANCELLED = FutureState.PENDING, FutureState.CANCELLED
+_FINISHED = FutureState.FINISHED
 
 
 class _Step(threading.local):
@@ -47,7 +61,7 @@ class Future(Generic[T]):
     def __init__(self, *, executor: Any = None) -> None:
         self._executor = executor
         self._lock = threading.Lock()
-        self._state = "pending"
+        self._state = _PENDING
         self._result: T | None = None
         self._exception: BaseException | None = None
         self._callbacks: list[Callable[[Any], Any]] = []
@@ -61,20 +75,20 @@ class Future(Generic[T]):
 
     def cancel(self) -> None:
         """Mark as cancelled and run the done callbacks; nothing happens when already done."""
-        self._complete("cancelled")
+        self._complete(_CANCELLED)
 
     def cancelled(self) -> bool:
         """Return whether it was cancelled."""
-        return self._state == "cancelled"
+        return self._state is _CANCELLED
 
     def done(self) -> bool:
         """Return whether a result or exception is set; a cancelled future is never done."""
-        return self._state == "done"
+        return self._state is _FINISHED
 
     @property
     def is_over(self) -> bool:
         """Whether nothing more will come: done or cancelled."""
-        return self._state != "pending"
+        return self._state is not _PENDING
 
     def result(self) -> T | None:
         """Return the result, `None` while there is none; raise the exception if that was set."""
@@ -88,11 +102,11 @@ class Future(Generic[T]):
 
     def set_result(self, result: T) -> None:
         """Complete with a result; on a future that is over it takes the place of what is there."""
-        self._complete("done", result=result, again=True)
+        self._complete(_FINISHED, result=result, again=True)
 
     def set_exception(self, exception: BaseException) -> None:
         """Complete with an exception, which `result()` and `await` raise; see `set_result`."""
-        self._complete("done", exception=exception, again=True)
+        self._complete(_FINISHED, exception=exception, again=True)
 
     def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
         """Call `callback(self)` when done, at once if it is."""
@@ -120,7 +134,7 @@ class Future(Generic[T]):
 
     def _complete(
         self,
-        state: str,
+        state: FutureState,
         *,
         result: T | None = None,
         exception: BaseException | None = None,
@@ -189,7 +203,7 @@ class Task(Future[T]):
                 try:
                     self._step()
                 except BaseException as exc:
-                    self._complete("done", exception=exc)
+                    self._complete(_FINISHED, exception=exc)
                     if not isinstance(exc, Exception):
                         raise
                 finally:
@@ -209,13 +223,13 @@ class Task(Future[T]):
         if self._coroutine is None:
             outcome = self._call()
             if not inspect.iscoroutine(outcome):
-                self._complete("done", result=outcome)
+                self._complete(_FINISHED, result=outcome)
                 return
             self._coroutine = outcome
         try:
             awaited = self._coroutine.send(None)
         except StopIteration as stop:
-            self._complete("done", result=stop.value)
+            self._complete(_FINISHED, result=stop.value)
         else:
             self._resume_after(awaited)
 
@@ -229,3 +243,9 @@ class Task(Future[T]):
     def _schedule(self) -> None:
         if self._executor is not None:
             self._executor.schedule(self)
+
+
+async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
+    """Return what a function or a coroutine function returns."""
+    outcome = callback(*args)
+    return await outcome if inspect.isawaitable(outcome) else outcome

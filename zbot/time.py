@@ -18,6 +18,7 @@ __all__ = ["S_TO_NS", "ClockType", "Duration", "Infinite", "Time"]
 
 S_TO_NS = 1_000_000_000
 _LIMIT = 2**63  # ROS 2 keeps nanoseconds in a signed 64 bit number
+_LONGEST_IN_MESSAGE = 2**31 * S_TO_NS - 1  # the seconds of builtin_interfaces are an int32
 
 
 class ClockType(Enum):
@@ -50,11 +51,16 @@ class Duration:
         Raises:
             ArgumentTypeError: The message has no `sec` and `nanosec`.
         """
-        return cls(nanoseconds=_from_message("builtin_interfaces/msg/Duration", msg))
+        total = _from_message("builtin_interfaces/msg/Duration", msg)
+        return cls(nanoseconds=_LIMIT - 1 if total == _LONGEST_IN_MESSAGE else total)
 
     def to_msg(self) -> Any:
-        """Return a `builtin_interfaces/msg/Duration`; its range is about 68 years either way."""
-        return _to_message("Duration", self._nanoseconds)
+        """Return a `builtin_interfaces/msg/Duration`; its range is about 68 years either way.
+
+        `Infinite` becomes the longest one, and that becomes `Infinite` again.
+        """
+        infinite = self._nanoseconds == _LIMIT - 1
+        return _to_message("Duration", _LONGEST_IN_MESSAGE if infinite else self._nanoseconds)
 
     @property
     def nanoseconds(self) -> int:
@@ -65,7 +71,7 @@ class Duration:
         return f"Duration(nanoseconds={self._nanoseconds})"
 
     def __str__(self) -> str:
-        return f"{self._nanoseconds} nanoseconds"
+        return "Infinite" if self == Infinite else f"{self._nanoseconds} nanoseconds"
 
     def __hash__(self) -> int:
         return hash((Duration, self._nanoseconds))
@@ -81,6 +87,8 @@ class Duration:
         return NotImplemented
 
     def __mul__(self, factor: float) -> Duration:
+        if factor == float("inf"):
+            return Infinite
         if isinstance(factor, (int, float)):
             return Duration(nanoseconds=self._nanoseconds * factor)
         return NotImplemented
@@ -269,3 +277,16 @@ Infinite = Duration(nanoseconds=_LIMIT - 1)
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
     """Return a timeout in nanoseconds; -1 for `None` and for less than 0: no timeout."""
     return -1 if timeout_sec is None or timeout_sec < 0 else int(timeout_sec * S_TO_NS)
+
+
+class TimeoutObject:
+    """A timeout in seconds that may be changed between two waits.
+
+    Args:
+        timeout: Seconds.
+    """
+
+    timeout: float
+
+    def __init__(self, timeout: float) -> None:
+        self.timeout = timeout

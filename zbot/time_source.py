@@ -1,14 +1,16 @@
-"""Simulated time: a node's clock follows `/clock` while `use_sim_time` is true."""
+"""Simulated time: clocks follow `/clock` while a node's `use_sim_time` is true."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.clock import ROSClock
+from zbot.errors import ClockTypeError
+from zbot.node_parameters import USE_SIM_TIME
 from zbot.qos import QoSProfile, ReliabilityPolicy
 from zbot.time import ClockType, Time
 
 if TYPE_CHECKING:
-    from zbot.clock import ROSClock
     from zbot.node import Node
     from zbot.subscription import Subscription
 
@@ -16,43 +18,86 @@ CLOCK_TOPIC = "/clock"
 
 
 class TimeSource:
-    """Feeds a node's clock from `/clock`, or leaves it on the system's time.
+    """Feeds clocks from `/clock`, or leaves them on the system's time.
 
     Args:
-        node: Whose clock is fed; the subscription is one of its own.
-        clock: A clock of ROS time.
+        node: Whose parameter decides, and who subscribes; may be attached later.
     """
 
-    def __init__(self, node: Node, clock: ROSClock) -> None:
-        self._node = node
-        self._clock = clock
+    def __init__(self, *, node: Node | None = None) -> None:
+        self._node: Node | None = None
+        self._clocks: list[ROSClock] = []
+        self._last_time = Time(clock_type=ClockType.ROS_TIME)
+        self._is_active = False
         self._subscription: Subscription[Any] | None = None
+        if node is not None:
+            self.attach_node(node)
 
     @property
     def ros_time_is_active(self) -> bool:
-        """Whether the clock is simulated."""
-        return self._subscription is not None
+        """Whether the clocks are simulated."""
+        return self._is_active
 
     @ros_time_is_active.setter
     def ros_time_is_active(self, active: bool) -> None:
-        if active == self.ros_time_is_active:
+        if active == self._is_active:
             return
-        if active:
-            self._subscribe()
-        elif self._subscription is not None:
-            self._node.destroy_subscription(self._subscription)
-            self._subscription = None
-        self._clock.set_ros_time_is_active(active)
+        self._is_active = active
+        self._subscribe() if active else self._unsubscribe()
+        for clock in self._clocks:
+            clock.set_ros_time_is_active(active)
+
+    def attach_node(self, node: Node) -> None:
+        """Follow a node's `use_sim_time` from now on, in place of the former node's."""
+        self.detach_node()
+        if not node.has_parameter(USE_SIM_TIME):
+            node.declare_parameter(USE_SIM_TIME, False)
+        self._node = node
+        node.handle.parameters.post_set.append(self._follow)
+        self._follow()
+        self._subscribe()
+
+    def detach_node(self) -> None:
+        """Follow nobody; the clocks stay as they are, simulated ones at the last time."""
+        if self._node is not None:
+            self._unsubscribe()
+            self._node.handle.parameters.post_set.remove(self._follow)
+            self._node = None
+
+    def attach_clock(self, clock: ROSClock) -> None:
+        """Feed one more clock.
+
+        Raises:
+            ClockTypeError: It is not of ROS time.
+        """
+        if not isinstance(clock, ROSClock):
+            raise ClockTypeError("ROS_TIME", repr(clock))
+        clock.set_ros_time_override(self._last_time)
+        clock.set_ros_time_is_active(self._is_active)
+        self._clocks.append(clock)
+
+    def clock_callback(self, msg: Any) -> None:
+        """Set the clocks to the time of a `rosgraph_msgs/msg/Clock`."""
+        self._last_time = Time.from_msg(msg.clock, clock_type=ClockType.ROS_TIME)
+        for clock in self._clocks:
+            clock.set_ros_time_override(self._last_time)
+
+    def _follow(self, _: object = None) -> None:
+        if self._node is not None:
+            parameter = self._node.handle.parameters.values.get(USE_SIM_TIME)
+            self.ros_time_is_active = parameter is not None and parameter.value is True
 
     def _subscribe(self) -> None:
+        if not self._is_active or self._node is None or self._subscription is not None:
+            return
         from rosgraph_msgs.msg import Clock  # noqa: PLC0415 - simulation is the exception
 
         profile = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
         self._subscription = self._node.create_subscription(
-            Clock, CLOCK_TOPIC, self._on_clock, profile
+            Clock, CLOCK_TOPIC, self.clock_callback, profile
         )
 
-    def _on_clock(self, message: Any) -> None:
-        self._clock.set_ros_time_override(
-            Time.from_msg(message.clock, clock_type=ClockType.ROS_TIME)
-        )
+    def _unsubscribe(self) -> None:
+        if self._node is not None and self._subscription is not None:
+            self._node.destroy_subscription(self._subscription)
+        self._subscription = None

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import inspect
 import time
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from zbot.clock import ROSClock
 from zbot.errors import CallbackSignatureError, InvalidHandleError, RateInterruptedError
 from zbot.handle import Handle
-from zbot.time import Duration, Time
+from zbot.time import ClockType, Duration, Time
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -24,12 +23,30 @@ if TYPE_CHECKING:
     from zbot.mailbox import Mailbox
 
 
-@dataclass(frozen=True)
 class TimerInfo:
-    """When a timer was to run, and when it did."""
+    """When a timer was to run, and when it did.
 
-    expected_call_time: Time
-    actual_call_time: Time
+    Args:
+        expected_call_time: Nanoseconds on the timer's clock.
+        actual_call_time: Nanoseconds on the timer's clock.
+        clock_type: What kind of clock that is.
+
+    Raises:
+        ArgumentTypeError: `clock_type` is no `ClockType`.
+        NegativeTimeError: A time is below 0.
+    """
+
+    __slots__ = ("actual_call_time", "expected_call_time")
+
+    def __init__(
+        self,
+        *,
+        expected_call_time: int = 0,
+        actual_call_time: int = 0,
+        clock_type: ClockType = ClockType.SYSTEM_TIME,
+    ) -> None:
+        self.expected_call_time = Time(nanoseconds=expected_call_time, clock_type=clock_type)
+        self.actual_call_time = Time(nanoseconds=actual_call_time, clock_type=clock_type)
 
 
 class Timer:
@@ -124,11 +141,15 @@ class Timer:
         if self._is_canceled or now < self._next_ns:
             return None
         clock_now = self._clock.now()
-        late = Duration(nanoseconds=now - self._next_ns)
+        late_ns = now - self._next_ns
         self._last_ns = now
         behind = (now - self._next_ns) // self._period_ns if self._period_ns else 0
         self._next_ns = self._next_ns + (behind + 1) * self._period_ns if self._period_ns else now
-        return TimerInfo(clock_now - late, clock_now)
+        return TimerInfo(
+            expected_call_time=clock_now.nanoseconds - late_ns,
+            actual_call_time=clock_now.nanoseconds,
+            clock_type=clock_now.clock_type,
+        )
 
     def execute(self, info: TimerInfo) -> Any:
         """Call the callback."""

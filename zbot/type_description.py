@@ -10,17 +10,18 @@ from zbot.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.foreign_call import called_by_zenoh
 from zbot.interfaces import MessageSpec, get_spec, type_description, type_hash
 from zbot.interfaces.late import LateService
+from zbot.node_parameters import START_TYPE_DESCRIPTION_SERVICE
 from zbot.qos import qos_profile_services_default
 from zbot.service import Service
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
     import zenoh
 
     from zbot.interfaces import InterfaceSpec
-    from zbot.node_handle import NodeHandle
+    from zbot.node import Node
 
 #: The service's type and its hash, which a ROS 2 type never changes; a node that nobody asks needs
 #: neither the class nor its definition.
@@ -43,16 +44,27 @@ class _UnspunService(Service[Any, Any]):
         ).start()
 
 
-def serve_type_descriptions(handle: NodeHandle, resolve: Callable[..., str]) -> None:
-    """Add the service `~/get_type_description` to a node.
+class TypeDescriptionService:
+    """The service `~/get_type_description` of a node; each node makes its own.
 
     Args:
-        handle: The node's state.
-        resolve: Turns the name of a service into its full name, remapped.
+        node: Whose service it is; the parameter `start_type_description_service` must be true.
     """
-    name = resolve(f"{handle.full_name}/get_type_description", only_expand=False, is_service=True)
-    handle.services.append(
-        _UnspunService(
+
+    def __init__(self, node: Node) -> None:
+        handle = node.handle
+        self.service_name = f"{handle.full_name}/get_type_description"
+        self.enabled: bool = handle.parameters.get(START_TYPE_DESCRIPTION_SERVICE).value is True
+        self._handle = handle
+        self._service: Service[Any, Any] | None = None
+        if self.enabled:
+            name = node.resolve_service_name(self.service_name)
+            self._service = self._serve(name)
+            handle.services.append(self._service)
+
+    def _serve(self, name: str) -> Service[Any, Any]:
+        handle = self._handle
+        return _UnspunService(
             handle.context,
             LateService(SERVICE_TYPE[0]),
             _describe,
@@ -63,7 +75,13 @@ def serve_type_descriptions(handle: NodeHandle, resolve: Callable[..., str]) -> 
             callback_group=handle.default_callback_group,
             logger_name=handle.logger_name,
         )
-    )
+
+    def destroy(self) -> None:
+        """End the service; may be called twice."""
+        service, self._service = self._service, None
+        if service is not None:
+            self._handle.services.remove(service)
+            service.destroy()
 
 
 def _describe(request: Any, response: Any) -> Any:

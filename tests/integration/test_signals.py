@@ -106,6 +106,26 @@ if __name__ == '__main__':
     main()
 """
 
+GUARDED = """
+import signal, threading, zbot.compat, rclpy
+from rclpy.signals import SignalHandlerGuardCondition
+from zbot.wait_set import WaitSet
+
+rclpy.init()
+guard = SignalHandlerGuardCondition()
+waiting = WaitSet()
+waiting.add_guard_condition(guard.handle)
+helper = threading.Thread(target=waiting.wait, args=(-1,))
+helper.start()
+try:
+    signal.raise_signal(signal.SIGINT)
+except KeyboardInterrupt:
+    helper.join(5)
+    print("woken:", waiting.is_ready("guard_condition", 0))
+guard.destroy()
+rclpy.shutdown()
+"""
+
 
 def end(program: Program, number: int) -> int:
     """Send a signal; return the exit code, after checking that the end was quiet and quick."""
@@ -313,3 +333,9 @@ def test_ctrl_c_is_not_lost_in_what_zenoh_calls(start: Callable[..., Program]) -
         program.wait_for("ready")
         assert program.stop(signal.SIGINT, 3) in {0, -signal.SIGINT}, turn
         assert "error" not in program.output.lower()
+
+
+def test_ctrl_c_wakes_a_wait_set_with_its_guard_condition(start: Start) -> None:
+    program = start(source=GUARDED)
+    program.wait_for("woken: True")
+    assert program.wait() == 0

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.task import Future, Task
+from zbot.task import Future, FutureState, Task
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -249,3 +249,18 @@ def test_a_done_callback_that_raises_is_not_the_completing_threads_concern() -> 
     with pytest.warns(UserWarning, match="Unhandled exception in done callback: division by zero"):
         future.set_result(3)
     assert later == [3]
+
+
+@pytest.mark.parametrize(
+    ("make", "state"),
+    [
+        (pending, FutureState.PENDING),
+        (finished, FutureState.FINISHED),
+        (failed, FutureState.FINISHED),
+        (cancelled, FutureState.CANCELLED),
+    ],
+)
+def test_a_futures_state_is_one_of_rclpys(
+    make: Callable[[], Future[Any]], state: FutureState
+) -> None:
+    assert make()._state is state

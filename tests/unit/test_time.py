@@ -161,3 +161,11 @@ def test_to_msg_splits_below_zero_as_ros_does(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setitem(sys.modules, "builtin_interfaces.msg", module)
     assert Time(seconds=2.5).to_msg() == SimpleNamespace(sec=2, nanosec=500_000_000)
     assert Duration(seconds=-1.5).to_msg() == SimpleNamespace(sec=-2, nanosec=500_000_000)
+
+
+def test_infinite_survives_a_message_and_any_factor() -> None:
+    assert Duration.from_msg(Infinite.to_msg()) == Infinite
+    assert Infinite.to_msg().sec == 2**31 - 1
+    assert Duration(seconds=1) * float("inf") == Infinite
+    assert str(Infinite) == "Infinite"
+    assert str(Duration(nanoseconds=5)) == "5 nanoseconds"

@@ -28,6 +28,8 @@ class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
         goal_response: What the server said.
     """
 
+    status: int  #: the number of its state as far as it is known (GoalStatus)
+
     def __init__(
         self,
         action_client: ActionClient[GoalT, ResultT, FeedbackT],
@@ -37,7 +39,7 @@ class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
         self._action_client = action_client
         self._goal_id = goal_id
         self._goal_response = goal_response
-        self.status = 0  #: the number of its state as far as it is known (GoalStatus)
+        self.status = 0
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ClientGoalHandle) and self.key == other.key

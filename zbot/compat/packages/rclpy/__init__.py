@@ -56,6 +56,7 @@ __getattr__ = submodules(
     "service_introspection",
     "signals",
     "subscription",
+    "subscription_content_filter_options",
     "task",
     "time",
     "time_source",

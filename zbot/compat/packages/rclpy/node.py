@@ -6,6 +6,8 @@ from zbot.callback_group import ReentrantCallbackGroup as ReentrantCallbackGroup
 from zbot.client import Client as Client
 from zbot.clock import Clock as Clock
 from zbot.clock import ROSClock as ROSClock
+from zbot.compat.annotation import AllowableParameterValue as AllowableParameterValue
+from zbot.compat.annotation import AllowableParameterValueT as AllowableParameterValueT
 from zbot.context import Context as Context
 from zbot.context import get_default_context as get_default_context
 from zbot.endpoint_info import TopicEndpointInfo as TopicEndpointInfo
@@ -55,6 +57,7 @@ from zbot.qos import qos_profile_rosout_default as qos_profile_rosout_default
 from zbot.qos import qos_profile_services_default as qos_profile_services_default
 from zbot.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
 from zbot.service import Service as Service
+from zbot.subscription import ContentFilterOptions as ContentFilterOptions
 from zbot.subscription import MessageInfo as MessageInfo
 from zbot.subscription import Subscription as Subscription
 from zbot.time import S_TO_NS as S_TO_NS
@@ -62,11 +65,13 @@ from zbot.time_source import TimeSource as TimeSource
 from zbot.timer import Rate as Rate
 from zbot.timer import Timer as Timer
 from zbot.timer import TimerInfo as TimerInfo
+from zbot.type_description import TypeDescriptionService as TypeDescriptionService
 from zbot.waitable import Waitable as Waitable
 
 from rcl_interfaces.msg import FloatingPointRange as FloatingPointRange
 from rcl_interfaces.msg import IntegerRange as IntegerRange
 from rcl_interfaces.msg import ListParametersResult as ListParametersResult
+from rcl_interfaces.msg import Parameter as ParameterMsg
 from rcl_interfaces.msg import ParameterDescriptor as ParameterDescriptor
 from rcl_interfaces.msg import ParameterEvent as ParameterEvent
 from rcl_interfaces.msg import ParameterType as ParameterType

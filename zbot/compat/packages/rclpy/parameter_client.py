@@ -15,6 +15,7 @@ from zbot.subscription import MessageInfo as MessageInfo
 from zbot.subscription import Subscription as Subscription
 from zbot.task import Future as Future
 
+from rcl_interfaces.msg import Parameter as ParameterMsg
 from rcl_interfaces.msg import ParameterEvent as ParameterEvent
 from rcl_interfaces.srv import DescribeParameters as DescribeParameters
 from rcl_interfaces.srv import GetParameters as GetParameters

@@ -12,4 +12,5 @@ from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import qos_profile_parameter_events as qos_profile_parameter_events
 from zbot.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
 
+from rcl_interfaces.msg import Parameter as ParameterMsg
 from rcl_interfaces.msg import ParameterEvent as ParameterEvent

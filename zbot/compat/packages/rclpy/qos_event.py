@@ -1,6 +1,7 @@
 """The old name of `rclpy.event_handler`."""
 
 from zbot.callback_group import CallbackGroup as CallbackGroup
+from zbot.compat.annotation import EventHandlerData as EventHandlerData
 from zbot.errors import UnsupportedEventTypeError as UnsupportedEventTypeError
 from zbot.event import EventHandler as EventHandler
 from zbot.event import EventHandler as QoSEventHandler

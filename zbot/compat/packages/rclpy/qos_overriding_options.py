@@ -1,5 +1,7 @@
 """Quality of service by parameters."""
 
+from zbot.compat.annotation import QosCallbackType as QosCallbackType
+from zbot.compat.annotation import QoSProfileAttributes as QoSProfileAttributes
 from zbot.parameter import Parameter as Parameter
 from zbot.parameter_errors import InvalidQosOverridesError as InvalidQosOverridesError
 from zbot.parameter_errors import (

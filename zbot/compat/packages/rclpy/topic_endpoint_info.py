@@ -1,5 +1,6 @@
 """Who publishes and subscribes, and how."""
 
+from zbot.compat.annotation import TypeHashDictionary as TypeHashDictionary
 from zbot.endpoint_info import TopicEndpointInfo as TopicEndpointInfo
 from zbot.endpoint_info import TopicEndpointTypeEnum as TopicEndpointTypeEnum
 from zbot.endpoint_info import TypeHash as TypeHash

@@ -3,6 +3,18 @@
 from zbot.action.server_goal_handle import FeedbackT as FeedbackT
 from zbot.action.server_goal_handle import GoalT as GoalT
 from zbot.action.server_goal_handle import ResultT as ResultT
+from zbot.compat.annotation import CommonMsgSrvMetaClass as CommonMsgSrvMetaClass
+from zbot.compat.annotation import EventMessage as EventMessage
+from zbot.compat.annotation import FeedbackMessage as FeedbackMessage
+from zbot.compat.annotation import GetResultService as GetResultService
+from zbot.compat.annotation import GetResultServiceRequest as GetResultServiceRequest
+from zbot.compat.annotation import GetResultServiceResponse as GetResultServiceResponse
+from zbot.compat.annotation import MsgMetaClass as MsgMetaClass
+from zbot.compat.annotation import ProtocolType as ProtocolType
+from zbot.compat.annotation import PyCapsule as PyCapsule
+from zbot.compat.annotation import SendGoalService as SendGoalService
+from zbot.compat.annotation import SendGoalServiceRequest as SendGoalServiceRequest
+from zbot.compat.annotation import SendGoalServiceResponse as SendGoalServiceResponse
 from zbot.errors import NotAMessageTypeError as NoTypeSupportImportedException
 from zbot.interfaces.message import Action as Action
 from zbot.interfaces.message import Message as Msg
@@ -16,5 +28,6 @@ from zbot.interfaces.type_support import check_for_type_support as check_for_typ
 from zbot.interfaces.type_support import check_is_valid_msg_type as check_is_valid_msg_type
 from zbot.interfaces.type_support import check_is_valid_srv_type as check_is_valid_srv_type
 
+from builtin_interfaces.msg import Time as Time
 from service_msgs.msg import ServiceEventInfo as ServiceEventInfo
 from unique_identifier_msgs.msg import UUID as UUID

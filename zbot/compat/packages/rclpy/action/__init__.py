@@ -11,3 +11,6 @@ from zbot.action.graph import (
 from zbot.action.server import ActionServer as ActionServer
 from zbot.action.server import CancelResponse as CancelResponse
 from zbot.action.server import GoalResponse as GoalResponse
+from zbot.compat.submodules import submodules
+
+__getattr__ = submodules(__name__, "client", "graph", "server")

@@ -6,6 +6,11 @@ from zbot.action.server_goal_handle import FeedbackT as FeedbackT
 from zbot.action.server_goal_handle import GoalT as GoalT
 from zbot.action.server_goal_handle import ResultT as ResultT
 from zbot.clock import Clock as Clock
+from zbot.compat.annotation import ClientGoalHandleDict as ClientGoalHandleDict
+from zbot.compat.annotation import FeedbackMessage as FeedbackMessage
+from zbot.compat.annotation import GetResultServiceResponse as GetResultServiceResponse
+from zbot.compat.annotation import SendGoalKWargs as SendGoalKWargs
+from zbot.compat.annotation import SendGoalServiceResponse as SendGoalServiceResponse
 from zbot.interfaces.message import Action as Action
 from zbot.interfaces.type_support import check_for_type_support as check_for_type_support
 from zbot.qos import QoSProfile as QoSProfile
@@ -13,9 +18,12 @@ from zbot.qos import qos_profile_action_status_default as qos_profile_action_sta
 from zbot.qos import qos_profile_services_default as qos_profile_services_default
 from zbot.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 from zbot.task import Future as Future
+from zbot.task import await_or_execute as await_or_execute
 from zbot.waitable import NumberOfEntities as NumberOfEntities
 from zbot.waitable import Waitable as Waitable
 
 from action_msgs.msg import GoalStatus as GoalStatus
+from action_msgs.msg import GoalStatusArray as GoalStatusArray
 from action_msgs.srv import CancelGoal as CancelGoal
+from builtin_interfaces.msg import Time as Time
 from unique_identifier_msgs.msg import UUID as UUID

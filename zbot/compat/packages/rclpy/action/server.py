@@ -12,6 +12,11 @@ from zbot.action.server_goal_handle import GoalT as GoalT
 from zbot.action.server_goal_handle import ResultT as ResultT
 from zbot.action.server_goal_handle import ServerGoalHandle as ServerGoalHandle
 from zbot.clock import Clock as Clock
+from zbot.compat.annotation import FeedbackMessage as FeedbackMessage
+from zbot.compat.annotation import GetResultServiceRequest as GetResultServiceRequest
+from zbot.compat.annotation import GetResultServiceResponse as GetResultServiceResponse
+from zbot.compat.annotation import SendGoalServiceRequest as SendGoalServiceRequest
+from zbot.compat.annotation import ServerGoalHandleDict as ServerGoalHandleDict
 from zbot.errors import ZbotError as RCLError
 from zbot.interfaces.message import Action as Action
 from zbot.interfaces.type_support import check_for_type_support as check_for_type_support
@@ -21,6 +26,7 @@ from zbot.qos import qos_profile_services_default as qos_profile_services_defaul
 from zbot.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 from zbot.task import Future as Future
 from zbot.task import Task as Task
+from zbot.task import await_or_execute as await_or_execute
 from zbot.waitable import NumberOfEntities as NumberOfEntities
 from zbot.waitable import Waitable as Waitable
 

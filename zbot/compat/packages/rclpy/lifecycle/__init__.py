@@ -1,5 +1,6 @@
 """Managed nodes."""
 
+from zbot.compat.submodules import submodules
 from zbot.lifecycle import LifecycleState as LifecycleState
 from zbot.lifecycle import Node as Node
 from zbot.lifecycle import NodeMixin as NodeMixin
@@ -11,3 +12,5 @@ from zbot.lifecycle.managed_entity import SimpleManagedEntity as SimpleManagedEn
 from zbot.lifecycle.node import LifecycleNode as LifecycleNode
 from zbot.lifecycle.node import LifecycleNodeMixin as LifecycleNodeMixin
 from zbot.lifecycle.publisher import LifecyclePublisher as LifecyclePublisher
+
+__getattr__ = submodules(__name__, "managed_entity", "node", "publisher")

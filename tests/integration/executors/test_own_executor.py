@@ -1,0 +1,117 @@
+"""Executors of a program's own, in the form of rclpy's example of one with priorities."""
+
+from __future__ import annotations
+
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any
+
+import pytest
+
+import zbot
+from zbot.errors import (
+    ConditionReachedException,
+    ExternalShutdownException,
+    ShutdownError,
+)
+from zbot.executor import Executor
+from zbot.task import await_or_execute
+from zbot.time import TimeoutObject
+
+
+class PriorityExecutor(Executor):
+    """Gives the callbacks of some nodes threads of their own."""
+
+    def __init__(self, context: zbot.Context) -> None:
+        super().__init__(context=context)
+        self.urgent: set[zbot.Node] = set()
+        self.fast = ThreadPoolExecutor(2, thread_name_prefix="urgent")
+        self.slow = ThreadPoolExecutor(1, thread_name_prefix="patient")
+
+    def spin_once(self, timeout_sec: float | None = None) -> None:
+        try:
+            handler, _, node = self.wait_for_ready_callbacks(timeout_sec=timeout_sec)
+        except TimeoutError:
+            return
+        (self.fast if node in self.urgent else self.slow).submit(handler)
+
+    def shutdown(self, timeout_sec: float | None = None) -> bool:
+        self.fast.shutdown()
+        self.slow.shutdown()
+        return super().shutdown(timeout_sec)
+
+
+def test_each_node_runs_where_its_executor_wants_it(context: zbot.Context) -> None:
+    threads: dict[str, list[str]] = {"hurried": [], "idler": []}
+    executor = PriorityExecutor(context)
+    for name, seen in threads.items():
+        node = zbot.Node(name, context=context)
+        node.create_timer(
+            0.01,
+            lambda seen=seen: seen.append(threading.current_thread().name),
+        )
+        executor.add_node(node)
+        if name == "hurried":
+            executor.urgent.add(node)
+    with executor:
+        while min(map(len, threads.values())) < 5:
+            executor.spin_once(timeout_sec=1.0)
+    assert {name.split("_")[0] for name in threads["hurried"]} == {"urgent"}
+    assert {name.split("_")[0] for name in threads["idler"]} == {"patient"}
+
+
+def test_a_callback_runs_when_its_task_is_called_and_not_before(
+    context: zbot.Context, node: zbot.Node
+) -> None:
+    runs: list[int] = []
+    with Executor(context=context) as executor:
+        executor.add_node(node)
+        guard = node.create_guard_condition(lambda: runs.append(1))
+        assert executor.can_execute(guard)
+        guard.trigger()
+        task, entity, owner = executor.wait_for_ready_callbacks(TimeoutObject(1.0))
+        assert (entity, owner, runs) == (guard, node, [])
+        assert not executor.can_execute(guard)
+        task()
+        assert runs == [1]
+        assert task.done()
+
+
+def test_what_a_callback_raises_is_its_tasks(context: zbot.Context, node: zbot.Node) -> None:
+    def fail() -> None:
+        raise LookupError("mine")
+
+    with Executor(context=context) as executor:
+        executor.add_node(node)
+        node.create_guard_condition(fail).trigger()
+        task, _, _ = executor.wait_for_ready_callbacks(1.0)
+        task()
+        assert isinstance(task.exception(), LookupError)
+
+
+def test_waiting_ends_for_each_reason_with_its_exception(context: zbot.Context) -> None:
+    with Executor(context=context) as executor:
+        with pytest.raises(TimeoutError):
+            executor.wait_for_ready_callbacks(timeout_sec=0.0)
+        with pytest.raises(ConditionReachedException):
+            executor.wait_for_ready_callbacks(condition=lambda: True)
+        context.shutdown()
+        with pytest.raises(ExternalShutdownException):
+            executor.wait_for_ready_callbacks()
+    with pytest.raises(ShutdownError):
+        executor.wait_for_ready_callbacks()
+
+
+def test_await_or_execute_takes_functions_and_coroutines(context: zbot.Context) -> None:
+    async def later(value: int) -> int:
+        return value + 1
+
+    results: list[Any] = []
+
+    async def both() -> None:
+        results.append(await await_or_execute(later, 1))
+        results.append(await await_or_execute(abs, -5))
+
+    executor = zbot.executor.SingleThreadedExecutor(context=context)
+    executor.spin_until_future_complete(executor.create_task(both), timeout_sec=5)
+    assert results == [2, 5]

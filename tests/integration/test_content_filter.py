@@ -1,0 +1,104 @@
+"""Subscriptions that take only some of the messages, and what they tell of the publisher."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+from zbot.content_filter import ContentFilterError
+from zbot.serialization import deserialize_message
+from zbot.subscription import ContentFilterOptions, NoContentFilterError
+from zbot.wait_set import WaitSet
+
+from std_msgs.msg import Int64
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import Spinner
+
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., Spinner]
+
+ABOVE_TWO = ContentFilterOptions("data > %0", ["2"])
+
+
+@pytest.fixture
+def node(make_context: MakeContext) -> zbot.Node:
+    return zbot.Node("selective", context=make_context())
+
+
+def publisher_of(node: zbot.Node) -> zbot.Publisher[Int64]:
+    publisher = node.create_publisher(Int64, "number", 10)
+    assert wait_until(lambda: publisher.get_subscription_count() == 1)
+    return publisher
+
+
+def numbered(publisher: zbot.Publisher[Int64], count: int) -> None:
+    for number in range(count):
+        publisher.publish(Int64(data=number))
+
+
+@pytest.mark.parametrize("raw", [False, True])
+def test_the_callback_gets_what_the_filter_admits(
+    node: zbot.Node, spin: Spin, *, raw: bool
+) -> None:
+    inbox: list[Any] = []
+    subscription = node.create_subscription(
+        Int64, "number", inbox.append, 10, raw=raw, content_filter_options=ABOVE_TWO
+    )
+    assert subscription.is_cft_enabled
+    numbered(publisher_of(node), 6)
+    spin(node)
+    assert wait_until(lambda: len(inbox) == 3)
+    messages = [deserialize_message(one, Int64) if raw else one for one in inbox]
+    assert [message.data for message in messages] == [3, 4, 5]
+
+
+def test_a_filter_can_be_changed_and_taken_away(node: zbot.Node) -> None:
+    subscription = node.create_subscription(Int64, "number", print, 10)
+    assert not subscription.is_cft_enabled
+    with pytest.raises(NoContentFilterError):
+        subscription.get_content_filter()
+    subscription.set_content_filter("data < %0", ["9"])
+    assert subscription.get_content_filter() == ("data < %0", ["9"])
+    with pytest.raises(ContentFilterError):
+        subscription.set_content_filter("bogus < 3", [])
+    assert subscription.get_content_filter() == ("data < %0", ["9"])
+    subscription.set_content_filter("", [])
+    assert not subscription.is_cft_enabled
+
+
+def test_a_filter_that_does_not_fit_makes_no_subscription(node: zbot.Node) -> None:
+    bad = ContentFilterOptions("bogus > 3", [])
+    with pytest.raises(ContentFilterError):
+        node.create_subscription(Int64, "number", print, 10, content_filter_options=bad)
+    assert not any(one.topic_name == "/number" for one in node.subscriptions)
+
+
+def test_what_is_taken_without_an_executor_is_filtered_too(node: zbot.Node) -> None:
+    subscription = node.create_subscription(
+        Int64, "number", print, 10, content_filter_options=ABOVE_TWO
+    )
+    numbered(publisher_of(node), 4)
+    waiting = WaitSet()
+    waiting.add_subscription(subscription.handle)
+    waiting.wait(5_000_000_000)
+    taken = iter(subscription.take_message, 0)
+    assert wait_until(lambda: any(one is not None and one[0].data == 3 for one in [next(taken)]))
+
+
+def test_the_info_tells_who_sent_a_message(node: zbot.Node, spin: Spin) -> None:
+    infos: list[Any] = []
+    node.create_subscription(Int64, "number", lambda _, info: infos.append(info), 10)
+    publisher = publisher_of(node)
+    numbered(publisher, 1)
+    spin(node)
+    assert wait_until(lambda: bool(infos))
+    assert infos[0]["publisher_gid"] == {
+        "implementation_identifier": "rmw_zbot_zenoh",
+        "data": publisher.token.gid,
+    }

@@ -1,0 +1,76 @@
+"""Time sources that a program makes itself."""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot
+import zbot.compat  # noqa: F401 - makes rclpy importable
+from zbot.clock import Clock, ROSClock
+from zbot.errors import ClockTypeError
+from zbot.time import Time
+from zbot.time_source import TimeSource
+
+from builtin_interfaces.msg import Time as Stamp
+from rosgraph_msgs.msg import Clock as ClockMessage
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    MakeContext = Callable[[], zbot.Context]
+
+NINE_SECONDS = ClockMessage(clock=Stamp(sec=9))
+
+
+@pytest.fixture
+def node(make_context: MakeContext) -> zbot.Node:
+    return zbot.Node("timed", context=make_context())
+
+
+def topics(node: zbot.Node) -> list[str]:
+    return [one.topic_name for one in node.subscriptions]
+
+
+def test_it_follows_the_parameter_of_its_node(node: zbot.Node) -> None:
+    source, clock = TimeSource(node=node), ROSClock()
+    source.attach_clock(clock)
+    assert not clock.ros_time_is_active
+    node.set_parameters([zbot.Parameter("use_sim_time", value=True)])
+    assert source.ros_time_is_active
+    assert topics(node).count("/clock") == 2  # the node's own source has one as well
+    source.clock_callback(NINE_SECONDS)
+    assert clock.now().nanoseconds == 9_000_000_000
+    source.detach_node()
+    assert topics(node).count("/clock") == 1
+    node.set_parameters([zbot.Parameter("use_sim_time", value=False)])
+    assert clock.ros_time_is_active
+
+
+def test_a_clock_that_comes_later_gets_the_last_time(node: zbot.Node) -> None:
+    source, clock = TimeSource(), ROSClock()
+    source.ros_time_is_active = True
+    source.clock_callback(NINE_SECONDS)
+    source.attach_clock(clock)
+    assert clock.now() == Time(seconds=9, clock_type=clock.clock_type)
+    source.attach_node(node)
+    assert not clock.ros_time_is_active
+
+
+def test_only_clocks_of_ros_time_can_be_fed() -> None:
+    wrong: Any = Clock()
+    with pytest.raises(ClockTypeError):
+        TimeSource().attach_clock(wrong)
+
+
+def test_a_nodes_service_of_type_descriptions_can_be_ended(node: zbot.Node) -> None:
+    service = importlib.import_module("rclpy.type_description_service").TypeDescriptionService
+    names = [one.srv_name for one in node.services]
+    own = service(node)
+    assert own.enabled
+    assert own.service_name == "/timed/get_type_description"
+    own.destroy()
+    own.destroy()
+    assert [one.srv_name for one in node.services] == names

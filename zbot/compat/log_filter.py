@@ -1,0 +1,221 @@
+"""rclpy's filters of log calls as classes, for programs that use these themselves.
+
+zbot's own loggers keep what `once=True` and its like need with the place of the call
+(`zbot.log.call_site`); the classes here hold the same rules for a context that the caller keeps.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections import OrderedDict
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, TypedDict
+
+import zbot
+from zbot.clock import Clock
+from zbot.errors import LogOptionError, NotAClockError
+
+if TYPE_CHECKING:
+    from types import FrameType
+
+    from zbot.log import LoggingSeverity
+
+SupportedFiltersKeys = Literal["throttle", "skip_first", "once"]
+_OWN_FILES = str(Path(zbot.__file__).parent) + os.sep
+
+
+class RcutilsLoggerContext(TypedDict):
+    """What a log call has asked for."""
+
+    name: str
+    severity: LoggingSeverity
+    filters: list[SupportedFiltersKeys]
+
+
+class OnceContext(RcutilsLoggerContext):
+    """The context of a call that logs once."""
+
+    has_been_logged_once: bool
+
+
+class ThrottleContext(RcutilsLoggerContext):
+    """The context of a call that is throttled."""
+
+    throttle_duration_sec: float
+    throttle_time_source_type: Clock
+    throttle_last_logged: int  #: nanoseconds
+
+
+class SkipFirstContext(RcutilsLoggerContext):
+    """The context of a call whose first line is skipped."""
+
+    first_has_been_skipped: bool
+
+
+class LoggingFilterArgs(TypedDict, total=False):
+    """The options of log calls that filter."""
+
+    once: bool
+    throttle_duration_sec: float
+    throttle_time_source_type: Clock
+    skip_first: bool
+
+
+class LoggingFilterParams(TypedDict, total=False):
+    """The options of a filter with their defaults; `None` where there is none."""
+
+    once: bool | None
+    throttle_duration_sec: float | None
+    throttle_time_source_type: Clock
+    skip_first: bool | None
+
+
+class LoggingArgs(LoggingFilterArgs, total=False):
+    """The options of log calls."""
+
+    name: str
+
+
+class _CallerId(NamedTuple):
+    function_name: str
+    file_path: str
+    line_number: int
+    last_index: int  #: tells two calls on one line apart
+
+
+class CallerId(_CallerId):
+    """The place of a log call: the innermost one that is not zbot's, or the frame that is given."""
+
+    __slots__ = ()
+
+    def __new__(cls, frame: FrameType | None = None) -> CallerId:
+        """Find the place."""
+        found = frame or sys._getframe(1)  # noqa: SLF001 - inspect's way takes 100 times as long
+        while frame is None and found.f_code.co_filename.startswith(_OWN_FILES) and found.f_back:
+            found = found.f_back
+        code = found.f_code
+        path = str(Path(code.co_filename).absolute())
+        return super().__new__(cls, code.co_name, path, found.f_lineno, found.f_lasti)
+
+
+class LoggingFilter:
+    """Base of the filters; its own lets every line through."""
+
+    #: The filter's options and their defaults; those whose default is `None` must be given.
+    params: ClassVar[LoggingFilterParams] = {}
+
+    @classmethod
+    def initialize_context(cls, context: Any, **kwargs: Any) -> None:
+        """Put the filter's options into a call's context.
+
+        Raises:
+            LogOptionError: One without a default is missing.
+        """
+        for name, default in cls.params.items():
+            value = kwargs.get(name, default)
+            if value is None:
+                raise LogOptionError(name, f"is missing, and the filter {cls.__name__} needs it")
+            context[name] = value
+
+    @staticmethod
+    def should_log(context: Any) -> bool:  # noqa: ARG004 - what the other filters take
+        """Return whether the call may log now, and note in the context that it was asked."""
+        return True
+
+
+class Once(LoggingFilter):
+    """Only the first call logs."""
+
+    params: ClassVar[LoggingFilterParams] = {"once": None}
+
+    @classmethod
+    def initialize_context(cls, context: Any, **kwargs: Any) -> None:
+        """Put the filter's options into a call's context, and that it has not logged yet."""
+        super().initialize_context(context, **kwargs)
+        context["has_been_logged_once"] = False
+
+    @staticmethod
+    def should_log(context: Any) -> bool:
+        """Return whether this is the first call."""
+        logged, context["has_been_logged_once"] = context["has_been_logged_once"], True
+        return not logged
+
+
+class Throttle(LoggingFilter):
+    """At most one line in a duration."""
+
+    params: ClassVar[LoggingFilterParams] = {
+        "throttle_duration_sec": None,
+        "throttle_time_source_type": Clock(),
+    }
+
+    @classmethod
+    def initialize_context(cls, context: Any, **kwargs: Any) -> None:
+        """Put the filter's options into a call's context, and that it has not logged yet.
+
+        Raises:
+            NotAClockError: `throttle_time_source_type` is no clock.
+        """
+        super().initialize_context(context, **kwargs)
+        context["throttle_last_logged"] = 0
+        clock = context["throttle_time_source_type"]
+        if not isinstance(clock, Clock):
+            raise NotAClockError("throttle_time_source_type", clock)
+
+    @staticmethod
+    def should_log(context: Any) -> bool:
+        """Return whether the duration is over since the last line."""
+        now = context["throttle_time_source_type"].now().nanoseconds
+        is_open: bool = (
+            now >= context["throttle_last_logged"] + context["throttle_duration_sec"] * 1e9
+        )
+        if is_open:
+            context["throttle_last_logged"] = now
+        return is_open
+
+
+class SkipFirst(LoggingFilter):
+    """All calls but the first log."""
+
+    params: ClassVar[LoggingFilterParams] = {"skip_first": None}
+
+    @classmethod
+    def initialize_context(cls, context: Any, **kwargs: Any) -> None:
+        """Put the filter's options into a call's context, and that none was skipped yet."""
+        super().initialize_context(context, **kwargs)
+        context["first_has_been_skipped"] = False
+
+    @staticmethod
+    def should_log(context: Any) -> bool:
+        """Return whether a call came before this one."""
+        skipped: bool = context["first_has_been_skipped"]
+        context["first_has_been_skipped"] = True
+        return skipped
+
+
+#: The filters by their names, in the order in which they are asked.
+supported_filters: OrderedDict[SupportedFiltersKeys, type[LoggingFilter]] = OrderedDict()
+supported_filters["throttle"] = Throttle
+supported_filters["skip_first"] = SkipFirst
+supported_filters["once"] = Once
+
+
+def get_filters_from_kwargs(**kwargs: Any) -> list[SupportedFiltersKeys]:
+    """Return the names of the filters that the options of a log call switch on.
+
+    Raises:
+        LogOptionError: An option is unknown, or one without a default is missing.
+    """
+    known = [name for one in supported_filters.values() for name in one.params]
+    for name in kwargs:
+        if name not in known:
+            raise LogOptionError(name, f"does not exist: use {', '.join(known)}")
+    found: list[SupportedFiltersKeys] = [
+        key for key, one in supported_filters.items() if any(map(kwargs.get, one.params))
+    ]
+    for key in found:
+        for name, default in supported_filters[key].params.items():
+            if default is None and name not in kwargs:
+                raise LogOptionError(name, f"is missing, and the filter {key} needs it")
+    return found

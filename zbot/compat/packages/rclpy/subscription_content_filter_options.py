@@ -1,0 +1,3 @@
+"""Which messages a subscription wants."""
+
+from zbot.subscription import ContentFilterOptions as ContentFilterOptions
