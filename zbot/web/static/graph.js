@@ -161,15 +161,20 @@ zbot.graph = (() => {
       return [Math.max(1, this.place.clientWidth), Math.max(1, this.place.clientHeight)];
     }
 
+    heightOf(selector) {
+      const said = this.place.parentElement.querySelector(selector)?.offsetHeight ?? 0;
+      return said < this.size[1] / 3 ? said : 0;
+    }
+
     fit() {
       this.isFitted = true;
       const [left, top, width, height] = this.content;
       const [w, h] = this.size;
-      // What is said about problems lies above the picture: its place is not to be drawn on.
-      const said = this.place.parentElement.querySelector(".zb-graph-problems");
-      const above = said && said.offsetHeight < h / 3 ? said.offsetHeight : 0;
-      const scale = Math.min(w / width, (h - above) / height, LARGEST);
-      const [x, y] = [left + width / 2, top + height / 2 - above / scale / 2];
+      // What is said lies over the picture, at its top and bottom: not to be drawn on.
+      const above = this.heightOf(".zb-graph-problems");
+      const below = this.heightOf(".zb-graph-left-out");
+      const scale = Math.min(w / width, (h - above - below) / height, LARGEST);
+      const [x, y] = [left + width / 2, top + height / 2 + (below - above) / scale / 2];
       this.look([x - w / scale / 2, y - h / scale / 2, w / scale, h / scale], !this.view);
     }
 
