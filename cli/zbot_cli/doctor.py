@@ -54,6 +54,15 @@ def doctor(
     report: Annotated[
         bool, typer.Option("-r", "--report", help="Show nodes, topics and processes too")
     ] = False,
+    report_failed: Annotated[
+        bool, typer.Option("-rf", "--report-failed", help="Show them if a check fails")
+    ] = False,
+    include_warnings: Annotated[  # noqa: ARG001 - what is only worth a warning is shown anyway
+        bool, typer.Option("-iw", "--include-warnings", hidden=True, help="Accepted; they are")
+    ] = False,
+    exclude_packages: Annotated[  # noqa: ARG001 - as above
+        bool, typer.Option("-ep", "--exclude-packages", hidden=True, help="Accepted; they are")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Check what could be wrong on this machine and in the domain."""
@@ -61,7 +70,8 @@ def doctor(
     with _looking() as context:
         graph = Snapshot(()) if context is None else snapshot_of(context)
         findings += _graph_findings(graph)
-        if report and context is not None and not context.is_closed:
+        is_wanted = report or (report_failed and not all(one.is_ok for one in findings))
+        if is_wanted and context is not None and not context.is_closed:
             findings += _report(context, graph)
     bad = [finding for finding in findings if not finding.is_ok]
     if as_json:

@@ -40,7 +40,9 @@ def _managed(timeout: float) -> Iterator[ManagedNodes]:
 
 @app.command("nodes")
 def nodes(
-    show_all: Annotated[bool, typer.Option("-a", "--all", help="Show hidden nodes too")] = False,
+    show_all: Annotated[
+        bool, typer.Option("-a", "--all", "--include-hidden-nodes", help="Show hidden nodes too")
+    ] = False,
     count: Annotated[
         bool, typer.Option("-c", "--count-nodes", "--count", help="Print the number")
     ] = False,

@@ -171,7 +171,8 @@ def _find_farther(
     inside = [*_called(first, packages), *executables.installed_package(first)]
     if rest and (found := _named(rest[0], inside)):
         return _single(found), rest[1:]
-    if found := _named(first, packages):  # a package that is named like a node
+    is_meant = bool(inside and rest and rest[0].isidentifier())  # an executable of the package
+    if not is_meant and (found := _named(first, packages)):  # a package that is named like a node
         return _single(found), rest
     if inside:
         raise ExecutableNotFoundError(rest[0] if rest else "", _names(inside), inside)

@@ -78,6 +78,12 @@ def test_a_wrong_executable_shows_what_there_is(workspace: Path) -> None:
     assert "did you mean 'hello'? my_robot has hello, my_robot_node, named" in done.err
 
 
+def test_a_wrong_executable_of_a_package_that_is_named_like_a_node() -> None:
+    result = zbot("run", "turtlesim", "turtelsim_node")
+    assert result.code == 1
+    assert result.err.startswith("No executable found\n\nhint: did you mean 'turtlesim_node'?")
+
+
 def test_a_file_runs_as_main(tmp_path: Path) -> None:
     (tmp_path / "hi.py").write_text(
         "import sys\nfrom std_msgs.msg import String\nprint(__name__, String(data='x'), sys.argv)\n"
