@@ -57,10 +57,10 @@ def doctor(
     report_failed: Annotated[
         bool, typer.Option("-rf", "--report-failed", help="Show them if a check fails")
     ] = False,
-    include_warnings: Annotated[  # noqa: ARG001 - what is only worth a warning is shown anyway
+    include_warnings: Annotated[
         bool, typer.Option("-iw", "--include-warnings", hidden=True, help="Accepted; they are")
     ] = False,
-    exclude_packages: Annotated[  # noqa: ARG001 - as above
+    exclude_packages: Annotated[
         bool, typer.Option("-ep", "--exclude-packages", hidden=True, help="Accepted; they are")
     ] = False,
     as_json: AsJson = False,

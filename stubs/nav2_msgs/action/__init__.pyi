@@ -1,0 +1,1394 @@
+# Written by python -m zbot.interfaces.stubs; do not edit.
+from array import array
+from collections.abc import Collection
+from typing import Final, TypeAlias
+
+import numpy
+from numpy.typing import NDArray
+
+import action_msgs.msg
+import action_msgs.srv
+import builtin_interfaces.msg
+import geometry_msgs.msg
+import nav2_msgs.action
+import nav2_msgs.msg
+import nav_msgs.msg
+import service_msgs.msg
+import unique_identifier_msgs.msg
+from zbot.interfaces import Action, Message, Service
+
+class BackUp_Goal(Message):
+    """nav2_msgs/action/BackUp_Goal
+
+    # Drives a robot straight back.
+
+    geometry_msgs/Point target  # m, from where it is now; x counts
+    float32 speed  # m/s
+    builtin_interfaces/Duration time_allowance
+    bool disable_collision_checks False
+    """
+    def __init__(self, *, target: geometry_msgs.msg.Point = ..., speed: float = ..., time_allowance: builtin_interfaces.msg.Duration = ..., disable_collision_checks: bool = ...) -> None: ...
+    target: geometry_msgs.msg.Point
+    speed: float
+    time_allowance: builtin_interfaces.msg.Duration
+    disable_collision_checks: bool
+
+class BackUp_Result(Message):
+    """nav2_msgs/action/BackUp_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=710
+    uint16 TIMEOUT=711
+    uint16 TF_ERROR=712
+    uint16 COLLISION_AHEAD=713
+    uint16 INVALID_INPUT=714
+    builtin_interfaces/Duration total_elapsed_time
+    uint16 error_code
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 710
+    TIMEOUT: Final = 711
+    TF_ERROR: Final = 712
+    COLLISION_AHEAD: Final = 713
+    INVALID_INPUT: Final = 714
+    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    total_elapsed_time: builtin_interfaces.msg.Duration
+    error_code: int
+    error_msg: str
+
+class BackUp_Feedback(Message):
+    """nav2_msgs/action/BackUp_Feedback
+
+    float32 distance_traveled  # m
+    """
+    def __init__(self, *, distance_traveled: float = ...) -> None: ...
+    distance_traveled: float
+
+class BackUp_FeedbackMessage(Message):
+    """nav2_msgs/action/BackUp_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.BackUp_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.BackUp_Feedback
+
+class BackUp_SendGoal_Request(Message):
+    """nav2_msgs/action/BackUp_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.BackUp_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.BackUp_Goal
+
+class BackUp_SendGoal_Response(Message):
+    """nav2_msgs/action/BackUp_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class BackUp_SendGoal_Event(Message):
+    """nav2_msgs/action/BackUp_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.BackUp_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.BackUp_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.BackUp_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.BackUp_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.BackUp_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.BackUp_SendGoal_Response]) -> None: ...
+
+class BackUp_GetResult_Request(Message):
+    """nav2_msgs/action/BackUp_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class BackUp_GetResult_Response(Message):
+    """nav2_msgs/action/BackUp_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.BackUp_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.BackUp_Result
+
+class BackUp_GetResult_Event(Message):
+    """nav2_msgs/action/BackUp_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.BackUp_GetResult_Request] = ..., response: Collection[nav2_msgs.action.BackUp_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.BackUp_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.BackUp_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.BackUp_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.BackUp_GetResult_Response]) -> None: ...
+
+class BackUp_SendGoal(Service):
+    Request: TypeAlias = BackUp_SendGoal_Request
+    Response: TypeAlias = BackUp_SendGoal_Response
+    Event: TypeAlias = BackUp_SendGoal_Event
+
+class BackUp_GetResult(Service):
+    Request: TypeAlias = BackUp_GetResult_Request
+    Response: TypeAlias = BackUp_GetResult_Response
+    Event: TypeAlias = BackUp_GetResult_Event
+
+class BackUp(Action):
+    Goal: TypeAlias = BackUp_Goal
+    Result: TypeAlias = BackUp_Result
+    Feedback: TypeAlias = BackUp_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = BackUp_SendGoal
+        GetResultService: TypeAlias = BackUp_GetResult
+        FeedbackMessage: TypeAlias = BackUp_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class ComputePathThroughPoses_Goal(Message):
+    """nav2_msgs/action/ComputePathThroughPoses_Goal
+
+    # Finds a way through places to the last of them.
+
+    geometry_msgs/PoseStamped[] goals
+    geometry_msgs/PoseStamped start  # where the robot is unless use_start is set
+    string planner_id
+    bool use_start
+    """
+    def __init__(self, *, goals: Collection[geometry_msgs.msg.PoseStamped] = ..., start: geometry_msgs.msg.PoseStamped = ..., planner_id: str = ..., use_start: bool = ...) -> None: ...
+    @property
+    def goals(self) -> list[geometry_msgs.msg.PoseStamped]: ...
+    @goals.setter
+    def goals(self, value: Collection[geometry_msgs.msg.PoseStamped]) -> None: ...
+    start: geometry_msgs.msg.PoseStamped
+    planner_id: str
+    use_start: bool
+
+class ComputePathThroughPoses_Result(Message):
+    """nav2_msgs/action/ComputePathThroughPoses_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=301
+    uint16 INVALID_PLANNER=302
+    uint16 TF_ERROR=303
+    uint16 START_OUTSIDE_MAP=304
+    uint16 GOAL_OUTSIDE_MAP=305
+    uint16 START_OCCUPIED=306
+    uint16 GOAL_OCCUPIED=307
+    uint16 TIMEOUT=308
+    uint16 NO_VALID_PATH=309
+    uint16 NO_VIAPOINTS_GIVEN=310
+    nav_msgs/Path path
+    builtin_interfaces/Duration planning_time
+    uint16 error_code
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 301
+    INVALID_PLANNER: Final = 302
+    TF_ERROR: Final = 303
+    START_OUTSIDE_MAP: Final = 304
+    GOAL_OUTSIDE_MAP: Final = 305
+    START_OCCUPIED: Final = 306
+    GOAL_OCCUPIED: Final = 307
+    TIMEOUT: Final = 308
+    NO_VALID_PATH: Final = 309
+    NO_VIAPOINTS_GIVEN: Final = 310
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., planning_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    path: nav_msgs.msg.Path
+    planning_time: builtin_interfaces.msg.Duration
+    error_code: int
+    error_msg: str
+
+class ComputePathThroughPoses_Feedback(Message):
+    """nav2_msgs/action/ComputePathThroughPoses_Feedback"""
+    def __init__(self) -> None: ...
+
+class ComputePathThroughPoses_FeedbackMessage(Message):
+    """nav2_msgs/action/ComputePathThroughPoses_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.ComputePathThroughPoses_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.ComputePathThroughPoses_Feedback
+
+class ComputePathThroughPoses_SendGoal_Request(Message):
+    """nav2_msgs/action/ComputePathThroughPoses_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.ComputePathThroughPoses_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.ComputePathThroughPoses_Goal
+
+class ComputePathThroughPoses_SendGoal_Response(Message):
+    """nav2_msgs/action/ComputePathThroughPoses_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class ComputePathThroughPoses_SendGoal_Event(Message):
+    """nav2_msgs/action/ComputePathThroughPoses_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputePathThroughPoses_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.ComputePathThroughPoses_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.ComputePathThroughPoses_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.ComputePathThroughPoses_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.ComputePathThroughPoses_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.ComputePathThroughPoses_SendGoal_Response]) -> None: ...
+
+class ComputePathThroughPoses_GetResult_Request(Message):
+    """nav2_msgs/action/ComputePathThroughPoses_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class ComputePathThroughPoses_GetResult_Response(Message):
+    """nav2_msgs/action/ComputePathThroughPoses_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.ComputePathThroughPoses_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.ComputePathThroughPoses_Result
+
+class ComputePathThroughPoses_GetResult_Event(Message):
+    """nav2_msgs/action/ComputePathThroughPoses_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputePathThroughPoses_GetResult_Request] = ..., response: Collection[nav2_msgs.action.ComputePathThroughPoses_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.ComputePathThroughPoses_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.ComputePathThroughPoses_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.ComputePathThroughPoses_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.ComputePathThroughPoses_GetResult_Response]) -> None: ...
+
+class ComputePathThroughPoses_SendGoal(Service):
+    Request: TypeAlias = ComputePathThroughPoses_SendGoal_Request
+    Response: TypeAlias = ComputePathThroughPoses_SendGoal_Response
+    Event: TypeAlias = ComputePathThroughPoses_SendGoal_Event
+
+class ComputePathThroughPoses_GetResult(Service):
+    Request: TypeAlias = ComputePathThroughPoses_GetResult_Request
+    Response: TypeAlias = ComputePathThroughPoses_GetResult_Response
+    Event: TypeAlias = ComputePathThroughPoses_GetResult_Event
+
+class ComputePathThroughPoses(Action):
+    Goal: TypeAlias = ComputePathThroughPoses_Goal
+    Result: TypeAlias = ComputePathThroughPoses_Result
+    Feedback: TypeAlias = ComputePathThroughPoses_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = ComputePathThroughPoses_SendGoal
+        GetResultService: TypeAlias = ComputePathThroughPoses_GetResult
+        FeedbackMessage: TypeAlias = ComputePathThroughPoses_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class ComputePathToPose_Goal(Message):
+    """nav2_msgs/action/ComputePathToPose_Goal
+
+    # Finds a way to a place.
+
+    geometry_msgs/PoseStamped goal
+    geometry_msgs/PoseStamped start  # where the robot is unless use_start is set
+    string planner_id
+    bool use_start
+    """
+    def __init__(self, *, goal: geometry_msgs.msg.PoseStamped = ..., start: geometry_msgs.msg.PoseStamped = ..., planner_id: str = ..., use_start: bool = ...) -> None: ...
+    goal: geometry_msgs.msg.PoseStamped
+    start: geometry_msgs.msg.PoseStamped
+    planner_id: str
+    use_start: bool
+
+class ComputePathToPose_Result(Message):
+    """nav2_msgs/action/ComputePathToPose_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=201
+    uint16 INVALID_PLANNER=202
+    uint16 TF_ERROR=203
+    uint16 START_OUTSIDE_MAP=204
+    uint16 GOAL_OUTSIDE_MAP=205
+    uint16 START_OCCUPIED=206
+    uint16 GOAL_OCCUPIED=207
+    uint16 TIMEOUT=208
+    uint16 NO_VALID_PATH=209
+    nav_msgs/Path path
+    builtin_interfaces/Duration planning_time
+    uint16 error_code
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 201
+    INVALID_PLANNER: Final = 202
+    TF_ERROR: Final = 203
+    START_OUTSIDE_MAP: Final = 204
+    GOAL_OUTSIDE_MAP: Final = 205
+    START_OCCUPIED: Final = 206
+    GOAL_OCCUPIED: Final = 207
+    TIMEOUT: Final = 208
+    NO_VALID_PATH: Final = 209
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., planning_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    path: nav_msgs.msg.Path
+    planning_time: builtin_interfaces.msg.Duration
+    error_code: int
+    error_msg: str
+
+class ComputePathToPose_Feedback(Message):
+    """nav2_msgs/action/ComputePathToPose_Feedback"""
+    def __init__(self) -> None: ...
+
+class ComputePathToPose_FeedbackMessage(Message):
+    """nav2_msgs/action/ComputePathToPose_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.ComputePathToPose_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.ComputePathToPose_Feedback
+
+class ComputePathToPose_SendGoal_Request(Message):
+    """nav2_msgs/action/ComputePathToPose_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.ComputePathToPose_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.ComputePathToPose_Goal
+
+class ComputePathToPose_SendGoal_Response(Message):
+    """nav2_msgs/action/ComputePathToPose_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class ComputePathToPose_SendGoal_Event(Message):
+    """nav2_msgs/action/ComputePathToPose_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputePathToPose_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.ComputePathToPose_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.ComputePathToPose_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.ComputePathToPose_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.ComputePathToPose_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.ComputePathToPose_SendGoal_Response]) -> None: ...
+
+class ComputePathToPose_GetResult_Request(Message):
+    """nav2_msgs/action/ComputePathToPose_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class ComputePathToPose_GetResult_Response(Message):
+    """nav2_msgs/action/ComputePathToPose_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.ComputePathToPose_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.ComputePathToPose_Result
+
+class ComputePathToPose_GetResult_Event(Message):
+    """nav2_msgs/action/ComputePathToPose_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputePathToPose_GetResult_Request] = ..., response: Collection[nav2_msgs.action.ComputePathToPose_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.ComputePathToPose_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.ComputePathToPose_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.ComputePathToPose_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.ComputePathToPose_GetResult_Response]) -> None: ...
+
+class ComputePathToPose_SendGoal(Service):
+    Request: TypeAlias = ComputePathToPose_SendGoal_Request
+    Response: TypeAlias = ComputePathToPose_SendGoal_Response
+    Event: TypeAlias = ComputePathToPose_SendGoal_Event
+
+class ComputePathToPose_GetResult(Service):
+    Request: TypeAlias = ComputePathToPose_GetResult_Request
+    Response: TypeAlias = ComputePathToPose_GetResult_Response
+    Event: TypeAlias = ComputePathToPose_GetResult_Event
+
+class ComputePathToPose(Action):
+    Goal: TypeAlias = ComputePathToPose_Goal
+    Result: TypeAlias = ComputePathToPose_Result
+    Feedback: TypeAlias = ComputePathToPose_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = ComputePathToPose_SendGoal
+        GetResultService: TypeAlias = ComputePathToPose_GetResult
+        FeedbackMessage: TypeAlias = ComputePathToPose_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class DriveOnHeading_Goal(Message):
+    """nav2_msgs/action/DriveOnHeading_Goal
+
+    # Drives a robot straight ahead.
+
+    geometry_msgs/Point target  # m, from where it is now; x counts
+    float32 speed  # m/s
+    builtin_interfaces/Duration time_allowance
+    bool disable_collision_checks False
+    """
+    def __init__(self, *, target: geometry_msgs.msg.Point = ..., speed: float = ..., time_allowance: builtin_interfaces.msg.Duration = ..., disable_collision_checks: bool = ...) -> None: ...
+    target: geometry_msgs.msg.Point
+    speed: float
+    time_allowance: builtin_interfaces.msg.Duration
+    disable_collision_checks: bool
+
+class DriveOnHeading_Result(Message):
+    """nav2_msgs/action/DriveOnHeading_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=720
+    uint16 TIMEOUT=721
+    uint16 TF_ERROR=722
+    uint16 COLLISION_AHEAD=723
+    uint16 INVALID_INPUT=724
+    builtin_interfaces/Duration total_elapsed_time
+    uint16 error_code
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 720
+    TIMEOUT: Final = 721
+    TF_ERROR: Final = 722
+    COLLISION_AHEAD: Final = 723
+    INVALID_INPUT: Final = 724
+    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    total_elapsed_time: builtin_interfaces.msg.Duration
+    error_code: int
+    error_msg: str
+
+class DriveOnHeading_Feedback(Message):
+    """nav2_msgs/action/DriveOnHeading_Feedback
+
+    float32 distance_traveled  # m
+    """
+    def __init__(self, *, distance_traveled: float = ...) -> None: ...
+    distance_traveled: float
+
+class DriveOnHeading_FeedbackMessage(Message):
+    """nav2_msgs/action/DriveOnHeading_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.DriveOnHeading_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.DriveOnHeading_Feedback
+
+class DriveOnHeading_SendGoal_Request(Message):
+    """nav2_msgs/action/DriveOnHeading_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.DriveOnHeading_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.DriveOnHeading_Goal
+
+class DriveOnHeading_SendGoal_Response(Message):
+    """nav2_msgs/action/DriveOnHeading_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class DriveOnHeading_SendGoal_Event(Message):
+    """nav2_msgs/action/DriveOnHeading_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DriveOnHeading_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.DriveOnHeading_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.DriveOnHeading_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.DriveOnHeading_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.DriveOnHeading_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.DriveOnHeading_SendGoal_Response]) -> None: ...
+
+class DriveOnHeading_GetResult_Request(Message):
+    """nav2_msgs/action/DriveOnHeading_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class DriveOnHeading_GetResult_Response(Message):
+    """nav2_msgs/action/DriveOnHeading_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.DriveOnHeading_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.DriveOnHeading_Result
+
+class DriveOnHeading_GetResult_Event(Message):
+    """nav2_msgs/action/DriveOnHeading_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DriveOnHeading_GetResult_Request] = ..., response: Collection[nav2_msgs.action.DriveOnHeading_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.DriveOnHeading_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.DriveOnHeading_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.DriveOnHeading_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.DriveOnHeading_GetResult_Response]) -> None: ...
+
+class DriveOnHeading_SendGoal(Service):
+    Request: TypeAlias = DriveOnHeading_SendGoal_Request
+    Response: TypeAlias = DriveOnHeading_SendGoal_Response
+    Event: TypeAlias = DriveOnHeading_SendGoal_Event
+
+class DriveOnHeading_GetResult(Service):
+    Request: TypeAlias = DriveOnHeading_GetResult_Request
+    Response: TypeAlias = DriveOnHeading_GetResult_Response
+    Event: TypeAlias = DriveOnHeading_GetResult_Event
+
+class DriveOnHeading(Action):
+    Goal: TypeAlias = DriveOnHeading_Goal
+    Result: TypeAlias = DriveOnHeading_Result
+    Feedback: TypeAlias = DriveOnHeading_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = DriveOnHeading_SendGoal
+        GetResultService: TypeAlias = DriveOnHeading_GetResult
+        FeedbackMessage: TypeAlias = DriveOnHeading_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class FollowPath_Goal(Message):
+    """nav2_msgs/action/FollowPath_Goal
+
+    # Drives a robot along a path.
+
+    nav_msgs/Path path
+    string controller_id
+    string goal_checker_id
+    string progress_checker_id
+    """
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., controller_id: str = ..., goal_checker_id: str = ..., progress_checker_id: str = ...) -> None: ...
+    path: nav_msgs.msg.Path
+    controller_id: str
+    goal_checker_id: str
+    progress_checker_id: str
+
+class FollowPath_Result(Message):
+    """nav2_msgs/action/FollowPath_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=100
+    uint16 INVALID_CONTROLLER=101
+    uint16 TF_ERROR=102
+    uint16 INVALID_PATH=103
+    uint16 PATIENCE_EXCEEDED=104
+    uint16 FAILED_TO_MAKE_PROGRESS=105
+    uint16 NO_VALID_CONTROL=106
+    uint16 CONTROLLER_TIMED_OUT=107
+    uint16 error_code
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 100
+    INVALID_CONTROLLER: Final = 101
+    TF_ERROR: Final = 102
+    INVALID_PATH: Final = 103
+    PATIENCE_EXCEEDED: Final = 104
+    FAILED_TO_MAKE_PROGRESS: Final = 105
+    NO_VALID_CONTROL: Final = 106
+    CONTROLLER_TIMED_OUT: Final = 107
+    def __init__(self, *, error_code: int = ..., error_msg: str = ...) -> None: ...
+    error_code: int
+    error_msg: str
+
+class FollowPath_Feedback(Message):
+    """nav2_msgs/action/FollowPath_Feedback
+
+    float32 distance_to_goal  # m
+    float32 speed  # m/s
+    """
+    def __init__(self, *, distance_to_goal: float = ..., speed: float = ...) -> None: ...
+    distance_to_goal: float
+    speed: float
+
+class FollowPath_FeedbackMessage(Message):
+    """nav2_msgs/action/FollowPath_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.FollowPath_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.FollowPath_Feedback
+
+class FollowPath_SendGoal_Request(Message):
+    """nav2_msgs/action/FollowPath_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.FollowPath_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.FollowPath_Goal
+
+class FollowPath_SendGoal_Response(Message):
+    """nav2_msgs/action/FollowPath_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class FollowPath_SendGoal_Event(Message):
+    """nav2_msgs/action/FollowPath_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowPath_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.FollowPath_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.FollowPath_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.FollowPath_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.FollowPath_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.FollowPath_SendGoal_Response]) -> None: ...
+
+class FollowPath_GetResult_Request(Message):
+    """nav2_msgs/action/FollowPath_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class FollowPath_GetResult_Response(Message):
+    """nav2_msgs/action/FollowPath_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.FollowPath_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.FollowPath_Result
+
+class FollowPath_GetResult_Event(Message):
+    """nav2_msgs/action/FollowPath_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowPath_GetResult_Request] = ..., response: Collection[nav2_msgs.action.FollowPath_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.FollowPath_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.FollowPath_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.FollowPath_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.FollowPath_GetResult_Response]) -> None: ...
+
+class FollowPath_SendGoal(Service):
+    Request: TypeAlias = FollowPath_SendGoal_Request
+    Response: TypeAlias = FollowPath_SendGoal_Response
+    Event: TypeAlias = FollowPath_SendGoal_Event
+
+class FollowPath_GetResult(Service):
+    Request: TypeAlias = FollowPath_GetResult_Request
+    Response: TypeAlias = FollowPath_GetResult_Response
+    Event: TypeAlias = FollowPath_GetResult_Event
+
+class FollowPath(Action):
+    Goal: TypeAlias = FollowPath_Goal
+    Result: TypeAlias = FollowPath_Result
+    Feedback: TypeAlias = FollowPath_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = FollowPath_SendGoal
+        GetResultService: TypeAlias = FollowPath_GetResult
+        FeedbackMessage: TypeAlias = FollowPath_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class FollowWaypoints_Goal(Message):
+    """nav2_msgs/action/FollowWaypoints_Goal
+
+    # Drives a robot to one place after the other, with something to do at each.
+
+    uint32 number_of_loops
+    uint32 goal_index 0  # where to begin
+    geometry_msgs/PoseStamped[] poses
+    """
+    def __init__(self, *, number_of_loops: int = ..., goal_index: int = ..., poses: Collection[geometry_msgs.msg.PoseStamped] = ...) -> None: ...
+    number_of_loops: int
+    goal_index: int
+    @property
+    def poses(self) -> list[geometry_msgs.msg.PoseStamped]: ...
+    @poses.setter
+    def poses(self, value: Collection[geometry_msgs.msg.PoseStamped]) -> None: ...
+
+class FollowWaypoints_Result(Message):
+    """nav2_msgs/action/FollowWaypoints_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=600
+    uint16 TASK_EXECUTOR_FAILED=601
+    MissedWaypoint[] missed_waypoints
+    uint16 error_code
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 600
+    TASK_EXECUTOR_FAILED: Final = 601
+    def __init__(self, *, missed_waypoints: Collection[nav2_msgs.msg.MissedWaypoint] = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    @property
+    def missed_waypoints(self) -> list[nav2_msgs.msg.MissedWaypoint]: ...
+    @missed_waypoints.setter
+    def missed_waypoints(self, value: Collection[nav2_msgs.msg.MissedWaypoint]) -> None: ...
+    error_code: int
+    error_msg: str
+
+class FollowWaypoints_Feedback(Message):
+    """nav2_msgs/action/FollowWaypoints_Feedback
+
+    uint32 current_waypoint
+    """
+    def __init__(self, *, current_waypoint: int = ...) -> None: ...
+    current_waypoint: int
+
+class FollowWaypoints_FeedbackMessage(Message):
+    """nav2_msgs/action/FollowWaypoints_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.FollowWaypoints_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.FollowWaypoints_Feedback
+
+class FollowWaypoints_SendGoal_Request(Message):
+    """nav2_msgs/action/FollowWaypoints_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.FollowWaypoints_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.FollowWaypoints_Goal
+
+class FollowWaypoints_SendGoal_Response(Message):
+    """nav2_msgs/action/FollowWaypoints_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class FollowWaypoints_SendGoal_Event(Message):
+    """nav2_msgs/action/FollowWaypoints_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowWaypoints_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.FollowWaypoints_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.FollowWaypoints_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.FollowWaypoints_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.FollowWaypoints_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.FollowWaypoints_SendGoal_Response]) -> None: ...
+
+class FollowWaypoints_GetResult_Request(Message):
+    """nav2_msgs/action/FollowWaypoints_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class FollowWaypoints_GetResult_Response(Message):
+    """nav2_msgs/action/FollowWaypoints_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.FollowWaypoints_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.FollowWaypoints_Result
+
+class FollowWaypoints_GetResult_Event(Message):
+    """nav2_msgs/action/FollowWaypoints_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowWaypoints_GetResult_Request] = ..., response: Collection[nav2_msgs.action.FollowWaypoints_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.FollowWaypoints_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.FollowWaypoints_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.FollowWaypoints_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.FollowWaypoints_GetResult_Response]) -> None: ...
+
+class FollowWaypoints_SendGoal(Service):
+    Request: TypeAlias = FollowWaypoints_SendGoal_Request
+    Response: TypeAlias = FollowWaypoints_SendGoal_Response
+    Event: TypeAlias = FollowWaypoints_SendGoal_Event
+
+class FollowWaypoints_GetResult(Service):
+    Request: TypeAlias = FollowWaypoints_GetResult_Request
+    Response: TypeAlias = FollowWaypoints_GetResult_Response
+    Event: TypeAlias = FollowWaypoints_GetResult_Event
+
+class FollowWaypoints(Action):
+    Goal: TypeAlias = FollowWaypoints_Goal
+    Result: TypeAlias = FollowWaypoints_Result
+    Feedback: TypeAlias = FollowWaypoints_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = FollowWaypoints_SendGoal
+        GetResultService: TypeAlias = FollowWaypoints_GetResult
+        FeedbackMessage: TypeAlias = FollowWaypoints_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class NavigateThroughPoses_Goal(Message):
+    """nav2_msgs/action/NavigateThroughPoses_Goal
+
+    # Drives a robot through places to the last of them.
+
+    geometry_msgs/PoseStamped[] poses
+    string behavior_tree  # a file; empty: the default
+    """
+    def __init__(self, *, poses: Collection[geometry_msgs.msg.PoseStamped] = ..., behavior_tree: str = ...) -> None: ...
+    @property
+    def poses(self) -> list[geometry_msgs.msg.PoseStamped]: ...
+    @poses.setter
+    def poses(self, value: Collection[geometry_msgs.msg.PoseStamped]) -> None: ...
+    behavior_tree: str
+
+class NavigateThroughPoses_Result(Message):
+    """nav2_msgs/action/NavigateThroughPoses_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=9100
+    uint16 FAILED_TO_LOAD_BEHAVIOR_TREE=9101
+    uint16 TF_ERROR=9102
+    uint16 TIMEOUT=9103
+    uint16 error_code
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 9100
+    FAILED_TO_LOAD_BEHAVIOR_TREE: Final = 9101
+    TF_ERROR: Final = 9102
+    TIMEOUT: Final = 9103
+    def __init__(self, *, error_code: int = ..., error_msg: str = ...) -> None: ...
+    error_code: int
+    error_msg: str
+
+class NavigateThroughPoses_Feedback(Message):
+    """nav2_msgs/action/NavigateThroughPoses_Feedback
+
+    geometry_msgs/PoseStamped current_pose
+    builtin_interfaces/Duration navigation_time
+    builtin_interfaces/Duration estimated_time_remaining
+    int16 number_of_recoveries
+    float32 distance_remaining  # m
+    int16 number_of_poses_remaining
+    """
+    def __init__(self, *, current_pose: geometry_msgs.msg.PoseStamped = ..., navigation_time: builtin_interfaces.msg.Duration = ..., estimated_time_remaining: builtin_interfaces.msg.Duration = ..., number_of_recoveries: int = ..., distance_remaining: float = ..., number_of_poses_remaining: int = ...) -> None: ...
+    current_pose: geometry_msgs.msg.PoseStamped
+    navigation_time: builtin_interfaces.msg.Duration
+    estimated_time_remaining: builtin_interfaces.msg.Duration
+    number_of_recoveries: int
+    distance_remaining: float
+    number_of_poses_remaining: int
+
+class NavigateThroughPoses_FeedbackMessage(Message):
+    """nav2_msgs/action/NavigateThroughPoses_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.NavigateThroughPoses_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.NavigateThroughPoses_Feedback
+
+class NavigateThroughPoses_SendGoal_Request(Message):
+    """nav2_msgs/action/NavigateThroughPoses_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.NavigateThroughPoses_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.NavigateThroughPoses_Goal
+
+class NavigateThroughPoses_SendGoal_Response(Message):
+    """nav2_msgs/action/NavigateThroughPoses_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class NavigateThroughPoses_SendGoal_Event(Message):
+    """nav2_msgs/action/NavigateThroughPoses_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.NavigateThroughPoses_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.NavigateThroughPoses_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.NavigateThroughPoses_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.NavigateThroughPoses_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.NavigateThroughPoses_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.NavigateThroughPoses_SendGoal_Response]) -> None: ...
+
+class NavigateThroughPoses_GetResult_Request(Message):
+    """nav2_msgs/action/NavigateThroughPoses_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class NavigateThroughPoses_GetResult_Response(Message):
+    """nav2_msgs/action/NavigateThroughPoses_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.NavigateThroughPoses_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.NavigateThroughPoses_Result
+
+class NavigateThroughPoses_GetResult_Event(Message):
+    """nav2_msgs/action/NavigateThroughPoses_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.NavigateThroughPoses_GetResult_Request] = ..., response: Collection[nav2_msgs.action.NavigateThroughPoses_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.NavigateThroughPoses_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.NavigateThroughPoses_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.NavigateThroughPoses_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.NavigateThroughPoses_GetResult_Response]) -> None: ...
+
+class NavigateThroughPoses_SendGoal(Service):
+    Request: TypeAlias = NavigateThroughPoses_SendGoal_Request
+    Response: TypeAlias = NavigateThroughPoses_SendGoal_Response
+    Event: TypeAlias = NavigateThroughPoses_SendGoal_Event
+
+class NavigateThroughPoses_GetResult(Service):
+    Request: TypeAlias = NavigateThroughPoses_GetResult_Request
+    Response: TypeAlias = NavigateThroughPoses_GetResult_Response
+    Event: TypeAlias = NavigateThroughPoses_GetResult_Event
+
+class NavigateThroughPoses(Action):
+    Goal: TypeAlias = NavigateThroughPoses_Goal
+    Result: TypeAlias = NavigateThroughPoses_Result
+    Feedback: TypeAlias = NavigateThroughPoses_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = NavigateThroughPoses_SendGoal
+        GetResultService: TypeAlias = NavigateThroughPoses_GetResult
+        FeedbackMessage: TypeAlias = NavigateThroughPoses_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class NavigateToPose_Goal(Message):
+    """nav2_msgs/action/NavigateToPose_Goal
+
+    # Drives a robot to a place.
+
+    geometry_msgs/PoseStamped pose
+    string behavior_tree  # a file; empty: the default
+    """
+    def __init__(self, *, pose: geometry_msgs.msg.PoseStamped = ..., behavior_tree: str = ...) -> None: ...
+    pose: geometry_msgs.msg.PoseStamped
+    behavior_tree: str
+
+class NavigateToPose_Result(Message):
+    """nav2_msgs/action/NavigateToPose_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=9000
+    uint16 FAILED_TO_LOAD_BEHAVIOR_TREE=9001
+    uint16 TF_ERROR=9002
+    uint16 TIMEOUT=9003
+    uint16 error_code
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 9000
+    FAILED_TO_LOAD_BEHAVIOR_TREE: Final = 9001
+    TF_ERROR: Final = 9002
+    TIMEOUT: Final = 9003
+    def __init__(self, *, error_code: int = ..., error_msg: str = ...) -> None: ...
+    error_code: int
+    error_msg: str
+
+class NavigateToPose_Feedback(Message):
+    """nav2_msgs/action/NavigateToPose_Feedback
+
+    geometry_msgs/PoseStamped current_pose
+    builtin_interfaces/Duration navigation_time
+    builtin_interfaces/Duration estimated_time_remaining
+    int16 number_of_recoveries
+    float32 distance_remaining  # m
+    """
+    def __init__(self, *, current_pose: geometry_msgs.msg.PoseStamped = ..., navigation_time: builtin_interfaces.msg.Duration = ..., estimated_time_remaining: builtin_interfaces.msg.Duration = ..., number_of_recoveries: int = ..., distance_remaining: float = ...) -> None: ...
+    current_pose: geometry_msgs.msg.PoseStamped
+    navigation_time: builtin_interfaces.msg.Duration
+    estimated_time_remaining: builtin_interfaces.msg.Duration
+    number_of_recoveries: int
+    distance_remaining: float
+
+class NavigateToPose_FeedbackMessage(Message):
+    """nav2_msgs/action/NavigateToPose_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.NavigateToPose_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.NavigateToPose_Feedback
+
+class NavigateToPose_SendGoal_Request(Message):
+    """nav2_msgs/action/NavigateToPose_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.NavigateToPose_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.NavigateToPose_Goal
+
+class NavigateToPose_SendGoal_Response(Message):
+    """nav2_msgs/action/NavigateToPose_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class NavigateToPose_SendGoal_Event(Message):
+    """nav2_msgs/action/NavigateToPose_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.NavigateToPose_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.NavigateToPose_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.NavigateToPose_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.NavigateToPose_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.NavigateToPose_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.NavigateToPose_SendGoal_Response]) -> None: ...
+
+class NavigateToPose_GetResult_Request(Message):
+    """nav2_msgs/action/NavigateToPose_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class NavigateToPose_GetResult_Response(Message):
+    """nav2_msgs/action/NavigateToPose_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.NavigateToPose_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.NavigateToPose_Result
+
+class NavigateToPose_GetResult_Event(Message):
+    """nav2_msgs/action/NavigateToPose_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.NavigateToPose_GetResult_Request] = ..., response: Collection[nav2_msgs.action.NavigateToPose_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.NavigateToPose_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.NavigateToPose_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.NavigateToPose_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.NavigateToPose_GetResult_Response]) -> None: ...
+
+class NavigateToPose_SendGoal(Service):
+    Request: TypeAlias = NavigateToPose_SendGoal_Request
+    Response: TypeAlias = NavigateToPose_SendGoal_Response
+    Event: TypeAlias = NavigateToPose_SendGoal_Event
+
+class NavigateToPose_GetResult(Service):
+    Request: TypeAlias = NavigateToPose_GetResult_Request
+    Response: TypeAlias = NavigateToPose_GetResult_Response
+    Event: TypeAlias = NavigateToPose_GetResult_Event
+
+class NavigateToPose(Action):
+    Goal: TypeAlias = NavigateToPose_Goal
+    Result: TypeAlias = NavigateToPose_Result
+    Feedback: TypeAlias = NavigateToPose_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = NavigateToPose_SendGoal
+        GetResultService: TypeAlias = NavigateToPose_GetResult
+        FeedbackMessage: TypeAlias = NavigateToPose_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class SmoothPath_Goal(Message):
+    """nav2_msgs/action/SmoothPath_Goal
+
+    # Takes the corners off a path.
+
+    nav_msgs/Path path
+    string smoother_id
+    builtin_interfaces/Duration max_smoothing_duration
+    bool check_for_collisions
+    """
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., smoother_id: str = ..., max_smoothing_duration: builtin_interfaces.msg.Duration = ..., check_for_collisions: bool = ...) -> None: ...
+    path: nav_msgs.msg.Path
+    smoother_id: str
+    max_smoothing_duration: builtin_interfaces.msg.Duration
+    check_for_collisions: bool
+
+class SmoothPath_Result(Message):
+    """nav2_msgs/action/SmoothPath_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=501
+    uint16 INVALID_SMOOTHER=502
+    uint16 TIMEOUT=503
+    uint16 SMOOTHED_PATH_IN_COLLISION=504
+    uint16 FAILED_TO_SMOOTH_PATH=505
+    uint16 INVALID_PATH=506
+    nav_msgs/Path path
+    builtin_interfaces/Duration smoothing_duration
+    bool was_completed
+    uint16 error_code
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 501
+    INVALID_SMOOTHER: Final = 502
+    TIMEOUT: Final = 503
+    SMOOTHED_PATH_IN_COLLISION: Final = 504
+    FAILED_TO_SMOOTH_PATH: Final = 505
+    INVALID_PATH: Final = 506
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., smoothing_duration: builtin_interfaces.msg.Duration = ..., was_completed: bool = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    path: nav_msgs.msg.Path
+    smoothing_duration: builtin_interfaces.msg.Duration
+    was_completed: bool
+    error_code: int
+    error_msg: str
+
+class SmoothPath_Feedback(Message):
+    """nav2_msgs/action/SmoothPath_Feedback"""
+    def __init__(self) -> None: ...
+
+class SmoothPath_FeedbackMessage(Message):
+    """nav2_msgs/action/SmoothPath_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.SmoothPath_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.SmoothPath_Feedback
+
+class SmoothPath_SendGoal_Request(Message):
+    """nav2_msgs/action/SmoothPath_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.SmoothPath_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.SmoothPath_Goal
+
+class SmoothPath_SendGoal_Response(Message):
+    """nav2_msgs/action/SmoothPath_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class SmoothPath_SendGoal_Event(Message):
+    """nav2_msgs/action/SmoothPath_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.SmoothPath_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.SmoothPath_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.SmoothPath_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.SmoothPath_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.SmoothPath_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.SmoothPath_SendGoal_Response]) -> None: ...
+
+class SmoothPath_GetResult_Request(Message):
+    """nav2_msgs/action/SmoothPath_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class SmoothPath_GetResult_Response(Message):
+    """nav2_msgs/action/SmoothPath_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.SmoothPath_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.SmoothPath_Result
+
+class SmoothPath_GetResult_Event(Message):
+    """nav2_msgs/action/SmoothPath_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.SmoothPath_GetResult_Request] = ..., response: Collection[nav2_msgs.action.SmoothPath_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.SmoothPath_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.SmoothPath_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.SmoothPath_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.SmoothPath_GetResult_Response]) -> None: ...
+
+class SmoothPath_SendGoal(Service):
+    Request: TypeAlias = SmoothPath_SendGoal_Request
+    Response: TypeAlias = SmoothPath_SendGoal_Response
+    Event: TypeAlias = SmoothPath_SendGoal_Event
+
+class SmoothPath_GetResult(Service):
+    Request: TypeAlias = SmoothPath_GetResult_Request
+    Response: TypeAlias = SmoothPath_GetResult_Response
+    Event: TypeAlias = SmoothPath_GetResult_Event
+
+class SmoothPath(Action):
+    Goal: TypeAlias = SmoothPath_Goal
+    Result: TypeAlias = SmoothPath_Result
+    Feedback: TypeAlias = SmoothPath_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = SmoothPath_SendGoal
+        GetResultService: TypeAlias = SmoothPath_GetResult
+        FeedbackMessage: TypeAlias = SmoothPath_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class Spin_Goal(Message):
+    """nav2_msgs/action/Spin_Goal
+
+    # Turns a robot on the spot.
+
+    float32 target_yaw  # rad, from where it points now
+    builtin_interfaces/Duration time_allowance
+    bool disable_collision_checks False
+    """
+    def __init__(self, *, target_yaw: float = ..., time_allowance: builtin_interfaces.msg.Duration = ..., disable_collision_checks: bool = ...) -> None: ...
+    target_yaw: float
+    time_allowance: builtin_interfaces.msg.Duration
+    disable_collision_checks: bool
+
+class Spin_Result(Message):
+    """nav2_msgs/action/Spin_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=701
+    uint16 TIMEOUT=702
+    uint16 TF_ERROR=703
+    uint16 COLLISION_AHEAD=704
+    builtin_interfaces/Duration total_elapsed_time
+    uint16 error_code
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 701
+    TIMEOUT: Final = 702
+    TF_ERROR: Final = 703
+    COLLISION_AHEAD: Final = 704
+    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    total_elapsed_time: builtin_interfaces.msg.Duration
+    error_code: int
+    error_msg: str
+
+class Spin_Feedback(Message):
+    """nav2_msgs/action/Spin_Feedback
+
+    float32 angular_distance_traveled  # rad
+    """
+    def __init__(self, *, angular_distance_traveled: float = ...) -> None: ...
+    angular_distance_traveled: float
+
+class Spin_FeedbackMessage(Message):
+    """nav2_msgs/action/Spin_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.Spin_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.Spin_Feedback
+
+class Spin_SendGoal_Request(Message):
+    """nav2_msgs/action/Spin_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.Spin_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.Spin_Goal
+
+class Spin_SendGoal_Response(Message):
+    """nav2_msgs/action/Spin_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class Spin_SendGoal_Event(Message):
+    """nav2_msgs/action/Spin_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.Spin_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.Spin_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.Spin_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.Spin_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.Spin_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.Spin_SendGoal_Response]) -> None: ...
+
+class Spin_GetResult_Request(Message):
+    """nav2_msgs/action/Spin_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class Spin_GetResult_Response(Message):
+    """nav2_msgs/action/Spin_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.Spin_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.Spin_Result
+
+class Spin_GetResult_Event(Message):
+    """nav2_msgs/action/Spin_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.Spin_GetResult_Request] = ..., response: Collection[nav2_msgs.action.Spin_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.Spin_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.Spin_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.Spin_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.Spin_GetResult_Response]) -> None: ...
+
+class Spin_SendGoal(Service):
+    Request: TypeAlias = Spin_SendGoal_Request
+    Response: TypeAlias = Spin_SendGoal_Response
+    Event: TypeAlias = Spin_SendGoal_Event
+
+class Spin_GetResult(Service):
+    Request: TypeAlias = Spin_GetResult_Request
+    Response: TypeAlias = Spin_GetResult_Response
+    Event: TypeAlias = Spin_GetResult_Event
+
+class Spin(Action):
+    Goal: TypeAlias = Spin_Goal
+    Result: TypeAlias = Spin_Result
+    Feedback: TypeAlias = Spin_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = Spin_SendGoal
+        GetResultService: TypeAlias = Spin_GetResult
+        FeedbackMessage: TypeAlias = Spin_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class Wait_Goal(Message):
+    """nav2_msgs/action/Wait_Goal
+
+    # Lets a robot stand for a while.
+
+    builtin_interfaces/Duration time
+    """
+    def __init__(self, *, time: builtin_interfaces.msg.Duration = ...) -> None: ...
+    time: builtin_interfaces.msg.Duration
+
+class Wait_Result(Message):
+    """nav2_msgs/action/Wait_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=740
+    uint16 TIMEOUT=741
+    builtin_interfaces/Duration total_elapsed_time
+    uint16 error_code
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 740
+    TIMEOUT: Final = 741
+    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    total_elapsed_time: builtin_interfaces.msg.Duration
+    error_code: int
+    error_msg: str
+
+class Wait_Feedback(Message):
+    """nav2_msgs/action/Wait_Feedback
+
+    builtin_interfaces/Duration time_left
+    """
+    def __init__(self, *, time_left: builtin_interfaces.msg.Duration = ...) -> None: ...
+    time_left: builtin_interfaces.msg.Duration
+
+class Wait_FeedbackMessage(Message):
+    """nav2_msgs/action/Wait_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.Wait_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.Wait_Feedback
+
+class Wait_SendGoal_Request(Message):
+    """nav2_msgs/action/Wait_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.Wait_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.Wait_Goal
+
+class Wait_SendGoal_Response(Message):
+    """nav2_msgs/action/Wait_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class Wait_SendGoal_Event(Message):
+    """nav2_msgs/action/Wait_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.Wait_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.Wait_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.Wait_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.Wait_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.Wait_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.Wait_SendGoal_Response]) -> None: ...
+
+class Wait_GetResult_Request(Message):
+    """nav2_msgs/action/Wait_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class Wait_GetResult_Response(Message):
+    """nav2_msgs/action/Wait_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.Wait_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.Wait_Result
+
+class Wait_GetResult_Event(Message):
+    """nav2_msgs/action/Wait_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.Wait_GetResult_Request] = ..., response: Collection[nav2_msgs.action.Wait_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.Wait_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.Wait_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.Wait_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.Wait_GetResult_Response]) -> None: ...
+
+class Wait_SendGoal(Service):
+    Request: TypeAlias = Wait_SendGoal_Request
+    Response: TypeAlias = Wait_SendGoal_Response
+    Event: TypeAlias = Wait_SendGoal_Event
+
+class Wait_GetResult(Service):
+    Request: TypeAlias = Wait_GetResult_Request
+    Response: TypeAlias = Wait_GetResult_Response
+    Event: TypeAlias = Wait_GetResult_Event
+
+class Wait(Action):
+    Goal: TypeAlias = Wait_Goal
+    Result: TypeAlias = Wait_Result
+    Feedback: TypeAlias = Wait_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = Wait_SendGoal
+        GetResultService: TypeAlias = Wait_GetResult
+        FeedbackMessage: TypeAlias = Wait_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
