@@ -13,6 +13,7 @@ import time
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
+import hypothesis
 import pytest
 
 import zbot
@@ -24,6 +25,15 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from zbot.log.record import Record
+
+# How long an example takes says something about the machine that other tests are busy on.
+hypothesis.settings.register_profile(
+    "zbot",
+    hypothesis.settings(),
+    deadline=None,
+    suppress_health_check=[hypothesis.HealthCheck.too_slow],
+)
+hypothesis.settings.load_profile("zbot")
 
 _RESERVATION_PORT = MEETING_PORT + 1000
 _PREFIXES = ("ZBOT_", "ROS_", "RCUTILS_", "ZENOH_", "AMENT_", "COLCON_")
@@ -42,16 +52,29 @@ def clean_environment(
     monkeypatch.setenv("ZBOT_HUB_PORT", "9")  # "discard", where nobody listens
 
 
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_auto_num_workers() -> int:
+    """Return how many workers `-n auto` starts: tests wait for processes half of the time."""
+    return 2 * (os.cpu_count() or 1)
+
+
 @pytest.fixture
 def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
     """Return a domain that nobody on this machine uses, and put it into the environment."""
+    with reserved_domain() as reserved:
+        monkeypatch.setenv("ZBOT_DOMAIN_ID", str(reserved))
+        yield reserved
+
+
+@contextmanager
+def reserved_domain() -> Iterator[int]:
+    """Keep a domain that nobody on this machine uses for the length of a block."""
     first = time.monotonic_ns() // 1000 % MAX_DOMAIN_ID
     for offset in range(MAX_DOMAIN_ID):
         candidate = 1 + (first + offset) % MAX_DOMAIN_ID
         # A meeting port is free now and then while its test runs: a second port reserves it.
         with _bound(_RESERVATION_PORT + candidate) as is_ours:
             if is_ours and _is_free(MEETING_PORT + candidate):
-                monkeypatch.setenv("ZBOT_DOMAIN_ID", str(candidate))
                 yield candidate
                 return
     pytest.fail("every meeting port of this machine is taken")
@@ -73,6 +96,16 @@ def _bound(port: int) -> Iterator[bool]:
 def _is_free(port: int) -> bool:
     with _bound(port) as is_free:
         return is_free
+
+
+def allowed(limit_s: float) -> float:
+    """Return how long something may take that takes `limit_s` on a machine with nothing else to do.
+
+    Where there is three times as much to do as the processors can, three times as long is allowed.
+    """
+    workers = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
+    load = os.getloadavg()[0] if hasattr(os, "getloadavg") else 0.0  # Windows has none
+    return limit_s * max(1.0, max(workers, load) / (os.cpu_count() or 1))
 
 
 def wait_until(condition: Callable[[], bool], timeout_s: float = 5.0) -> bool:

@@ -11,9 +11,12 @@ import pytest
 
 from tests.classroom.lesson import Lesson
 from tests.classroom.rig import Rig, obstacle
+from tests.conftest import allowed, wait_until
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+    from tests.classroom.machine import Machine
 
 LAPTOPS, NODES = 4, 3
 IDLE_S = 3.0
@@ -34,7 +37,7 @@ def lesson() -> Iterator[Lesson]:
 
 
 def test_the_teacher_sees_all_nodes_soon(lesson: Lesson) -> None:
-    assert lesson.seen_after_s < 10
+    assert lesson.seen_after_s < allowed(10)
     assert len(lesson.watch.nodes) >= LAPTOPS * NODES
 
 
@@ -45,19 +48,22 @@ def test_a_new_node_is_seen_at_once(lesson: Lesson) -> None:
     seen_s = lesson.watch.until(lambda nodes: (lesson.number_of(laptop), "/newcomer") in nodes)
 
     made_s = int(newcomer.wait_for("node").split()[1]) / 1e9
-    assert seen_s - made_s < 0.5
+    assert seen_s - made_s < allowed(0.5)
     newcomer.stop()
     lesson.watch.until(lambda nodes: (lesson.number_of(laptop), "/newcomer") not in nodes)
 
 
 def test_a_class_that_works_on_its_own_costs_the_teacher_nothing(lesson: Lesson) -> None:
-    before = lesson.rig.teacher.traffic()
-    # Time has to pass: this measures what flows meanwhile.
+    # Again where a laptop was taken for lost and came back, as on a machine with too much to do.
+    assert wait_until(lambda: bytes_per_second(lesson.rig.teacher) < 5000, 20)
+
+
+def bytes_per_second(machine: Machine) -> float:
+    """Return what flows in both directions, after the time that it takes to see it."""
+    before = machine.traffic()
     threading.Event().wait(IDLE_S)
-
-    carried = lesson.rig.teacher.traffic() - before
-
-    assert (carried.received_bytes + carried.sent_bytes) / IDLE_S < 5000
+    carried = machine.traffic() - before
+    return (carried.received_bytes + carried.sent_bytes) / IDLE_S
 
 
 def test_a_lost_laptop_is_shown_and_comes_back(lesson: Lesson) -> None:
@@ -73,11 +79,11 @@ def test_a_lost_laptop_is_shown_and_comes_back(lesson: Lesson) -> None:
     laptop.return_to_air()
     back_s = lesson.watch.until(lambda nodes: gone <= nodes)
 
-    assert lost_s - cut_s < 5
+    assert lost_s - cut_s < allowed(5)
     assert [number for number, row in shown.items() if not row["here"]] == [1]
     assert shown[1]["host"] == "laptop0"
     assert shown[1]["nodes"] == []
-    assert back_s - mended_s < 3
+    assert back_s - mended_s < allowed(3)
 
 
 def test_a_laptop_that_slept_comes_back(lesson: Lesson) -> None:
@@ -90,7 +96,7 @@ def test_a_laptop_that_slept_comes_back(lesson: Lesson) -> None:
     laptop.wake_up()
     back_s = lesson.watch.until(lambda nodes: sleeping <= nodes)
 
-    assert back_s - woken_s < 5
+    assert back_s - woken_s < allowed(5)
 
 
 def test_a_hub_that_restarts_has_all_back_and_no_laptop_notices(lesson: Lesson) -> None:
@@ -99,7 +105,7 @@ def test_a_hub_that_restarts_has_all_back_and_no_laptop_notices(lesson: Lesson) 
     lesson.open_class()
     back_s = lesson.watch.until(lesson.all_there)
 
-    assert back_s - restarted_s < 3
+    assert back_s - restarted_s < allowed(3)
     assert [heard.lost for heard in lesson.end_nodes()] == [0] * LAPTOPS * NODES
     lesson.start_nodes()
 

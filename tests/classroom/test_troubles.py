@@ -8,9 +8,12 @@ import pytest
 
 from tests.classroom.lesson import Lesson
 from tests.classroom.rig import Rig, obstacle
+from tests.conftest import allowed, wait_until
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+
+    from tests.classroom.machine import Machine
 
 LIMIT_S = 2.0
 PIN = "4711"
@@ -26,6 +29,11 @@ def lesson() -> Iterator[Lesson]:
         yield Lesson(rig, 1, pin=PIN)
 
 
+def is_left_alone(laptop: Machine) -> bool:
+    """Return whether nothing runs on a laptop; a hub that has gone may still be about to end."""
+    return wait_until(lambda: not laptop.processes())
+
+
 def refusal(lesson: Lesson, *words: str, pin: str = PIN) -> str:
     """Return the sentence with which `zbot join` fails, in time and without joining."""
     laptop = lesson.rig.laptops[0]
@@ -33,8 +41,8 @@ def refusal(lesson: Lesson, *words: str, pin: str = PIN) -> str:
     assert refused.code == 1
     assert refused.out == ""
     assert len(refused.err.splitlines()) == 1
-    assert refused.took_s < LIMIT_S
-    assert not laptop.processes()
+    assert refused.took_s < allowed(LIMIT_S)
+    assert is_left_alone(laptop)
     assert "joined nothing" in laptop.run("zbot", "status").out
     return refused.err.strip()
 
@@ -118,7 +126,7 @@ def test_the_code_and_the_address_both_work(lesson: Lesson) -> None:
     ):
         joined = laptop.run("zbot", "join", target, env={"ZBOT_PIN": PIN})
         assert joined.code == 0, joined.err
-        assert joined.took_s < 3
+        assert joined.took_s < allowed(3)
         left = laptop.run("zbot", "leave")
         assert left.code == 0, left.err
-        assert not laptop.processes()
+        assert is_left_alone(laptop)

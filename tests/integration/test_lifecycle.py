@@ -291,9 +291,7 @@ STEPS = st.tuples(
 )
 
 
-@settings(
-    max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
+@settings(max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(STEPS, max_size=8))
 def test_any_order_of_triggers_and_outcomes_follows_the_table(
     lone_context: zbot.Context, steps: list[tuple[str, Outcome, Outcome]]

@@ -41,7 +41,7 @@ def keys(svg: str, of: str) -> list[str]:
     ]
 
 
-@settings(deadline=None, max_examples=60)
+@settings(max_examples=60)
 @given(snapshots(), st.sampled_from(Mode), st.integers(0, 2))
 def test_each_node_topic_and_edge_is_drawn_once(
     snapshot: Snapshot, mode: Mode, namespaces: int

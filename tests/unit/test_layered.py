@@ -71,19 +71,19 @@ def check(items: list[Item], links: list[Link], layout: Layout) -> None:
             assert route.points[-1][0] == pytest.approx(end[2 if route.is_backward else 0])
 
 
-@settings(deadline=None, max_examples=150)
+@settings(max_examples=150)
 @given(graphs())
 def test_nothing_lies_on_anything_else(graph: Graph) -> None:
     check(*graph, lay_out(*graph))
 
 
-@settings(deadline=None, max_examples=100)
+@settings(max_examples=100)
 @given(graphs(), graphs())
 def test_nothing_lies_on_anything_else_after_a_change(before: Graph, after: Graph) -> None:
     check(*after, lay_out(*after, lay_out(*before)))
 
 
-@settings(deadline=None, max_examples=50)
+@settings(max_examples=50)
 @given(graphs())
 def test_each_item_is_in_its_frames(graph: Graph) -> None:
     items, _ = graph
@@ -99,7 +99,7 @@ def test_each_item_is_in_its_frames(graph: Graph) -> None:
             )
 
 
-@settings(deadline=None, max_examples=50)
+@settings(max_examples=50)
 @given(graphs())
 def test_equal_graphs_get_equal_layouts(graph: Graph) -> None:
     first = lay_out(*graph)
@@ -107,7 +107,7 @@ def test_equal_graphs_get_equal_layouts(graph: Graph) -> None:
     assert lay_out(*graph, first).places == lay_out(*graph, first).places
 
 
-@settings(deadline=None, max_examples=100)
+@settings(max_examples=100)
 @given(graphs())
 def test_what_does_not_change_stays_in_its_column(graph: Graph) -> None:
     first = lay_out(*graph)
@@ -118,7 +118,6 @@ def test_what_does_not_change_stays_in_its_column(graph: Graph) -> None:
         assert (place.x, place.layer) == (again.places[key].x, again.places[key].layer)
 
 
-@settings(deadline=None)
 @given(st.lists(st.integers(0, 9), min_size=2, max_size=8, unique=True))
 def test_links_point_right(order: list[int]) -> None:
     items, links = chain(*map(str, order))

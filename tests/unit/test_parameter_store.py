@@ -410,6 +410,4 @@ class ParametersByTheRules(RuleBasedStateMachine):
 
 
 TestParametersByTheRules = ParametersByTheRules.TestCase
-TestParametersByTheRules.settings = settings(
-    max_examples=100, stateful_step_count=30, deadline=None
-)
+TestParametersByTheRules.settings = settings(max_examples=100, stateful_step_count=30)

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import os
 import shutil
+import sys
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
 import pytest
 
+from tests.conftest import Program, reserved_domain, wait_until
+from zbot_cli.looking import snapshot
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from playwright.sync_api import Browser, Page
-
-    from tests.conftest import Program
 
 _LOCAL = {"127.0.0.1", "localhost"}
 _ARGUMENTS = [
@@ -25,6 +27,8 @@ _ARGUMENTS = [
     "--disable-sync",
     "--no-first-run",
 ]
+COMMAND = ("zbot", "web", "--no-browser", "--port", "0")
+ENDED_BY_CTRL_C = 130
 #: Generous: other tests use the machine's cores at the same time.
 PATIENCE_MS = 20_000
 
@@ -113,20 +117,63 @@ class Server:
         return self.program.stop(timeout_s=15)
 
 
+@pytest.fixture(scope="module")
+def shared_domain() -> Iterator[int]:
+    with reserved_domain() as reserved:
+        yield reserved
+
+
+@pytest.fixture(scope="module")
+def shared_servers() -> Iterator[list[Server]]:
+    """Return a list for the server of the module's tests, which is stopped after the last."""
+    servers: list[Server] = []
+    yield servers
+    for one in servers:
+        assert one.stop() == ENDED_BY_CTRL_C
+
+
+@pytest.fixture
+def domain(
+    shared_domain: int, shared_servers: list[Server], monkeypatch: pytest.MonkeyPatch
+) -> int:
+    """Return the domain of the module's tests, after whatever the last of them ran has left it."""
+    monkeypatch.setenv("ZBOT_DOMAIN_ID", str(shared_domain))
+    if shared_servers:
+        assert wait_until(is_quiet, 10), snapshot().nodes
+    return shared_domain
+
+
+def is_quiet() -> bool:
+    """Return whether there are no nodes but those of the server."""
+    nodes = snapshot().nodes
+    servers = {node.zid for node in nodes if node.node.startswith("_zbot_web")}
+    return {node.zid for node in nodes} == servers
+
+
 @pytest.fixture
 def serve(browser: Browser, start: Callable[..., Program]) -> Callable[..., Server]:  # noqa: ARG001
     """Return a function that starts `zbot web` in the test's domain, on a free port."""
 
     def run(*words: str) -> Server:
-        return Server(start("zbot", "web", "--no-browser", "--port", "0", *words))
+        return Server(start(*COMMAND, *words))
 
     return run
 
 
 @pytest.fixture
-def server(serve: Callable[..., Server]) -> Server:
-    """Return a running `zbot web`."""
-    return serve()
+def server(
+    browser: Browser,  # noqa: ARG001 - tells whether this machine can show pages
+    domain: int,  # noqa: ARG001 - by the environment
+    shared_servers: list[Server],
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Server:
+    """Return the module's `zbot web`: it takes longer to start than most of its tests."""
+    if not shared_servers:
+        command = [sys.executable, "-m", "zbot_cli", *COMMAND[1:]]
+        shared_servers.append(
+            Server(Program(command, tmp_path_factory.mktemp("server"), {**os.environ}))
+        )
+    return shared_servers[0]
 
 
 def pytest_configure() -> None:

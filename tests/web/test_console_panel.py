@@ -23,11 +23,11 @@ if TYPE_CHECKING:
 
 @pytest.fixture
 def loggers(
-    make_context: Callable[[], zbot.Context], server: Server, page: Page
+    make_context: Callable[[], zbot.Context], serve: Callable[..., Server], page: Page
 ) -> tuple[zbot.Node, zbot.Node]:
     context = make_context()
     nodes = zbot.Node("left", context=context), zbot.Node("right", context=context)
-    page.goto(f"{server.address}/console")
+    page.goto(f"{serve().address}/console")  # one that has heard nothing yet
     expect(page.get_by_text("No log line yet.")).to_be_visible()
     return nodes
 

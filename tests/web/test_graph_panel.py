@@ -12,7 +12,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 import zbot
-from tests.conftest import wait_until
+from tests.conftest import allowed, wait_until
 
 from std_msgs.msg import Int32, String
 
@@ -107,14 +107,14 @@ def test_nodes_come_and_go_at_once(
     talk(node)
     page.wait_for_selector(of("/talker"))
     page.wait_for_selector(of("/chatter"))
-    assert time.monotonic() - begin < _SOON_S
+    assert time.monotonic() - begin < allowed(_SOON_S)
     program = start("zbot", "run", "sensor")
     page.wait_for_selector(of("/temperature"))
     begin = time.monotonic()
     program.stop(signal.SIGKILL)
     page.wait_for_selector(of("/temperature"), state="detached")
     page.wait_for_selector(of("/temperature_sensor"), state="detached")
-    assert time.monotonic() - begin < _SOON_S
+    assert time.monotonic() - begin < allowed(_SOON_S)
     assert drawn(page, "node") == ["n:/listener", "n:/talker"]
 
 
@@ -284,4 +284,4 @@ def test_a_large_graph_is_drawn_at_once(
     begin = time.monotonic()
     page.reload()
     page.wait_for_function("document.querySelectorAll('.zb-graph .item').length === 200")
-    assert time.monotonic() - begin < 10  # 1.5 s on a machine that does nothing else
+    assert time.monotonic() - begin < allowed(10)  # 1.5 s on a machine that does nothing else

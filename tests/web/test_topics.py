@@ -163,7 +163,7 @@ def test_reloads_and_windows_leave_no_subscription(
         one.page.goto(f"{server.address}/topics?topic=/chatter")
         one.page.wait_for_selector(row("/chatter"))
     assert wait_until(lambda: node.count_subscribers("/chatter") == 1, 10)
-    for _ in range(50):
+    for _ in range(12):
         first.page.reload(wait_until="domcontentloaded")
     first.page.wait_for_selector(row("/chatter"))
     assert node.count_subscribers("/chatter") == 1
