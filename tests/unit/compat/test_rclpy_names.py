@@ -81,6 +81,8 @@ tf2_ros.transform_broadcaster: TransformBroadcaster
 tf2_ros.static_transform_broadcaster: StaticTransformBroadcaster
 tf2_py: BufferCore TransformException
 tf2_geometry_msgs: do_transform_point do_transform_pose do_transform_vector3 PointStamped
+tf2_sensor_msgs: do_transform_cloud transform_points
+tf2_sensor_msgs.tf2_sensor_msgs: do_transform_cloud transform_points
 tf_transformations: euler_from_quaternion quaternion_from_euler quaternion_multiply
 rclpy.experimental: EventsExecutor
 rclpy.experimental.events_executor: EventsExecutor

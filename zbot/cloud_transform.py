@@ -1,0 +1,66 @@
+"""Point clouds in another frame: the functions of `tf2_sensor_msgs`.
+
+Needs numpy, which `pip install 'zbot[numpy]'` brings.
+"""
+
+from __future__ import annotations
+
+import copy
+import sys
+from typing import TYPE_CHECKING, Any
+
+from zbot.point_cloud import read_points
+from zbot.tf2 import conversion
+from zbot.tf2.rigid import normalized
+
+from sensor_msgs.msg import PointCloud2
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import ArrayLike, NDArray
+
+
+def transform_points(point_cloud: ArrayLike, transform: Any) -> NDArray[np.float64]:
+    """Return an array of shape (points, 3) in the transform's parent frame."""
+    import numpy as np  # noqa: PLC0415 - an extra
+
+    motion = conversion.rigid(transform)
+    try:
+        motion = motion._replace(rotation=normalized(motion.rotation))
+    except ZeroDivisionError:
+        motion = motion._replace(rotation=(0.0, 0.0, 0.0, 1.0))
+    origin = np.array(motion.translation)
+    axes = np.array([motion.apply(axis) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]) - origin
+    moved: NDArray[np.float64] = np.asarray(point_cloud, np.float64) @ axes + origin
+    return moved
+
+
+def do_transform_cloud(cloud: Any, transform: Any) -> Any:
+    """Return a `PointCloud2` in the transform's parent frame; all but x, y and z stays as it is.
+
+    Raises:
+        PointCloudError: The cloud has no x, y or z, or less data than its size needs.
+    """
+    from numpy.lib.recfunctions import structured_to_unstructured  # noqa: PLC0415 - an extra
+
+    moved = transform_points(
+        structured_to_unstructured(read_points(cloud, ["x", "y", "z"])), transform
+    )
+    points = read_points(cloud).copy()
+    for index, name in enumerate("xyz"):
+        points[name] = moved[:, index]
+    header = getattr(transform, "header", cloud.header)
+    return PointCloud2(
+        header=copy.deepcopy(header),
+        height=cloud.height,
+        width=cloud.width,
+        fields=copy.deepcopy(cloud.fields),
+        is_bigendian=sys.byteorder == "big",
+        point_step=cloud.point_step,
+        row_step=cloud.point_step * cloud.width,
+        data=points.tobytes(),
+        is_dense=cloud.is_dense,
+    )
+
+
+conversion.add(PointCloud2, do_transform_cloud)
