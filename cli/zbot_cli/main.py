@@ -39,6 +39,7 @@ NOUNS = {
     "service": "Look at services, and call them",
     "share": "Let a student see another's topics",
     "status": "Show what this machine has joined",
+    "test": "Run tests, with launch files beside them",
     "topic": "Look at topics, listen and publish",
     "web": "Show the running system in a browser",
 }

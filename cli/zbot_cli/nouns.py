@@ -7,8 +7,8 @@ from typing import Any
 
 import typer.main
 
-# `class` is a word of Python's, and exit codes are in `status`.
-_MODULES = {"class": "class_", "status": "status_"}
+# `class` is a word of Python's, exit codes are in `status`, and pytest looks into `test_*`.
+_MODULES = {"class": "class_", "status": "status_", "test": "launch_test"}
 
 
 def load(noun: str) -> Any:

@@ -32,6 +32,15 @@ def own_command() -> list[str]:
     return [sys.executable, "-m", "zbot"]
 
 
+def for_scripts(words: Sequence[str]) -> list[str]:
+    """Return the words that run a program; a script that is given to Python finds ROS 2's names."""
+    script = 2 if len(words) > 1 and words[1] == "-u" else 1  # children are never buffered
+    is_python = words[0] in {sys.executable, "python", "python3"}
+    if is_python and len(words) > script and words[script].endswith(".py"):
+        return [*own_command(), "run", *words[script:]]
+    return list(words)
+
+
 def find_on_path(name: str, environment: Mapping[str, str]) -> str | None:
     """Return the path of a program as a child with this environment would find it."""
     found = shutil.which(name, path=environment.get("PATH"))

@@ -8,7 +8,7 @@ import shlex
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot.launch.own_command import with_ros2
+from zbot.launch.own_command import for_scripts, with_ros2
 from zbot.launch.substitution import describe_list, normalize, perform
 
 if TYPE_CHECKING:
@@ -72,7 +72,7 @@ class Executable:
         own_prefix = perform(context, self.prefix) if self.prefix else ""
         prefix = own_prefix or _common_prefix(context, name)
         cwd = perform(context, self.cwd) if self.cwd else None
-        line = [*shlex.split(prefix, posix=os.name != "nt"), *words]
+        line = [*shlex.split(prefix, posix=os.name != "nt"), *for_scripts(words)]
         return Prepared(line, name, cwd, self._environment(context))
 
     def _environment(self, context: LaunchContext) -> dict[str, str]:

@@ -1,5 +1,19 @@
-"""ROS 2's `launch_testing`, as far as launch files use it."""
+"""ROS 2's `launch_testing`: tests of launch files."""
 
-from zbot.compat.submodules import submodules
+from zbot.compat.submodules import submodules as submodules
+from zbot.launch_test.marker import parametrize as parametrize
+from zbot.launch_test.marker import post_shutdown_test as post_shutdown_test
+from zbot.launch_test.marker import ready_to_test_action_timeout as ready_to_test_action_timeout
 
-__getattr__ = submodules(__name__, "actions")
+__getattr__ = submodules(
+    __name__,
+    "actions",
+    "asserts",
+    "event_handlers",
+    "io_handler",
+    "launch_test",
+    "markers",
+    "proc_info_handler",
+    "tools",
+    "util",
+)

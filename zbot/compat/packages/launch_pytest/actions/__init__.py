@@ -1,0 +1,3 @@
+"""Where tests may begin."""
+
+from zbot.launch.actions.testing import ReadyToTest as ReadyToTest

@@ -1,0 +1,3 @@
+"""When a process is ready."""
+
+from zbot.launch_test.ready_listener import StdoutReadyListener as StdoutReadyListener

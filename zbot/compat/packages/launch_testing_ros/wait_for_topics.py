@@ -1,0 +1,3 @@
+"""Whether messages come."""
+
+from zbot.launch_test.topics import WaitForTopics as WaitForTopics

@@ -1,0 +1,125 @@
+"""What tests assert about the processes of a launch, under launch_testing's names."""
+
+from __future__ import annotations
+
+import contextlib
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ArgumentTypeError
+from zbot.launch_test.process_lookup import name_of, resolve_processes
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Sequence
+
+    from zbot.launch.actions.execute import ExecuteLocal
+    from zbot.launch_test.record import ExitRecord, OutputRecord
+
+# A shell's 128 + number of the signal.
+EXIT_OK, EXIT_SIGINT, EXIT_SIGQUIT, EXIT_SIGKILL, EXIT_SIGSEGV = 0, 130, 131, 137, 139
+
+
+def assertInStdout(  # noqa: N802 - launch_testing's name
+    proc_output: OutputRecord,
+    expected_output: Any,
+    process: ExecuteLocal | str | None,
+    cmd_args: Any = None,
+    **options: Any,
+) -> None:
+    """Assert that a process wrote something to stdout; options as for `OutputRecord.has`.
+
+    Raises:
+        AssertionError: It did not.
+    """
+    _assert_in(proc_output, expected_output, process, cmd_args, stream="stdout", **options)
+
+
+def assertInStderr(  # noqa: N802 - launch_testing's name
+    proc_output: OutputRecord,
+    expected_output: Any,
+    process: ExecuteLocal | str | None,
+    cmd_args: Any = None,
+    **options: Any,
+) -> None:
+    """Assert that a process wrote something to stderr; options as for `OutputRecord.has`.
+
+    Raises:
+        AssertionError: It did not.
+    """
+    _assert_in(proc_output, expected_output, process, cmd_args, stream="stderr", **options)
+
+
+def _assert_in(
+    proc_output: OutputRecord, expected: Any, process: Any, cmd_args: Any, **options: Any
+) -> None:
+    if not proc_output.has(expected, process, cmd_args, **options):
+        names = ", ".join(sorted(proc_output.process_names()))
+        who = process if isinstance(process, str) else (process and name_of(process)) or names
+        raise AssertionError(f"{expected!r} is not in the {options['stream']} of {who}")
+
+
+def assertExitCodes(  # noqa: N802 - launch_testing's name
+    proc_info: ExitRecord,
+    allowable_exit_codes: Sequence[int] = (EXIT_OK,),
+    process: ExecuteLocal | str | None = None,
+    cmd_args: Any = None,
+    *,
+    strict_proc_matching: bool = True,
+) -> None:
+    """Assert how processes ended.
+
+    A process that a signal ended has that signal's number, negative; as a shell tells it, 128
+    more than the number, does as well.
+
+    Raises:
+        AssertionError: One ended otherwise.
+        ArgumentTypeError: An exit code is no number.
+    """
+    for allowed in allowable_exit_codes:
+        if not isinstance(allowed, int):
+            raise ArgumentTypeError("an exit code", "an int", allowed)
+    found = resolve_processes(
+        proc_info, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching
+    )
+    for one in found:
+        code: int | None = getattr(proc_info[one], "returncode", None)
+        if code not in allowable_exit_codes and _as_shell(code) not in allowable_exit_codes:
+            raise AssertionError(f"process {name_of(one)} exited with code {code}")
+
+
+def _as_shell(code: int | None) -> int | None:
+    return 128 - code if code is not None and code < 0 else code
+
+
+class SequentialTextChecker:
+    """Finds texts in a longer one, each behind the former.
+
+    Args:
+        output: Pieces of the longer text.
+    """
+
+    def __init__(self, output: Sequence[str]) -> None:
+        self._text = "".join(output)
+        self._place = 0
+
+    def assertInStdout(self, msg: str) -> None:  # noqa: N802 - launch_testing's name
+        """Assert that a text comes behind what was found before.
+
+        Raises:
+            AssertionError: It does not.
+        """
+        found = self._text.find(msg, self._place)
+        if found < 0:
+            near = self._text[max(self._place - 200, 0) : self._place + 200]
+            raise AssertionError(f"{msg!r} does not come behind what was found before:\n{near}")
+        self._place = found + len(msg)
+
+    assertInText = assertInStdout  # noqa: N815 - as above
+
+
+@contextlib.contextmanager
+def assertSequentialStdout(  # noqa: N802 - launch_testing's name
+    proc_output: OutputRecord, process: ExecuteLocal | str, cmd_args: Any = None
+) -> Iterator[SequentialTextChecker]:
+    """Give out a `SequentialTextChecker` for what one process wrote."""
+    found = resolve_processes(proc_output, process=process, cmd_args=cmd_args)[0]
+    yield SequentialTextChecker([proc_output.text_of(found)])

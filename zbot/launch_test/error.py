@@ -1,0 +1,35 @@
+"""What can go wrong with tests of launches, other than the tests themselves."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from zbot.errors import ZbotError
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+
+class NoMatchingProcessError(ZbotError, LookupError):
+    """A test asks about a process of which nothing is known."""
+
+    def __init__(self, process: str, known: Iterable[str]) -> None:
+        self.process, self.known = process, sorted(known)
+        what = f"no process matches {process}" if process else "no process has started"
+        super().__init__(f"{what}; known are: {', '.join(self.known) or 'none'}")
+
+
+class SeveralProcessesError(ZbotError, LookupError):
+    """A test asks about one process, and several match."""
+
+    def __init__(self, process: str, found: Iterable[str]) -> None:
+        self.process, self.found = process, sorted(found)
+        super().__init__(f"several processes match {process}: {', '.join(self.found)}")
+
+
+class LaunchTestError(ZbotError):
+    """A test of a launch cannot be run."""
+
+    def __init__(self, reason: str, hint: str = "") -> None:
+        self.reason, self.hint = reason, hint
+        super().__init__(f"{reason}: {hint}" if hint else reason)

@@ -1,0 +1,46 @@
+"""Acts when a process has written that it is ready."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.event_handler import EventHandler
+from zbot.launch.process_event import ProcessIO
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from zbot.launch.actions.execute import ExecuteLocal
+    from zbot.launch.entity import LaunchDescriptionEntity
+
+
+class StdoutReadyListener(EventHandler):
+    """Visits actions once, when a process has written a text to stdout.
+
+    Args:
+        target_action: The process.
+        ready_txt: The text.
+        actions: What to do, for example `ReadyToTest()`.
+    """
+
+    def __init__(
+        self,
+        *,
+        target_action: ExecuteLocal | None = None,
+        ready_txt: str,
+        actions: Sequence[LaunchDescriptionEntity] | None = None,
+    ) -> None:
+        self._process, self._wanted = target_action, ready_txt.encode()
+        self._seen = b""
+        super().__init__(matcher=self._is_ready, entities=list(actions or ()), handle_once=True)
+
+    def _is_ready(self, event: Any) -> bool:
+        if not isinstance(event, ProcessIO) or not event.from_stdout:
+            return False
+        if self._process is not None and event.action is not self._process:
+            return False
+        self._seen += event.text  # a line may come in pieces
+        if self._wanted in self._seen:
+            return True
+        self._seen = self._seen[-len(self._wanted) :]
+        return False

@@ -1,0 +1,221 @@
+"""What the processes of a launch wrote and how they ended, for tests in another thread."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.process_event import ProcessExited, ProcessIO
+from zbot.launch_test.error import NoMatchingProcessError
+from zbot.launch_test.output_text import has_expected, without_escapes
+from zbot.launch_test.process_lookup import name_of, resolve_processes
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from zbot.launch.actions.execute import ExecuteLocal
+    from zbot.launch.process_event import RunningProcessEvent
+
+_PATIENCE_S = 10.0  # launch_testing's
+
+
+class OutputRecord:
+    """What the processes wrote: events with `text`, `from_stdout`, `process_name`, `action`."""
+
+    def __init__(self) -> None:
+        self.io_event = threading.Condition()
+        self._events: list[ProcessIO] = []
+        self._processes: dict[ExecuteLocal, str] = {}
+
+    def append(self, process_io: ProcessIO) -> None:
+        """Note something that was written."""
+        self.track(process_io)
+        with self.io_event:
+            self._events.append(process_io)
+            self.io_event.notify_all()
+
+    def track(self, started: RunningProcessEvent) -> None:
+        """Note a process, which may never write anything."""
+        with self.io_event:
+            self._processes[started.action] = started.process_name
+
+    def __iter__(self) -> Iterator[ProcessIO]:
+        with self.io_event:
+            return iter(list(self._events))
+
+    def __getitem__(self, key: ExecuteLocal | str) -> list[ProcessIO]:
+        """Return what a process wrote, given by its action or its whole name."""
+        return [one for one in self if key in (one.process_name, one.action)]
+
+    def processes(self) -> list[ExecuteLocal]:
+        """Return the processes that were started."""
+        with self.io_event:
+            return list(self._processes)
+
+    def process_names(self) -> list[str]:
+        """Return their names."""
+        with self.io_event:
+            return list(self._processes.values())
+
+    def text_of(self, process: ExecuteLocal, stream: str = "both") -> str:
+        """Return what a process wrote to `stdout`, `stderr` or `both`."""
+        wanted = {"stdout": (1,), "stderr": (2,)}.get(stream, (1, 2))
+        pieces = b"".join(one.text for one in self[process] if one.fd in wanted)
+        return pieces.decode(errors="replace")
+
+    def has(
+        self,
+        expected_output: Any,
+        process: ExecuteLocal | str | None = None,
+        cmd_args: Any = None,
+        *,
+        stream: str = "both",
+        output_filter: Callable[[str], str] | None = None,
+        strict_proc_matching: bool = True,
+        strip_ansi_escape_sequences: bool = True,
+    ) -> bool:
+        """Return whether one of the processes wrote what is expected; see `has_expected`.
+
+        Raises:
+            NoMatchingProcessError: No such process was started.
+            SeveralProcessesError: It is not clear which is meant.
+        """
+        found = resolve_processes(
+            self, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching
+        )
+        for one in found:
+            text = self.text_of(one, stream)
+            text = without_escapes(text) if strip_ansi_escape_sequences else text
+            if has_expected(expected_output, output_filter(text) if output_filter else text):
+                return True
+        return False
+
+    def waitFor(  # noqa: N802 - launch_testing's name
+        self,
+        expected_output: Any,
+        process: ExecuteLocal | str | None = None,
+        cmd_args: Any = None,
+        *,
+        timeout: float | None = _PATIENCE_S,
+        stream: str = "both",
+        **options: Any,
+    ) -> bool:
+        """Wait until a process has written something, at most `timeout` seconds.
+
+        Raises:
+            NoMatchingProcessError: No such process was started.
+        """
+        unknown: list[NoMatchingProcessError] = []
+
+        def is_there() -> bool:
+            try:
+                found = self.has(expected_output, process, cmd_args, stream=stream, **options)
+            except NoMatchingProcessError as error:
+                unknown[:] = [error]
+                return False
+            unknown.clear()
+            return found
+
+        with self.io_event:
+            found = self.io_event.wait_for(is_there, timeout)
+        if not found and unknown:
+            raise unknown[0]
+        return found
+
+    def assertWaitFor(  # noqa: N802 - launch_testing's name
+        self, expected_output: Any = None, *args: Any, msg: Any = None, **options: Any
+    ) -> None:
+        """Wait as `waitFor` does; fail if it does not come.
+
+        Raises:
+            AssertionError: It did not come in time.
+        """
+        expected = expected_output if expected_output is not None else msg
+        if not self.waitFor(expected, *args, **options):
+            raise AssertionError(f"waited in vain for the output {expected!r}")
+
+
+class ExitRecord:
+    """How the processes are: the event of their start, or of their end with its `returncode`."""
+
+    def __init__(self) -> None:
+        self.proc_event = threading.Condition()
+        self._events: dict[ExecuteLocal, RunningProcessEvent] = {}
+
+    def append(self, process_info: RunningProcessEvent) -> None:
+        """Note that a process started or ended."""
+        with self.proc_event:
+            self._events[process_info.action] = process_info
+            self.proc_event.notify_all()
+
+    def __iter__(self) -> Iterator[RunningProcessEvent]:
+        with self.proc_event:
+            return iter(list(self._events.values()))
+
+    def __getitem__(self, key: ExecuteLocal | str) -> RunningProcessEvent:
+        """Return the last event of a process, given by its action or a part of its name."""
+        with self.proc_event:
+            for process, event in self._events.items():
+                if process is key or (isinstance(key, str) and key in name_of(process)):
+                    return event
+        raise KeyError(key)
+
+    def processes(self) -> list[ExecuteLocal]:
+        """Return the processes that were started."""
+        with self.proc_event:
+            return list(self._events)
+
+    def process_names(self) -> list[str]:
+        """Return their names."""
+        return list(map(name_of, self.processes()))
+
+    def has_ended(self, process: ExecuteLocal) -> bool:
+        """Return whether a process was started, and has ended."""
+        return isinstance(self._events.get(process), ProcessExited)
+
+    def assertWaitForShutdown(  # noqa: N802 - launch_testing's name
+        self,
+        process: ExecuteLocal | str,
+        cmd_args: Any = None,
+        *,
+        timeout: float | None = _PATIENCE_S,
+    ) -> None:
+        """Wait until a process has ended.
+
+        Raises:
+            AssertionError: It has not in time.
+        """
+        self._wait(process, cmd_args, timeout, self.has_ended, "end")
+
+    def assertWaitForStartup(  # noqa: N802 - launch_testing's name
+        self,
+        process: ExecuteLocal | str,
+        cmd_args: Any = None,
+        *,
+        timeout: float | None = _PATIENCE_S,
+    ) -> None:
+        """Wait until a process was started.
+
+        Raises:
+            AssertionError: It was not in time.
+        """
+        self._wait(process, cmd_args, timeout, lambda _: True, "start")
+
+    def _wait(
+        self,
+        process: ExecuteLocal | str,
+        cmd_args: Any,
+        timeout: float | None,
+        is_so: Callable[[ExecuteLocal], bool],
+        what: str,
+    ) -> None:
+        def is_it() -> bool:
+            try:
+                return is_so(resolve_processes(self, process=process, cmd_args=cmd_args)[0])
+            except NoMatchingProcessError:
+                return False
+
+        with self.proc_event:
+            if not self.proc_event.wait_for(is_it, timeout):
+                name = process if isinstance(process, str) else name_of(process)
+                raise AssertionError(f"waited in vain for the process {name!r} to {what}")

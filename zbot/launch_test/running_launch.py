@@ -1,0 +1,122 @@
+"""A launch that runs in a thread beside its tests."""
+
+from __future__ import annotations
+
+import asyncio
+import threading
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.actions.testing import ReadyToTest, TestsMayBegin
+from zbot.launch.event import Shutdown
+from zbot.launch.event_handler import EventHandler
+from zbot.launch.process_event import ProcessExited, ProcessIO, ProcessStarted
+from zbot.launch.service import LaunchService
+from zbot.launch_test.error import LaunchTestError
+from zbot.launch_test.record import ExitRecord, OutputRecord
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Mapping
+
+    from zbot.launch.description import LaunchDescription
+    from zbot.launch.entity import LaunchDescriptionEntity
+
+READY_TIMEOUT_S = 15.0  # launch_testing's
+# SIGINT, SIGTERM and SIGKILL come 5 s apart unless an action says otherwise.
+_LONGEST_END_S = 60.0
+
+
+class RunningLaunch:
+    """A launch in a thread of its own.
+
+    Args:
+        description: What to launch.
+        arguments: Its launch arguments.
+        keep_alive: Whether it goes on when all of its processes have ended.
+        must_get_ready: Whether a description without `ReadyToTest` is a mistake.
+        debug: Whether debug lines are shown.
+    """
+
+    def __init__(
+        self,
+        description: LaunchDescription,
+        arguments: Mapping[str, str] | None = None,
+        *,
+        keep_alive: bool = False,
+        must_get_ready: bool = True,
+        debug: bool = False,
+    ) -> None:
+        self.proc_output = OutputRecord()
+        self.proc_info = ExitRecord()
+        self.service = LaunchService(noninteractive=True, debug=debug)
+        self._keep_alive = keep_alive
+        self._signs = threading.Condition()
+        self._is_ready = not (must_get_ready or _has_ready_action(description.entities))
+        self.is_over = False  #: whether it has ended
+        context = self.service.context
+        context.launch_configurations.update(arguments or {})
+        for kind, function in (
+            (ProcessStarted, self.proc_info.append),
+            (ProcessStarted, self.proc_output.track),
+            (ProcessExited, self.proc_info.append),
+            (ProcessIO, self.proc_output.append),
+            (TestsMayBegin, self._on_ready),
+        ):
+            context.register_event_handler(_handler(kind, function))
+        self.service.include_launch_description(description)
+        self._thread = threading.Thread(target=self._run, name="launch under test", daemon=True)
+        self._thread.start()
+
+    def _run(self) -> None:
+        try:
+            asyncio.run(self.service.run_async(shutdown_when_idle=not self._keep_alive))
+        finally:
+            with self._signs:
+                self.is_over = True
+                self._signs.notify_all()
+
+    def _on_ready(self, event: object) -> None:
+        del event
+        with self._signs:
+            self._is_ready = True
+            self._signs.notify_all()
+
+    def wait_until_ready(self, timeout_s: float = READY_TIMEOUT_S) -> None:
+        """Wait for the launch's `ReadyToTest`; one without is ready at once.
+
+        Raises:
+            LaunchTestError: It did not come, or the launch ended first.
+        """
+        with self._signs:
+            self._signs.wait_for(lambda: self._is_ready or self.is_over, timeout_s)
+            if self._is_ready:
+                return
+        if self.is_over:
+            raise LaunchTestError("the launch ended before its tests could begin")
+        self.stop()
+        raise LaunchTestError(
+            f"no ReadyToTest came within {timeout_s:g} s",
+            "put launch_testing.actions.ReadyToTest() into the launch description",
+        )
+
+    def stop(self) -> None:
+        """End the launch and wait until its processes have ended; may be called twice."""
+        with self._signs:
+            if not self.is_over:
+                self.service.emit_event(Shutdown(reason="the tests are over"))
+            self._signs.wait_for(lambda: self.is_over, _LONGEST_END_S)
+        self._thread.join()
+
+
+def _handler(kind: type[Any], function: Any) -> EventHandler:
+    return EventHandler(
+        matcher=lambda event: isinstance(event, kind), entities=lambda event, _: function(event)
+    )
+
+
+def _has_ready_action(entities: Iterable[LaunchDescriptionEntity]) -> bool:
+    return any(
+        isinstance(entity, ReadyToTest)
+        or _has_ready_action(entity.describe_sub_entities())
+        or any(_has_ready_action(some) for _, some in entity.describe_conditional_sub_entities())
+        for entity in entities
+    )

@@ -1,0 +1,157 @@
+"""A test file: the launch that it describes, and the test cases for it."""
+
+from __future__ import annotations
+
+import functools
+import importlib.util
+import inspect
+import sys
+import unittest
+from typing import TYPE_CHECKING, Any
+
+from zbot.launch.description import LaunchDescription
+from zbot.launch_test.error import LaunchTestError
+from zbot.launch_test.marker import markers_of
+from zbot.launch_test.running_launch import READY_TIMEOUT_S, RunningLaunch
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator, Mapping, Sequence
+    from pathlib import Path
+    from types import ModuleType
+
+_FUNCTION = "generate_test_description"
+_FIXTURES = ("setUpClass", "tearDownClass", "setUp", "tearDown")
+
+
+def load_module(path: Path) -> ModuleType:
+    """Import a test file.
+
+    Raises:
+        LaunchTestError: It is no Python file, or describes no launch.
+    """
+    spec = importlib.util.spec_from_file_location(path.stem.replace(".", "_"), path)
+    if spec is None or spec.loader is None:
+        raise LaunchTestError(f"{path} is no Python file")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module  # as `import` does: pickle and dataclasses look there
+    spec.loader.exec_module(module)
+    if not callable(getattr(module, _FUNCTION, None)):
+        raise LaunchTestError(f"{path} has no function {_FUNCTION}()")
+    return module
+
+
+def test_runs(module: ModuleType) -> list[TestRun]:
+    """Return one run for each row of `parametrize`, or the only one."""
+    function = getattr(module, _FUNCTION)
+    return [TestRun(module, row) for row in markers_of(function).get("rows", [{}])]
+
+
+class TestRun:
+    """One launch with its tests.
+
+    Args:
+        module: The test file.
+        parameters: What `parametrize` gives the description and the tests.
+    """
+
+    __test__ = False  # it is pytest's word for its own
+
+    def __init__(self, module: ModuleType, parameters: Mapping[str, Any]) -> None:
+        self._module = module
+        self._parameters = dict(parameters)
+        self._function = getattr(module, _FUNCTION)
+
+    @property
+    def name(self) -> str:
+        """The parameters as pytest writes them, `[1-fast]`; empty without any."""
+        values = "-".join(map(str, self._parameters.values()))
+        return f"[{values}]" if values else ""
+
+    def run(
+        self, arguments: Mapping[str, str] | None = None, *, verbosity: int = 2
+    ) -> list[unittest.TestResult]:
+        """Launch, run the tests, end the launch, and run those that come after it.
+
+        Args:
+            arguments: Launch arguments; tests get them as `test_args`.
+            verbosity: unittest's: 2 writes a line for each test.
+
+        Returns:
+            The results of both.
+
+        Raises:
+            LaunchTestError: The description is none, or the launch ended before its tests.
+        """
+        description, given = self._describe()
+        markers = markers_of(self._function)
+        launch = RunningLaunch(description, arguments, keep_alive=bool(markers.get("keep_alive")))
+        things = {
+            **given,
+            **self._parameters,
+            "proc_info": launch.proc_info,
+            "proc_output": launch.proc_output,
+            "launch_service": launch.service,
+            "test_args": dict(arguments or {}),
+        }
+        try:
+            launch.wait_until_ready(markers.get("ready_timeout", READY_TIMEOUT_S))
+            active = self._run_cases(things, verbosity, after=False)
+            if launch.is_over:
+                raise LaunchTestError(
+                    "the processes under test ended before their tests did",
+                    "@launch_testing.markers.keep_alive keeps the launch going",
+                )
+        finally:
+            launch.stop()
+        return [active, self._run_cases(things, verbosity, after=True)]
+
+    def _describe(self) -> tuple[LaunchDescription, dict[str, Any]]:
+        returned = self._function(**self._parameters)
+        pair = returned if isinstance(returned, tuple) else (returned, {})
+        if len(pair) != 2 or not isinstance(pair[0], LaunchDescription):
+            what = "a LaunchDescription, alone or with a dict of things for the tests"
+            raise LaunchTestError(f"{_FUNCTION}() must return {what}, not {returned!r}")
+        return pair
+
+    def _run_cases(
+        self, things: dict[str, Any], verbosity: int, *, after: bool
+    ) -> unittest.TestResult:
+        suite = unittest.TestSuite()
+        for case in self._cases(after=after):
+            names = unittest.defaultTestLoader.getTestCaseNames(case)
+            bound = _bound(case, names, things)
+            suite.addTests(map(bound, names))
+        return unittest.TextTestRunner(verbosity=verbosity).run(suite)
+
+    def _cases(self, *, after: bool) -> Iterator[type[unittest.TestCase]]:
+        for one in vars(self._module).values():
+            is_case = isinstance(one, type) and issubclass(one, unittest.TestCase)
+            is_own = is_case and one.__module__ == self._module.__name__
+            if is_own and getattr(one, "__post_shutdown_test__", False) is after:
+                yield one
+
+
+def _bound(
+    case: type[unittest.TestCase], names: Sequence[str], things: dict[str, Any]
+) -> type[unittest.TestCase]:
+    """Return a test case whose functions get what they have arguments for."""
+    members: dict[str, Any] = {
+        name: value for name, value in things.items() if not hasattr(case, name)
+    }
+    for name in (*_FIXTURES, *names):
+        function = inspect.getattr_static(case, name)
+        is_of_class = isinstance(function, classmethod)
+        plain = function.__func__ if is_of_class else function
+        wanted = {key: things[key] for key in inspect.signature(plain).parameters if key in things}
+        if wanted:
+            filled = _filled(plain, wanted)
+            members[name] = classmethod(filled) if is_of_class else filled
+    return type(case.__name__, (case,), {**members, "__module__": case.__module__})
+
+
+def _filled(function: Any, wanted: dict[str, Any]) -> Any:
+    @functools.wraps(function)
+    def filled(self: Any) -> Any:
+        return function(self, **wanted)
+
+    return filled

@@ -1,0 +1,124 @@
+"""launch_testing_ros's `WaitForTopics`: whether messages come on some topics."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING, Any
+
+from zbot.context import Context
+from zbot.executor import SingleThreadedExecutor
+from zbot.node import Node
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable
+    from types import TracebackType
+
+    from typing_extensions import Self
+
+
+class WaitForTopics:
+    """Listens on topics, in a context and a thread of its own.
+
+    Args:
+        topic_tuples: Names of topics, each with its message class.
+        timeout: Seconds that `wait` waits.
+        messages_received_buffer_length: How many messages of each topic are kept.
+        trigger: Called with the listening node when it listens, for example to ask for messages.
+        node_namespace: Of the listening node.
+    """
+
+    def __init__(
+        self,
+        topic_tuples: Iterable[tuple[str, type[Any]]],
+        timeout: float = 5.0,
+        messages_received_buffer_length: int = 10,
+        trigger: Callable[[Node], object] | None = None,
+        node_namespace: str | None = None,
+    ) -> None:
+        self.topic_tuples, self.timeout = list(topic_tuples), timeout
+        self._length = messages_received_buffer_length
+        self._trigger = trigger
+        self._messages: dict[str, list[Any]] = {name: [] for name, _ in self.topic_tuples}
+        self._news = threading.Condition()
+        self._context = Context()
+        self._context.init()
+        self._node = Node("wait_for_topics", context=self._context, namespace=node_namespace)
+        self._executor = SingleThreadedExecutor(context=self._context)
+        self._executor.add_node(self._node)
+        self._stop = self._executor.create_future()
+        self._thread = threading.Thread(target=self._spin, name="wait for topics", daemon=True)
+        self._thread.start()
+        self._is_listening = False
+
+    def _spin(self) -> None:
+        self._executor.spin_until_future_complete(self._stop)
+
+    def wait(self) -> bool:
+        """Wait until a message has come on each topic; return whether it has in time."""
+        self._listen()
+        with self._news:
+            return self._news.wait_for(lambda: not self.topics_not_received(), self.timeout)
+
+    def _listen(self) -> None:
+        if self._is_listening:
+            return
+        self._is_listening = True
+        for name, kind in self.topic_tuples:
+            self._node.create_subscription(kind, name, self._keeper(name), 10)
+        if self._trigger is not None:
+            self._trigger(self._node)
+
+    def _keeper(self, topic: str) -> Callable[[Any], None]:
+        def keep(message: Any) -> None:
+            with self._news:
+                kept = self._messages[topic]
+                kept.append(message)
+                del kept[: -self._length]
+                self._news.notify_all()
+
+        return keep
+
+    def topics_received(self) -> set[str]:
+        """Return the topics on which a message has come."""
+        return {name for name, kept in self._messages.items() if kept}
+
+    def topics_not_received(self) -> set[str]:
+        """Return the topics on which none has."""
+        return {name for name, kept in self._messages.items() if not kept}
+
+    def received_messages(self, topic_name: str) -> list[Any]:
+        """Return the last messages of a topic, the oldest first.
+
+        Raises:
+            KeyError: It is none of the topics.
+        """
+        with self._news:
+            return list(self._messages[topic_name])
+
+    def shutdown(self) -> None:
+        """Listen no more; may be called twice."""
+        if self._thread.is_alive():
+            self._executor.create_task(self._stop.set_result, True)
+            self._thread.join()
+        self._node.destroy_node()
+        self._context.try_shutdown()
+
+    def __enter__(self) -> Self:
+        """Wait for the messages.
+
+        Raises:
+            AssertionError: They did not come in time.
+        """
+        if not self.wait():
+            missing = ", ".join(sorted(self.topics_not_received()))
+            self.shutdown()
+            raise AssertionError(f"no message came within {self.timeout:g} s on {missing}")
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        self.shutdown()
