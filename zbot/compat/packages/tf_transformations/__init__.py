@@ -1,5 +1,21 @@
 """ROS 2's `tf_transformations`: rotations and matrices; needs numpy."""
 
+from zbot.tf2.affine import clip_matrix as clip_matrix
+from zbot.tf2.affine import orthogonalization_matrix as orthogonalization_matrix
+from zbot.tf2.affine import projection_from_matrix as projection_from_matrix
+from zbot.tf2.affine import projection_matrix as projection_matrix
+from zbot.tf2.affine import random_vector as random_vector
+from zbot.tf2.affine import reflection_from_matrix as reflection_from_matrix
+from zbot.tf2.affine import reflection_matrix as reflection_matrix
+from zbot.tf2.affine import rotation_from_matrix as rotation_from_matrix
+from zbot.tf2.affine import scale_from_matrix as scale_from_matrix
+from zbot.tf2.affine import shear_from_matrix as shear_from_matrix
+from zbot.tf2.affine import shear_matrix as shear_matrix
+from zbot.tf2.affine import superimposition_matrix as superimposition_matrix
+from zbot.tf2.arcball import Arcball as Arcball
+from zbot.tf2.arcball import arcball_constrain_to_axis as arcball_constrain_to_axis
+from zbot.tf2.arcball import arcball_map_to_sphere as arcball_map_to_sphere
+from zbot.tf2.arcball import arcball_nearest_axis as arcball_nearest_axis
 from zbot.tf2.transformations import compose_matrix as compose_matrix
 from zbot.tf2.transformations import concatenate_matrices as concatenate_matrices
 from zbot.tf2.transformations import decompose_matrix as decompose_matrix

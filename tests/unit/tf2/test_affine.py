@@ -1,0 +1,186 @@
+"""Matrices that are made and taken apart again."""
+
+from __future__ import annotations
+
+import importlib
+import math
+
+import numpy as np
+import pytest
+
+import zbot.compat  # noqa: F401 - makes tf_transformations importable
+from zbot.tf2.affine import (
+    NoSuchTransformError,
+    clip_matrix,
+    orthogonalization_matrix,
+    projection_from_matrix,
+    projection_matrix,
+    random_vector,
+    reflection_from_matrix,
+    reflection_matrix,
+    rotation_from_matrix,
+    scale_from_matrix,
+    shear_from_matrix,
+    shear_matrix,
+    superimposition_matrix,
+)
+from zbot.tf2.arcball import (
+    Arcball,
+    arcball_constrain_to_axis,
+    arcball_map_to_sphere,
+    arcball_nearest_axis,
+)
+from zbot.tf2.transformations import (
+    compose_matrix,
+    concatenate_matrices,
+    identity_matrix,
+    is_same_transform,
+    random_rotation_matrix,
+    rotation_matrix,
+    scale_matrix,
+    translation_matrix,
+)
+
+POINT, NORMAL, AXIS = [0.2, -0.4, 1.5], [1.0, 2.0, -0.5], [0.3, 1.0, -2.0]
+NAMES = """
+identity_matrix translation_matrix translation_from_matrix reflection_matrix
+reflection_from_matrix rotation_matrix rotation_from_matrix scale_matrix scale_from_matrix
+projection_matrix projection_from_matrix clip_matrix shear_matrix shear_from_matrix
+decompose_matrix compose_matrix orthogonalization_matrix superimposition_matrix euler_matrix
+euler_from_matrix euler_from_quaternion quaternion_from_euler quaternion_about_axis
+quaternion_matrix quaternion_from_matrix quaternion_multiply quaternion_conjugate
+quaternion_inverse quaternion_slerp random_quaternion random_rotation_matrix Arcball
+arcball_map_to_sphere arcball_constrain_to_axis arcball_nearest_axis vector_norm unit_vector
+random_vector inverse_matrix concatenate_matrices is_same_transform
+"""
+
+
+def test_every_name_of_the_package_is_there() -> None:
+    package = importlib.import_module("tf_transformations")
+    assert [name for name in NAMES.split() if not hasattr(package, name)] == []
+
+
+def test_a_mirror_swaps_both_sides_of_its_plane() -> None:
+    mirror = reflection_matrix(POINT, NORMAL)
+    assert np.allclose(mirror @ [*POINT, 1], [*POINT, 1])
+    assert np.allclose(mirror @ [*NORMAL, 0], [-1.0, -2.0, 0.5, 0])
+    assert is_same_transform(mirror, reflection_matrix(*reflection_from_matrix(mirror)))
+
+
+def test_a_rotation_is_found_again() -> None:
+    turn = rotation_matrix(0.7, AXIS, POINT)
+    angle, axis, point = rotation_from_matrix(turn)
+    assert angle == pytest.approx(0.7)
+    assert is_same_transform(turn, rotation_matrix(angle, axis, point))
+    half = rotation_matrix(math.pi, AXIS, POINT)
+    assert is_same_transform(half, rotation_matrix(*rotation_from_matrix(half)))
+    assert rotation_from_matrix(identity_matrix())[0] == 0
+
+
+@pytest.mark.parametrize("direction", [None, AXIS])
+@pytest.mark.parametrize("factor", [-1.234, 0.5, 3.0])
+def test_a_scale_is_found_again(factor: float, direction: list[float] | None) -> None:
+    scale = scale_matrix(factor, POINT, direction)
+    found = scale_from_matrix(scale)
+    assert found[0] == pytest.approx(factor)
+    assert is_same_transform(scale, scale_matrix(*found))
+
+
+def test_a_shear_is_found_again() -> None:
+    along = np.cross(NORMAL, AXIS)
+    shear = shear_matrix(0.4, along, POINT, NORMAL)
+    assert np.allclose(shear @ [*POINT, 1], [*POINT, 1])
+    assert shear_from_matrix(shear)[0] == pytest.approx(0.4)
+    assert is_same_transform(shear, shear_matrix(*shear_from_matrix(shear)))
+    with pytest.raises(ValueError, match="right angles"):
+        shear_matrix(0.4, NORMAL, POINT, NORMAL)
+
+
+@pytest.mark.parametrize(
+    ("direction", "perspective", "pseudo"),
+    [(None, None, False), (AXIS, None, False), (None, AXIS, False), (None, AXIS, True)],
+)
+def test_a_projection_is_found_again(
+    direction: list[float] | None, perspective: list[float] | None, *, pseudo: bool
+) -> None:
+    flat = projection_matrix(POINT, NORMAL, direction, perspective, pseudo)
+    found = projection_from_matrix(flat, pseudo)
+    assert is_same_transform(flat, projection_matrix(*found))
+    if not pseudo:
+        image = flat @ [3.0, -1.0, 0.5, 1.0]
+        onto = (image / image[3])[:3] - POINT
+        assert onto @ np.array(NORMAL) == pytest.approx(0, abs=1e-9)
+
+
+def test_what_is_of_another_kind_is_refused() -> None:
+    moved = translation_matrix([1, 2, 3])
+    for function in (reflection_from_matrix, scale_from_matrix, shear_from_matrix):
+        with pytest.raises(NoSuchTransformError):
+            function(moved)
+    with pytest.raises(NoSuchTransformError):
+        rotation_from_matrix(scale_matrix(2))
+    with pytest.raises(NoSuchTransformError):
+        projection_from_matrix(moved)
+
+
+@pytest.mark.parametrize("perspective", [False, True])
+def test_a_box_becomes_the_unit_cube(*, perspective: bool) -> None:
+    clip = clip_matrix(-1, 2, -3, 1, 1, 5, perspective)
+    near_corner = clip @ [-1, -3, 1, 1]
+    assert np.allclose(near_corner / near_corner[3], [-1, -1, -1, 1])
+    far_corner = clip @ ([10, 5, 5, 1] if perspective else [2, 1, 5, 1])
+    assert np.allclose(far_corner / far_corner[3], [1, 1, 1, 1])
+    with pytest.raises(ValueError, match="must be below"):
+        clip_matrix(2, -1, -3, 1, 1, 5)
+
+
+def test_a_crystal_s_edges_get_their_lengths_and_angles() -> None:
+    assert np.allclose(
+        orthogonalization_matrix((10, 10, 10), (90, 90, 90))[:3, :3], np.identity(3) * 10
+    )
+    edges = orthogonalization_matrix([9.8, 12.0, 15.5], [87.2, 80.7, 69.7])[:3, :3].T
+    assert np.allclose(np.linalg.norm(edges, axis=1), [9.8, 12.0, 15.5])
+    cosine = edges[1] @ edges[2] / 12.0 / 15.5
+    assert math.degrees(math.acos(cosine)) == pytest.approx(87.2)
+    cosine = edges[0] @ edges[1] / 9.8 / 12.0
+    assert math.degrees(math.acos(cosine)) == pytest.approx(69.7)
+
+
+@pytest.mark.parametrize("scaling", [False, True])
+def test_points_are_laid_on_points(*, scaling: bool) -> None:
+    points = random_vector(30).reshape(3, 10)
+    size = scale_matrix(2.5 if scaling else 1.0)
+    moved = concatenate_matrices(translation_matrix(POINT), random_rotation_matrix(), size)
+    goal = moved[:3, :3] @ points + moved[:3, 3:]
+    assert is_same_transform(moved, superimposition_matrix(points, goal, scaling))
+
+
+def test_the_ball_follows_the_pointer() -> None:
+    ball = Arcball()
+    ball.place([320, 320], 320)
+    ball.down([320, 320])
+    ball.drag([320, 160])
+    # What was in front has gone up by half a radius.
+    assert np.allclose(ball.matrix()[:3, 2], rotation_matrix(-2 * math.pi / 6, [1, 0, 0])[:3, 2])
+    before = ball.matrix()
+    ball.next()
+    assert is_same_transform(ball.matrix(), before @ before)
+
+
+def test_a_constrained_ball_turns_about_one_axis() -> None:
+    ball = Arcball(compose_matrix())
+    ball.place([0, 0], 100)
+    ball.setaxes([0, 0, 1], [0, 1, 0])
+    ball.setconstrain(True)
+    assert ball.getconstrain()
+    ball.down([10, 0])
+    ball.drag([60, 20])
+    assert np.allclose(ball.matrix()[:3, 1], [0, 1, 0])
+
+
+def test_points_are_mapped_to_the_sphere() -> None:
+    assert np.allclose(arcball_map_to_sphere([3, 0], [0, 0], 2), [1, 0, 0])
+    assert np.allclose(arcball_map_to_sphere([0, 0], [0, 0], 2), [0, 0, 1])
+    assert np.allclose(arcball_constrain_to_axis([1, 0, 0], [0, 0, 1]), [1, 0, 0])
+    assert np.allclose(arcball_constrain_to_axis([0, 1, 0], [0, 1, 0]), [-1, 0, 0])
+    assert arcball_nearest_axis([1, 0, 0], [[1, 0, 0], [0, 0, 1]]) == [0, 0, 1]
