@@ -35,6 +35,10 @@ hypothesis.settings.register_profile(
 )
 hypothesis.settings.load_profile("zbot")
 
+# Every worker would rewrite the tests' assertions, and every program compile zbot, again.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
+
 _RESERVATION_PORT = MEETING_PORT + 1000
 _PREFIXES = ("ZBOT_", "ROS_", "RCUTILS_", "ZENOH_", "AMENT_", "COLCON_")
 
@@ -109,8 +113,8 @@ def allowed(limit_s: float) -> float:
 
 
 def wait_until(condition: Callable[[], bool], timeout_s: float = 5.0) -> bool:
-    """Wait until a condition holds; return whether it did in time."""
-    deadline = time.monotonic() + timeout_s
+    """Wait until a condition holds; return whether it did in the time that is `allowed()`."""
+    deadline = time.monotonic() + allowed(timeout_s)
     pause = threading.Event()
     while not condition():
         if time.monotonic() > deadline:
@@ -214,7 +218,7 @@ class Program:
 
     def wait_for(self, text: str, timeout_s: float = 10.0) -> str:
         """Return the next line that contains `text`; fail if it does not come."""
-        deadline = time.monotonic() + timeout_s
+        deadline = time.monotonic() + allowed(timeout_s)
         while True:
             try:
                 line = self._queue.get(timeout=max(0.0, deadline - time.monotonic()))
@@ -234,7 +238,7 @@ class Program:
 
     def wait(self, timeout_s: float = 10.0) -> int:
         """Wait for the end, collect the remaining lines, and return the exit code."""
-        code = self.process.wait(timeout_s)
+        code = self.process.wait(allowed(timeout_s))
         while (line := self._queue.get(timeout=5)) is not None:
             self.lines.append(line)
         self._queue.put(None)

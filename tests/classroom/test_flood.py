@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import pytest
-
 from tests.classroom.lesson import Lesson
 from tests.conftest import allowed
 
@@ -21,7 +19,6 @@ MOST_SECONDS = 10
 KINDS = {1: "flood", 3: "quiet"}
 
 
-@pytest.mark.timeout(90)
 def test_a_flood_does_not_delay_what_others_say(make_rig: Callable[[int], Rig]) -> None:
     """The best second of each kind is compared: whatever else this machine does only adds."""
     rig = make_rig(2)

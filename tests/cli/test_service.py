@@ -237,9 +237,9 @@ zbot.spin(node)
 
 def test_a_server_that_does_not_answer_in_time(start: Start) -> None:
     start(source=SLEEPER).wait_for("ready")
-    done = zbot("service", "call", "/sleep", "--timeout", "0.5")
+    done = zbot("service", "call", "/sleep", "--timeout", "1.5")
     assert done.code == 1
-    assert done.err == "Service '/sleep' did not respond within 0.5 seconds\n"
+    assert done.err == "Service '/sleep' did not respond within 1.5 seconds\n"
 
 
 def test_a_server_that_is_killed_ends_the_call(start: Start) -> None:
