@@ -262,14 +262,14 @@ def superimposition_matrix(v0: Any, v1: Any, scaling: bool = False, usesvd: bool
     """
     del usesvd
     start, goal = np.asarray(v0, dtype=float)[:3], np.asarray(v1, dtype=float)[:3]
-    centres = start.mean(axis=1), goal.mean(axis=1)
+    centres: tuple[Vector, Vector] = start.mean(axis=1), goal.mean(axis=1)
     start, goal = start - centres[0][:, None], goal - centres[1][:, None]
     left, _, right = np.linalg.svd(goal @ start.T)
     # Kabsch's way; a mirror image would fit better now and then, and is no rotation.
     handedness = np.diag([1.0, 1.0, np.sign(np.linalg.det(left @ right))])
     turn = left @ handedness @ right
     if scaling:
-        turn = turn * math.sqrt(float((goal**2).sum() / (start**2).sum()))
+        turn = turn * float(np.linalg.norm(goal) / np.linalg.norm(start))
     there = translation_matrix(centres[1]) @ _affine(turn, np.zeros(3))
     moved: Matrix = there @ inverse_matrix(translation_matrix(centres[0]))
     return moved

@@ -40,8 +40,8 @@ def arcball_constrain_to_axis(point: Any, axis: Any) -> Vector:
     aside = np.asarray(point, dtype=float) - along * (along @ np.asarray(point, dtype=float))
     length = float(np.linalg.norm(aside))
     if length > _EPSILON:
-        # The half that looks at the eye.
-        return -aside / length if aside[2] < 0 else aside / length
+        near: Vector = aside / length
+        return -near if near[2] < 0 else near  # the half that looks at the eye
     if abs(along[2] - 1) < _EPSILON:
         return np.array([1.0, 0.0, 0.0])
     return unit_vector([-along[1], along[0], 0.0])

@@ -74,11 +74,21 @@ tf2_ros: Buffer BufferInterface TransformListener TransformBroadcaster StaticTra
 tf2_ros: TransformException LookupException ConnectivityException ExtrapolationException
 tf2_ros: InvalidArgumentException TimeoutException TypeException NotImplementedException
 tf2_ros: TransformRegistration ConvertRegistration convert TransformStamped
+tf2_ros: BufferClient BufferServer buffer transform_listener
 tf2_ros.buffer: Buffer
+tf2_ros.buffer_client: BufferClient
 tf2_ros.buffer_interface: BufferInterface TransformRegistration
 tf2_ros.transform_listener: TransformListener
 tf2_ros.transform_broadcaster: TransformBroadcaster
 tf2_ros.static_transform_broadcaster: StaticTransformBroadcaster
+launch_testing: post_shutdown_test parametrize actions asserts markers tools util
+launch_testing.actions: ReadyToTest GTest PyTest
+launch_testing.asserts: assertInStdout assertInStderr assertExitCodes assertSequentialStdout
+launch_testing.asserts: EXIT_OK EXIT_SIGINT NO_CMD_ARGS
+launch_testing.util: KeepAliveProc resolveProcesses NoMatchingProcessException
+launch_testing.event_handlers: StdoutReadyListener
+launch_testing_ros: WaitForTopics
+launch_pytest: fixture actions tools
 tf2_py: BufferCore TransformException
 tf2_geometry_msgs: do_transform_point do_transform_pose do_transform_vector3 PointStamped
 tf2_sensor_msgs: do_transform_cloud transform_points

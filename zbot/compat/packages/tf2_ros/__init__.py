@@ -1,5 +1,9 @@
 """ROS 2's `tf2_ros`: where frames are."""
 
+import importlib
+from typing import Any
+
+from zbot.compat.submodules import submodules
 from zbot.tf2.broadcaster import StaticTransformBroadcaster as StaticTransformBroadcaster
 from zbot.tf2.broadcaster import TransformBroadcaster as TransformBroadcaster
 from zbot.tf2.buffer import Buffer as Buffer
@@ -19,3 +23,20 @@ from zbot.tf2.errors import TypeException as TypeException
 from zbot.tf2.listener import TransformListener as TransformListener
 
 from geometry_msgs.msg import TransformStamped as TransformStamped
+
+_submodule = submodules(
+    __name__,
+    "buffer",
+    "buffer_client",
+    "buffer_interface",
+    "static_transform_broadcaster",
+    "transform_broadcaster",
+    "transform_listener",
+)
+
+
+def __getattr__(name: str) -> Any:
+    # Few programs ask other nodes' buffers, and the actions that this takes cost time.
+    if name in {"BufferClient", "BufferServer"}:
+        return getattr(importlib.import_module("zbot.tf2.remote_buffer"), name)
+    return _submodule(name)

@@ -1,0 +1,84 @@
+"""Transforms that are looked up in another node's buffer."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import pytest
+
+import zbot
+from zbot.tf2 import Buffer, ConnectivityException, LookupException, TimeoutException
+from zbot.tf2.remote_buffer import BufferClient, BufferServer
+
+from geometry_msgs.msg import PointStamped, TransformStamped
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import Spinner
+
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., Spinner]
+
+LATEST = zbot.Time()
+MOMENT = zbot.Duration(seconds=0.05)
+
+
+def told(parent: str, child: str, seconds: int, x: float) -> TransformStamped:
+    message = TransformStamped(child_frame_id=child)
+    message.header.frame_id, message.header.stamp.sec = parent, seconds
+    message.transform.translation.x, message.transform.rotation.w = x, 1.0
+    return message
+
+
+@pytest.fixture
+def buffer() -> Buffer:
+    made = Buffer()
+    for seconds, x in ((10, 1.0), (12, 3.0)):
+        made.set_transform(told("map", "robot", seconds, x), "test")
+    made.set_transform(told("moon", "crater", 10, 1.0), "test")
+    return made
+
+
+@pytest.fixture
+def client(buffer: Buffer, make_context: MakeContext, spin: Spin) -> BufferClient:
+    node = zbot.Node("knowing", context=make_context())
+    server = BufferServer(buffer, node, "lookup")
+    assert server is not None
+    asking = zbot.Node("asking", context=make_context())
+    spin(node)
+    spin(asking)
+    return BufferClient(asking, "lookup")
+
+
+def test_a_transform_is_that_of_the_other_buffer(client: BufferClient) -> None:
+    assert client.wait_for_server(zbot.Duration(seconds=5))
+    found = client.lookup_transform("map", "robot", zbot.Time(seconds=11))
+    assert found.transform.translation.x == pytest.approx(2.0)
+    assert client.can_transform("map", "robot", LATEST)
+    point = PointStamped()
+    point.header.frame_id, point.header.stamp.sec = "robot", 12
+    assert client.transform(point, "map").point.x == pytest.approx(3.0)
+
+
+def test_two_times_can_be_asked_for(client: BufferClient) -> None:
+    earlier, later = zbot.Time(seconds=10), zbot.Time(seconds=12)
+    found = client.lookup_transform_full("robot", earlier, "robot", later, "map")
+    assert found.transform.translation.x == pytest.approx(2.0)
+    assert client.can_transform_full("robot", earlier, "robot", later, "map")
+    assert not client.can_transform_full("robot", earlier, "robot", later, "moon")
+
+
+def test_what_the_other_buffer_raises_is_raised_here(client: BufferClient) -> None:
+    with pytest.raises(LookupException, match="nowhere"):
+        client.lookup_transform("map", "nowhere", LATEST)
+    with pytest.raises(ConnectivityException):
+        client.lookup_transform("map", "crater", LATEST, MOMENT)
+    assert not client.can_transform("map", "crater", LATEST)
+
+
+def test_a_missing_server_is_told(make_context: MakeContext) -> None:
+    node = zbot.Node("asking", context=make_context())
+    client = BufferClient(node, "missing", timeout_padding=MOMENT)
+    with pytest.raises(TimeoutException, match="no node serves the action missing"):
+        client.lookup_transform("map", "robot", LATEST)

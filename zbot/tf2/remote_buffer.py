@@ -1,0 +1,187 @@
+"""A buffer that others ask: the action `tf2_msgs/LookupTransform`, and a client of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.action.client import ActionClient
+from zbot.action.server import ActionServer
+from zbot.callback_group import ReentrantCallbackGroup
+from zbot.tf2.buffer_interface import NO_WAIT, BufferInterface
+from zbot.tf2.errors import (
+    ConnectivityException,
+    ExtrapolationException,
+    InvalidArgumentException,
+    LookupException,
+    TimeoutException,
+    TransformException,
+)
+from zbot.time import Duration, Time
+
+from builtin_interfaces.msg import Time as Stamp
+from tf2_msgs.action import LookupTransform
+from tf2_msgs.msg import TF2Error
+
+if TYPE_CHECKING:
+    from zbot.node import Node
+    from zbot.tf2.buffer import Buffer
+
+_CODES: dict[int, type[TransformException]] = {
+    TF2Error.LOOKUP_ERROR: LookupException,
+    TF2Error.CONNECTIVITY_ERROR: ConnectivityException,
+    TF2Error.EXTRAPOLATION_ERROR: ExtrapolationException,
+    TF2Error.INVALID_ARGUMENT_ERROR: InvalidArgumentException,
+    TF2Error.TIMEOUT_ERROR: TimeoutException,
+    TF2Error.TRANSFORM_ERROR: TransformException,
+}
+_PADDING = Duration(seconds=2.0)  # tf2_ros's
+
+
+class BufferServer:
+    """Answers what a buffer knows.
+
+    Args:
+        buffer: The buffer.
+        node: The node whose action it is; its executor runs it.
+        ns: The action's name.
+    """
+
+    def __init__(self, buffer: Buffer, node: Node, ns: str = "tf2_buffer_server") -> None:
+        self._buffer = buffer
+        self._server = ActionServer(
+            node, LookupTransform, ns, self._execute, callback_group=ReentrantCallbackGroup()
+        )
+
+    def _execute(self, goal_handle: Any) -> Any:
+        result = LookupTransform.Result()
+        try:
+            result.transform = self._look_up(goal_handle.request)
+        except TransformException as error:
+            codes = (code for code, kind in _CODES.items() if isinstance(error, kind))
+            result.error = TF2Error(error=next(codes), error_string=str(error))
+        goal_handle.succeed()
+        return result
+
+    def _look_up(self, goal: Any) -> Any:
+        timeout, when = Duration.from_msg(goal.timeout), Time.from_msg(goal.source_time)
+        if not goal.advanced:
+            return self._buffer.lookup_transform(
+                goal.target_frame, goal.source_frame, when, timeout
+            )
+        then = Time.from_msg(goal.target_time)
+        return self._buffer.lookup_transform_full(
+            goal.target_frame, then, goal.source_frame, when, goal.fixed_frame, timeout
+        )
+
+    def destroy(self) -> None:
+        """Answer no more."""
+        self._server.destroy()
+
+
+class BufferClient(BufferInterface):
+    """Looks transforms up in another node's buffer.
+
+    Args:
+        node: Asks; another thread, or the callback that asks, runs its executor.
+        ns: The action's name.
+        check_frequency: Accepted: nothing is polled.
+        timeout_padding: How long to wait for the server, beyond each lookup's own timeout.
+    """
+
+    def __init__(
+        self,
+        node: Node,
+        ns: str,
+        check_frequency: float = 10.0,
+        timeout_padding: Duration = _PADDING,
+    ) -> None:
+        self._client: ActionClient[Any, Any, Any] = ActionClient(node, LookupTransform, ns)
+        self._name = ns
+        self._padding = timeout_padding
+
+    def wait_for_server(self, timeout: Duration = NO_WAIT) -> bool:
+        """Return whether there is a server, at the latest after `timeout`."""
+        return self._client.wait_for_server(timeout.nanoseconds / 1e9)
+
+    def lookup_transform(
+        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
+    ) -> Any:
+        """Return where `source_frame` is in `target_frame`, as `TransformStamped`.
+
+        Raises:
+            TimeoutException: There is no server.
+            TransformException: What the server's own buffer raises.
+        """
+        return self._ask(
+            timeout,
+            target_frame=target_frame,
+            source_frame=source_frame,
+            source_time=_stamp(time),
+        )
+
+    def lookup_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+    ) -> Any:
+        """Return where `source_frame` was at one time, in `target_frame` at another."""
+        return self._ask(
+            timeout,
+            target_frame=target_frame,
+            target_time=_stamp(target_time),
+            source_frame=source_frame,
+            source_time=_stamp(source_time),
+            fixed_frame=fixed_frame,
+            advanced=True,
+        )
+
+    def can_transform(
+        self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
+    ) -> bool:
+        """Return whether `lookup_transform` succeeds."""
+        try:
+            self.lookup_transform(target_frame, source_frame, time, timeout)
+        except TransformException:
+            return False
+        return True
+
+    def can_transform_full(
+        self,
+        target_frame: str,
+        target_time: Any,
+        source_frame: str,
+        source_time: Any,
+        fixed_frame: str,
+        timeout: Duration = NO_WAIT,
+    ) -> bool:
+        """Return whether `lookup_transform_full` succeeds."""
+        try:
+            self.lookup_transform_full(
+                target_frame, target_time, source_frame, source_time, fixed_frame, timeout
+            )
+        except TransformException:
+            return False
+        return True
+
+    def _ask(self, timeout: Duration, **question: Any) -> Any:
+        patience = (timeout + self._padding).nanoseconds / 1e9
+        if not self._client.wait_for_server(patience):
+            raise TimeoutException(f"no node serves the action {self._name}")
+        goal = LookupTransform.Goal(timeout=timeout.to_msg(), **question)
+        result = self._client.send_goal(goal).result
+        kind = _CODES.get(result.error.error)
+        if kind is not None:
+            raise kind(result.error.error_string)
+        return result.transform
+
+    def destroy(self) -> None:
+        """Ask no more."""
+        self._client.destroy()
+
+
+def _stamp(time: Any) -> Any:
+    return time if isinstance(time, Stamp) else time.to_msg()
