@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, Any
 
 import zbot
 from tests.classroom.lesson import Lesson, Node, hub_pid
+from tests.classroom.machine import PROGRAMS
 from tests.classroom.rig import Rig, obstacle
 from tests.classroom.weather import Weather, spoil
 
@@ -213,7 +214,8 @@ def measure_flood(report: Report, lesson: Lesson) -> None:
     teacher.wait_for("hearing")
     ana = other.start("pupil.py", "ana", "ana", "--hz", "200")
     ana.wait_for("hears")
-    flood = flooded.start("flood.py")
+    # What it costs its own laptop is this machine's processor here: it may have what is left.
+    flood = flooded.start("nice", "-n", "19", sys.executable, str(PROGRAMS / "flood.py"))
     flood.wait_for("flood")
     time.sleep(FLOOD_S)
     for program in (flood, ana, teacher):
@@ -225,16 +227,18 @@ def measure_flood(report: Report, lesson: Lesson) -> None:
         percentile([one for second in part for one in second], 0.99) / 1000
         for part in (with_flood, without)
     ]
-    best = [
-        min(percentile(second, 0.99) for second in part) / 1000 for part in (with_flood, without)
+    # Other work on this machine only adds, so the better seconds tell more; the best alone is luck.
+    better = [
+        percentile([percentile(second, 0.99) for second in part], 0.25) / 1000
+        for part in (with_flood, without)
     ]
     report.row(
         "messages of the flood that reached the teacher", heard["others"] / FLOOD_S * 2, None, "/s"
     )
     report.row("p99 of another's messages to the teacher, without", p99[1], None, "ms")
     report.row("with the flood", p99[0], None, "ms")
-    report.row("p99 of the best second, without", best[1], None, "ms")
-    report.row("with the flood, as a share of that", best[0] / best[1] * 100, 120, "%")
+    report.row("p99 of the best quarter of seconds, without", better[1], None, "ms")
+    report.row("with the flood, as a share of that", better[0] / better[1] * 100, 120, "%")
 
 
 def by_second(delays_us: dict[str, list[int]], phase: int) -> list[list[int]]:
