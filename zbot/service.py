@@ -19,6 +19,7 @@ from zbot.repetition import Repetitions
 from zbot.service_introspection import ServiceEndpoint, Step
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.codec import CodecError
+from zbot.wire.dialect import other_type
 from zbot.wire.error_reply import ENCODING, pack_error
 
 if TYPE_CHECKING:
@@ -132,6 +133,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
         try:
+            self._check_type(query)
             request = self._decode(payload)
         except CodecError as exc:
             self._refuse(who, query, exc)
@@ -150,6 +152,11 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
             self._refuse(who, query, exc)
             raise
         return None
+
+    def _check_type(self, query: zenoh.Query) -> None:
+        expected = f"{self._token.type_name}_Request"
+        if reason := other_type(self._context.dialect, query.encoding or "", expected):
+            raise CodecError("decode", expected, "", reason)
 
     async def _answer_later(
         self, who: bytes, query: zenoh.Query, outcome: Coroutine[Any, Any, Any]

@@ -30,6 +30,7 @@ from zbot.semaphore import Haste
 from zbot.serialization import raw_decoder
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.codec import CodecError
+from zbot.wire.dialect import other_type
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -362,11 +363,9 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
 
     def _refusal(self, sample: zenoh.Sample) -> str:
         """Return why a sample's encoding rules it out; one that names no type does not."""
-        told, prefix = str(sample.encoding), self._context.dialect.encoding("")
-        if self.raw or not told.startswith(prefix):
+        if self.raw:
             return ""
-        given, expected = told.removeprefix(prefix), self._token.type_name
-        return "" if given in {"", expected} else f"it is {given}, not {expected}"
+        return other_type(self._context.dialect, sample.encoding, self._token.type_name)
 
     def _greet(self, sample: zenoh.Sample, sequence: int, gid: bytes) -> _Source:
         if len(self._sources) >= _MOST_SOURCES:

@@ -301,6 +301,15 @@ class TestErrors:
         assert [reply.ok for reply in replies] == [None]
         assert client_of(caller).call(Request(a=1)).sum == 1
 
+    def test_a_request_of_another_type_is_refused(
+        self, server: zbot.Node, caller: zbot.Node
+    ) -> None:
+        server.create_service(AddTwoInts, "add", add)
+        mistaken: Any = caller.create_client(Trigger, "add")
+        assert mistaken.wait_for_service(10)
+        with pytest.raises(ServiceError, match="it is std_srvs/srv/Trigger_Request, not example"):
+            mistaken.call(Trigger.Request())
+
     @pytest.mark.parametrize("wrong", [Response(), None, 5, AddTwoInts])
     def test_only_requests_are_sent(self, wrong: Any, caller: zbot.Node) -> None:
         client = caller.create_client(AddTwoInts, "add")

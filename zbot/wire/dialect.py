@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from zbot.wire.codec import Codec
     from zbot.wire.tokens import EndpointToken, NodeToken
 
-__all__ = ["IN_CLASS", "NATIVE", "Dialect"]
+__all__ = ["IN_CLASS", "NATIVE", "Dialect", "other_type"]
 
 MessageT = TypeVar("MessageT")
 
@@ -91,3 +91,10 @@ class _InClass(_Native):
 
 NATIVE: Dialect = _Native()
 IN_CLASS: Dialect = _InClass()
+
+
+def other_type(dialect: Dialect, encoding: object, expected: str) -> str:
+    """Return which other type an encoding names, in words; empty if it names this one or none."""
+    told, prefix = str(encoding), dialect.encoding("")
+    given = told.removeprefix(prefix) if told.startswith(prefix) else ""
+    return "" if given in {"", expected} else f"it is {given}, not {expected}"
