@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import os
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, TextIO
@@ -37,6 +38,10 @@ class LaunchConfig:
     def log_dir(self) -> str:
         """The folder that log folders are made in."""
         return str(get_logging_directory())
+
+    @log_dir.setter
+    def log_dir(self, folder: str) -> None:
+        os.environ["ZBOT_LOG_DIR"] = str(folder)  # the processes of the launch follow, too
 
     def get_log_file_path(self, file_name: str = "launch.log") -> str:
         """Return the path of a log file."""
