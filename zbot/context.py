@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import sys
 import threading
+import time
 import weakref
 from typing import TYPE_CHECKING, Literal
 
@@ -29,6 +30,9 @@ if TYPE_CHECKING:
     from zbot.node import Node
 
 _LINK_TIMEOUT_S = 1.0  # a healthy meeting point answers within 10 ms
+# Linux may refuse a port to both of two processes that take it within the same microseconds (6 of
+# 100 times), as those of a launch file do: whoever finds nobody behind it tries again so often.
+_HOLD_PAUSE_S = 0.1
 # The longest that a first message waits: 2 ms are usual, a machine that is busy needs more.
 _SETTLE_TIMEOUT_S = 0.5
 # Multicast finds the others on a quiet network in 50 ms; nobody may be there.
@@ -304,10 +308,15 @@ class Context:
         self._check_linked(meeting)
 
     def _open_client(self, meeting: MeetingPoint, *, wait: bool) -> None:
-        session = meeting.open_client()
-        if session is None and (wait or meeting.reaches_out) and meeting.hold():
-            meeting.wait_found(_FIND_TIMEOUT_S)
+        session, deadline = meeting.open_client(), time.monotonic() + _LINK_TIMEOUT_S
+        while session is None and (wait or meeting.reaches_out):
+            if meeting.hold():
+                meeting.wait_found(_FIND_TIMEOUT_S)
             session = meeting.open_client()
+            if session is None:
+                if time.monotonic() > deadline:
+                    break
+                time.sleep(_HOLD_PAUSE_S)
         if session is not None:
             self._adopt(session, meeting, watch=wait)
 
@@ -320,12 +329,17 @@ class Context:
             self._watch.start()
 
     def _check_linked(self, meeting: MeetingPoint) -> None:
-        off = config.discovery_range() is config.DiscoveryRange.OFF
-        if not off and self._watch is not None and not self._watch.wait_linked(_LINK_TIMEOUT_S):
-            get_logger("zbot").warning(
-                f"nobody answers as zbot on {meeting.endpoint}: another program may use that port; "
-                "other nodes will not be found (choose another domain: ZBOT_DOMAIN_ID=7)"
-            )
+        watch, deadline = self._watch, time.monotonic() + _LINK_TIMEOUT_S
+        if watch is None or config.discovery_range() is config.DiscoveryRange.OFF:
+            return
+        while not watch.wait_linked(_HOLD_PAUSE_S):
+            if time.monotonic() > deadline:
+                get_logger("zbot").warning(
+                    f"nobody answers as zbot on {meeting.endpoint}: another program may use that "
+                    "port; other nodes will not be found (choose another domain: ZBOT_DOMAIN_ID=7)"
+                )
+                return
+            meeting.hold()
 
     def start_thread(
         self, name: str, run: Callable[[], None], wake: Callable[[], object] = bool

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import signal
 import socket
 import sys
@@ -14,6 +15,8 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from zbot.config import MEETING_PORT
+from zbot.session import MeetingPoint
+from zbot_cli.looking import client
 
 from std_msgs.msg import String
 
@@ -254,6 +257,25 @@ def stranger(domain: int, *, answer: bytes = b"") -> Iterator[None]:
         for connection in accepted:
             connection.close()
         thread.join(5)
+
+
+@pytest.mark.parametrize("mode", ["peer", "client"])
+def test_a_port_that_was_refused_to_everybody_is_taken_at_the_next_try(
+    make_context: MakeContext, monkeypatch: pytest.MonkeyPatch, domain: int, mode: str
+) -> None:
+    # Linux refuses both of two processes that take a port within the same microseconds.
+    hold, tries = MeetingPoint.hold, itertools.count()
+    monkeypatch.setattr(MeetingPoint, "hold", lambda point: next(tries) > 0 and hold(point))
+    if mode == "client":
+        with client(wait=True) as context:
+            assert not context.is_closed
+            assert holds_port(domain)
+        return
+    first = zbot.Node("first", context=make_context())
+    assert holds_port(domain)
+    second = zbot.Node("second", context=make_context())
+    wait_until(lambda: second.get_node_names() == ["first", "second"])
+    wait_until(lambda: first.get_node_names() == ["first", "second"])
 
 
 @pytest.mark.parametrize("answer", [b"", b"HTTP/1.1 400 Bad Request\r\n\r\n"])
