@@ -23,6 +23,7 @@ import zenoh
 from zbot.endpoint import RMW_IDENTIFIER, TopicEndpoint
 from zbot.errors import CallbackSignatureError, ZbotError
 from zbot.handle import Handle
+from zbot.interfaces import has_sequences
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy
@@ -43,8 +44,10 @@ if TYPE_CHECKING:
 
 MsgT = TypeVar("MsgT")
 
-# A keep-all queue that is full holds up its publishers (Zenoh's BLOCK), so it need not be long.
-_KEEP_ALL_QUEUE = 2048
+# A keep-all queue that is full holds up its publishers (Zenoh's BLOCK): long enough that they wait
+# seldom, which is a tenth of a small message's way, and short where one message may take megabytes.
+_KEEP_ALL_QUEUE = 8192
+_KEEP_ALL_QUEUE_OF_SEQUENCES = 256
 # Publishers that restart for days leave their numbers behind: forget all after this many.
 _MOST_SOURCES = 1024
 
@@ -160,10 +163,14 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._sources: dict[bytes, _Source] = {}
         self.received_count = 0  #: messages that the callback got
         self._keep_all = token.qos.history is HistoryPolicy.KEEP_ALL
+        # Drained at once: all of a channel, but no more than that of a publisher that never pauses.
+        self._most = _KEEP_ALL_QUEUE
+        if self._keep_all and has_sequences(msg_type):
+            self._most = _KEEP_ALL_QUEUE_OF_SEQUENCES
         self._queue: deque[zenoh.Sample] = deque(
             maxlen=None if self._keep_all else max(token.qos.depth, 1)
         )
-        self._subscriber: Any = _declare(context, token)
+        self._subscriber: Any = _declare(context, token, self._most)
         self._channel = self._subscriber.handler
         self._try_recv = self._channel.try_recv
         self._armed = threading.Lock()
@@ -257,8 +264,8 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         # a wake-up.
         if self._is_waiting and not (queue and self._keep_all):
             try:
-                # The loop is C's; a publisher that never pauses does not make it endless.
-                queue.extend(islice(iter(self._try_recv, None), _KEEP_ALL_QUEUE))
+                # The loop is C's.
+                queue.extend(islice(iter(self._try_recv, None), self._most))
                 if not (queue or self._haste.begin(self._fetch)):
                     self._rearm()
             except zenoh.ZError:
@@ -472,12 +479,12 @@ def _wants_info(callback: Callable[..., Any]) -> bool:
     raise CallbackSignatureError("a subscription's callback", expected)
 
 
-def _declare(context: Context, token: EndpointToken) -> Any:
+def _declare(context: Context, token: EndpointToken, most: int) -> Any:
     qos = token.qos
     depth = max(qos.depth, 1)
     channel: Any = zenoh.handlers.RingChannel(depth)
     if qos.history is HistoryPolicy.KEEP_ALL:
-        channel, depth = zenoh.handlers.FifoChannel(_KEEP_ALL_QUEUE), _KEEP_ALL_QUEUE
+        channel, depth = zenoh.handlers.FifoChannel(most), most
     key = context.dialect.topic_key(context.get_domain_id(), token.name)
     if qos.durability is not DurabilityPolicy.TRANSIENT_LOCAL:
         return context.session.declare_subscriber(key, channel)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import NotAMessageTypeError
 from zbot.interfaces import description, registry
 from zbot.interfaces.message import Action, Message, Service
+from zbot.interfaces.spec import MessageSpec
 
 if TYPE_CHECKING:
     from zbot.interfaces.spec import InterfaceSpec
@@ -61,6 +62,18 @@ def type_description(interface: str | type[Any]) -> dict[str, Any]:
     `type_hash` raises.
     """
     return description.type_description(_spec_for(interface), registry.get_spec)
+
+
+def has_sequences(interface: str | type[Any]) -> bool:
+    """Return whether a message holds a sequence, at any depth: it may be of any size then.
+
+    Raises what `type_hash` raises.
+    """
+    spec = _spec_for(interface)
+    fields = (field.type for field in spec.fields) if isinstance(spec, MessageSpec) else ()
+    return any(
+        one.kind == "sequence" or (one.is_message and has_sequences(one.base)) for one in fields
+    )
 
 
 def _spec_for(interface: str | type[Any]) -> InterfaceSpec:

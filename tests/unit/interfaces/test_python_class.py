@@ -9,7 +9,14 @@ from typing import Annotated, Any, ClassVar
 import pytest
 
 from zbot.errors import NotAMessageTypeError
-from zbot.interfaces import get_message, get_service, spec_of, type_hash, type_name
+from zbot.interfaces import (
+    get_message,
+    get_service,
+    has_sequences,
+    spec_of,
+    type_hash,
+    type_name,
+)
 from zbot.interfaces.spec import FieldType, MessageSpec, ServiceSpec
 
 from std_msgs.msg import String
@@ -264,3 +271,21 @@ def test_a_class_that_only_looks_like_one_of_ros() -> None:
         spec_of(foreign("Odd", "odd", {}))
     with pytest.raises(NotAMessageTypeError, match="no SLOT_TYPES"):
         spec_of(foreign("Odd", "odd.msg._odd", {"x": 1}, SLOT_TYPES=()))
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("std_msgs/msg/String", False),
+        ("geometry_msgs/msg/PoseWithCovarianceStamped", False),  # 36 numbers, always
+        ("sensor_msgs/msg/Image", True),
+        ("tf2_msgs/msg/TFMessage", True),
+        ("std_srvs/srv/SetBool_Request", False),
+    ],
+)
+def test_which_messages_may_be_of_any_size(name: str, expected: bool) -> None:
+    assert has_sequences(name) is expected
+
+
+def test_a_sequence_deep_inside_counts() -> None:
+    assert has_sequences("stereo_msgs/msg/DisparityImage")  # which holds an Image
