@@ -17,6 +17,7 @@ import threading
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import psutil
 import pytest
 import zenoh
 
@@ -286,21 +287,9 @@ def test_a_student_laptop_lets_nobody_in(room: AttackedClass) -> None:
     for paths in ({}, room.ben.credentials, credentials("lobby", Secret("lobby"))):
         with pytest.raises(zenoh.ZError):
             open_session(dialling(room.ana.port, paths))
-    assert listening_addresses(room.ana.port) <= {"127.0.0.1"}
-
-
-def listening_addresses(port: int) -> set[str]:
-    """Return where a port of this machine is open to IPv4 (Linux)."""
-    table = Path("/proc/net/tcp")
-    if not table.exists():
-        return set()
-    rows = [line.split() for line in table.read_text().splitlines()[1:]]
-    local = [row[1].split(":") for row in rows if row[3] == "0A"]
-    return {
-        socket.inet_ntoa(bytes.fromhex(address)[::-1])
-        for address, number in local
-        if int(number, 16) == port
-    }
+    links = psutil.net_connections("tcp")
+    listening = [tuple(link.laddr) for link in links if link.status == psutil.CONN_LISTEN]
+    assert {ip for ip, port in listening if port == room.ana.port} == {"127.0.0.1"}
 
 
 def test_a_thousand_half_open_connections(room: AttackedClass) -> None:
