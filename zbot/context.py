@@ -29,7 +29,8 @@ if TYPE_CHECKING:
 
     from zbot.node import Node
 
-_LINK_TIMEOUT_S = 1.0  # a healthy meeting point answers within 10 ms
+# A meeting point answers within 10 ms; within seconds where 40 nodes start at once on two cores.
+_LINK_TIMEOUT_S = 5.0
 # Linux may refuse a port to both of two processes that take it within the same microseconds (6 of
 # 100 times), as those of a launch file do: whoever finds nobody behind it tries again so often.
 _HOLD_PAUSE_S = 0.1
@@ -330,9 +331,10 @@ class Context:
 
     def _check_linked(self, meeting: MeetingPoint) -> None:
         watch, deadline = self._watch, time.monotonic() + _LINK_TIMEOUT_S
+        pause_s = _HOLD_PAUSE_S
         if watch is None or config.discovery_range() is config.DiscoveryRange.OFF:
             return
-        while not watch.wait_linked(_HOLD_PAUSE_S):
+        while not watch.wait_linked(pause_s):
             if time.monotonic() > deadline:
                 get_logger("zbot").warning(
                     f"nobody answers as zbot on {meeting.endpoint}: another program may use that "
@@ -340,6 +342,7 @@ class Context:
                 )
                 return
             meeting.hold()
+            pause_s *= 2
 
     def start_thread(
         self, name: str, run: Callable[[], None], wake: Callable[[], object] = bool

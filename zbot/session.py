@@ -173,6 +173,8 @@ class MeetingPoint:
         with self._lock:
             if self._closed or self._router is not None:
                 return self._router is not None
+            if self._is_taken():
+                return False  # which an attempt would tell, too, for some megabytes and 5 ms
             listen = [self.endpoint]
             if self.reaches_out:
                 listen.append("tcp/[::]:0")
@@ -189,8 +191,17 @@ class MeetingPoint:
                     "the meeting router", self._config.build(_common(self._facts), force)
                 )
             except SessionError:
-                return False  # taken: by another process of the domain, or by a stranger
+                return False  # taken just now: by another process of the domain, or by a stranger
             return True
+
+    def _is_taken(self) -> bool:
+        try:
+            socket.create_connection((LOOPBACK, self.port), _LISTING_TIMEOUT_S).close()
+        except TimeoutError:
+            return True  # its holder is too busy to answer
+        except OSError:
+            return False
+        return True
 
     @property
     def reaches_out(self) -> bool:
