@@ -233,7 +233,8 @@ while time.perf_counter() < end: publisher.publish(sample)
 """
 )
 
-# Services: AddTwoInts, whose request is SIZE bytes with zbot.
+# Services: AddTwoInts, whose request is SIZE bytes with zbot; SetBool with rclpy, whose wheels do not
+# have the other.
 ZBOT_SERVER = """
 import zbot
 from example_interfaces.srv import AddTwoInts
@@ -295,24 +296,24 @@ print(json.dumps(trips[COUNT // 10:])); session.close()
 RCLPY_SERVER = """
 import rclpy
 from rclpy.node import Node
-from example_interfaces.srv import AddTwoInts
-def add(request, response):
-    response.sum = request.a + request.b
+from std_srvs.srv import SetBool
+def turn(request, response):
+    response.success = request.data
     return response
 rclpy.init()
 node = Node('server')
-node.create_service(AddTwoInts, 'add', add)
+node.create_service(SetBool, 'turn', turn)
 rclpy.spin(node)
 """
 
 RCLPY_CALLER = """
 import sys, time, json, rclpy
 from rclpy.node import Node
-from example_interfaces.srv import AddTwoInts
+from std_srvs.srv import SetBool
 COUNT, trips = int(sys.argv[2]), []
 rclpy.init()
 node = Node('caller')
-client = node.create_client(AddTwoInts, 'add'); request = AddTwoInts.Request(a=1, b=2)
+client = node.create_client(SetBool, 'turn'); request = SetBool.Request(data=True)
 client.wait_for_service()
 for _ in range(COUNT):
     begun = time.perf_counter_ns()
