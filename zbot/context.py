@@ -34,8 +34,10 @@ _LINK_TIMEOUT_S = 5.0
 # Linux may refuse a port to both of two processes that take it within the same microseconds (6 of
 # 100 times), as those of a launch file do: whoever finds nobody behind it tries again so often.
 _HOLD_PAUSE_S = 0.1
-# The longest that a first message waits: 2 ms are usual, a machine that is busy needs more.
-_SETTLE_TIMEOUT_S = 0.5
+# The longest that a first look at the graph, and a first message, wait: 2 ms are usual, a busy
+# machine needs more.
+_SETTLE_TIMEOUT_S = 2.0
+_MEET_TIMEOUT_S = 0.5
 # Multicast finds the others on a quiet network in 50 ms; nobody may be there.
 _FIND_TIMEOUT_S = 0.7
 _JOIN_TIMEOUT_S = 2.0  # threads end within a millisecond of their session
@@ -279,7 +281,7 @@ class Context:
             return self._session is not None
 
     def settle(self) -> None:
-        """Wait, once and at most 0.5 s, until every session of the domain is linked to this one."""
+        """Wait, once and at most 2 s, until every session of the domain is linked to this one."""
         if self._is_settled:
             return
         session, watch = self.session, self._watch
@@ -290,7 +292,7 @@ class Context:
     def meet(self) -> None:
         """Wait, at most 0.5 s, until everybody's present subscriptions are known here."""
         if self._mode == "peer" and self._watch is not None:
-            self._watch.wait_settled(_SETTLE_TIMEOUT_S)
+            self._watch.wait_settled(_MEET_TIMEOUT_S)
 
     def _new_meeting(self) -> MeetingPoint:
         reach = config.discovery_range()

@@ -325,7 +325,8 @@ class MeetingWatch:
         deadline = time.monotonic() + timeout_s
         if not self.wait_linked(timeout_s):
             return False
-        return self.wait_met(self._sessions_at_router(timeout_s), deadline - time.monotonic())
+        present = self._sessions_at_router(deadline)
+        return self.wait_met(present, deadline - time.monotonic())
 
     def wait_met(self, zids: set[str], timeout_s: float) -> bool:
         """Wait until every one of some sessions has answered a query.
@@ -347,10 +348,22 @@ class MeetingWatch:
                     self._changed.wait(_LINK_PAUSE_S)
         return True
 
-    def _sessions_at_router(self, timeout_s: float) -> set[str]:
-        routers = {str(zid) for zid in self._session.info.routers_zid()}
+    def _sessions_at_router(self, deadline: float) -> set[str]:
+        """Return the sessions that the meeting router lists.
+
+        It lists this one, too, as soon as it answers at all: what it says before is no answer.
+        """
+        own = str(self._session.info.zid())
+        while True:
+            found = self._listed(max(0.0, deadline - time.monotonic()))
+            if own in found or time.monotonic() >= deadline:
+                return found
+            with self._changed:
+                self._changed.wait(_LINK_PAUSE_S)
+
+    def _listed(self, timeout_s: float) -> set[str]:
         found: set[str] = set()
-        for router in routers:
+        for router in self._routers():
             for reply in self._session.get(f"@/{router}/router", timeout=timeout_s):
                 if reply.ok is not None:
                     found |= sessions_in(reply.ok.payload.to_bytes())
