@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
+import random
 import socket
 from functools import partial
 from typing import TYPE_CHECKING, Any
@@ -25,10 +27,11 @@ _QUIET = {
 
 
 def free_port() -> int:
-    """Return a port that nobody listens on now."""
-    with socket.socket() as one:
-        one.bind((HERE, 0))
-        return int(one.getsockname()[1])
+    """Return a port that nobody uses, below those that systems give to connections meanwhile."""
+    while True:
+        port = random.randrange(10_000, 32_000)
+        with contextlib.suppress(OSError), socket.create_server((HERE, port)):
+            return port
 
 
 def open_session(paths: Mapping[str, Any]) -> zenoh.Session:

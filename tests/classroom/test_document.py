@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 import zenoh
 
-from tests.classroom.neighbour import Neighbour, free_port
+from tests.classroom.neighbour import Neighbour
+from tests.classroom.talk import free_port
 from zbot_cli.main import NOUNS
 from zbot_cli.nouns import load, verbs
 

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from tests.classroom.neighbour import Neighbour, free_port
+from tests.classroom.neighbour import Neighbour
+from tests.classroom.talk import free_port
 from tests.conftest import wait_until
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ import time
 
 import pytest
 
-from tests.classroom.neighbour import free_port
+from tests.classroom.talk import free_port
 from tests.conftest import allowed
 from zbot.classroom.address import Address
 from zbot.classroom.errors import AddressError, ClosedPortError
