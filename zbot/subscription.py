@@ -342,17 +342,26 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         except CodecError as exc:
             self._refuse(str(exc))
             return None
-        if self._is_destroyed or (self._filter is not None and not self._is_wanted(payload)):
+        if self._is_destroyed:
+            return None
+        if self._filter is not None and not self._is_wanted(payload, None if self.raw else message):
             return None
         self.received_count += 1
         if self._with_info:
             return self._callback(message, self._info(facts))
         return self._callback(message)
 
-    def _is_wanted(self, payload: bytes) -> bool:
-        """Return whether the content filter, if any, lets a message through."""
+    def _is_wanted(self, payload: bytes, message: Any = None) -> bool:
+        """Return whether the content filter, if any, lets a message through.
+
+        Args:
+            payload: The message as it came.
+            message: The same, if somebody has read it already.
+        """
+        if self._filter is None:
+            return True
         try:
-            return self._filter is None or self._filter.admits(self._read(payload))
+            return self._filter.admits(self._read(payload) if message is None else message)
         except CodecError as exc:
             self._refuse(str(exc))  # the callback wants bytes, so nobody has looked before
             return False
