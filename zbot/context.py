@@ -337,6 +337,8 @@ class Context:
         if watch is None or config.discovery_range() is config.DiscoveryRange.OFF:
             return
         while not watch.wait_linked(pause_s):
+            if self.is_over:
+                return
             if time.monotonic() > deadline:
                 get_logger("zbot").warning(
                     f"nobody answers as zbot on {meeting.endpoint}: another program may use that "

@@ -356,7 +356,7 @@ class MeetingWatch:
         own = str(self._session.info.zid())
         while True:
             found = self._listed(max(0.0, deadline - time.monotonic()))
-            if own in found or time.monotonic() >= deadline:
+            if own in found or time.monotonic() >= deadline or self._session.is_closed():
                 return found
             with self._changed:
                 self._changed.wait(_LINK_PAUSE_S)
@@ -374,7 +374,7 @@ class MeetingWatch:
         with self._changed:
             while not done():
                 left = deadline - time.monotonic()
-                if left <= 0:
+                if left <= 0 or self._session.is_closed():
                     return False
                 self._changed.wait(min(left, _LINK_PAUSE_S))
         return True
