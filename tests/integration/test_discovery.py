@@ -7,15 +7,17 @@ import signal
 import socket
 import sys
 import threading
+import time
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import pytest
 
 import zbot
-from tests.conftest import wait_until
+from tests.conftest import allowed, wait_until
+from zbot import config
 from zbot.config import MEETING_PORT
-from zbot.session import MeetingPoint
+from zbot.session import MeetingPoint, MeetingWatch, process_facts
 from zbot_cli.looking import client
 
 from std_msgs.msg import String
@@ -164,6 +166,16 @@ def test_the_last_one_frees_the_port(make_context: MakeContext, domain: int) -> 
     assert holds_port(domain)
     context.shutdown()
     assert not holds_port(domain)
+
+
+def test_nobody_is_waited_for_once_the_session_is_closed(domain: int) -> None:
+    point = MeetingPoint(config.load(), domain, config.discovery_range(), process_facts("0"))
+    session = point.open_peer()
+    watch = MeetingWatch(session, point)
+    session.close()
+    begin = time.monotonic()
+    assert not watch.wait_settled(60)
+    assert time.monotonic() - begin < allowed(5)
 
 
 def test_without_a_node_nothing_is_opened(make_context: MakeContext, domain: int) -> None:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import signal
 import threading
+import time
 from typing import TYPE_CHECKING, Any
 
 import pytest
 
 import zbot
-from tests.conftest import wait_until
+from tests.conftest import allowed, wait_until
 from tests.integration.actions.conftest import (
     Goal,
     Pair,
@@ -22,6 +23,7 @@ from tests.integration.actions.conftest import (
 )
 from zbot.action import (
     ActionClient,
+    ActionServer,
     CancelResponse,
     GoalState,
     GoalTransitionError,
@@ -265,6 +267,20 @@ def test_a_server_that_goes_while_it_executes_fails_the_result(pair: Pair, how: 
     with pytest.raises(ServiceError, match="the server ended before it answered"):
         done(result)
     pair.serving.executor.shutdown(5)
+
+
+def test_a_server_ends_at_once_beside_a_client_that_follows_it(make_context: MakeContext) -> None:
+    # Half of these took ten seconds while a function of ours ran in Zenoh's thread for timers.
+    nodes = [zbot.Node(name, context=make_context()) for name in ("server", "client")]
+    for turn in range(8):
+        name = f"fibonacci_{turn}"
+        server = ActionServer[Any, Any, Any](nodes[0], Fibonacci, name, compute)
+        client = ActionClient[Any, Any, Any](nodes[1], Fibonacci, name)
+        assert client.wait_for_server(allowed(5))
+        begin = time.monotonic()
+        server.destroy()
+        assert time.monotonic() - begin < allowed(2)
+        client.destroy()
 
 
 SERVER = """
