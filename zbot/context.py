@@ -9,14 +9,15 @@ import time
 import weakref
 from typing import TYPE_CHECKING, Literal
 
-from zbot import config, membership
+from zbot import config, ending, membership
 from zbot.arguments import Arguments
 from zbot.errors import ContextInitializedError, NotInitializedError
 from zbot.graph import Graph
 from zbot.handle import Handle
 from zbot.log import configure, get_logger, get_logging_severity_from_string
+from zbot.meeting_watch import MeetingWatch
 from zbot.notice import follow_notices
-from zbot.session import MeetingPoint, MeetingWatch, process_facts
+from zbot.session import MeetingPoint, process_facts
 from zbot.version import __version__
 from zbot.wire.dialect import IN_CLASS, NATIVE
 
@@ -41,9 +42,6 @@ _MEET_TIMEOUT_S = 0.5
 # Multicast finds the others on a quiet network in 50 ms; nobody may be there.
 _FIND_TIMEOUT_S = 0.7
 _JOIN_TIMEOUT_S = 2.0  # threads end within a millisecond of their session
-
-#: Every context that has a session: what the way out of the process has to close.
-open_contexts: weakref.WeakSet[Context] = weakref.WeakSet()
 
 
 class Context:
@@ -72,7 +70,6 @@ class Context:
         self._nodes: weakref.WeakSet[Node] = weakref.WeakSet()
         self.arguments = Arguments()
         self.dialect = NATIVE
-        self._is_settled = mode == "client"
         self._in_class = False
         self.is_student = False  #: whether this machine takes part in a class as a student's
 
@@ -281,13 +278,10 @@ class Context:
             return self._session is not None
 
     def settle(self) -> None:
-        """Wait, once and at most 2 s, until every session of the domain is linked to this one."""
-        if self._is_settled:
-            return
-        session, watch = self.session, self._watch
-        if watch is not None and not session.is_closed():
+        """Wait, at most 2 s, until every session of the domain has answered this one."""
+        watch = self._watch
+        if watch is not None and self._mode == "peer" and not self.session.is_closed():
             watch.wait_settled(_SETTLE_TIMEOUT_S)
-        self._is_settled = True
 
     def meet(self) -> None:
         """Wait, at most 0.5 s, until everybody's present subscriptions are known here."""
@@ -326,7 +320,8 @@ class Context:
     def _adopt(self, session: zenoh.Session, meeting: MeetingPoint, *, watch: bool = True) -> None:
         # In this order: a Ctrl-C in between must find everything that is to be closed.
         self._session, self._meeting = session, meeting
-        open_contexts.add(self)
+        ending.open_contexts.add(self)
+        ending.hook()
         if watch:
             self._watch = MeetingWatch(session, meeting)
             self._watch.start()
@@ -388,7 +383,7 @@ class Context:
             self._watch.join()
         if self._meeting is not None:
             self._meeting.close()
-        open_contexts.discard(self)
+        ending.open_contexts.discard(self)
 
 
 def _configure_logging(arguments: Arguments) -> None:

@@ -6,6 +6,7 @@ process that dies takes its tokens with it.
 
 from __future__ import annotations
 
+import itertools
 import json
 import threading
 import time
@@ -16,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import zenoh
 
+from zbot import census
 from zbot.errors import InvalidNameError, TokenError
 from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
@@ -25,7 +27,7 @@ if TYPE_CHECKING:
 
     from zbot.wire.dialect import Dialect
 
-_QUEUE = 1024  # tokens that wait for the graph's thread; a full queue only slows Zenoh down
+_ANSWER_TIMEOUT_S = 2.0  # 25 ms are usual
 
 NamesAndTypes = list[tuple[str, list[str]]]
 Token = NodeToken | EndpointToken
@@ -123,7 +125,7 @@ class Graph:
         session: The session through which tokens are seen.
         dialect: How tokens are written.
         domain: 0 to 232.
-        settle: Waits until the session has met the others; called before the first look.
+        settle: Waits until everybody has answered a question; called at the first look.
         start_thread: Runs a function under a name until the session is closed.
         asks_first: Whether to ask who is there before following changes. A client's session answers
             queries by itself, and incompletely, as soon as it follows them.
@@ -168,9 +170,7 @@ class Graph:
         self._subscribers = [self._subscribe(key) for key in self._keys]
 
     def _subscribe(self, key: str) -> Any:
-        subscriber = self._session.liveliness().declare_subscriber(
-            key, zenoh.handlers.FifoChannel(_QUEUE), history=True
-        )
+        subscriber = self._declare_subscriber(key)
         receive = subscriber.handler.recv
         self._start_thread("zbot graph", lambda: self._follow(receive))
         return subscriber
@@ -259,13 +259,33 @@ class Graph:
             self._listeners = [ref for ref in self._listeners if ref() not in {None, listener}]
 
     def _ask(self) -> Iterator[Token]:
+        for key in self._asked_of_router() if self._asks_first else self._told_by_peers():
+            token = self._parse(key)
+            if token is not None:
+                yield token
+
+    def _asked_of_router(self) -> Iterable[str]:
+        asked = [census.tokens(self._session, key, _ANSWER_TIMEOUT_S) for key in self._keys]
+        return itertools.chain.from_iterable(asked)
+
+    def _told_by_peers(self) -> Iterable[str]:
+        # A peer that follows tokens answers its own questions from what it happens to have heard.
+        # Whoever is told that tokens are followed sends theirs, and then answers what comes next.
+        subscribers = [self._declare_subscriber(key) for key in self._keys]
         self._settle()
-        asked = [self._session.liveliness().get(key, timeout=2.0) for key in self._keys]
-        for replies in asked:
-            for reply in replies:
-                token = None if reply.ok is None else self._parse(str(reply.ok.key_expr))
-                if token is not None:
-                    yield token
+        keys: dict[str, None] = {}
+        for subscriber in subscribers:
+            while (sample := subscriber.handler.try_recv()) is not None:
+                if sample.kind == zenoh.SampleKind.PUT:
+                    keys[str(sample.key_expr)] = None
+                else:
+                    keys.pop(str(sample.key_expr), None)
+            subscriber.undeclare()
+        return keys
+
+    def _declare_subscriber(self, key: str) -> Any:
+        liveliness = self._session.liveliness()
+        return liveliness.declare_subscriber(key, census.room(), history=True)
 
     def _parse(self, key: str) -> Token | None:
         try:
@@ -321,12 +341,11 @@ class Process:
 def processes(session: zenoh.Session) -> dict[str, Process]:
     """Return the zbot processes that can be seen, by session id (1 to 25 ms)."""
     found = {}
-    for reply in session.get("@/*/*", timeout=2.0):
-        if reply.ok is not None:
-            zid = str(reply.ok.key_expr).split("/")[1]
-            process = _process(zid, reply.ok.payload.to_bytes())
-            if process is not None:
-                found[zid] = process
+    for key, facts in census.answers(session, "@/*/*", _ANSWER_TIMEOUT_S):
+        zid = key.split("/")[1]
+        process = _process(zid, facts)
+        if process is not None:
+            found[zid] = process
     return found
 
 
@@ -361,11 +380,10 @@ def foreign_topics(
         ("publisher", EntityKind.PUBLISHER),
         ("subscriber", EntityKind.SUBSCRIPTION),
     ):
-        for reply in session.get(f"@/*/router/{word}/{domain}/**", timeout=2.0):
-            if reply.ok is not None:
-                name = "/" + str(reply.ok.key_expr).split(f"/{word}/{domain}/", 1)[1]
-                if name not in known and _is_name(name):
-                    found.setdefault(name, set()).add(kind)
+        for key, _ in census.answers(session, f"@/*/router/{word}/{domain}/**", _ANSWER_TIMEOUT_S):
+            name = "/" + key.split(f"/{word}/{domain}/", 1)[1]
+            if name not in known and _is_name(name):
+                found.setdefault(name, set()).add(kind)
     return found
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from zbot import census
 from zbot.errors import InterfaceSyntaxError, UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces import get_interface, get_spec, register_spec
 from zbot.interfaces.registry import has_package
@@ -94,6 +95,7 @@ def _ask(context: Context, service: str, name: str, timeout_s: float) -> Any:
     dialect = context.dialect
     replies = context.session.get(
         dialect.topic_key(context.get_domain_id(), service),
+        census.room(),
         payload=dialect.codec_for(srv_type.Request).encode(srv_type.Request(type_name=name)),
         timeout=timeout_s,
     )

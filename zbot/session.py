@@ -23,11 +23,9 @@ from zbot.config import MEETING_PORT, DiscoveryRange, SessionConfig, hub_port
 from zbot.errors import SessionError
 
 LOOPBACK = "127.0.0.1"
-# Links are listed, and listed no more, a moment after their event.
-_LINK_PAUSE_S = 0.005
-_LISTING_TIMEOUT_S = 0.1
+_TAKEN_TIMEOUT_S = 0.1
+_LINK_PAUSE_S = 0.005  # links are listed a moment after they came
 _FOUND_PAUSE_S = 0.25  # machines answer multicast at about the same time, then tell their tokens
-_LONGEST_PAUSE_S = 1.0
 _OPEN_TIMEOUT_MS = 500
 _NO_FILE = SessionConfig("the configuration between hubs", "{}")
 _RETRY = {"period_init_ms": 20, "period_max_ms": 500, "period_increase_factor": 2}
@@ -196,7 +194,7 @@ class MeetingPoint:
 
     def _is_taken(self) -> bool:
         try:
-            socket.create_connection((LOOPBACK, self.port), _LISTING_TIMEOUT_S).close()
+            socket.create_connection((LOOPBACK, self.port), _TAKEN_TIMEOUT_S).close()
         except TimeoutError:
             return True  # its holder is too busy to answer
         except OSError:
@@ -237,6 +235,20 @@ class MeetingPoint:
             fill |= {"listen/endpoints": [], "connect/endpoints": []}
         return _open("a Zenoh session", self._config.build(fill))
 
+    def open_introducer(self) -> zenoh.Session:
+        """Open a peer without a node: whoever it is linked to hears from it of the others.
+
+        Raises:
+            SessionError: Zenoh refused.
+        """
+        force = {
+            "mode": "peer",
+            "listen/endpoints": [],
+            "connect/endpoints": [self.endpoint],
+            "scouting/multicast/enabled": False,
+        }
+        return _open("a Zenoh session", self._config.build(_common({}), force))
+
     def open_client(self) -> zenoh.Session | None:
         """Open a session that sees the domain through its router, else through the machine's hub.
 
@@ -266,129 +278,3 @@ class MeetingPoint:
             if self._router is not None:
                 self._router.close()
                 self._router = None
-
-
-class MeetingWatch:
-    """Keeps the meeting port open for as long as a session lives.
-
-    A thread waits, without polling, for links to come and go: when the router's link goes, it tries
-    to take the port, and exactly one of the domain's processes succeeds.
-    """
-
-    def __init__(self, session: zenoh.Session, meeting: MeetingPoint) -> None:
-        self._session = session
-        self._meeting = meeting
-        self._changed = threading.Condition()
-        self._closing = threading.Event()
-        events = session.info.declare_transport_events_listener(
-            zenoh.handlers.FifoChannel(256), history=True
-        )
-        # The listener must stay referenced; the thread holds only its channel.
-        self._listener = events
-        self._thread = threading.Thread(
-            target=self._run, args=(events.handler,), name="zbot meeting", daemon=True
-        )
-
-    def start(self) -> None:
-        """Begin to watch."""
-        self._thread.start()
-
-    def _run(self, events: Any) -> None:
-        for event in events:  # ends when the session is closed
-            if event.kind == zenoh.SampleKind.DELETE:
-                self._replace_router(str(event.transport.zid))
-            with self._changed:
-                self._changed.notify_all()
-
-    def _replace_router(self, gone: str) -> None:
-        self._wait(lambda: gone not in self._routers(), _LISTING_TIMEOUT_S)
-        # A process that is killed loses its links a moment before its port, and whoever takes the
-        # port before us needs a moment to be linked.
-        pause_s = _LINK_PAUSE_S
-        while not (self._session.is_closed() or self._routers() or self._meeting.hold()):
-            if self._closing.wait(pause_s):
-                return
-            pause_s = min(2 * pause_s, _LONGEST_PAUSE_S)
-
-    def _routers(self) -> set[str]:
-        return {str(zid) for zid in self._session.info.routers_zid()}
-
-    def wait_linked(self, timeout_s: float) -> bool:
-        """Wait until the session has a link to a router; `False` if none came in time."""
-        return self._wait(lambda: bool(self._session.info.routers_zid()), timeout_s)
-
-    def wait_settled(self, timeout_s: float) -> bool:
-        """Wait until the session has met everybody whom the meeting router knows.
-
-        Takes 5 to 30 ms after a session was opened.
-        """
-        deadline = time.monotonic() + timeout_s
-        if not self.wait_linked(timeout_s):
-            return False
-        present = self._sessions_at_router(deadline)
-        return self.wait_met(present, deadline - time.monotonic())
-
-    def wait_met(self, zids: set[str], timeout_s: float) -> bool:
-        """Wait until every one of some sessions has answered a query.
-
-        The answer comes behind what its sender declared before, so from then on a message that is
-        published reaches the subscribers that it had.
-        """
-        deadline = time.monotonic() + timeout_s
-        missing = zids - {str(self._session.info.zid())}
-        while missing:
-            left = deadline - time.monotonic()
-            if left <= 0:
-                return False
-            for reply in self._session.get("@/*/*", timeout=left):
-                if reply.ok is not None:
-                    missing.discard(str(reply.ok.key_expr).split("/")[1])
-            if missing:
-                with self._changed:
-                    self._changed.wait(_LINK_PAUSE_S)
-        return True
-
-    def _sessions_at_router(self, deadline: float) -> set[str]:
-        """Return the sessions that the meeting router lists.
-
-        It lists this one, too, as soon as it answers at all: what it says before is no answer.
-        """
-        own = str(self._session.info.zid())
-        while True:
-            found = self._listed(max(0.0, deadline - time.monotonic()))
-            if own in found or time.monotonic() >= deadline or self._session.is_closed():
-                return found
-            with self._changed:
-                self._changed.wait(_LINK_PAUSE_S)
-
-    def _listed(self, timeout_s: float) -> set[str]:
-        found: set[str] = set()
-        for router in self._routers():
-            for reply in self._session.get(f"@/{router}/router", timeout=timeout_s):
-                if reply.ok is not None:
-                    found |= sessions_in(reply.ok.payload.to_bytes())
-        return found
-
-    def _wait(self, done: Any, timeout_s: float) -> bool:
-        deadline = time.monotonic() + timeout_s
-        with self._changed:
-            while not done():
-                left = deadline - time.monotonic()
-                if left <= 0 or self._session.is_closed():
-                    return False
-                self._changed.wait(min(left, _LINK_PAUSE_S))
-        return True
-
-    def join(self) -> None:
-        """Wait for the thread to end; call it after the session was closed."""
-        self._closing.set()
-        if threading.current_thread() is not self._thread and self._thread.ident is not None:
-            self._thread.join(2.0)
-
-
-def sessions_in(router_facts: bytes) -> set[str]:
-    """Return the session ids of peers and clients in a router's admin space root (JSON)."""
-    import json  # noqa: PLC0415 - only the first publish of a process needs it
-
-    sessions = json.loads(router_facts).get("sessions", [])
-    return {entry["peer"] for entry in sessions if entry.get("whatami") in {"peer", "client"}}

@@ -14,13 +14,13 @@ import os
 import signal
 import sys
 import threading
-import traceback
 import weakref
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from zbot.context import get_default_context, open_contexts
+from zbot import ending
+from zbot.context import get_default_context
 from zbot.errors import (
     ExternalShutdownException,
     InvalidHandleError,
@@ -40,7 +40,6 @@ _PACKAGE = str(Path(__file__).parent) + os.sep
 _TERMINATED = 128 + signal.SIGTERM
 _AGAIN_S = 0.001
 _MOMENT_S = 0.005  # longer than what Zenoh calls takes
-_PATIENCE_S = 0.3  # for a callback that is running when the program ends
 
 
 class SignalHandlerOptions(enum.Enum):
@@ -88,7 +87,6 @@ class _Process:
 
     previous: dict[int, Any] = {}  # noqa: RUF012 - one per process
     hooked = False
-    ending = False
     got_sigterm = False
     dies_of_sigterm = False
 
@@ -126,7 +124,7 @@ def _replace(number: int, handler: Any) -> None:
 
 
 def _interrupt_contexts() -> None:
-    for context in list(open_contexts):
+    for context in list(ending.open_contexts):
         context.interrupt()
     if _guards:
         # In a thread: who waits for one may hold its lock, and be what this signal interrupted.
@@ -149,7 +147,7 @@ def _is_postponed(number: int, frame: FrameType | None) -> bool:
 
 
 def _on_sigint(number: int, frame: FrameType | None) -> None:
-    if _Process.ending:
+    if ending.is_ending():
         return
     _interrupt_contexts()
     if _is_postponed(number, frame):
@@ -162,7 +160,7 @@ def _on_sigint(number: int, frame: FrameType | None) -> None:
 
 
 def _on_sigterm(number: int, frame: FrameType | None) -> None:
-    if _Process.ending:
+    if ending.is_ending():
         return
     _interrupt_contexts()
     if _is_postponed(number, frame):
@@ -187,7 +185,7 @@ def _hook_ways_out() -> None:
 
     def on_thread_exception(args: threading.ExceptHookArgs) -> None:
         quiet: tuple[type[BaseException], ...] = (ExternalShutdownException, KeyboardInterrupt)
-        if _Process.ending:
+        if ending.is_ending():
             quiet += (NotInitializedError,)  # the thread used what was closed under it
         if not issubclass(args.exc_type, quiet):
             _shorten(args.exc_value)
@@ -195,9 +193,7 @@ def _hook_ways_out() -> None:
 
     threading.excepthook = on_thread_exception
     sys.unraisablehook = _again(sys.unraisablehook)
-    # Python joins non-daemon threads before it runs atexit functions, and Zenoh's thread ends only
-    # with its session: concurrent.futures closes its pools through the same, private, hook.
-    threading._register_atexit(_close_contexts)  # type: ignore[attr-defined]
+    ending.hook()
     atexit.register(_die_of_sigterm)
 
 
@@ -222,7 +218,7 @@ def _again(previous: Any) -> Any:
     def unraisablehook(args: Any) -> None:
         number = signal.SIGINT if args.exc_type is KeyboardInterrupt else signal.SIGTERM
         ours = (KeyboardInterrupt, ExternalShutdownException, SystemExit)
-        if _Process.ending or sys.platform == "win32" or not issubclass(args.exc_type, ours):
+        if ending.is_ending() or sys.platform == "win32" or not issubclass(args.exc_type, ours):
             previous(args)
         else:
             threading.Timer(_AGAIN_S, os.kill, (os.getpid(), number)).start()
@@ -257,19 +253,6 @@ def user_part(trace: TracebackType | None) -> TracebackType | None:
 
 def _is_ours(entry: TracebackType) -> bool:
     return entry.tb_frame.f_code.co_filename.startswith(_PACKAGE)
-
-
-def _close_contexts() -> None:
-    _Process.ending = True
-    for context in list(open_contexts):
-        executors = {node.executor for node in context.nodes if node.executor is not None}
-        try:
-            context.shutdown()
-        except Exception:  # noqa: BLE001 - the others must be closed too
-            traceback.print_exc()
-        # Python kills daemon threads at its end; one that is inside Zenoh takes the process down.
-        for executor in executors:
-            executor.wait_idle(_PATIENCE_S)
 
 
 def _die_of_sigterm() -> None:

@@ -17,7 +17,8 @@ import zbot
 from tests.conftest import allowed, wait_until
 from zbot import config
 from zbot.config import MEETING_PORT
-from zbot.session import MeetingPoint, MeetingWatch, process_facts
+from zbot.meeting_watch import MeetingWatch
+from zbot.session import MeetingPoint, process_facts
 from zbot_cli.looking import client
 
 from std_msgs.msg import String
@@ -166,6 +167,24 @@ def test_the_last_one_frees_the_port(make_context: MakeContext, domain: int) -> 
     assert holds_port(domain)
     context.shutdown()
     assert not holds_port(domain)
+
+
+@needs_sigkill
+def test_two_who_missed_each_others_calls_are_introduced_again(
+    start: Start, make_context: MakeContext
+) -> None:
+    zbot.Node("acquaintance", context=make_context())
+    listener = start(source=LISTENER)
+    listener.wait_for("ready")
+    # Zenoh gives up a call after half a second: each is asleep while the other one calls.
+    listener.process.send_signal(signal.SIGSTOP)
+    talker = start(source=TALKER)
+    threading.Event().wait(allowed(1.5))
+    talker.process.send_signal(signal.SIGSTOP)
+    listener.process.send_signal(signal.SIGCONT)
+    threading.Event().wait(1.5)
+    talker.process.send_signal(signal.SIGCONT)
+    listener.wait_for("heard")
 
 
 def test_nobody_is_waited_for_once_the_session_is_closed(domain: int) -> None:

@@ -215,6 +215,14 @@ def test_the_first_look_of_a_newcomer_is_complete(
     assert len(newcomer.get_node_names()) == len(nodes) + 1
 
 
+def test_the_graph_of_a_whole_class_fits_into_the_first_look(
+    make_node: MakeNode, make_context: MakeContext
+) -> None:
+    names = [make_node(f"robot_{number}").get_name() for number in range(60)]
+    newcomer = zbot.Node("newcomer", context=make_context())
+    assert set(newcomer.get_node_names()) == {*names, "newcomer"}
+
+
 def test_the_first_look_of_newcomers_is_complete_as_they_come_and_go(
     make_context: MakeContext, start: Start
 ) -> None:

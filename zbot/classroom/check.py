@@ -7,6 +7,7 @@ import time
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from zbot import census
 from zbot.errors import TokenError
 from zbot.foreign_call import called_by_zenoh
 from zbot.graph import Snapshot
@@ -69,20 +70,19 @@ def check(
 def snapshots(session: zenoh.Session, numbers: Iterable[int]) -> dict[int, Snapshot]:
     """Return the graphs of some students' domains, as a client of the teacher's hub sees them."""
     asked = {
-        number: session.liveliness().get(token_selector(number), timeout=_TOKENS_TIMEOUT_S)
+        number: census.tokens(session, token_selector(number), _TOKENS_TIMEOUT_S)
         for number in numbers
     }
-    return {number: Snapshot(tuple(_tokens(replies))) for number, replies in asked.items()}
+    return {number: Snapshot(tuple(_tokens(keys))) for number, keys in asked.items()}
 
 
-def _tokens(replies: Iterable[zenoh.Reply]) -> list[Token]:
+def _tokens(keys: Iterable[str]) -> list[Token]:
     found: list[Token] = []
-    for reply in replies:
-        if reply.ok is not None:
-            try:
-                found.append(parse_token(str(reply.ok.key_expr)))
-            except TokenError:
-                continue  # anybody may declare tokens
+    for key in keys:
+        try:
+            found.append(parse_token(key))
+        except TokenError:
+            continue  # anybody may declare tokens
     return found
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
+from zbot import census
 from zbot.classroom.desk import ask
 from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key, nodes_selector
 from zbot.errors import CodecError
@@ -72,12 +73,8 @@ class Presence:
 
     def _look_back(self) -> None:
         """Ask new nodes for what they logged before this hub was linked with them."""
-        tokens = nodes_selector(self._joined.number)
-        found = {
-            str(reply.ok.key_expr)
-            for reply in self._session.liveliness().get(tokens, timeout=_LOOK_TIMEOUT_S)
-            if reply.ok is not None
-        }
+        selector = nodes_selector(self._joined.number)
+        found = set(census.tokens(self._session, selector, _LOOK_TIMEOUT_S))
         if found <= self._known:
             self._known = found
             return
@@ -85,6 +82,7 @@ class Presence:
         # What transient local publishers keep is asked of them like this (zenoh.ext).
         for reply in self._session.get(
             f"{self._joined.number}/rosout/@adv/pub/**?_max={_QUEUE}",
+            census.room(),
             consolidation=zenoh.ConsolidationMode.NONE,
             accept_replies=zenoh.ReplyKeyExpr.ANY,
             timeout=_LOOK_TIMEOUT_S,

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
+from zbot import census
 from zbot.classroom.desk import document_of
 from zbot.classroom.keys import facts_key, here_key
 from zbot.classroom.register import clean_name
@@ -153,8 +154,8 @@ class Seats:
         found: dict[int, list[str]] = {}
         if serving is None:
             return found
-        for reply in serving.session.liveliness().get(_NODE_TOKENS, timeout=_FACTS_TIMEOUT_S):
-            token = None if reply.ok is None else _node_of(str(reply.ok.key_expr))
+        for key in census.tokens(serving.session, _NODE_TOKENS, _FACTS_TIMEOUT_S):
+            token = _node_of(key)
             if token is not None:
                 name = fully_qualified(token.namespace, token.node)
                 if not is_hidden(name):

@@ -1,0 +1,83 @@
+"""The end of the process: what is open is closed before Python kills the threads that are left.
+
+A thread that is inside Zenoh when Python kills it takes the whole process down, with an abort. The
+program's own threads come first: one that spins goes on after the main thread's last line.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+import threading
+import traceback
+import weakref
+from types import BuiltinFunctionType
+from typing import TYPE_CHECKING
+
+from zbot.errors import ExternalShutdownException
+
+if TYPE_CHECKING:
+    from zbot.context import Context
+
+_PATIENCE_S = 0.3  # for a callback that is running when the program ends
+
+#: Every context that has a session.
+open_contexts: weakref.WeakSet[Context] = weakref.WeakSet()
+
+
+class _Process:
+    hooked = False
+    ending = False
+
+
+def is_ending() -> bool:
+    """Return whether the main thread has come to its end."""
+    return _Process.ending
+
+
+def hook() -> None:
+    """Close all contexts at the end of the process; the second call does nothing."""
+    if not _Process.hooked:
+        _Process.hooked = True
+        # Python joins non-daemon threads before it runs atexit functions, and Zenoh's thread ends
+        # only with its session: concurrent.futures closes its pools by the same, private, means.
+        threading._register_atexit(_close_contexts)  # type: ignore[attr-defined] # noqa: SLF001
+
+
+def wait_for_threads() -> None:
+    """Wait for the threads that the program started itself, as Python does at its end.
+
+    Python does so when no thread can start another any more (from 3.12 on), so that none of them
+    could open a node. A signal's exception leaves this function at once.
+    """
+    for thread in _programs_threads():
+        thread.join()
+
+
+def _programs_threads() -> list[threading.Thread]:
+    # Pools end their threads after this, and Zenoh's end with their session.
+    pools = sys.modules.get("concurrent.futures.thread")
+    pooled = () if pools is None else pools._threads_queues  # noqa: SLF001 - their only list
+    return [
+        thread
+        for thread in threading.enumerate()
+        if not thread.daemon
+        and thread not in {threading.main_thread(), threading.current_thread()}
+        and thread not in pooled
+        and not isinstance(getattr(thread, "_target", None), BuiltinFunctionType)
+    ]
+
+
+def _close_contexts() -> None:
+    # A signal ends whatever spins; Python waits for the rest.
+    with contextlib.suppress(KeyboardInterrupt, SystemExit, ExternalShutdownException):
+        wait_for_threads()
+    _Process.ending = True
+    for context in list(open_contexts):
+        executors = {node.executor for node in context.nodes if node.executor is not None}
+        try:
+            context.shutdown()
+        except Exception:  # noqa: BLE001 - the others must be closed too
+            traceback.print_exc()
+        for executor in executors:
+            executor.wait_idle(_PATIENCE_S)

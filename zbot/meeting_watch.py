@@ -1,0 +1,220 @@
+"""What a session does so that its domain stays whole: it minds the meeting port, and who is linked.
+
+The meeting router introduces the domain's peers to each other, once. Zenoh dials once, too: where
+both sides of an introduction are too busy to answer the other's call in time, as on a laptop that
+starts twenty programs, they would not hear each other for as long as they live.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import threading
+import time
+from collections import Counter
+from typing import TYPE_CHECKING, Any
+
+import zenoh
+
+from zbot import census
+from zbot.errors import SessionError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.session import MeetingPoint
+
+# Links are listed, and listed no more, a moment after their event.
+_LINK_PAUSE_S = 0.005
+_LISTING_TIMEOUT_S = 0.1
+_LONGEST_PAUSE_S = 1.0
+# So long no link has come or gone when a session looks for those whom it never met. It has each of
+# them introduced so often, at intervals that double; one that is dead is listed for 10 s.
+_QUIET_S = 1.0
+_TRIES = 5
+_INTRODUCTION_S = 2.0  # 50 ms are usual
+_INTRODUCTION_PAUSE_S = 0.02
+
+
+class MeetingWatch:
+    """Keeps the meeting port open, and the session linked to all others, for as long as it lives.
+
+    One thread waits, without polling, for links to come and go: when the router's link goes, it
+    tries to take the port, and exactly one of the domain's processes succeeds. Another looks, once
+    all is quiet after that, whether the router knows somebody whom this session does not, and sends
+    for an introducer then.
+    """
+
+    def __init__(self, session: zenoh.Session, meeting: MeetingPoint) -> None:
+        self._session = session
+        self._meeting = meeting
+        self._changed = threading.Condition()
+        self._change_count = 0
+        self._minded = 0  # the change after which strangers were last looked for
+        self._tries: Counter[str] = Counter()
+        self._closing = threading.Event()
+        events = session.info.declare_transport_events_listener(census.room(), history=True)
+        # The listener must stay referenced; the thread holds only its channel.
+        self._listener = events
+        # Not all look at the same time, because one introducer serves everybody.
+        self._share = int(self._own()[:4], 16) / 0x10000
+        self._threads = [
+            threading.Thread(
+                target=self._run, args=(events.handler,), name="zbot meeting", daemon=True
+            ),
+            threading.Thread(target=self._mind_links, name="zbot introductions", daemon=True),
+        ]
+
+    def start(self) -> None:
+        """Begin to watch."""
+        for thread in self._threads:
+            thread.start()
+
+    def _run(self, events: Any) -> None:
+        for event in events:  # ends when the session is closed
+            if event.kind == zenoh.SampleKind.DELETE:
+                self._replace_router(str(event.transport.zid))
+            with self._changed:
+                self._change_count += 1
+                self._changed.notify_all()
+
+    def _replace_router(self, gone: str) -> None:
+        self._wait(lambda: gone not in self._routers(), _LISTING_TIMEOUT_S)
+        # A process that is killed loses its links a moment before its port, and whoever takes the
+        # port before us needs a moment to be linked.
+        pause_s = _LINK_PAUSE_S
+        while not (self._session.is_closed() or self._routers() or self._meeting.hold()):
+            if self._closing.wait(pause_s):
+                return
+            pause_s = min(2 * pause_s, _LONGEST_PAUSE_S)
+
+    # -- who is there --------------------------------------------------------------------------
+
+    def _own(self) -> str:
+        return str(self._session.info.zid())
+
+    def _routers(self) -> set[str]:
+        return {str(zid) for zid in self._session.info.routers_zid()}
+
+    def _peers(self) -> set[str]:
+        return {str(zid) for zid in self._session.info.peers_zid()}
+
+    def wait_linked(self, timeout_s: float) -> bool:
+        """Wait until the session has a link to a router; `False` if none came in time."""
+        return self._wait(lambda: bool(self._routers()), timeout_s)
+
+    def wait_settled(self, timeout_s: float) -> bool:
+        """Wait until every session that the meeting router knows has answered a query.
+
+        The answer comes behind what its sender declared before, so from then on a message that is
+        published reaches the subscribers that it had. Takes 5 to 30 ms after a session was opened.
+        """
+        deadline = time.monotonic() + timeout_s
+        if not self.wait_linked(timeout_s):
+            return False
+        met = {self._own()}
+        missing = self._at_router(deadline) - met
+        while missing:
+            left = deadline - time.monotonic()
+            if left <= 0:
+                return False
+            met |= {key.split("/")[1] for key, _ in census.answers(self._session, "@/*/*", left)}
+            if missing - met:
+                with self._changed:
+                    self._changed.wait(_LINK_PAUSE_S)
+                missing = self._at_router(deadline) - met  # somebody may have gone
+            else:
+                missing = set()
+        return True
+
+    def _at_router(self, deadline: float) -> set[str]:
+        """Return the sessions that the meeting router lists.
+
+        It lists this one, too, as soon as it answers at all: what it says before is no answer.
+        """
+        while True:
+            found = self._listed(max(0.0, deadline - time.monotonic()))
+            if self._own() in found or time.monotonic() >= deadline or self._session.is_closed():
+                return set(found)
+            with self._changed:
+                self._changed.wait(_LINK_PAUSE_S)
+
+    def _listed(self, timeout_s: float) -> dict[str, str]:
+        """Return what the router knows: peers and clients, by session id."""
+        found: dict[str, str] = {}
+        for router in self._routers():
+            for _, facts in census.answers(self._session, f"@/{router}/router", timeout_s):
+                found |= _sessions_in(facts)
+        return found
+
+    # -- introductions -------------------------------------------------------------------------
+
+    def _mind_links(self) -> None:
+        while not self._closing.is_set():
+            with self._changed:
+                while self._change_count == self._minded and not self._closing.is_set():
+                    self._changed.wait()
+                self._minded = self._change_count
+            # An error: the session was closed, or the router has just gone, which is a change.
+            with contextlib.suppress(zenoh.ZError, SessionError):
+                self._meet_strangers()
+
+    def _meet_strangers(self) -> None:
+        pause_s = _QUIET_S
+        while not self._closing.wait(pause_s * (1 + self._share)):
+            if self._change_count != self._minded:
+                self._minded = self._change_count
+                continue
+            # A program with a configuration of its own may be out of everybody's reach.
+            strangers = [one for one in self._strangers() if self._tries[one] < _TRIES]
+            if not strangers:
+                return
+            self._tries.update(strangers)
+            pause_s = _QUIET_S * 2 ** min(self._tries[one] for one in strangers)
+            self._call_introducer()
+
+    def _strangers(self) -> set[str]:
+        """Return the peers that the router knows and this one is not linked to."""
+        known = self._listed(_LISTING_TIMEOUT_S)
+        if known.get(self._own()) != "peer":
+            return set()  # a client is linked to the router alone
+        peers = {zid for zid, kind in known.items() if kind == "peer"}
+        return peers - self._peers() - {self._own()}
+
+    def _call_introducer(self) -> None:
+        deadline = time.monotonic() + _INTRODUCTION_S
+        with self._meeting.open_introducer():
+            while self._strangers() and time.monotonic() < deadline:
+                if self._closing.wait(_INTRODUCTION_PAUSE_S):
+                    return
+
+    def _wait(self, done: Callable[[], bool], timeout_s: float) -> bool:
+        deadline = time.monotonic() + timeout_s
+        with self._changed:
+            while not done():
+                left = deadline - time.monotonic()
+                if left <= 0 or self._session.is_closed():
+                    return False
+                self._changed.wait(min(left, _LINK_PAUSE_S))
+        return True
+
+    def join(self) -> None:
+        """Wait for the threads to end; call it after the session was closed."""
+        self._closing.set()
+        with self._changed:
+            self._changed.notify_all()
+        for thread in self._threads:
+            # One whose start was interrupted by a signal has no ident.
+            if thread is not threading.current_thread() and thread.ident is not None:
+                thread.join(2.0)
+
+
+def _sessions_in(router_facts: bytes) -> dict[str, str]:
+    """Return peers and clients by session id, from a router's admin space root (JSON)."""
+    import json  # noqa: PLC0415 - later than everything that somebody waits for
+
+    sessions = json.loads(router_facts).get("sessions", [])
+    return {
+        entry["peer"]: entry["whatami"]
+        for entry in sessions
+        if entry.get("whatami") in {"peer", "client"}
+    }
