@@ -43,12 +43,20 @@ def become(executable: Executable, arguments: Sequence[str]) -> NoReturn:
         arguments: Its command line, without its own name.
     """
     import zbot.compat  # noqa: F401, PLC0415 - `import rclpy` and its like are zbot from now on
-    from zbot import signals  # noqa: PLC0415 - Ctrl-C may come from now on
+    from zbot import ending, signals  # noqa: PLC0415 - Ctrl-C may come from now on
 
     signals.install(signals.SignalHandlerOptions.SIGINT)
     _leave_out_own_frames()
     stay_in_workspace(_place(executable))
     _set_path(executable)
+    try:
+        _run(executable, arguments)
+    except SystemExit:
+        ending.wait_for_threads()
+        raise
+
+
+def _run(executable: Executable, arguments: Sequence[str]) -> NoReturn:
     if is_file(executable.target):
         sys.argv = [executable.target, *arguments]
         _run_file(executable.target)

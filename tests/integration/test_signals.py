@@ -16,6 +16,7 @@ from tests.conftest import allowed
 
 if TYPE_CHECKING:
     from collections.abc import Callable
+    from pathlib import Path
 
     from tests.conftest import Program
 
@@ -307,6 +308,66 @@ def test_a_program_that_comes_to_its_end_ends(start: Start, way: str, code: int)
     assert program.wait() == code
     assert time.monotonic() - begin < allowed(LIMIT_S)
     assert ("Traceback" in program.output) == ("mine" in way)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["SIGINT", "SIGTERM"])
+def test_a_thread_makes_a_node_and_spins_after_the_programs_last_line(
+    start: Start, tmp_path: Path, number: int
+) -> None:
+    (tmp_path / "robot.py").write_text(
+        """
+import threading
+import rclpy
+
+def main():
+    ended.wait()
+    rclpy.init()
+    node = rclpy.create_node("robot")
+    node.create_timer(0.01, lambda: print("tick", flush=True))
+    rclpy.spin(node)
+
+ended = threading.Event()
+threading.Thread(target=main).start()
+ended.set()
+"""
+    )
+    program = start("zbot", "run", "robot.py")
+    for _ in range(3):
+        program.wait_for("tick")
+    assert end(program, number) == -number
+
+
+def test_a_node_spins_in_a_thread_after_the_last_line_without_the_command_too(
+    start: Start,
+) -> None:
+    program = start(
+        source="""
+import threading, zbot
+zbot.init()
+node = zbot.Node("robot")
+node.create_timer(0.01, lambda: print("tick", flush=True))
+threading.Thread(target=zbot.spin, args=(node,)).start()
+"""
+    )
+    for _ in range(3):
+        program.wait_for("tick")
+    assert end(program, signal.SIGINT) in {0, -signal.SIGINT}
+
+
+def test_a_context_that_is_left_open_is_closed_at_the_end(start: Start) -> None:
+    program = start(
+        source="""
+import zbot
+from std_msgs.msg import String
+context = zbot.Context()
+context.init()
+node = zbot.Node("robot", context=context)
+node.create_subscription(String, "chatter", print, 10)
+print("up", node.get_node_names())
+"""
+    )
+    assert program.wait() == 0
+    assert program.lines == ["up ['robot']"]
 
 
 def test_a_parent_sees_that_a_child_died_of_sigterm_in_a_sleep(start: Start) -> None:
