@@ -6,6 +6,7 @@ import errno
 import queue
 import socket
 import threading
+import time
 from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import (
@@ -24,6 +25,7 @@ if TYPE_CHECKING:
 #: A connection in one building takes milliseconds; after a lost packet it is tried again at 1 s.
 _TIMEOUT_S = 1.25
 _LOOK_UP_S = 0.3
+_PAUSE_S = 0.05  # between attempts where the port is refused
 # Ports that hardly any machine leaves unanswered: a refusal there shows that it is on.
 _SIGN_OF_LIFE_PORTS = (22, 80, 135, 445, 5000, 7)
 _REFUSED = {errno.ECONNREFUSED, getattr(errno, "WSAECONNREFUSED", errno.ECONNREFUSED)}
@@ -67,18 +69,24 @@ def _distance(problem: ClassroomError) -> int:
 def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomError | None:
     """Return why an address cannot be reached, `None` if it can; takes `timeout_s` at most."""
     signs = _SignsOfLife(address.host)
-    try:
-        with socket.create_connection((address.host, address.port), timeout_s):
-            return None
-    except socket.gaierror:
-        return AddressError(address.host, "no machine of that name is known here")
-    except TimeoutError:
-        seen = signs.seen
-        return (BlockedPortError if seen else DeadHostError)(address.host, address.port)
-    except OSError as exc:
-        if exc.errno in _REFUSED:
+    deadline = time.monotonic() + timeout_s
+    while True:
+        try:
+            left = max(deadline - time.monotonic(), _PAUSE_S)
+            with socket.create_connection((address.host, address.port), left):
+                return None
+        except socket.gaierror:
+            return AddressError(address.host, "no machine of that name is known here")
+        except TimeoutError:
+            seen = signs.seen
+            return (BlockedPortError if seen else DeadHostError)(address.host, address.port)
+        except OSError as exc:
+            if exc.errno not in _REFUSED:
+                return DeadHostError(address.host, address.port)
+        # A teacher's hub is closed for a moment whenever somebody is let in or out.
+        if time.monotonic() + _PAUSE_S > deadline:
             return ClosedPortError(address.host, address.port)
-        return DeadHostError(address.host, address.port)
+        time.sleep(_PAUSE_S)
 
 
 class _SignsOfLife:
