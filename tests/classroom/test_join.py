@@ -145,6 +145,12 @@ def test_without_the_pin_nobody_joins(school: School, pin: str, sentence: str) -
     assert not (student.folder() / "membership.json").exists()
 
 
+def test_commands_in_a_row_find_the_class_open(school: School) -> None:
+    school.open()
+    for reader in range(2, 7):  # the hub opens anew at each
+        school.teacher.succeed("share", "1", str(reader))
+
+
 def test_a_taken_number_is_refused_with_the_holders_name(school: School) -> None:
     school.open()
     school.join("Ana", "--number", "17")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import secrets
+import time
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -32,6 +33,8 @@ if TYPE_CHECKING:
     from zbot.graph import Snapshot
 
 _MASTER_BYTES = 32
+_REOPENING_S = 3.0  # 0.2 s are usual
+_PAUSE_S = 0.05
 _ANSWER_TIMEOUT_S = 5.0
 
 
@@ -115,9 +118,13 @@ def _client() -> zenoh.Session:
     present = membership.load()
     if present is None or present.role != "teacher":
         raise NoClassError
-    session = open_hub_client()
-    if session is None:
-        raise ClassCommandError("the class does not run: `zbot class start` lets it go on")
+    # The hub is closed for a moment whenever somebody is let in or out: by the command before this
+    # one, perhaps.
+    deadline = time.monotonic() + _REOPENING_S
+    while (session := open_hub_client()) is None:
+        if time.monotonic() > deadline or background.find() is None:
+            raise ClassCommandError("the class does not run: `zbot class start` lets it go on")
+        time.sleep(_PAUSE_S)
     return session
 
 
