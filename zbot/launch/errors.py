@@ -97,6 +97,10 @@ class ConditionError(LaunchError, ValueError):
         super().__init__(f"a condition must be true, false, 1 or 0, not '{text}'")
 
 
+class CoercionError(LaunchError, ValueError):
+    """A text means nothing of the type that is wanted, or there is no such type."""
+
+
 class ProgramError(LaunchError):
     """A program cannot be started."""
 

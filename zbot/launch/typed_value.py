@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, TypeAlias, get_args, get_origin
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, Final, TypeAlias, get_args, get_origin
 
 import yaml
 
-from zbot.launch.errors import EntityTypeError
-from zbot.launch.substitution import is_a_substitution, normalize, perform
+from zbot.launch.errors import CoercionError, EntityTypeError
+from zbot.launch.substitution import Substitution, normalize, perform
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
@@ -17,48 +18,167 @@ SomeValueType: TypeAlias = Any
 NormalizedValueType: TypeAlias = Any
 AllowedTypesType: TypeAlias = Any
 
+_SCALARS: Final = (int, float, bool, str)
 
-def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = True) -> Any:
-    """Return what a text means as YAML.
+
+def is_typing_list(data_type: Any) -> bool:
+    """Return whether a type is `List` or `List[...]`."""
+    return get_origin(data_type) is list
+
+
+def is_valid_scalar_type(data_type: Any) -> bool:
+    """Return whether a type is `bool`, `int`, `float` or `str`."""
+    return data_type in _SCALARS
+
+
+def extract_type(data_type: AllowedTypesType) -> tuple[Any, bool]:
+    """Return the type of a value or of a list's items, and whether it is a list.
+
+    Raises:
+        CoercionError: No value can be of that type.
+    """
+    is_list = is_typing_list(data_type)
+    (kind,) = (get_args(data_type) or (None,)) if is_list else (data_type,)
+    if not is_valid_scalar_type(kind):
+        raise CoercionError(f"{data_type} is none of bool, int, float, str or a List of one")
+    return kind, is_list
+
+
+def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
+    """Return whether a value is a scalar, or a list of scalars of one type.
+
+    Args:
+        value: The value.
+        can_be_str: Whether a list may have texts among others.
+    """
+    if not isinstance(value, list):
+        return isinstance(value, _SCALARS)
+    kinds = {type(one) for one in value} - ({str} if can_be_str else set())
+    return len(kinds) <= 1 and all(map(is_valid_scalar_type, kinds))
+
+
+def is_instance_of(value: Any, data_type: Any = None, can_be_str: bool = False) -> bool:
+    """Return whether a value is of a type.
+
+    Args:
+        value: The value.
+        data_type: The type, as `extract_type` takes it; any that is valid if `None`.
+        can_be_str: Whether texts will do, too.
+
+    Raises:
+        CoercionError: No value can be of that type.
+    """
+    if data_type is None:
+        return is_instance_of_valid_type(value, can_be_str)
+    kind, is_list = extract_type(data_type)
+    kinds = (kind, str) if can_be_str else (kind,)
+    if is_list:
+        return isinstance(value, list) and all(isinstance(one, kinds) for one in value)
+    return isinstance(value, kinds)
+
+
+def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = False) -> Any:
+    """Return what a text means.
 
     Args:
         value: The text.
-        data_type: `bool`, `int`, `float`, `str` or a list of one, as in `List[int]`; any if `None`.
-        can_be_str: Whether the text itself is a value where YAML finds no other.
+        data_type: `bool`, `int`, `float`, `str` or a list of one, as in `List[int]`; what YAML
+            finds in the text if `None`.
+        can_be_str: Whether the text itself is a value where there is no other.
 
     Raises:
-        EntityTypeError: The text has another type.
+        CoercionError: It means nothing of that type.
+        EntityTypeError: It is no text.
     """
-    if data_type is str:
+    if not isinstance(value, str):
+        raise EntityTypeError("the value", "a str", value)
+    if data_type is not None and extract_type(data_type) == (str, False):
         return value
     try:
-        found = yaml.safe_load(value)
-    except yaml.YAMLError:
-        found = value
-    if data_type is float and type(found) is int:
-        return float(found)
-    fits = can_be_str or not isinstance(found, str) if data_type is None else _is(found, data_type)
-    if not fits:
-        raise EntityTypeError("the value", _said(data_type), value)
-    return value if data_type is None and isinstance(found, str) else found
-
-
-def _is(value: Any, data_type: Any) -> bool:
-    if get_origin(data_type) is list or data_type is list:
-        (inner,) = get_args(data_type) or (None,)
-        return isinstance(value, list) and (inner is None or all(_is(one, inner) for one in value))
-    return type(value) is data_type
+        found = data_type(value) if data_type in {int, float} else yaml.safe_load(value)
+    except (yaml.YAMLError, ValueError):
+        found = value if can_be_str else None
+    if not is_instance_of(found, data_type, can_be_str):
+        raise CoercionError(f"'{value}' is no {_said(data_type)}")
+    return found
 
 
 def _said(data_type: Any) -> str:
-    return getattr(data_type, "__name__", "no text") if data_type is not None else "no text"
+    if data_type is None:
+        return "bool, number or text, and no list of one of these"
+    return str(data_type) if is_typing_list(data_type) else str(data_type.__name__)
+
+
+def coerce_list(value: list[str], data_type: Any = None, can_be_str: bool = False) -> list[Any]:
+    """Return what the texts of a list mean; all are of one type.
+
+    Args:
+        value: The texts.
+        data_type: The type of the items, if it is known.
+        can_be_str: Whether texts may stand among others.
+
+    Raises:
+        CoercionError: They mean nothing of that type.
+        EntityTypeError: It is no list of texts.
+    """
+    if not isinstance(value, list):
+        raise EntityTypeError("the value", "a list", value)
+    found = [coerce_to_type(one, data_type, can_be_str) for one in value]
+    if not is_instance_of_valid_type(found, can_be_str):
+        raise CoercionError(f"the items of {value} are of several types")
+    return found
+
+
+def get_typed_value(value: str | list[str], data_type: Any = None, can_be_str: bool = False) -> Any:
+    """Return what a text, or a list of texts, means; see `coerce_to_type` and `coerce_list`.
+
+    Raises:
+        CoercionError: It means nothing of that type.
+        EntityTypeError: It is neither, or a list where the type is none.
+    """
+    if not isinstance(value, list):
+        return coerce_to_type(value, data_type, can_be_str)
+    kind, is_list = (None, True) if data_type is None else extract_type(data_type)
+    if not is_list:
+        raise EntityTypeError("the value", _said(data_type), value)
+    return coerce_list(value, kind, can_be_str)
+
+
+def is_substitution(value: Any) -> bool:
+    """Return whether a value is a substitution, or texts and at least one substitution."""
+    if not isinstance(value, Iterable):
+        return isinstance(value, Substitution)
+    parts = list(value)
+    has_one = any(isinstance(one, Substitution) for one in parts)
+    return has_one and all(isinstance(one, (str, Substitution)) for one in parts)
+
+
+def is_normalized_substitution(value: Any) -> bool:
+    """Return whether a value is a list of nothing but substitutions."""
+    is_filled = isinstance(value, list) and bool(value)
+    return is_filled and all(isinstance(one, Substitution) for one in value)
 
 
 def normalize_typed_substitution(value: SomeValueType, data_type: Any = None) -> Any:
-    """Return a value in which texts to be are lists of substitutions; others stay as they are."""
-    del data_type  # it is looked at when the value is performed: until then it may be anything
-    if isinstance(value, str) or is_a_substitution(value):
+    """Return a value in which texts to be are lists of substitutions; others stay as they are.
+
+    Raises:
+        CoercionError: No value can be of that type.
+        EntityTypeError: It cannot become a value of that type.
+    """
+    if is_substitution(value):
         return normalize(value)
+    if isinstance(value, str) or not isinstance(value, Iterable):
+        return _checked(value, data_type)
+    items = [normalize(one) if is_substitution(one) else one for one in value]
+    plain = [one for one in items if not is_normalized_substitution(one)]
+    _checked(plain, data_type)
+    return items
+
+
+def _checked(value: Any, data_type: Any) -> Any:
+    if not is_instance_of(value, data_type):
+        raise EntityTypeError("the value", _said(data_type), value)
     return value
 
 
@@ -73,15 +193,18 @@ def perform_typed_substitution(
         data_type: See `coerce_to_type`.
 
     Raises:
-        EntityTypeError: It has another type.
+        CoercionError: What a substitution became is of another type.
+        EntityTypeError: The value is.
     """
-    if isinstance(value, (list, tuple)) and value and all(map(is_a_substitution, value)):
+    if is_normalized_substitution(value):
         return coerce_to_type(perform(context, value), data_type)
-    if isinstance(value, (list, tuple)):
-        (inner,) = get_args(data_type) or (None,)
-        return [perform_typed_substitution(context, one, inner) for one in value]
-    if is_a_substitution(value):
-        return coerce_to_type(perform(context, value), data_type)
-    if data_type is not None and not _is(value, data_type):
-        raise EntityTypeError("the value", _said(data_type), value)
-    return value
+    if not isinstance(value, list):
+        return _checked(value, data_type)
+    kind = None if data_type is None else extract_type(data_type)[0]
+    found = [
+        coerce_to_type(perform(context, one), kind) if is_normalized_substitution(one) else one
+        for one in value
+    ]
+    if not is_instance_of(found, data_type):
+        raise CoercionError(f"{found} is no {_said(data_type)}")
+    return found

@@ -1,14 +1,22 @@
 from __future__ import annotations
 
-from typing import Any, List  # noqa: UP035 - as launch files write it
+from typing import Any, List, Union  # noqa: UP035 - as launch files write it
 
 import pytest
 
 from zbot.launch.context import LaunchContext
-from zbot.launch.errors import EntityTypeError
+from zbot.launch.errors import CoercionError, EntityTypeError
 from zbot.launch.logger import launch_config
+from zbot.launch.substitution import TextSubstitution
 from zbot.launch.substitutions.value import LaunchConfiguration
-from zbot.launch.typed_value import normalize_typed_substitution, perform_typed_substitution
+from zbot.launch.typed_value import (
+    extract_type,
+    get_typed_value,
+    is_instance_of,
+    is_normalized_substitution,
+    normalize_typed_substitution,
+    perform_typed_substitution,
+)
 
 
 @pytest.mark.parametrize(
@@ -36,15 +44,51 @@ def test_values_stay_and_lists_are_gone_through() -> None:
     context = LaunchContext()
     context.launch_configurations["speed"] = "5"
     assert perform_typed_substitution(context, 3, int) == 3
-    mixed = [3, LaunchConfiguration("speed")]
+    mixed = normalize_typed_substitution([3, LaunchConfiguration("speed")], list[int])
+    assert not is_normalized_substitution(mixed)
+    assert is_normalized_substitution(mixed[1])
     assert perform_typed_substitution(context, mixed, list[int]) == [3, 5]
 
 
 @pytest.mark.parametrize(("text", "data_type"), [("fast", int), ("1.5", int), ("[a]", list[int])])
-def test_another_type_is_refused(text: str, data_type: Any) -> None:
-    value = normalize_typed_substitution(text)
-    with pytest.raises(EntityTypeError):
+def test_a_text_of_another_type_is_refused(text: str, data_type: Any) -> None:
+    value = normalize_typed_substitution(TextSubstitution(text=text), data_type)
+    with pytest.raises(CoercionError):
         perform_typed_substitution(LaunchContext(), value, data_type)
+
+
+@pytest.mark.parametrize(("value", "data_type"), [(5, str), (["a"], List[int]), (object(), None)])  # noqa: UP006
+def test_a_value_of_another_type_is_refused_at_once(value: Any, data_type: Any) -> None:
+    with pytest.raises(EntityTypeError):
+        normalize_typed_substitution(value, data_type)
+
+
+@pytest.mark.parametrize("data_type", [bytes, list, List, Union[int, str]])  # noqa: UP006, UP007
+def test_there_are_types_that_no_value_has(data_type: Any) -> None:
+    with pytest.raises(CoercionError):
+        extract_type(data_type)
+
+
+@pytest.mark.parametrize(
+    ("texts", "data_type", "can_be_str", "expected"),
+    [
+        (["1", "2"], None, False, [1, 2]),
+        (["1", "2"], list[float], False, [1.0, 2.0]),
+        (["a", "2"], list[int], True, ["a", 2]),
+        ("[a, 2]", None, True, ["a", 2]),
+    ],
+)
+def test_texts_become_values(
+    texts: Any, data_type: Any, can_be_str: bool, expected: list[Any]
+) -> None:
+    assert get_typed_value(texts, data_type, can_be_str) == expected
+    assert is_instance_of(expected, data_type, can_be_str)
+
+
+@pytest.mark.parametrize("texts", [["1", "2.0"], ["a", "2"], "[a, 2]", "{a: 1}"])
+def test_texts_of_several_types_are_refused(texts: Any) -> None:
+    with pytest.raises(CoercionError):
+        get_typed_value(texts)
 
 
 def test_the_folder_of_logs_can_be_set(
