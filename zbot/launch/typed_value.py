@@ -94,8 +94,9 @@ def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = False) 
         raise EntityTypeError("the value", "a str", value)
     if data_type is not None and extract_type(data_type) == (str, False):
         return value
+    read: Any = data_type if data_type in {int, float} else yaml.safe_load
     try:
-        found = data_type(value) if data_type in {int, float} else yaml.safe_load(value)
+        found = read(value)
     except (yaml.YAMLError, ValueError):
         found = value if can_be_str else None
     if not is_instance_of(found, data_type, can_be_str):
