@@ -177,9 +177,9 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._liveliness = context.graph.announce(token)
 
     @property
-    def handle(self) -> Any:
-        """The Zenoh querier."""
-        return self._querier
+    def is_destroyed(self) -> bool:
+        """Whether it calls no more."""
+        return self._querier is None
 
     # -- is there a server? --------------------------------------------------------------------
 

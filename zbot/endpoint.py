@@ -40,6 +40,11 @@ class Endpoint:
         return Handle(self)
 
     @property
+    def is_destroyed(self) -> bool:
+        """Whether it has left the graph."""
+        raise NotImplementedError
+
+    @property
     def logger_name(self) -> str:
         """The name of its node's logger."""
         return self._logger_name

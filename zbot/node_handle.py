@@ -169,6 +169,15 @@ class NodeHandle:
         for endpoint in (*reversed(self.subscriptions), *reversed(self.publishers)):
             self.adviser.remove(endpoint.token)
             endpoint.destroy()
+        self._forget_all()
         self.adviser.remove(self.token)
         if not self.context.is_closed:
             self.liveliness.undeclare()
+
+    def _forget_all(self) -> None:
+        lists: tuple[list[Any], ...] = (
+            *(self.timers, self.rates, self.guards, self.waitables),
+            *(self.services, self.clients, self.subscriptions, self.publishers),
+        )
+        for owned in lists:
+            owned.clear()

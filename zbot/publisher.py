@@ -71,9 +71,9 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         self._liveliness = context.graph.announce(token)
 
     @property
-    def handle(self) -> Any:
-        """The Zenoh publisher."""
-        return self._publisher
+    def is_destroyed(self) -> bool:
+        """Whether it has left the topic."""
+        return self._publisher is None
 
     @property
     def is_open(self) -> bool:

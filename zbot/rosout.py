@@ -28,13 +28,16 @@ class Rosout:
 
         self._log, self._time = Log, Time
         self._name = node.handle.logger_name
+        self._adviser = node.handle.adviser
         self._publisher: Any = node.create_publisher(Log, ROSOUT_TOPIC, qos)
+        node.handle.publishers.remove(self._publisher)  # as in rclpy, the node does not list it
+        self._send = self._publisher.publish  # once: a program may put its own in the class later
         add_sink(self._name, self._publish)
 
     def _publish(self, record: Record) -> None:
         if self._publisher.is_open:
             sec, nanosec = divmod(record.stamp_ns, 10**9)
-            self._publisher.publish(
+            self._send(
                 self._log(
                     stamp=self._time(sec=sec, nanosec=nanosec),
                     level=int(record.level),
@@ -47,5 +50,7 @@ class Rosout:
             )
 
     def close(self) -> None:
-        """Stop publishing."""
+        """Stop publishing, and leave the topic."""
         remove_sink(self._name, self._publish)
+        self._adviser.remove(self._publisher.token)
+        self._publisher.destroy()

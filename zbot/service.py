@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import deque
+from dataclasses import dataclass, field
 from functools import cached_property
 from struct import Struct
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
@@ -12,12 +13,13 @@ import zenoh
 
 from zbot.errors import ResponseTypeError
 from zbot.foreign_call import called_by_zenoh, keep_thread_state
+from zbot.handle import Handle
 from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.repetition import Repetitions
 from zbot.service_introspection import ServiceEndpoint, Step
-from zbot.wire.attachment import GID_LENGTH, LAYOUT
+from zbot.wire.attachment import GID_LENGTH, LAYOUT, unpack
 from zbot.wire.codec import CodecError
 from zbot.wire.dialect import other_type
 from zbot.wire.error_reply import ENCODING, pack_error
@@ -96,9 +98,37 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         return self._context.dialect.codec_for(self.srv_type.Response).encode
 
     @property
-    def handle(self) -> Any:
-        """The Zenoh queryable."""
-        return self._queryable
+    def is_destroyed(self) -> bool:
+        """Whether it serves no more."""
+        return self._is_destroyed
+
+    @property
+    def handle(self) -> ServiceHandle:
+        """What a `WaitSet` takes, and what requests can be taken from without an executor."""
+        return ServiceHandle(self)
+
+    def take_request(self) -> tuple[RequestT, RequestHeader] | None:
+        """Take the oldest request past the callback; `None` if there is none.
+
+        Raises:
+            CodecError: It cannot be read.
+        """
+        taken = self.take()
+        if taken is None:
+            return None
+        query = taken[0]
+        payload = b"" if query.payload is None else query.payload.to_bytes()
+        attachment = query.attachment
+        facts = unpack(None if attachment is None else attachment.to_bytes())
+        return self._decode(payload), RequestHeader(query, 0 if facts is None else facts.source_ns)
+
+    def send_response(self, response: ResponseT, header: RequestHeader) -> None:
+        """Answer a request that was taken past the callback.
+
+        Raises:
+            ResponseTypeError: This is no response of this service.
+        """
+        self._answer(_sender(header.query), header.query, response)
 
     @called_by_zenoh
     def _receive(self, query: zenoh.Query) -> None:
@@ -215,6 +245,30 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
     def _drop_queries(self) -> None:
         while (taken := self.take()) is not None:
             taken[0].drop()  # its caller learns that there is no answer
+
+
+@dataclass(frozen=True)
+class RequestHeader:
+    """Which request it is that a program took itself, and when it was sent and taken."""
+
+    query: zenoh.Query
+    source_timestamp: int  #: nanoseconds since the epoch by the caller's clock; 0 if not told
+    received_timestamp: int = field(default_factory=time.time_ns)  #: by this machine's clock
+
+
+class ServiceHandle(Handle[Service[Any, Any]]):
+    """A service's handle."""
+
+    def service_take_request(
+        self,
+        request_type: object = None,  # noqa: ARG002 - rclpy's signature
+    ) -> tuple[Any, RequestHeader] | tuple[None, None]:
+        """Take the oldest request past the callback; two `None` if there is none."""
+        return self.entity.take_request() or (None, None)
+
+    def service_send_response(self, response: Any, header: RequestHeader) -> None:
+        """Answer a request that was taken so."""
+        self.entity.send_response(response, header)
 
 
 def _sender(query: zenoh.Query) -> bytes:

@@ -195,6 +195,11 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._callback = callback
 
     @property
+    def is_destroyed(self) -> bool:
+        """Whether it listens no more."""
+        return self._is_destroyed
+
+    @property
     def handle(self) -> SubscriptionHandle:
         """What a `WaitSet` takes, and what messages can be taken from without an executor."""
         return SubscriptionHandle(self)

@@ -158,6 +158,11 @@ class Timer:
         return self._callback(info) if self._with_info else self._callback()
 
     @property
+    def is_destroyed(self) -> bool:
+        """Whether it never calls again."""
+        return self._is_destroyed
+
+    @property
     def handle(self) -> Handle[Timer]:
         """What a `WaitSet` takes."""
         return Handle(self)

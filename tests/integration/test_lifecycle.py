@@ -458,10 +458,22 @@ def test_services_and_topic_are_those_of_ros2(robot: Robot) -> None:
     assert topics["/robot/transition_event"] == ["lifecycle_msgs/msg/TransitionEvent"]
 
 
+def test_the_state_machine_knows_its_services(robot: Robot) -> None:
+    service: Any = robot._state_machine.service_change_state
+    assert service.service_name == "/robot/change_state"
+
+
+def test_the_interface_is_switched_by_a_bool(make_context: MakeContext) -> None:
+    wrong: Any = "no"
+    with pytest.raises(TypeError, match="must be a bool, not str"):
+        Robot(context=make_context(), enable_communication_interface=wrong)
+
+
 def test_without_the_interface_there_is_none(make_context: MakeContext) -> None:
     robot = Robot(context=make_context(), enable_communication_interface=False)
     services = robot.get_service_names_and_types_by_node("robot", "/")
     assert not [name for name, types in services if "lifecycle_msgs" in types[0]]
+    assert robot._state_machine.service_get_state is None
     assert robot.trigger_configure() is Outcome.SUCCESS
 
 

@@ -7,7 +7,7 @@ from collections.abc import Coroutine
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
-from zbot.errors import ExternalShutdownException
+from zbot.errors import ArgumentTypeError, ExternalShutdownException
 from zbot.lifecycle.errors import CallbackReturnError, NotAManagedEntityError, NotANodeError
 from zbot.lifecycle.managed_entity import ManagedEntity, SimpleManagedEntity
 from zbot.lifecycle.publisher import LifecyclePublisher
@@ -73,6 +73,7 @@ class LifecycleNodeMixin(ManagedEntity):
 
     Raises:
         NotANodeError: `Node` is missing among the base classes.
+        ArgumentTypeError: `enable_communication_interface` is no bool.
     """
 
     def __init__(
@@ -81,6 +82,9 @@ class LifecycleNodeMixin(ManagedEntity):
         enable_communication_interface: bool = True,
         callback_group: CallbackGroup | None = None,
     ) -> None:
+        if not isinstance(enable_communication_interface, bool):
+            name = "enable_communication_interface"
+            raise ArgumentTypeError(name, "a bool", enable_communication_interface)
         node = self._zbot_node()
         self._zbot_life = life = _Life()
         if enable_communication_interface:

@@ -59,7 +59,10 @@ class LifecycleServices:
             "get_transition_graph": (GetAvailableTransitions, self._get_graph),
         }
         for name, (srv_type, answer) in served.items():
-            Node.create_service(node, srv_type, f"~/{name}", answer, callback_group=callback_group)
+            service = Node.create_service(
+                node, srv_type, f"~/{name}", answer, callback_group=callback_group
+            )
+            setattr(machine, f"service_{name}", service)
 
     def tell(self, transition: Transition) -> None:
         """Publish that a transition was made, unless a callback destroyed the node."""

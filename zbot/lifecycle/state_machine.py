@@ -131,6 +131,13 @@ class TransitionNotPossibleError(ZbotError, RuntimeError):
 class StateMachine:
     """Where one node is in its life. Any thread may ask and change."""
 
+    # rclpy's names of the services that others change it by; `None` where a node has none.
+    service_change_state: object | None = None
+    service_get_state: object | None = None
+    service_get_available_states: object | None = None
+    service_get_available_transitions: object | None = None
+    service_get_transition_graph: object | None = None
+
     def __init__(self) -> None:
         self._state = UNCONFIGURED
         self._lock = threading.Lock()
