@@ -165,7 +165,7 @@ class ClockTypeError(ZbotError, ValueError):
     def __init__(self, clock_type: str, given: str) -> None:
         self.clock_type, self.given = clock_type, given
         super().__init__(
-            f"the time's clock type ({given}) does not match this clock's type ({clock_type}): "
+            f"the time's clock type does not match this clock's: it is {given}, not {clock_type}; "
             "take it from the same clock's now()"
         )
 
@@ -577,6 +577,10 @@ class ParametersFileError(SetupError, ValueError):
     def __init__(self, path: str, reason: str) -> None:
         self.path, self.reason = path, reason
         super().__init__(f"cannot use the parameter file {path}: {reason}")
+
+
+class ParametersFileNotFoundError(ParametersFileError, FileNotFoundError):
+    """There is no such parameter file."""
 
 
 class ExternalShutdownException(ZbotError):  # noqa: N818 - rclpy's name

@@ -29,7 +29,7 @@ class TimeSource:
         self._clocks: list[ROSClock] = []
         self._last_time = Time(clock_type=ClockType.ROS_TIME)
         self._is_active = False
-        self._subscription: Subscription[Any] | None = None
+        self._clock_sub: Subscription[Any] | None = None
         if node is not None:
             self.attach_node(node)
 
@@ -47,13 +47,17 @@ class TimeSource:
         for clock in self._clocks:
             clock.set_ros_time_is_active(active)
 
+    def _get_node(self) -> Node | None:
+        return self._node
+
     def attach_node(self, node: Node) -> None:
         """Follow a node's `use_sim_time` from now on, in place of the former node's."""
         self.detach_node()
         if not node.has_parameter(USE_SIM_TIME):
             node.declare_parameter(USE_SIM_TIME, False)
         self._node = node
-        node.handle.parameters.post_set.append(self._follow)
+        # The latest comes first, as in rclpy: its subscription is also the first to be served.
+        node.handle.parameters.post_set.insert(0, self._follow)
         self._follow()
         self._subscribe()
 
@@ -88,16 +92,16 @@ class TimeSource:
             self.ros_time_is_active = parameter is not None and parameter.value is True
 
     def _subscribe(self) -> None:
-        if not self._is_active or self._node is None or self._subscription is not None:
+        if not self._is_active or self._node is None or self._clock_sub is not None:
             return
         from rosgraph_msgs.msg import Clock  # noqa: PLC0415 - simulation is the exception
 
         profile = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
-        self._subscription = self._node.create_subscription(
+        self._clock_sub = self._node.create_subscription(
             Clock, CLOCK_TOPIC, self.clock_callback, profile
         )
 
     def _unsubscribe(self) -> None:
-        if self._node is not None and self._subscription is not None:
-            self._node.destroy_subscription(self._subscription)
-        self._subscription = None
+        if self._node is not None and self._clock_sub is not None:
+            self._node.destroy_subscription(self._clock_sub)
+        self._clock_sub = None

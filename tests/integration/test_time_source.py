@@ -59,6 +59,15 @@ def test_a_clock_that_comes_later_gets_the_last_time(node: zbot.Node) -> None:
     assert not clock.ros_time_is_active
 
 
+def test_the_source_attached_last_is_served_first(node: zbot.Node) -> None:
+    # A program that spins once for each message of `/clock` sees its own clock move.
+    source = TimeSource(node=node)
+    node.set_parameters([zbot.Parameter("use_sim_time", value=True)])
+    first = next(one for one in node.subscriptions if one.topic_name == "/clock")
+    assert first is source._clock_sub
+    assert source._get_node() is node
+
+
 def test_only_clocks_of_ros_time_can_be_fed() -> None:
     wrong: Any = Clock()
     with pytest.raises(ClockTypeError):

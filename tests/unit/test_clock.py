@@ -360,7 +360,7 @@ def test_simulation_that_comes_and_goes_ends_a_sleep(context: FakeContext) -> No
 
 
 def test_sleep_refuses_a_time_of_another_clock(context: FakeContext) -> None:
-    with pytest.raises(ClockTypeError, match=r"STEADY_TIME.*SYSTEM_TIME"):
+    with pytest.raises(ClockTypeError, match=r"type does not match.*STEADY_TIME.*SYSTEM_TIME"):
         Clock().sleep_until(Time(clock_type=STEADY), context)
 
 
@@ -411,3 +411,9 @@ def test_exception_of_a_signal_handler_ends_a_sleep(
     with pytest.raises(KeyboardInterrupt):
         Clock().sleep_for(FAR, context)
     assert context.wakers == []
+
+
+def test_rclpys_own_name_switches_simulated_time_too() -> None:
+    clock = ROSClock()
+    clock._set_ros_time_is_active(True)
+    assert clock.ros_time_is_active
