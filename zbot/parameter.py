@@ -87,6 +87,8 @@ class Parameter(Generic[ValueT_co]):
         ArgumentTypeError: `type_` is no type.
     """
 
+    _zbot_stands_for = "rcl_interfaces/msg/Parameter"  # in fields of messages
+
     class Type(IntEnum):
         """The types, with the numbers of rcl_interfaces/msg/ParameterType."""
 
@@ -306,7 +308,8 @@ def parameter_dict_from_yaml_file(
         namespace: Put in front of each parameter's name, as it is.
 
     Raises:
-        ParametersFileError: The file cannot be read or has another form.
+        ParametersFileError: The file cannot be read or has another form; it is a
+            `FileNotFoundError` too if there is none.
         NoParametersError: It has nothing for these nodes.
     """
     nodes = [name if name.startswith("/") else f"/{name}" for name in target_nodes or ()]

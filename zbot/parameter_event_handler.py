@@ -13,7 +13,7 @@ from zbot.qos import qos_profile_parameter_events
 from rcl_interfaces.msg import ParameterEvent
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable
+    from collections.abc import Callable, Iterable, Sequence
 
     from zbot.callback_group import CallbackGroup
     from zbot.node import Node
@@ -40,10 +40,73 @@ class ParameterEventCallbackHandle:
         self.callback = callback
 
 
+class ParameterEventCallbacks:
+    """The callbacks of a handler, under the names that rclpy gives them.
+
+    All methods may be called from any thread, and by the callbacks themselves.
+    """
+
+    def __init__(self) -> None:
+        self.mutex = threading.Lock()
+        #: By the parameter's name and the node's full name; each list begins with the latest.
+        self.parameter_callbacks: dict[tuple[str, str], list[ParameterCallbackHandle]] = {}
+        self.event_callbacks: list[ParameterEventCallbackHandle] = []  #: begins with the latest
+
+    def event_callback(self, event: ParameterEvent) -> None:
+        """Call those whom an event concerns."""
+        with self.mutex:
+            of_parameters = [(*key, list(some)) for key, some in self.parameter_callbacks.items()]
+            of_events = list(self.event_callbacks)
+        for name, node, handles in of_parameters:
+            parameter = ParameterEventHandler.get_parameter_from_event(event, name, node)
+            if parameter is not None:
+                for handle in handles:
+                    handle.callback(parameter)
+        for one in of_events:
+            one.callback(event)
+
+    def add_parameter_callback(
+        self, parameter_name: str, node_name: str, callback: Callable[[ParameterMsg], Any]
+    ) -> ParameterCallbackHandle:
+        """Call a function for a parameter of a node, which is given by its full name."""
+        handle = ParameterCallbackHandle(parameter_name, node_name, callback)
+        with self.mutex:
+            self.parameter_callbacks.setdefault((parameter_name, node_name), []).insert(0, handle)
+        return handle
+
+    def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
+        """Take a callback back, or raise `UnknownCallbackError`."""
+        key = handle.parameter_name, handle.node_name
+        with self.mutex:
+            _remove(self.parameter_callbacks.get(key, []), handle)
+            if not self.parameter_callbacks[key]:
+                del self.parameter_callbacks[key]
+
+    def add_parameter_event_callback(
+        self, callback: Callable[[ParameterEvent], Any]
+    ) -> ParameterEventCallbackHandle:
+        """Call a function for every event."""
+        handle = ParameterEventCallbackHandle(callback)
+        with self.mutex:
+            self.event_callbacks.insert(0, handle)
+        return handle
+
+    def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
+        """Take a callback back, or raise `UnknownCallbackError`."""
+        with self.mutex:
+            _remove(self.event_callbacks, handle)
+
+
+def _remove(handles: list[Any], handle: Any) -> None:
+    if handle not in handles:
+        raise UnknownCallbackError(handle.callback)
+    handles.remove(handle)
+
+
 class ParameterEventHandler:
     """Listens to `/parameter_events` for a node, as in rclpy.
 
-    Of several callbacks, the one that was added last is called first.
+    Of several callbacks of a parameter, or of every event, the one added last is called first.
 
     Args:
         node: Subscribes and runs the callbacks.
@@ -65,13 +128,11 @@ class ParameterEventHandler:
     ) -> None:
         self.node = node
         self.qos_profile = qos_profile
-        self._lock = threading.Lock()
-        self._of_parameters: list[ParameterCallbackHandle] = []
-        self._of_events: list[ParameterEventCallbackHandle] = []
+        self._callbacks = ParameterEventCallbacks()
         self.parameter_event_subscription = node.create_subscription(
             ParameterEvent,
             "/parameter_events",
-            self._on_event,
+            self._callbacks.event_callback,
             qos_profile,
             callback_group=callback_group,
             event_callbacks=event_callbacks,
@@ -82,16 +143,23 @@ class ParameterEventHandler:
         """Listen no more."""
         self.node.destroy_subscription(self.parameter_event_subscription)
 
-    def _on_event(self, event: ParameterEvent) -> None:
-        with self._lock:
-            of_parameters, of_events = list(self._of_parameters), list(self._of_events)
-        for handle in of_parameters:
-            name, node = handle.parameter_name, handle.node_name
-            parameter = ParameterEventHandler.get_parameter_from_event(event, name, node)
-            if parameter is not None:
-                handle.callback(parameter)
-        for one in of_events:
-            one.callback(event)
+    def configure_nodes_filter(self, node_names: Sequence[str] | None = None) -> bool:
+        """Take only the events of some nodes from now on, or those of all nodes again.
+
+        Args:
+            node_names: As in `add_parameter_callback`, at most 100 (what a content filter holds);
+                none or an empty list for all nodes.
+
+        Returns:
+            True: the events are filtered as asked.
+
+        Raises:
+            ContentFilterError: There are too many.
+        """
+        names = [self._resolve_path(name) for name in node_names or ()]
+        expression = " OR ".join(f"node = %{i}" for i in range(len(names)))
+        self.parameter_event_subscription.set_content_filter(expression, [f"'{n}'" for n in names])
+        return self.parameter_event_subscription.is_cft_enabled is bool(names)
 
     @staticmethod
     def get_parameter_from_event(
@@ -122,10 +190,8 @@ class ParameterEventHandler:
         Returns:
             What `remove_parameter_callback` takes.
         """
-        handle = ParameterCallbackHandle(parameter_name, self._resolved(node_name), callback)
-        with self._lock:
-            self._of_parameters.insert(0, handle)
-        return handle
+        name = self._resolve_path(node_name)
+        return self._callbacks.add_parameter_callback(parameter_name, name, callback)
 
     def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
         """Take a callback back.
@@ -133,7 +199,7 @@ class ParameterEventHandler:
         Raises:
             UnknownCallbackError: It was not added here, or is removed already.
         """
-        self._remove(self._of_parameters, handle)
+        self._callbacks.remove_parameter_callback(handle)
 
     def add_parameter_event_callback(
         self, callback: Callable[[ParameterEvent], Any]
@@ -143,10 +209,7 @@ class ParameterEventHandler:
         Returns:
             What `remove_parameter_event_callback` takes.
         """
-        handle = ParameterEventCallbackHandle(callback)
-        with self._lock:
-            self._of_events.insert(0, handle)
-        return handle
+        return self._callbacks.add_parameter_event_callback(callback)
 
     def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
         """Take a callback back.
@@ -154,15 +217,9 @@ class ParameterEventHandler:
         Raises:
             UnknownCallbackError: It was not added here, or is removed already.
         """
-        self._remove(self._of_events, handle)
+        self._callbacks.remove_parameter_event_callback(handle)
 
-    def _remove(self, handles: list[Any], handle: Any) -> None:
-        with self._lock:
-            if handle not in handles:
-                raise UnknownCallbackError(handle.callback)
-            handles.remove(handle)
-
-    def _resolved(self, node_name: str) -> str:
+    def _resolve_path(self, node_name: str | None = None) -> str:
         if not node_name:
             return self.node.get_fully_qualified_name()
         if node_name.startswith("/"):

@@ -14,7 +14,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ParametersFileError, ParameterValueError
+from zbot.errors import (
+    ParametersFileError,
+    ParametersFileNotFoundError,
+    ParameterValueError,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -89,6 +93,8 @@ def _sections(path: str) -> Iterator[tuple[str, dict[Any, Any]]]:
     try:
         with Path(path).open(encoding="utf-8") as file:
             content = yaml.load(file, Loader=_loader())
+    except FileNotFoundError as error:
+        raise ParametersFileNotFoundError(path, _problem(error)) from error
     except (OSError, yaml.YAMLError, ValueError) as error:
         raise ParametersFileError(path, _problem(error)) from error
     if content is not None:

@@ -44,6 +44,7 @@ if TYPE_CHECKING:
     Spin = Callable[..., Spinner]
 
 Type = Parameter.Type
+SPEED: Any = [Parameter("speed", value=1)]  # what rclpy takes for messages
 
 
 @pytest.fixture
@@ -434,6 +435,46 @@ def test_a_handler_calls_those_whom_a_change_concerns(
         handler.remove_parameter_callback(of_speed)
     handler.destroy()
     assert not list(watcher.subscriptions)
+
+
+def test_callbacks_of_a_handler_are_kept_under_rclpys_names(node: zbot.Node) -> None:
+    handler, heard = ParameterEventHandler(node), list[Any]()
+    first = handler.add_parameter_callback("speed", "arm", lambda _: heard.append("first"))
+    last = handler.add_parameter_callback("speed", "arm", lambda _: heard.append("last"))
+    of_all = handler.add_parameter_event_callback(heard.append)
+    callbacks = handler._callbacks
+    assert callbacks.parameter_callbacks == {("speed", "/lab/arm"): [last, first]}
+    assert callbacks.event_callbacks == [of_all]
+    event = ParameterEvent(node="/lab/arm", changed_parameters=SPEED)
+    callbacks.event_callback(event)
+    assert heard == ["last", "first", event]
+    handler.remove_parameter_callback(first)
+    handler.remove_parameter_callback(last)
+    assert not callbacks.parameter_callbacks
+
+
+def test_an_event_that_holds_parameters_themselves_is_not_sent(node: zbot.Node) -> None:
+    publisher = node.create_publisher(ParameterEvent, "events", 1)
+    with pytest.raises(zbot.ZbotError, match="new_parameters"):
+        publisher.publish(ParameterEvent(new_parameters=SPEED))
+
+
+def test_a_handler_can_be_told_of_some_nodes_only(
+    node: zbot.Node, make_context: MakeContext, spin: Spin
+) -> None:
+    watcher = zbot.Node("watcher", context=make_context(), namespace="lab")
+    handler = ParameterEventHandler(watcher)
+    heard: list[str] = []
+    handler.add_parameter_event_callback(lambda event: heard.append(event.node))
+    assert handler.configure_nodes_filter(["robot", "/elsewhere"])
+    spin(watcher)
+    assert wait_until(lambda: node.count_subscribers("/parameter_events") == 1)
+    watcher.declare_parameter("speed", 1.0)
+    node.declare_parameter("speed", 1.0)
+    assert wait_until(lambda: heard == ["/lab/robot"])
+    assert handler.configure_nodes_filter()
+    watcher.declare_parameter("force", 1.0)
+    assert wait_until(lambda: heard == ["/lab/robot", "/lab/watcher"])
 
 
 # -- quality of service ------------------------------------------------------------------------

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from zbot.errors import ParametersFileError, ParameterValueError
-from zbot.parameter_file import load, matches, parse_value
+from zbot.parameter_file import load, matches, parse_value, sections
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -151,3 +151,11 @@ def test_values_keep_their_types(tmp_path: Path) -> None:
     text = "/**:\n  ros__parameters: {a: 1, b: 1e3, c: on, d: '1', e: [x, y]}\n"
     expected: dict[str, Any] = {"a": 1, "b": 1000.0, "c": True, "d": "1", "e": ["x", "y"]}
     assert load(written(tmp_path, text), "/n") == expected
+
+
+def test_a_file_that_is_not_there_is_also_pythons_own_error(tmp_path: Path) -> None:
+    path = str(tmp_path / "none.yaml")
+    with pytest.raises(FileNotFoundError, match=r"cannot use the parameter file .*none\.yaml: No"):
+        sections(path)
+    with pytest.raises(ParametersFileError):
+        sections(path)

@@ -130,14 +130,18 @@ class _ByteCheck(ScalarCheck):
 
 
 class _MessageCheck(ScalarCheck):
-    """A message of one class, or of a class derived from it."""
+    """A message of one class, or of a class derived from it, or what stands for such a message.
+
+    In rclpy, programs put a `Parameter` itself into an event that they do not send.
+    """
 
     def __init__(self, type_name: str, cls: type[Any], cls_name: str) -> None:
-        self.cls = cls
+        self.cls, self.cls_name = cls, cls_name
         super().__init__(type_name, f"a {cls_name}")
 
     def __call__(self, label: str, value: Any) -> Any:
-        if not isinstance(value, self.cls):
+        stands_for = getattr(value, "_zbot_stands_for", None)
+        if not isinstance(value, self.cls) and stands_for != self.cls_name:
             raise self.wrong_type(label, value)
         return value
 
