@@ -160,9 +160,18 @@ def _yaml() -> Any:
 
 @lru_cache(maxsize=1)
 def _loader() -> Any:
-    """Return YAML's safe loader with ROS 2's idea of scalars: no dates, `1e3` is a number."""
+    """Return YAML's safe loader with ROS 2's idea of scalars: no dates, `1e3` is a number.
+
+    A key that is written twice continues what it began, where YAML forgets the first.
+    """
     base = _yaml().SafeLoader
-    loader: Any = type("_Loader", (base,), {"yaml_implicit_resolvers": {}})
+
+    def construct_mapping(self: Any, node: Any, deep: bool = False) -> Any:
+        joined = _yaml().MappingNode(node.tag, _joined(node.value), node.start_mark, node.end_mark)
+        return base.construct_mapping(self, joined, deep)
+
+    members = {"yaml_implicit_resolvers": {}, "construct_mapping": construct_mapping}
+    loader: Any = type("_Loader", (base,), members)
     for first, resolvers in base.yaml_implicit_resolvers.items():
         kept = {"bool", "null", "merge"}
         loader.yaml_implicit_resolvers[first] = [
@@ -171,3 +180,19 @@ def _loader() -> Any:
     loader.add_implicit_resolver("tag:yaml.org,2002:float", _FLOAT, list("-+.0123456789"))
     loader.add_implicit_resolver("tag:yaml.org,2002:int", _INTEGER, list("-+0123456789"))
     return loader
+
+
+def _joined(pairs: list[tuple[Any, Any]]) -> list[tuple[Any, Any]]:
+    """Return a mapping's keys and values with one pair for each key that has several mappings."""
+    yaml = _yaml()
+    found: dict[Any, tuple[Any, Any]] = {}
+    for key, value in pairs:
+        # `<<`, YAML's own merging, may stand twice; a key that is no word is equal to none.
+        is_word = isinstance(key, yaml.ScalarNode) and not key.tag.endswith(":merge")
+        identity = (key.tag, key.value) if is_word else id(key)
+        _, before = found.get(identity, (None, None))
+        if isinstance(before, yaml.MappingNode) and isinstance(value, yaml.MappingNode):
+            lines = [*before.value, *value.value]
+            value = yaml.MappingNode(value.tag, lines, before.start_mark, value.end_mark)  # noqa: PLW2901
+        found[identity] = (key, value)
+    return list(found.values())

@@ -142,6 +142,28 @@ def test_a_file_that_is_no_text_is_refused(tmp_path: Path, content: bytes) -> No
         load(str(path), "/a")
 
 
+def test_a_name_that_comes_again_continues_what_it_began(tmp_path: Path) -> None:
+    text = """\
+/**: {ros__parameters: {a: 1, b: 1, filter: {size: 3}, filter: {order: 2}}}
+/**: {lidar: {ros__parameters: {b: 2}}}
+lab: {lidar: {ros__parameters: {c: 1}}}
+lab: {lidar: {ros__parameters: {c: 2, c: 3}}}
+"""
+    found = load(written(tmp_path, text), "/lab/lidar")
+    assert found == {"a": 1, "b": 2, "c": 3, "filter.size": 3, "filter.order": 2}
+
+
+def test_anchors_still_merge(tmp_path: Path) -> None:
+    text = """\
+one: &one {ros__parameters: &values {a: 1, b: 1}}
+two: *one
+three: {ros__parameters: {<<: *values, b: 2}}
+"""
+    path = written(tmp_path, text)
+    assert load(path, "/two") == {"a": 1, "b": 1}
+    assert load(path, "/three") == {"a": 1, "b": 2}
+
+
 def test_a_missing_file_is_named() -> None:
     with pytest.raises(ParametersFileError, match=r"no/such\.yaml: No such file"):
         load("no/such.yaml", "/a")
