@@ -86,9 +86,12 @@ class Arguments:
             ArgumentsError: A word after `--ros-args` is not understood.
         """
         words, unparsed = _split(args)
-        found = cls(unparsed=tuple(unparsed))
+        found, unknown = cls(unparsed=tuple(unparsed)), list[str]()
         while words:
-            found = _flag(found, words)
+            found = _flag(found, words, unknown)
+        if unknown:
+            reason = "there is no such flag: see -r, -p, --params-file and --log-level; end with --"
+            raise ArgumentsError(unknown, reason)
         return found
 
     def merged(self, after: Arguments) -> Arguments:
@@ -176,15 +179,15 @@ def _split(args: Sequence[str]) -> tuple[list[str], list[str]]:
     return inside, outside
 
 
-def _flag(found: Arguments, words: list[str]) -> Arguments:
+def _flag(found: Arguments, words: list[str], unknown: list[str]) -> Arguments:
     """Take one flag, with its value if it has one, from the front of the words."""
     flag = words.pop(0)
     switch = _SWITCHES.get(flag)
     if switch is not None:
         return replace(found, **switch)
     if flag not in _FLAGS:
-        reason = "there is no such flag: see -r, -p, --params-file and --log-level; end with --"
-        raise ArgumentsError(flag, reason)
+        unknown.append(flag)
+        return found
     if not words:
         raise ArgumentsError(flag, "it needs a value after it")
     return _FLAGS[flag](found, words.pop(0))

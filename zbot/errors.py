@@ -79,6 +79,14 @@ class InvalidServiceNameError(InvalidNameError):
         super().__init__("service name", name, error_msg, invalid_index)
 
 
+class AskedNameError(InvalidNameError):
+    """A question about the graph names a topic or service that nothing can be called."""
+
+    def __init__(self, fault: InvalidNameError) -> None:
+        super().__init__(fault.name_type, fault.name, fault.error_msg, fault.invalid_index)
+        self.args = (f"{self.name_type} {self.name!r} is invalid: {self.error_msg}",)
+
+
 class ParameterError(ZbotError):
     """Root of what can go wrong with a node's parameters.
 
@@ -556,11 +564,11 @@ def _shortened(value: object, limit: int = 80) -> str:
 
 
 class ArgumentsError(ZbotError, ValueError, RuntimeError):
-    """A word after `--ros-args` is not understood."""
+    """A word after `--ros-args` is not understood, or several words are none of its flags."""
 
-    def __init__(self, word: str, reason: str) -> None:
+    def __init__(self, word: str | list[str], reason: str) -> None:
         self.word, self.reason = word, reason
-        super().__init__(f"cannot use {word!r} after --ros-args: {reason}")
+        super().__init__(f"Failed to parse ROS arguments: {word!r}: {reason}")
 
 
 class ParameterValueError(ZbotError, ValueError):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from zbot.endpoint_info import TopicEndpointInfo
-from zbot.errors import UnknownNodeError
+from zbot.errors import AskedNameError, InvalidNameError, UnknownNodeError
 from zbot.graph import full_names
 from zbot.names import fully_qualified
 from zbot.wire.tokens import EndpointToken, EntityKind
@@ -111,7 +111,10 @@ class GraphQueries:
 
     def _zbot_on(self, kind: EntityKind, name: str) -> list[EndpointToken]:
         is_service = kind in {EntityKind.SERVICE, EntityKind.CLIENT}
-        full = self.resolve_service_name(name) if is_service else self.resolve_topic_name(name)
+        try:
+            full = self.resolve_service_name(name) if is_service else self.resolve_topic_name(name)
+        except InvalidNameError as error:
+            raise AskedNameError(error) from None
         return self.context.graph.snapshot().on(full, kind)
 
     def _zbot_infos(self, kind: EntityKind, topic: str) -> list[TopicEndpointInfo]:

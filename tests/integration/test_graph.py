@@ -274,6 +274,15 @@ def test_counts_resolve_names_as_topics_do(make_node: MakeNode) -> None:
     assert node.count_subscribers("chatter") == 0
 
 
+def test_a_question_about_a_name_that_cannot_be_says_so(observer: zbot.Node) -> None:
+    said = "topic name '42' is invalid: topic name token must not start with a number"
+    for ask in (observer.count_publishers, observer.get_subscriptions_info_by_topic):
+        with pytest.raises(ValueError, match=said):
+            ask("42")
+    with pytest.raises(ValueError, match="service name 'a b' is invalid"):
+        observer.count_clients("a b")
+
+
 def test_infos_tell_node_type_and_quality(make_node: MakeNode, observer: zbot.Node) -> None:
     node = make_node("robot", namespace="/fleet")
     profile = QoSProfile(depth=7, durability=DurabilityPolicy.TRANSIENT_LOCAL)

@@ -141,8 +141,8 @@ def test_a_nodes_own_arguments_come_before_its_process_ones() -> None:
 @pytest.mark.parametrize(
     ("words", "bad", "reason"),
     [
-        (["--remp", "a:=b"], "--remp", "no such flag"),
-        (["chatter:=news"], "chatter:=news", "no such flag"),
+        (["--remp", "a:=b"], ["--remp", "a:=b"], "no such flag"),
+        (["chatter:=news", "-r", "a:=b"], ["chatter:=news"], "no such flag"),
         (["-r"], "-r", "needs a value"),
         (["-r", "chatter"], "chatter", "':=' is missing: write it as in `-r chatter:=/news`"),
         (["-r", "chatter:="], "chatter:=", "no value after"),
@@ -158,8 +158,11 @@ def test_a_nodes_own_arguments_come_before_its_process_ones() -> None:
         (["--log-level", ":=info"], ":=info", "one of unset, debug"),
     ],
 )
-def test_a_bad_word_is_named_with_what_to_do(words: list[str], bad: str, reason: str) -> None:
+def test_a_bad_word_is_named_with_what_to_do(
+    words: list[str], bad: str | list[str], reason: str
+) -> None:
     with pytest.raises(ArgumentsError) as caught:
         parse(*words)
     assert caught.value.word == bad
+    assert str(caught.value).startswith(f"Failed to parse ROS arguments: {bad!r}: ")
     assert reason in str(caught.value)
