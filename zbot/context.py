@@ -92,8 +92,10 @@ class Context:
         Raises:
             ContextInitializedError: It was called before.
             ArgumentsError: The `--ros-args` are malformed.
+            UnicodeEncodeError: The given `args` have half a surrogate pair, as in rclpy.
             DomainIdError: The domain is out of range.
         """
+        "".join(args or ()).encode()
         with self._lock:
             if self._state != "new":
                 raise ContextInitializedError
@@ -120,6 +122,11 @@ class Context:
     def is_closed(self) -> bool:
         """Whether there is no open session (any more)."""
         return self._session is None or self._session.is_closed()
+
+    @property
+    def is_valid(self) -> bool:
+        """Whether it is initialised and not shut down; a signal may have interrupted it."""
+        return self._state == "valid"
 
     @property
     def is_over(self) -> bool:

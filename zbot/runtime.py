@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from zbot import signals
 from zbot.context import get_default_context
 from zbot.endpoint import RMW_IDENTIFIER
+from zbot.errors import NotInitializedError
 from zbot.executor import SingleThreadedExecutor
 from zbot.node import Node
 from zbot.signals import SignalHandlerOptions
@@ -42,7 +43,7 @@ class InitContextManager:
         exc_val: BaseException | None,
         exc_tb: TracebackType | None,
     ) -> None:
-        shutdown(context=self.context)
+        try_shutdown(context=self.context)
 
 
 def init(
@@ -80,12 +81,24 @@ def ok(*, context: Context | None = None) -> bool:
 
 
 def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
-    """End: close the context's session and everything in it; the second call does nothing.
+    """End: close the context's session and everything in it.
+
+    The default context may be shut down twice: a first program ends like that after Ctrl-C.
 
     Args:
         context: The context to shut down; the default one if left out.
         uninstall_handlers: Whether to give the signals back; done for the default context.
+
+    Raises:
+        NotInitializedError: The given context is not initialised, or was shut down before.
     """
+    if context is not None and not context.is_valid:
+        raise NotInitializedError("shutdown(context=...)")
+    try_shutdown(context=context, uninstall_handlers=uninstall_handlers)
+
+
+def try_shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
+    """Do what `shutdown()` does if that has not been done yet."""
     chosen = get_default_context() if context is None else context
     executor = _executors.pop(id(chosen), None)
     chosen.shutdown()
@@ -93,11 +106,6 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
         executor.shutdown(0)
     if uninstall_handlers or (uninstall_handlers is None and context is None):
         signals.uninstall()
-
-
-def try_shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
-    """Shut down if that has not been done yet."""
-    shutdown(context=context, uninstall_handlers=uninstall_handlers)
 
 
 def create_node(node_name: str, **options: Any) -> Node:

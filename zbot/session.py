@@ -43,6 +43,8 @@ def _open(what: str, config: zenoh.Config) -> zenoh.Session:
 def process_facts(version: str) -> dict[str, Any]:
     """Return what a session tells of its process in the admin space (docs/wire.md)."""
     command = " ".join([Path(sys.argv[0]).name, *sys.argv[1:]]) if sys.argv else ""
+    # Python hides bytes that are no UTF-8 in surrogates, which Zenoh's JSON refuses.
+    command = command.encode(errors="replace").decode()
     return {
         "zbot": {
             "version": version,
