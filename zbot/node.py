@@ -565,7 +565,8 @@ class Node(GraphQueries, NodeParameters):
         if handle.is_destroyed:
             return
         handle.is_destroyed = True
-        if handle.executor is not None:
+        # One of another make has nothing of the node, and is not told, as in rclpy.
+        if handle.executor is not None and handle.executor is handle.mailbox.executor:
             handle.executor.remove_node(self)
         if self._zbot_rosout is not None:
             self._zbot_rosout.close()

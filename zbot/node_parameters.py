@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from copy import copy
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ArgumentTypeError
@@ -42,13 +43,13 @@ deprecated. You have to either:
 
 
 class _View:
-    """A read-only look into a store, which a subclass may replace by an attribute."""
+    """A copy of a store's dict or list, which a subclass may replace by an attribute."""
 
     def __init__(self, attribute: str) -> None:
         self._attribute = attribute
 
     def __get__(self, node: Any, owner: type[Any]) -> Any:
-        return self if node is None else dict(getattr(node.handle.parameters, self._attribute))
+        return self if node is None else copy(getattr(node.handle.parameters, self._attribute))
 
 
 class NodeParameters:
@@ -61,6 +62,9 @@ class NodeParameters:
     #: Where rclpy keeps them; a subclass may use these names for something else.
     _parameters = _View("values")
     _parameter_overrides = _View("overrides")
+    _pre_set_parameters_callbacks = _View("pre_set")
+    _on_set_parameters_callbacks = _View("on_set")
+    _post_set_parameters_callbacks = _View("post_set")
 
     @property
     def _zbot_parameters(self) -> ParameterStore:
@@ -294,7 +298,7 @@ class NodeParameters:
         Raises:
             UnknownCallbackError: It was not added.
         """
-        _remove(self._zbot_parameters.on_set, _Veto(callback))
+        _remove(self._zbot_parameters.on_set, callback)
 
     def remove_post_set_parameters_callback(self, callback: PostSet) -> None:
         """Take a callback back.
@@ -324,7 +328,8 @@ class _Veto:
         return "" if result.successful else result.reason or "a callback of the node refuses it"
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Veto) and other._callback == self._callback
+        """Tell whether it is the same callback, or that callback itself."""
+        return self._callback == (other._callback if isinstance(other, _Veto) else other)
 
     def __hash__(self) -> int:
         return hash(self._callback)
@@ -332,7 +337,7 @@ class _Veto:
 
 def _remove(callbacks: list[Any], callback: Any) -> None:
     if callback not in callbacks:
-        raise UnknownCallbackError(getattr(callback, "_callback", callback))
+        raise UnknownCallbackError(callback)
     callbacks.remove(callback)
 
 

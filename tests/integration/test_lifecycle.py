@@ -363,29 +363,26 @@ class Motor(SimpleManagedEntity):
         self.refusals = 0
 
     @SimpleManagedEntity.when_enabled
-    def turn(self, count: int) -> None:
+    def turn(self, count: int) -> int:
         self.turns += count
+        return self.turns
 
 
 def test_a_simple_entity_works_while_its_node_is_active(robot: Robot) -> None:
-    refused: list[str] = []
-
     class Horn(SimpleManagedEntity):
-        @SimpleManagedEntity.when_enabled(when_not_enabled=lambda: refused.append("beep"))
-        def beep(self) -> None:
-            refused.clear()
+        @SimpleManagedEntity.when_enabled(when_not_enabled=lambda: "no")
+        def beep(self) -> str:
+            return "beep"
 
     motor, horn = Motor(), Horn()
     robot.add_managed_entity(motor)
     robot.add_managed_entity(horn)
-    motor.turn(1)
-    horn.beep()
-    assert (motor.turns, motor.is_activated, refused) == (0, False, ["beep"])
+    assert (motor.turn(1), horn.beep()) == (None, "no")
+    assert (motor.turns, motor.is_activated) == (0, False)
     robot.trigger_configure()
     robot.trigger_activate()
-    motor.turn(2)
-    horn.beep()
-    assert (motor.turns, motor.is_activated, refused) == (2, True, [])
+    assert (motor.turn(2), horn.beep()) == (2, "beep")
+    assert (motor.turns, motor.is_activated) == (2, True)
 
 
 @pytest.mark.parametrize("ending", ["deactivate", "shutdown", "failed deactivation", "error"])

@@ -205,12 +205,16 @@ def test_callbacks_come_and_go(node: zbot.Node) -> None:
     node.add_pre_set_parameters_callback(double)
     node.add_on_set_parameters_callback(refuse)
     node.add_post_set_parameters_callback(tell)
+    assert double in node._pre_set_parameters_callbacks
+    assert refuse in node._on_set_parameters_callbacks
+    assert tell in node._post_set_parameters_callbacks
     faster = [Parameter("speed", value=6.0)]
     assert node.set_parameters_atomically(faster).reason == "too fast"
     node.remove_pre_set_parameters_callback(double)
     assert node.set_parameters_atomically(faster).successful
     node.remove_on_set_parameters_callback(refuse)
     node.remove_post_set_parameters_callback(tell)
+    assert node._on_set_parameters_callbacks == []
     assert node.set_parameters_atomically([Parameter("speed", value=99.0)]).successful
     assert told == [6.0]
 

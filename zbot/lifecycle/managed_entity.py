@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from zbot.lifecycle.state_machine import LifecycleState
 
-    Action = Callable[..., None]
+    Action = Callable[..., Any]
 
 
 class ManagedEntity:
@@ -70,33 +70,33 @@ class SimpleManagedEntity(ManagedEntity):
     @overload
     @staticmethod
     def when_enabled(
-        wrapped: None = None, *, when_not_enabled: Callable[[], None] | None = None
+        wrapped: None = None, *, when_not_enabled: Callable[[], Any] | None = None
     ) -> Callable[[Action], Action]: ...
 
     @overload
     @staticmethod
     def when_enabled(
-        wrapped: Action, *, when_not_enabled: Callable[[], None] | None = None
+        wrapped: Action, *, when_not_enabled: Callable[[], Any] | None = None
     ) -> Action: ...
 
     @staticmethod
     def when_enabled(
-        wrapped: Action | None = None, *, when_not_enabled: Callable[[], None] | None = None
+        wrapped: Action | None = None, *, when_not_enabled: Callable[[], Any] | None = None
     ) -> Action | Callable[[Action], Action]:
         """Decorate a method that does its work only while the node is active.
 
         Args:
             wrapped: The method.
-            when_not_enabled: Called instead while the node is not active.
+            when_not_enabled: Called instead while the node is not active, and its result is the
+                method's; `None` if left out.
         """
 
         def decorate(method: Action) -> Action:
             @wraps(method)
-            def work_if_active(self: SimpleManagedEntity, *args: Any, **kwargs: Any) -> None:
+            def work_if_active(self: SimpleManagedEntity, *args: Any, **kwargs: Any) -> Any:
                 if self.is_activated:
-                    method(self, *args, **kwargs)
-                elif when_not_enabled is not None:
-                    when_not_enabled()
+                    return method(self, *args, **kwargs)
+                return when_not_enabled() if when_not_enabled is not None else None
 
             return work_if_active
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import threading
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any
+from unittest.mock import Mock
 
 import pytest
 
@@ -115,3 +116,12 @@ def test_await_or_execute_takes_functions_and_coroutines(context: zbot.Context) 
     executor = zbot.executor.SingleThreadedExecutor(context=context)
     executor.spin_until_future_complete(executor.create_task(both), timeout_sec=5)
     assert results == [2, 5]
+
+
+def test_an_executor_of_another_make_is_not_told_that_its_node_ends(context: zbot.Context) -> None:
+    stranger = Mock(**{"add_node.return_value": True})
+    node = zbot.Node("guest", context=context)
+    node.executor = stranger
+    node.destroy_node()
+    stranger.add_node.assert_called_once_with(node)
+    stranger.remove_node.assert_not_called()
