@@ -23,6 +23,7 @@ from zbot.qos import (
     qos_profile_services_default,
 )
 from zbot.task import Future
+from zbot.waitable import NumberOfEntities
 
 from action_msgs.srv import CancelGoal
 from unique_identifier_msgs.msg import UUID
@@ -396,6 +397,10 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT]):
         """Publish what the three services do, or publish it no longer; see `Service`."""
         for one in (self._goal_client, self._result_client, self._cancel_client):
             one.configure_introspection(clock, service_event_qos_profile, introspection_state)
+
+    def get_num_entities(self) -> NumberOfEntities:
+        """Return how many of each kind it is made of."""
+        return NumberOfEntities(num_subscriptions=2, num_clients=3)
 
     # -- the end -------------------------------------------------------------------------------
 

@@ -28,6 +28,7 @@ from zbot.qos import (
 from zbot.signals import user_part
 from zbot.time import S_TO_NS, ClockType
 from zbot.timer import Timer
+from zbot.waitable import NumberOfEntities
 
 from action_msgs.msg import GoalInfo
 
@@ -85,7 +86,8 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         action_type: Action class.
         action_name: Relative, `~/private` or absolute name.
         execute_callback: Takes a `ServerGoalHandle`, and returns the action's `Result`. A goal that
-            it leaves without an end, or with an exception, is aborted.
+            it leaves without an end, or with an exception, is aborted. It may be left out where
+            `handle_accepted_callback` executes goals in its own way.
         callback_group: Decides beside what the other callbacks may run; the node's if left out.
         goal_callback: Takes the `Goal`; returns a `GoalResponse`. Accepts everything if left out.
         handle_accepted_callback: Takes the `ServerGoalHandle` of a goal whose client has been told
@@ -101,7 +103,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
 
     Raises:
         NotAnActionTypeError: The class is no action's.
-        ExecuteCallbackError: The callback cannot be called.
+        ExecuteCallbackError: The callback cannot be called, or is missing.
         InvalidServiceNameError: The name breaks ROS 2's grammar.
         InvalidHandleError: The node was destroyed.
     """
@@ -111,7 +113,8 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         node: Node,
         action_type: type[Any],
         action_name: str,
-        execute_callback: Callable[[ServerGoalHandle[GoalT, ResultT, FeedbackT]], Any],
+        execute_callback: Callable[[ServerGoalHandle[GoalT, ResultT, FeedbackT]], Any]
+        | None = None,
         *,
         callback_group: CallbackGroup | None = None,
         goal_callback: Callable[[Any], Any] | None = default_goal_callback,
@@ -126,7 +129,10 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
     ) -> None:
         if not hasattr(action_type, "Impl"):
             raise NotAnActionTypeError(action_type)
-        self.register_execute_callback(execute_callback)
+        self._execute_callback: Callable[[Any], Any] | None = None
+        own_way = handle_accepted_callback not in (None, default_handle_accepted_callback)
+        if execute_callback is not None or not own_way:
+            self.register_execute_callback(cast("Any", execute_callback))
         self.register_goal_callback(goal_callback)
         self.register_handle_accepted_callback(handle_accepted_callback)
         self.register_cancel_callback(cancel_callback)
@@ -135,12 +141,11 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         self._action_type = action_type
         self._action_name = node.resolve_service_name(action_name)
         self._logger = node.get_logger().get_child("action_server")
-        self._goals: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
+        self._goal_handles: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
         self._result_timeout_ns = int(result_timeout * S_TO_NS)
         self._ended: deque[tuple[int, bytes]] = deque()  # when (monotonic) and which goal
         group = callback_group or node.default_callback_group
         free = ReentrantCallbackGroup()  # here run no callbacks that a group could protect
-        self._accepted = Agenda(node.handle.mailbox, group)
         self._executions = Agenda(node.handle.mailbox, free)
         self._expiry = self._make_timer(free)
         impl, name = action_type.Impl, f"{self._action_name}/_action"
@@ -234,12 +239,12 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
 
     async def _on_goal_request(self, request: Any, response: Any) -> Reply | Any:
         key = bytes(request.goal_id.uuid)
-        if key not in self._goals and await self._wants(request.goal):
+        if key not in self._goal_handles and await self._wants(request.goal):
             info = GoalInfo(goal_id=request.goal_id, stamp=self._node.get_clock().now().to_msg())
             handle = ServerGoalHandle(self, info, request.goal)
-            if self._goals.setdefault(key, handle) is handle:
+            if self._goal_handles.setdefault(key, handle) is handle:
                 response.accepted, response.stamp = True, info.stamp
-                return Reply(response, partial(self._accepted.add, partial(self._accept, handle)))
+                return Reply(response, partial(self._accept, handle))
         self._logger.debug(f"New goal rejected: {key.hex()}")
         return response
 
@@ -263,7 +268,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         stamp_ns = info.stamp.sec * S_TO_NS + info.stamp.nanosec
         query = CancelQuery(bytes(info.goal_id.uuid), stamp_ns)
         with self.lock:
-            chosen, code = query.choose(list(self._goals.values()))
+            chosen, code = query.choose(list(self._goal_handles.values()))
         canceling = [handle for handle in chosen if await self._cancels(handle)]
         response.goals_canceling = [handle.goal_info for handle in canceling]
         response.return_code = ERROR_REJECTED if chosen and not canceling else code
@@ -281,7 +286,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
 
     async def _on_result_request(self, request: Any, response: Any) -> Any:
         key = bytes(request.goal_id.uuid)
-        handle = self._goals.get(key)
+        handle = self._goal_handles.get(key)
         if handle is None:
             self._logger.warning(
                 f"{self._action_name}: somebody asks for the result of a goal that is unknown or "
@@ -300,6 +305,9 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
     ) -> None:
         """Let the executor run a goal; see `ServerGoalHandle.execute`."""
         callback = execute_callback or self._execute_callback
+        if callback is None:
+            goal_handle.is_started = False  # the program itself reaches the goal, and ends it
+            return
         self._executions.add(partial(self._execute, goal_handle, callback))
 
     async def _execute(
@@ -378,7 +386,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         with self.lock:
             while self._ended and self._ended[0][0] <= now:
                 _, key = self._ended.popleft()
-                self._goals.pop(key).destroy()
+                self._goal_handles.pop(key).destroy()
             self._schedule_expiry()
 
     # -- what is published ---------------------------------------------------------------------
@@ -387,7 +395,7 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         """Tell where each known goal stands."""
         message = self._action_type.Impl.GoalStatusMessage()
         with self.lock:
-            message.status_list = [handle.status_message for handle in self._goals.values()]
+            message.status_list = [handle.status_message for handle in self._goal_handles.values()]
             try:
                 self._status.publish(message)
             except InvalidHandleError:
@@ -414,6 +422,10 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         for one in self._services:
             one.configure_introspection(clock, service_event_qos_profile, introspection_state)
 
+    def get_num_entities(self) -> NumberOfEntities:
+        """Return how many of each kind it is made of."""
+        return NumberOfEntities(num_timers=1, num_services=len(self._services))
+
     # -- the end -------------------------------------------------------------------------------
 
     def destroy(self) -> None:
@@ -421,15 +433,14 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         for service in self._services:
             self._node.destroy_service(service)
         with self.lock:
-            for handle in self._goals.values():
+            for handle in self._goal_handles.values():
                 handle.destroy()
-            self._goals.clear()
+            self._goal_handles.clear()
             self._ended.clear()
         self._node.destroy_publisher(self._feedback)
         self._node.destroy_publisher(self._status)
         self._expiry.destroy()
         self._node.handle.mailbox.remove(self._expiry)
-        self._accepted.destroy()
         self._executions.destroy()
 
     def __enter__(self) -> Self:

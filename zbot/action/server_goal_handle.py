@@ -116,6 +116,14 @@ class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
         self.is_started = True
         self._action_server.notify_execute(self, execute_callback)
 
+    def executing(self) -> None:
+        """Say that the goal is being reached, by the program's own means in place of `execute`.
+
+        Raises:
+            GoalTransitionError: It was said before, or the goal has ended.
+        """
+        self.update(GoalEvent.EXECUTE)
+
     def publish_feedback(self, feedback: FeedbackT) -> None:
         """Tell the client how it goes.
 

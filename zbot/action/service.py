@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import types
+from collections import deque
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -23,10 +24,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Reply:
-    """A response, and what to do once it has been sent."""
+    """A response, and what to do once it has been sent: a function or coroutine function."""
 
     message: Any
-    then: Callable[[], object]
+    then: Callable[[], Any]
 
 
 class ActionService(Service[Any, Any]):
@@ -38,6 +39,7 @@ class ActionService(Service[Any, Any]):
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         self._waiting: dict[int, zenoh.Query] = {}
+        self._then: deque[Callable[[], Any]] = deque()
         super().__init__(*args, **kwargs)
 
     def _answer(self, who: bytes, query: zenoh.Query, response: Any) -> None:
@@ -48,9 +50,28 @@ class ActionService(Service[Any, Any]):
                 self._drop_waiting()  # another thread destroyed it meanwhile
         elif isinstance(response, Reply):
             super()._answer(who, query, response.message)
-            response.then()
+            self._then.append(response.then)
         else:
             super()._answer(who, query, response)
+
+    def execute(self, taken: tuple[zenoh.Query, float]) -> Coroutine[Any, Any, None] | None:
+        """Answer a request, and go on in the same turn: a mistake there is not the caller's."""
+        outcome = super().execute(taken)
+        return self._go_on() if outcome is None else outcome
+
+    async def _answer_later(
+        self, who: bytes, query: zenoh.Query, outcome: Coroutine[Any, Any, Any]
+    ) -> None:
+        await super()._answer_later(who, query, outcome)
+        more = self._go_on()
+        if more is not None:
+            await more
+
+    def _go_on(self) -> Coroutine[Any, Any, None] | None:
+        if not self._then:
+            return None
+        outcome = self._then.popleft()()
+        return outcome if inspect.iscoroutine(outcome) else None
 
     def _answer_when_over(self, who: bytes, query: zenoh.Query, response: Future[Any]) -> None:
         if self._waiting.pop(id(query), None) is not None:

@@ -61,7 +61,9 @@ class Pair:
         self.server: ActionServer[Any, Any, Any]
         self.client: ActionClient[Any, Any, Any]
 
-    def begin(self, execute: Callable[[Goal], Any], threads: int = 1, **options: Any) -> None:
+    def begin(
+        self, execute: Callable[[Goal], Any] | None, threads: int = 1, **options: Any
+    ) -> None:
         context = self.server_node.context
         self.server = ActionServer(self.server_node, Fibonacci, "fibonacci", execute, **options)
         self.client = ActionClient(self.client_node, Fibonacci, "fibonacci")

@@ -358,6 +358,6 @@ def test_fifty_goals_with_cancels_each_get_their_own_answer(pair: Pair) -> None:
         assert heard == set(range(50))
         # Nothing is left of them, neither here nor, once results have expired, there.
         assert wait_until(lambda: not pair.client._goals)
-        assert wait_until(lambda: not pair.server._goals)
+        assert wait_until(lambda: not pair.server._goal_handles)
     assert not pair.server._ended
     assert not pair.server._services[1]._waiting

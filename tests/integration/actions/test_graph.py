@@ -64,7 +64,7 @@ def test_a_client_forgets_goals_whose_handle_nobody_keeps(pair: Pair) -> None:
     pair.begin(compute, result_timeout=0.05)
     pair.send(1)
     assert pair.client._goals
-    assert wait_until(lambda: not pair.server._goals)
+    assert wait_until(lambda: not pair.server._goal_handles)
     pair.send(1)  # whose status tells that the one before is forgotten
     assert wait_until(lambda: len(pair.client._goals) <= 1)
 

@@ -1,0 +1,93 @@
+"""Servers whose programs reach the accepted goals in a way of their own."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+from tests.integration.actions.conftest import Goal, Pair, compute, done, status_of
+from zbot.action import ActionClient, ActionServer, GoalState
+from zbot.action.errors import ExecuteCallbackError
+
+from example_interfaces.action import Fibonacci
+
+if TYPE_CHECKING:
+    from tests.integration.actions.conftest import MakeContext
+
+RESULT = Fibonacci.Result(sequence=[7])
+
+
+class Lone:
+    """A server without an execute callback, and its client, spun by the test's own thread."""
+
+    def __init__(self, context: zbot.Context, accept: Any) -> None:
+        self.node = zbot.Node("lone", context=context)
+        self.executor = zbot.SingleThreadedExecutor(context=context)
+        self.executor.add_node(self.node)
+        ActionServer[Any, Any, Any](
+            self.node, Fibonacci, "fibonacci", handle_accepted_callback=accept
+        )
+        impl = Fibonacci.Impl
+        self.sending = self.node.create_client(impl.SendGoalService, "fibonacci/_action/send_goal")
+
+    def send(self) -> zbot.Future[Any]:
+        return self.sending.call_async(Fibonacci.Impl.SendGoalService.Request())
+
+
+def test_a_goal_is_handed_over_before_spinning_for_its_answer_ends(
+    make_context: MakeContext,
+) -> None:
+    accepted: list[Goal] = []
+    lone = Lone(make_context(), accepted.append)
+    future = lone.send()
+    lone.executor.spin_until_future_complete(future, 5)
+    assert done(future).accepted
+    assert [goal.state for goal in accepted] == [GoalState.ACCEPTED]
+
+
+def test_what_taking_over_raises_is_the_servers_mistake(make_context: MakeContext) -> None:
+    def accept(_: Goal) -> None:
+        raise ValueError("no place for it")
+
+    lone = Lone(make_context(), accept)
+    future = lone.send()
+    with pytest.raises(ValueError, match="no place for it"):
+        lone.executor.spin_until_future_complete(future, 5)
+    assert done(future).accepted
+
+
+@pytest.mark.parametrize("begin", ["executing", "execute"])
+def test_a_goal_can_be_reached_without_a_callback(pair: Pair, begin: str) -> None:
+    accepted: list[Goal] = []
+
+    async def accept(goal: Goal) -> None:
+        getattr(goal, begin)()
+        accepted.append(goal)
+
+    pair.begin(None, handle_accepted_callback=accept)
+    handle = pair.send()
+    assert wait_until(lambda: bool(accepted))
+    result = handle.get_result_async()
+    assert accepted[0].state is GoalState.EXECUTING
+    accepted[0].succeed(RESULT)
+    response = done(result)
+    assert status_of(response) is GoalState.SUCCEEDED
+    assert response.result == RESULT
+
+
+def test_nobody_would_reach_the_goals(make_context: MakeContext) -> None:
+    node = zbot.Node("idle", context=make_context())
+    with pytest.raises(ExecuteCallbackError, match="None is not callable"):
+        ActionServer[Any, Any, Any](node, Fibonacci, "fibonacci")
+
+
+def test_servers_and_clients_tell_what_they_are_made_of(make_context: MakeContext) -> None:
+    node = zbot.Node("counted", context=make_context())
+    server = ActionServer[Any, Any, Any](node, Fibonacci, "fibonacci", compute)
+    client = ActionClient[Any, Any, Any](node, Fibonacci, "fibonacci")
+    both = server.get_num_entities() + client.get_num_entities()
+    assert (both.num_subscriptions, both.num_timers) == (2, 1)
+    assert (both.num_clients, both.num_services) == (3, 3)
