@@ -135,7 +135,7 @@ class LogOptionError(ZbotError, TypeError):
 
     def __init__(self, option: str, reason: str) -> None:
         self.option, self.reason = option, reason
-        super().__init__(f"log option {option!r} {reason}")
+        super().__init__(f"log parameter {option!r} {reason}")
 
 
 class LogCallChangedError(ZbotError, ValueError):

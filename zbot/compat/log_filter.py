@@ -210,7 +210,7 @@ def get_filters_from_kwargs(**kwargs: Any) -> list[SupportedFiltersKeys]:
     known = [name for one in supported_filters.values() for name in one.params]
     for name in kwargs:
         if name not in known:
-            raise LogOptionError(name, f"does not exist: use {', '.join(known)}")
+            raise LogOptionError(name, f"is not one of the recognized ones: use {', '.join(known)}")
     found: list[SupportedFiltersKeys] = [
         key for key, one in supported_filters.items() if any(map(kwargs.get, one.params))
     ]

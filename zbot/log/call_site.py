@@ -75,7 +75,9 @@ class CallSite:
         self._severity, self._name = severity, name
         self._filters = _filters(options) if options else _NO_FILTERS
         self._admitted = 0
-        self._last_ns: int | None = None
+        # As in rclpy, a given clock's first line waits for its duration after time 0: simulated
+        # time that stands at 0 has not begun.
+        self._last_ns: int | None = None if self._filters.clock is None else 0
 
     def check(
         self, severity: LoggingSeverity, name: str, options: FilterOptions, frame: FrameType
@@ -90,7 +92,7 @@ class CallSite:
         if name != self._name:
             raise LogCallChangedError("logger name", _place(frame))
         if (_filters(options) if options else _NO_FILTERS) != self._filters:
-            raise LogCallChangedError("filters", _place(frame))
+            raise LogCallChangedError("filter parameters", _place(frame))
 
     def admit(self) -> bool:
         """Return whether the filters let the present call write."""
@@ -118,19 +120,27 @@ class CallSite:
 def _filters(options: FilterOptions) -> Filters:
     unknown = options.keys() - FilterOptions.__annotations__.keys()
     if unknown:
-        known = ", ".join(FilterOptions.__annotations__)
-        raise LogOptionError(min(unknown), f"does not exist: use {known} or name")
+        raise _unknown(min(unknown))
     clock, throttle_sec = options.get("throttle_time_source_type"), 0.0
     if "throttle_duration_sec" in options:
         throttle_sec = options["throttle_duration_sec"] or 0
     elif clock is not None:
-        raise LogOptionError("throttle_time_source_type", "needs throttle_duration_sec as well")
+        lack = "has a required parameter throttle_duration_sec that was not specified"
+        raise LogOptionError("throttle_time_source_type", lack)
     if not isinstance(throttle_sec, (int, float)):
         raise ArgumentTypeError("throttle_duration_sec", "a number of seconds", throttle_sec)
     if clock is not None and not callable(getattr(clock, "now", None)):
         raise NotAClockError("throttle_time_source_type", clock)
     once, skip_first = bool(options.get("once")), bool(options.get("skip_first"))
     return Filters(once, skip_first, throttle_sec, clock)
+
+
+def _unknown(option: str) -> LogOptionError:
+    if option == "severity":  # Python's words for an argument that the method gives already
+        reason = "is the method's own: got multiple values for argument 'severity'; use log()"
+        return LogOptionError(option, reason)
+    known = ", ".join(FilterOptions.__annotations__)
+    return LogOptionError(option, f"is not one of the recognized ones: use {known} or name")
 
 
 def _now_ns(clock: TimeProvider | None) -> int:

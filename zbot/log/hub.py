@@ -125,7 +125,8 @@ class Hub:
 
         Args:
             name: The logger; an empty name sets the level of all that have none of their own.
-            level: A `LoggingSeverity`; `UNSET` leaves it to the parent.
+            level: A `LoggingSeverity`; `UNSET` leaves it to the parent; with an empty name,
+                everything is written.
             detailed_error: Without effect: errors always say what is wrong.
 
         Raises:
@@ -147,7 +148,7 @@ class Hub:
             if level := self._levels.get(name):
                 return level
             name = name.rpartition(".")[0]
-        return self._levels.get("") or _DEFAULT_LEVEL
+        return self._levels.get("", _DEFAULT_LEVEL)
 
     # -- sinks ---------------------------------------------------------------------------------
 

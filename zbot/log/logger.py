@@ -55,7 +55,7 @@ class Logger:
         """Return the logger `<this name>.<name>`, which inherits this one's level.
 
         Raises:
-            InvalidNameError: The name is empty.
+            InvalidNameError: The name is empty or missing.
             ArgumentTypeError: The name is no string.
         """
         _check_name("Child logger name", name)
@@ -158,7 +158,7 @@ def get_logger(name: str) -> Logger:
     """Return a logger of that name.
 
     Raises:
-        InvalidNameError: The name is empty.
+        InvalidNameError: The name is empty or missing.
         ArgumentTypeError: The name is no string.
     """
     _check_name("Logger name", name)
@@ -166,7 +166,7 @@ def get_logger(name: str) -> Logger:
 
 
 def _check_name(kind: str, name: str) -> None:
+    if not name:
+        raise InvalidNameError(kind.lower(), name or "", f"{kind} must not be empty", 0)
     if not isinstance(name, str):
         raise ArgumentTypeError(kind, "a string", name)
-    if not name:
-        raise InvalidNameError(kind.lower(), name, "it must not be empty", 0)

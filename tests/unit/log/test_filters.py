@@ -66,7 +66,7 @@ def test_skip_first_and_once_write_the_second() -> None:
 
 def test_throttle_writes_one_line_in_its_duration() -> None:
     logger, clock, told = get_logger("sensor"), FakeClock(), []
-    for clock.sec in (0.0, 0.5, 0.99, 1.0, 1.5, 7.0, 7.1):
+    for clock.sec in (1.0, 1.5, 1.99, 2.0, 2.5, 7.0, 7.1):
         told.append(logger.info("text", throttle_duration_sec=1.0, throttle_time_source_type=clock))
     assert told == [True, False, False, True, False, True, False]
 
@@ -76,6 +76,13 @@ def test_throttle_writes_when_simulated_time_begins_again() -> None:
     for clock.sec in (100.0, 100.5, 0.0, 0.5):
         told.append(logger.info("text", throttle_duration_sec=1.0, throttle_time_source_type=clock))
     assert told == [True, False, True, False]
+
+
+def test_throttle_waits_until_simulated_time_has_begun() -> None:
+    logger, clock, told = get_logger("sensor"), FakeClock(), []
+    for clock.sec in (0.0, 1.0, 2.0, 3.0):
+        told.append(logger.info("text", throttle_duration_sec=2.0, throttle_time_source_type=clock))
+    assert told == [False, False, True, False]
 
 
 def test_throttle_measures_monotonic_time_by_default() -> None:
@@ -101,8 +108,13 @@ def test_other_name_is_used_for_the_line(capsys: pytest.CaptureFixture[str]) -> 
 @pytest.mark.parametrize(
     ("options", "error", "text"),
     [
-        ({"onse": True}, LogOptionError, "'onse' does not exist"),
-        ({"throttle_time_source_type": FakeClock()}, LogOptionError, "throttle_duration_sec"),
+        ({"onse": True}, LogOptionError, "parameter 'onse' is not one of the recognized"),
+        (
+            {"throttle_time_source_type": FakeClock()},
+            LogOptionError,
+            "required parameter.*not specified",
+        ),
+        ({"severity": ERROR}, LogOptionError, "multiple values for argument 'severity'"),
         ({"throttle_duration_sec": "1"}, ArgumentTypeError, "number of seconds"),
         (
             {"throttle_duration_sec": 1, "throttle_time_source_type": "STEADY"},
@@ -123,11 +135,11 @@ def test_wrong_option_is_refused(
     [
         ({"severity": INFO}, {"severity": WARN}, "severity"),
         ({"severity": INFO, "name": "a"}, {"severity": INFO, "name": "b"}, "logger name"),
-        ({"severity": INFO}, {"severity": INFO, "once": True}, "filters"),
+        ({"severity": INFO}, {"severity": INFO, "once": True}, "filter parameters"),
         (
             {"severity": INFO, "throttle_duration_sec": 1.0},
             {"severity": INFO, "throttle_duration_sec": 2.0},
-            "filters",
+            "filter parameters",
         ),
     ],
 )

@@ -46,8 +46,12 @@ def test_own_level_is_unset_until_it_is_set() -> None:
 def test_empty_name_sets_the_level_of_all() -> None:
     log.set_logger_level("", ERROR)
     assert get_logger("anything").get_effective_level() is ERROR
+
+
+def test_root_without_a_level_lets_everything_through() -> None:
     log.set_logger_level("", UNSET)
-    assert get_logger("anything").get_effective_level() is INFO
+    assert get_logger("anything").get_effective_level() is UNSET
+    assert get_logger("anything").debug("heard")
 
 
 def test_is_enabled_for_unset_is_false() -> None:
@@ -99,6 +103,7 @@ def test_unknown_severity_is_refused(call: Callable[[], object]) -> None:
     [
         (lambda: get_logger(""), InvalidNameError),
         (lambda: get_logger("sensor").get_child(""), InvalidNameError),
+        (lambda: get_logger("sensor").get_child(None), InvalidNameError),  # type: ignore[arg-type]
         (lambda: get_logger(7), ArgumentTypeError),  # type: ignore[arg-type]
     ],
 )

@@ -11,6 +11,8 @@ from zbot.log import get_logging_directory as get_logging_directory
 from zbot.log import get_logging_severity_from_string as get_logging_severity_from_string
 from zbot.log import set_logger_level as set_logger_level
 
+_root_logger = RcutilsLogger()
+
 
 def initialize() -> None:
     """Do nothing: logging begins with the first line, also after `shutdown()`."""
