@@ -30,7 +30,7 @@ _SIDES = {
 }
 
 
-@dataclass
+@dataclass(slots=True)
 class TypeHash:
     """A type's hash in two parts; `str()` joins them to `RIHS01_...`.
 
@@ -59,7 +59,7 @@ class TypeHash:
         return f"RIHS{self.version:02}_{self.value.hex()}"
 
 
-@dataclass
+@dataclass(slots=True)
 class TopicEndpointInfo:
     """What is known of one publisher or subscription."""
 

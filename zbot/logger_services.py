@@ -11,6 +11,8 @@ from zbot.qos import qos_profile_services_default
 if TYPE_CHECKING:
     from zbot.node import Node
 
+_INVALID_LEVEL = "Failed reason: Invalid logger level."  # rclpy's words, which callers compare
+
 
 class LoggingService:
     """Answers on `~/get_logger_levels` and `~/set_logger_levels`.
@@ -48,7 +50,7 @@ class LoggingService:
             result = SetLoggerLevelsResult(successful=True)
             try:
                 set_logger_level(level.name, level.level)
-            except InvalidSeverityError as error:
-                result = SetLoggerLevelsResult(successful=False, reason=str(error))
+            except InvalidSeverityError:
+                result = SetLoggerLevelsResult(successful=False, reason=_INVALID_LEVEL)
             response.results.append(result)
         return response

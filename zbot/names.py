@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
 __all__ = [
+    "ROSOUT_TOPIC",
     "SEND_GOAL",
     "expand_topic_name",
     "fully_qualified",
@@ -35,6 +36,8 @@ __all__ = [
     "validate_topic_name",
 ]
 
+#: where nodes publish their log lines
+ROSOUT_TOPIC = "/rosout"
 #: what follows an action's name in that of the service which takes its goals
 SEND_GOAL = "/_action/send_goal"
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import warnings
 from enum import Enum, IntEnum
-from typing import Generic, TypeVar, overload
+from typing import Any, Generic, TypeVar, overload
 
 from zbot.errors import (
     ArgumentTypeError,
@@ -24,6 +24,7 @@ __all__ = [
     "HistoryPolicy",
     "LivelinessLeaseDurationeBestAvailable",
     "LivelinessPolicy",
+    "PlainQoSProfile",
     "QoSCompatibility",
     "QoSDurabilityPolicy",
     "QoSHistoryPolicy",
@@ -306,6 +307,10 @@ class QoSProfile:
             warnings.warn(warning, stacklevel=3)
         self._depth = value
 
+    def get_c_qos_profile(self) -> PlainQoSProfile:
+        """Return the policies as rclpy hands them to its C library."""
+        return PlainQoSProfile(self)
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, QoSProfile):
             return NotImplemented
@@ -419,6 +424,30 @@ class QoSPresetProfiles(Enum):
             return cls[name.upper()].value
         except KeyError:
             raise UnknownQoSKeyError(cls.__name__, name, cls.short_keys()) from None
+
+
+class PlainQoSProfile:
+    """A profile's policies by their names; rclpy keeps them in a structure of its C library.
+
+    Args:
+        profile: Whose policies; later changes of it are not seen.
+    """
+
+    def __init__(self, profile: QoSProfile) -> None:
+        self._policies = {name: getattr(profile, name) for name in _FIELDS}
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the policies as `QoSProfile(**policies)` takes them."""
+        return dict(self._policies)
+
+    @classmethod
+    def predefined(cls, name: str) -> PlainQoSProfile:
+        """Return the policies of a profile such as `qos_profile_sensor_data`.
+
+        Raises:
+            UnknownQoSKeyError: There is no such profile.
+        """
+        return cls(QoSPresetProfiles.get_from_short_key(name.removeprefix("qos_profile_")))
 
 
 class QoSCompatibility(Enum):

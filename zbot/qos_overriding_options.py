@@ -73,6 +73,18 @@ def overridden(
         InvalidQosOverridesError: The options' callback refuses the result.
     """
     profile = copy.copy(qos)
+    override(store, entity, topic, profile, options)
+    return profile
+
+
+def override(
+    store: ParameterStore,
+    entity: str,
+    topic: str,
+    profile: QoSProfile,
+    options: QoSOverridingOptions,
+) -> None:
+    """Do the same to the profile itself."""
     suffix = "" if options.entity_id is None else f"_{options.entity_id}"
     for kind in options.policy_kinds:
         if kind is QoSPolicyKind.LIFESPAN and entity == "subscription":
@@ -86,7 +98,6 @@ def overridden(
     result = None if options.callback is None else options.callback(profile)
     if result is not None and not result.successful:
         raise InvalidQosOverridesError(f"the {entity} of {topic}", result.reason)
-    return profile
 
 
 def _as_parameter(value: Any) -> Any:

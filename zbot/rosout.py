@@ -5,13 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.log import add_sink, remove_sink
+from zbot.names import ROSOUT_TOPIC
 
 if TYPE_CHECKING:
     from zbot.log import Record
     from zbot.node import Node
     from zbot.qos import QoSProfile
-
-ROSOUT_TOPIC = "/rosout"
 
 
 class Rosout:

@@ -24,8 +24,9 @@ from zbot.endpoint import RMW_IDENTIFIER, TopicEndpoint
 from zbot.errors import CallbackSignatureError, ZbotError
 from zbot.handle import Handle
 from zbot.interfaces import has_sequences
-from zbot.log import get_logger
+from zbot.log import away_from_sinks, get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
+from zbot.names import ROSOUT_TOPIC
 from zbot.qos import DurabilityPolicy, HistoryPolicy
 from zbot.semaphore import Haste
 from zbot.serialization import raw_decoder
@@ -198,6 +199,12 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
     def is_destroyed(self) -> bool:
         """Whether it listens no more."""
         return self._is_destroyed
+
+    @property
+    def _callback_type(self) -> CallbackType:
+        return (
+            self.CallbackType.WithMessageInfo if self._with_info else self.CallbackType.MessageOnly
+        )
 
     @property
     def handle(self) -> SubscriptionHandle:
@@ -408,6 +415,12 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         if self._on_lost is not None:
             self._on_lost(missing)
         elif first:
+            self._warn_of_loss(missing)
+
+    def _warn_of_loss(self, missing: int) -> None:
+        # On /rosout the warning would itself push out a line that waits.
+        own_cause = self.topic_name == ROSOUT_TOPIC
+        with away_from_sinks() if own_cause else contextlib.nullcontext():
             get_logger(self._logger_name).warning(
                 f"{self.topic_name}: {missing} messages lost: they come faster than the callback "
                 f"takes them (queue depth {self._token.qos.depth}; further losses are only counted)"

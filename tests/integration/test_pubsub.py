@@ -14,6 +14,7 @@ from zbot.errors import CallbackSignatureError, InvalidHandleError, MessageTypeE
 from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from zbot.serialization import deserialize_message, serialize_message
 
+from rcl_interfaces.msg import Log
 from std_msgs.msg import Float32, Int64, String
 from std_srvs.srv import Trigger
 
@@ -157,6 +158,32 @@ def test_keep_last_drops_the_oldest_and_says_so_once(
     assert subscription.lost_count == 190
     assert len(lines_about(logged, "messages lost")) == 1
     assert "/count: 95 messages lost" in lines_about(logged, "messages lost")[0]
+
+
+def test_a_loss_on_rosout_is_not_said_on_rosout(listener: zbot.Node) -> None:
+    inbox: list[str] = []
+    subscription = listener.create_subscription(
+        Log, "/rosout", lambda line: inbox.append(line.msg), 1
+    )
+    logger = listener.get_logger()
+    executor = zbot.SingleThreadedExecutor(context=listener.context)
+    executor.add_node(listener)
+    for lines in (["first"], ["a", "b", "c"], ["last"]):
+        for line in lines:
+            logger.info(line)
+        while inbox[-1:] != lines[-1:]:
+            executor.spin_once(timeout_sec=2)
+    assert (inbox, subscription.lost_count) == (["first", "c", "last"], 2)
+
+
+def test_a_subscription_knows_what_its_callback_takes(listener: zbot.Node) -> None:
+    kinds = zbot.Subscription.CallbackType
+    for callback, kind in (
+        (lambda _: None, kinds.MessageOnly),
+        (lambda _, __: None, kinds.WithMessageInfo),
+    ):
+        subscription = listener.create_subscription(String, "chatter", callback, 1)
+        assert subscription._callback_type is kind
 
 
 def test_keep_all_loses_nothing_in_a_flood(

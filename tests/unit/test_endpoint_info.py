@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import pytest
+
 from zbot.endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum, TypeHash
 from zbot.qos import QoSProfile
 
@@ -10,6 +12,12 @@ def test_a_hash_is_the_text_it_was_read_from() -> None:
     parsed = TypeHash.parse(TEXT)
     assert (parsed.version, len(parsed.value), str(parsed)) == (1, 32, TEXT)
     assert parsed == TypeHash(1, parsed.value)
+
+
+def test_a_misspelt_field_is_refused() -> None:
+    for thing in (TypeHash(), TopicEndpointInfo()):
+        with pytest.raises(AttributeError):
+            thing.vale = b""  # type: ignore[union-attr]  # pyright: ignore[reportAttributeAccessIssue]
 
 
 def test_what_is_no_hash_is_invalid() -> None:

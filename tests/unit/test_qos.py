@@ -16,6 +16,7 @@ from zbot.qos import (
     DurabilityPolicy,
     HistoryPolicy,
     LivelinessPolicy,
+    PlainQoSProfile,
     QoSCompatibility,
     QoSPolicyEnum,
     QoSPresetProfiles,
@@ -177,6 +178,14 @@ def test_rosout_lines_live_ten_seconds() -> None:
 def test_every_pair_of_profiles_is_compatible() -> None:
     picky = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     assert qos_check_compatible(qos_profile_sensor_data, picky) == (QoSCompatibility.OK, "")
+
+
+def test_policies_can_be_taken_out_and_put_in_again() -> None:
+    picky = QoSProfile(history=HistoryPolicy.KEEP_ALL, depth=7, lifespan=Duration(seconds=5))
+    policies = picky.get_c_qos_profile().to_dict()
+    assert QoSProfile(**policies) == picky
+    sensor = PlainQoSProfile.predefined("qos_profile_sensor_data")
+    assert QoSProfile(**sensor.to_dict()) == qos_profile_sensor_data
 
 
 def test_policy_kinds_have_names() -> None:

@@ -19,6 +19,7 @@ from zbot.log.severity import LoggingSeverity as LoggingSeverity
 from zbot.log.severity import get_logging_severity_from_string as get_logging_severity_from_string
 
 add_sink = _HUB.add_sink
+away_from_sinks = _HUB.away_from_sinks
 clear_config = _HUB.clear_config
 configure = _HUB.configure
 get_logger_effective_level = _HUB.get_logger_effective_level
@@ -32,6 +33,7 @@ __all__ = [
     "Record",
     "TimeProvider",
     "add_sink",
+    "away_from_sinks",
     "clear_config",
     "configure",
     "get_logger",

@@ -6,6 +6,7 @@ import threading
 import time
 import weakref
 from collections.abc import Callable
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final, TypeAlias
 
@@ -16,7 +17,7 @@ from zbot.log.record import Record
 from zbot.log.severity import LoggingSeverity, to_severity
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping
+    from collections.abc import Iterator, Mapping
     from types import FrameType
 
 Sink: TypeAlias = Callable[[Record], object]
@@ -174,6 +175,15 @@ class Hub:
                     self._taps.remove(tap)
                     break
             self._refresh()
+
+    @contextmanager
+    def away_from_sinks(self) -> Iterator[None]:
+        """Keep this thread's lines from the sinks: for lines about what the sinks caused."""
+        was, self._thread.is_feeding = self._thread.is_feeding, True
+        try:
+            yield
+        finally:
+            self._thread.is_feeding = was
 
     # -- lines ---------------------------------------------------------------------------------
 

@@ -14,10 +14,10 @@ from zbot.errors import ExternalShutdownException, NotInitializedError, ZbotErro
 from zbot.executor import SingleThreadedExecutor
 from zbot.interfaces import get_interface
 from zbot.log import LoggingSeverity, get_logger, set_logger_level
+from zbot.names import ROSOUT_TOPIC
 from zbot.node import Node
 from zbot.qos import qos_profile_rosout_default
 from zbot.remote_types import learn_type
-from zbot.rosout import ROSOUT_TOPIC
 from zbot.web.lease import Leases
 from zbot.web.log_ring import LogRing
 from zbot.web.repetition import Repetition

@@ -30,7 +30,6 @@ WHY = {
     "execute": "works on what the C library's wait set found",
     "notify_goal_done": "tells the C library that an answer is due",
     "get_c_duration": "returns a struct of the C library",
-    "get_c_qos_profile": "returns a struct of the C library",
     "track_node": "holds nodes of the C library",
     "untrack_node": "holds nodes of the C library",
     "create_event_handlers": "makes handles of the C library",

@@ -97,9 +97,10 @@ tf_transformations: euler_from_quaternion quaternion_from_euler quaternion_multi
 rclpy.experimental: EventsExecutor
 rclpy.experimental.events_executor: EventsExecutor
 rclpy.waitable: Waitable NumberOfEntities
+rclpy.logging: _root_logger
 rclpy.type_support: check_for_type_support MsgT
 rclpy.impl.implementation_singleton: rclpy_implementation
-rclpy._rclpy_pybind11: RCLError InvalidHandle
+rclpy._rclpy_pybind11: RCLError InvalidHandle rmw_qos_profile_t
 """
 
 

@@ -25,6 +25,14 @@ def records() -> Iterator[list[log.Record]]:
     log.remove_sink("robot", sink)
 
 
+def test_lines_can_be_kept_from_sinks(records: list[log.Record]) -> None:
+    logger = get_logger("robot")
+    with log.away_from_sinks():
+        logger.info("unheard")
+    logger.info("heard")
+    assert [record.message for record in records] == ["heard"]
+
+
 def test_sink_gets_the_lines_of_its_logger_and_children(records: list[log.Record]) -> None:
     for name in ("robot", "robot.arm", "robotic", "other"):
         get_logger(name).info(name)

@@ -17,6 +17,7 @@ from zbot.log import get_logger_level as rclpy_logging_get_logger_level
 from zbot.log import get_logging_directory as rclpy_logging_get_logging_directory
 from zbot.log import set_logger_level as rclpy_logging_set_logger_level
 from zbot.names import expand_topic_name as rclpy_expand_topic_name
+from zbot.qos import PlainQoSProfile as rmw_qos_profile_t  # noqa: N813 - rclpy's name
 from zbot.qos import QoSCompatibility as QoSCompatibility
 from zbot.qos import qos_check_compatible as rclpy_qos_check_compatible
 from zbot.runtime import (

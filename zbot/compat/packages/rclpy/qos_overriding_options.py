@@ -1,7 +1,10 @@
 """Quality of service by parameters."""
 
+from typing import Any
+
 from zbot.compat.annotation import QosCallbackType as QosCallbackType
 from zbot.compat.annotation import QoSProfileAttributes as QoSProfileAttributes
+from zbot.node import Node
 from zbot.parameter import Parameter as Parameter
 from zbot.parameter_errors import InvalidQosOverridesError as InvalidQosOverridesError
 from zbot.parameter_errors import (
@@ -15,9 +18,26 @@ from zbot.qos import QoSPolicyKind as QoSPolicyKind
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import QoSReliabilityPolicy as QoSReliabilityPolicy
 from zbot.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
+from zbot.qos_overriding_options import override
 from zbot.subscription import Subscription as Subscription
 from zbot.time import Duration as Duration
 
 from rcl_interfaces.msg import ParameterDescriptor as ParameterDescriptor
 from rcl_interfaces.msg import SetParametersResult as QosCallbackResult
 from rcl_interfaces.msg import SetParametersResult as SetParametersResult
+
+
+def _declare_qos_parameters(
+    entity_type: type[Publisher[Any] | Subscription[Any]],
+    node: Node,
+    topic_name: str,
+    qos: QoSProfile,
+    options: QoSOverridingOptions,
+) -> None:
+    """Declare the policies of a publisher or subscription as parameters, and change `qos` by them.
+
+    Raises:
+        InvalidQosOverridesError: The options' callback refuses the result.
+    """
+    entity = "publisher" if issubclass(entity_type, Publisher) else "subscription"
+    override(node.handle.parameters, entity, topic_name, qos, options)

@@ -1,0 +1,69 @@
+"""Messages and services filled from end to end, as tests that send every type need them."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, cast
+
+from zbot.interfaces import registry
+from zbot.interfaces.spec import INTEGER_RANGES
+
+if TYPE_CHECKING:
+    from zbot.interfaces.spec import Field, FieldType, MessageSpec
+
+_SEQUENCE_LENGTH = 3  # where the definition sets no bound
+
+
+def sample_messages(name: str) -> list[Any]:
+    """Return messages of a type: as it is made, with its highest and with its lowest values.
+
+    Args:
+        name: The type's full name, `test_msgs/msg/Arrays`.
+
+    Raises:
+        UnknownInterfaceError: There is no such type.
+    """
+    empty = registry.get_message(name)()
+    if not _fields(name):
+        return [empty]
+    return [empty, _filled(name, is_high=True), _filled(name, is_high=False)]
+
+
+def sample_services(name: str) -> list[tuple[Any, Any]]:
+    """Return pairs of a request and its response, filled like `sample_messages`."""
+    requests = sample_messages(f"{name}_Request")
+    return list(zip(requests, sample_messages(f"{name}_Response"), strict=True))
+
+
+def _filled(name: str, *, is_high: bool) -> Any:
+    message = registry.get_message(name)()
+    for field in _fields(name):
+        setattr(message, field.name, _value(field.type, is_high=is_high))
+    return message
+
+
+def _fields(message: str) -> tuple[Field, ...]:
+    return cast("MessageSpec", registry.get_spec(message)).fields
+
+
+def _value(kind: FieldType, *, is_high: bool) -> Any:
+    if kind.kind == "scalar":
+        return _scalar(kind, is_high=is_high)
+    if kind.kind == "sequence" and not is_high:
+        return []
+    length = kind.size or _SEQUENCE_LENGTH
+    return [_scalar(kind, is_high=is_high != bool(index % 2)) for index in range(length)]
+
+
+def _scalar(kind: FieldType, *, is_high: bool) -> Any:
+    if kind.is_message:
+        return _filled(kind.base, is_high=is_high)
+    if kind.is_string:
+        text = "Grüße, 世界" if kind.base == "wstring" else "a string"
+        return text[: kind.string_bound or None] if is_high else ""
+    if kind.base in INTEGER_RANGES:
+        return INTEGER_RANGES[kind.base][is_high]
+    if kind.base == "bool":
+        return is_high
+    if kind.base == "byte":
+        return b"\xff" if is_high else b"\x00"
+    return 1.125 if is_high else -2.125  # exact in both sizes of float
