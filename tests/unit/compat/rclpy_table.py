@@ -33,7 +33,6 @@ WHY = {
     "track_node": "holds nodes of the C library",
     "untrack_node": "holds nodes of the C library",
     "create_event_handlers": "makes handles of the C library",
-    "send_response": "takes a request's header of the C library",
 }
 
 
