@@ -6,6 +6,7 @@ import inspect
 import sys
 import threading
 import warnings
+import weakref
 from enum import Enum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
@@ -59,7 +60,8 @@ class Future(Generic[T]):
     """
 
     def __init__(self, *, executor: Any = None) -> None:
-        self._executor = executor
+        # Weak, for an executor holds the tasks that hold it.
+        self._executor = None if executor is None else weakref.ref(executor)
         self._lock = threading.Lock()
         self._state = _PENDING
         self._result: T | None = None
@@ -101,11 +103,11 @@ class Future(Generic[T]):
         return self._exception
 
     def set_result(self, result: T) -> None:
-        """Complete with a result; on a future that is over it takes the place of what is there."""
+        """Complete with a result, in place of an earlier one; an exception that was set stays."""
         self._complete(_FINISHED, result=result, again=True)
 
     def set_exception(self, exception: BaseException) -> None:
-        """Complete with an exception, which `result()` and `await` raise; see `set_result`."""
+        """Complete with an exception, which `result()` and `await` raise from now on."""
         self._complete(_FINISHED, exception=exception, again=True)
 
     def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
@@ -143,7 +145,11 @@ class Future(Generic[T]):
         with self._lock:
             if self.is_over and not again:
                 return
-            self._result, self._exception, self._state = result, exception, state
+            self._state = state
+            if exception is None:
+                self._result = result
+            else:
+                self._exception = exception
             wakers, self._wakers = self._wakers, []
         for waker in wakers:
             waker()
@@ -159,8 +165,9 @@ class Future(Generic[T]):
         return callbacks
 
     def _run(self, callback: Callable[[Any], Any]) -> None:
-        if self._executor is not None:
-            self._executor.create_task(callback, self)
+        executor = None if self._executor is None else self._executor()
+        if executor is not None:
+            executor.create_task(callback, self)
             return
         try:
             callback(self)
@@ -241,8 +248,9 @@ class Task(Future[T]):
             self._schedule()
 
     def _schedule(self) -> None:
-        if self._executor is not None:
-            self._executor.schedule(self)
+        executor = None if self._executor is None else self._executor()
+        if executor is not None:
+            executor.schedule(self)
 
 
 async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
