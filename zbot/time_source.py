@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.callback_group import MutuallyExclusiveCallbackGroup
 from zbot.clock import ROSClock
 from zbot.errors import ClockTypeError
 from zbot.node_parameters import USE_SIM_TIME
@@ -29,6 +30,8 @@ class TimeSource:
         self._clocks: list[ROSClock] = []
         self._last_time = Time(clock_type=ClockType.ROS_TIME)
         self._is_active = False
+        # A group of its own: a callback of the node may wait for the time to go on.
+        self._group = MutuallyExclusiveCallbackGroup()
         self._clock_sub: Subscription[Any] | None = None
         if node is not None:
             self.attach_node(node)
@@ -98,7 +101,7 @@ class TimeSource:
 
         profile = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
         self._clock_sub = self._node.create_subscription(
-            Clock, CLOCK_TOPIC, self.clock_callback, profile
+            Clock, CLOCK_TOPIC, self.clock_callback, profile, callback_group=self._group
         )
 
     def _unsubscribe(self) -> None:

@@ -68,6 +68,24 @@ def test_the_source_attached_last_is_served_first(node: zbot.Node) -> None:
     assert source._get_node() is node
 
 
+def test_a_callback_may_wait_for_simulated_time_to_go_on(make_context: MakeContext) -> None:
+    context = make_context()
+    node = zbot.Node("timed", context=context, cli_args=["--ros-args", "-p", "use_sim_time:=true"])
+    done: zbot.Future[None] = zbot.Future()
+
+    async def pause() -> None:
+        timer = node.create_timer(8.0, lambda: done.set_result(None), zbot.ReentrantCallbackGroup())
+        node.create_publisher(ClockMessage, "/clock", 1).publish(NINE_SECONDS)
+        await done
+        node.destroy_timer(timer)
+
+    with zbot.SingleThreadedExecutor(context=context) as executor:
+        executor.add_node(node)
+        node.create_guard_condition(pause).trigger()
+        executor.spin_until_future_complete(done, 5)
+    assert done.done()
+
+
 def test_only_clocks_of_ros_time_can_be_fed() -> None:
     wrong: Any = Clock()
     with pytest.raises(ClockTypeError):
