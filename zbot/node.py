@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 from zbot.arguments import Arguments
 from zbot.client import Client
 from zbot.context import get_default_context
-from zbot.errors import InvalidPeriodError, NodeNameError
+from zbot.errors import ArgumentTypeError, InvalidPeriodError, NodeNameError
 from zbot.guard_condition import GuardCondition
 from zbot.interfaces.type_support import check_is_valid_msg_type, check_is_valid_srv_type
 from zbot.log import get_logger
@@ -487,12 +487,16 @@ class Node(GraphQueries, NodeParameters):
         """Create a rate whose `sleep()` gives a loop `frequency` turns a second.
 
         Raises:
+            ArgumentTypeError: The frequency is no number.
             InvalidPeriodError: The frequency is not above 0.
         """
         handle = self._zbot_alive()
-        if not isinstance(frequency, (int, float)) or not 0 < frequency <= S_TO_NS:
+        if not isinstance(frequency, (int, float)):
+            raise ArgumentTypeError("a rate's frequency", "a number", frequency)
+        if not 0 < frequency <= S_TO_NS:
             raise InvalidPeriodError("a rate's frequency", frequency)
-        rate = Rate(int(S_TO_NS / frequency), clock or handle.clock, handle.context)
+        timer = Node.create_timer(self, 1 / frequency, None, clock=clock)
+        rate = Rate(timer, handle.context)
         handle.rates.append(rate)
         return rate
 
@@ -549,7 +553,10 @@ class Node(GraphQueries, NodeParameters):
 
     def destroy_rate(self, rate: Rate) -> bool:
         """Destroy a rate; return whether it was this node's."""
-        return self._zbot_remove(self._zbot_handle.rates, rate)
+        handle = self._zbot_handle
+        return self._zbot_remove(handle.rates, rate) and self._zbot_remove(
+            handle.timers, rate.timer
+        )
 
     def _zbot_remove(self, owned: list[EntityT], entity: EntityT) -> bool:
         if entity not in owned:

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import contextlib
 import inspect
 import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.clock import ROSClock
-from zbot.errors import CallbackSignatureError, InvalidHandleError, RateInterruptedError
+from zbot.errors import (
+    CallbackSignatureError,
+    InvalidHandleError,
+    NotInitializedError,
+    RateInterruptedError,
+)
 from zbot.handle import Handle
 from zbot.time import ClockType, Duration, Time
 
@@ -242,41 +248,70 @@ def _wants_info(callback: Callable[..., Any]) -> bool:
     raise CallbackSignatureError("a timer's callback", "() or (timer_info)")
 
 
+class _Wakefulness:
+    """What ends a rate's sleep early: its context's shutdown, or the rate's own end."""
+
+    def __init__(self, context: Context) -> None:
+        self._context = context
+        self._wakers: list[Callable[[], None]] = []
+        self.is_destroyed = False
+
+    def ok(self) -> bool:
+        return not self.is_destroyed and self._context.ok()
+
+    def add_waker(self, waker: Callable[[], None]) -> None:
+        self._wakers.append(waker)
+        self._context.add_waker(waker)
+
+    def remove_waker(self, waker: Callable[[], None]) -> None:
+        self._wakers.remove(waker)
+        self._context.remove_waker(waker)
+
+    def destroy(self) -> None:
+        self.is_destroyed = True
+        for waker in list(self._wakers):
+            waker()
+
+
 class Rate:
     """Sleeps so that a loop runs at a frequency. Made by `Node.create_rate`.
 
     Unlike rclpy's it needs no executor spinning in another thread.
 
     Args:
-        period_ns: Nanoseconds, more than 0.
-        clock: The clock that it follows.
+        timer: Its period and clock are the rate's. As in rclpy it goes on beside the sleeping, so
+            that a `spin_once()` in a loop of its own comes back with every period.
         context: Its shutdown ends a sleep.
     """
 
-    def __init__(self, period_ns: int, clock: Clock, context: Context) -> None:
-        self._period = Duration(nanoseconds=period_ns)
-        self._clock = clock
+    def __init__(self, timer: Timer, context: Context) -> None:
+        self.timer = timer
+        self._period = Duration(nanoseconds=timer.timer_period_ns)
+        self._clock = timer.clock
         self._context = context
-        self._next = clock.now() + self._period
-        self._is_destroyed = False
+        self._wakefulness = _Wakefulness(context)
+        self._next = self._clock.now() + self._period
 
     def sleep(self) -> None:
-        """Sleep until the next multiple of the period; at once if that is past.
+        """Sleep until the next multiple of the period, or until the rate is destroyed.
+
+        It does not sleep if that is past.
 
         Raises:
             RateInterruptedError: The context was shut down.
-            InvalidHandleError: The rate was destroyed.
+            InvalidHandleError: The rate was destroyed before.
         """
-        if self._is_destroyed:
+        if self._wakefulness.is_destroyed:
             raise InvalidHandleError("the rate")
         now = self._clock.now()
         if now >= self._next + self._period:  # a loop that takes too long starts a new rhythm
             self._next = now
-        self._clock.sleep_until(self._next, self._context)
+        with contextlib.suppress(NotInitializedError):  # another thread ended it just now
+            self._clock.sleep_until(self._next, self._wakefulness)
         self._next += self._period
         if not self._context.ok():
             raise RateInterruptedError
 
     def destroy(self) -> None:
-        """Refuse to sleep from now on."""
-        self._is_destroyed = True
+        """Wake who sleeps, and refuse to sleep from now on."""
+        self._wakefulness.destroy()

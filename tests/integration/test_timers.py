@@ -6,14 +6,19 @@ import statistics
 import threading
 import time
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
 import zbot
 from tests.conftest import allowed, wait_until
 from zbot.clock import Clock
-from zbot.errors import InvalidHandleError, InvalidPeriodError, RateInterruptedError
+from zbot.errors import (
+    ArgumentTypeError,
+    InvalidHandleError,
+    InvalidPeriodError,
+    RateInterruptedError,
+)
 from zbot.time import ClockType, Time
 
 from rosgraph_msgs.msg import Clock as ClockMessage
@@ -389,7 +394,40 @@ def test_a_destroyed_rate_says_so(node: zbot.Node) -> None:
         rate.sleep()
 
 
-@pytest.mark.parametrize("frequency", [0, -1, float("nan"), float("inf"), "1"])
+def test_destroying_a_rate_wakes_who_sleeps(node: zbot.Node) -> None:
+    rate = node.create_rate(0.001)
+    sleeper = threading.Thread(target=rate.sleep)
+    sleeper.start()
+    assert wait_until(lambda: bool(rate._wakefulness._wakers))
+    assert node.destroy_rate(rate)
+    sleeper.join(5)
+    assert not sleeper.is_alive()
+    assert not list(node.timers)
+
+
+def test_a_rate_lets_spin_once_come_back(node: zbot.Node, executor: zbot.Executor) -> None:
+    rate = node.create_rate(100.0)
+    woke = threading.Event()
+
+    def loop() -> None:
+        for _ in range(3):
+            rate.sleep()
+        woke.set()
+
+    thread = threading.Thread(target=loop)
+    thread.start()
+    while not woke.is_set():
+        executor.spin_once()
+    thread.join(5)
+
+
+def test_a_frequency_is_a_number(node: zbot.Node) -> None:
+    wrong: Any = "1"
+    with pytest.raises(ArgumentTypeError, match="frequency"):
+        node.create_rate(wrong)
+
+
+@pytest.mark.parametrize("frequency", [0, -1, float("nan"), float("inf")])
 def test_a_frequency_that_is_none_is_refused(node: zbot.Node, frequency: float) -> None:
     with pytest.raises(InvalidPeriodError, match="frequency"):
         node.create_rate(frequency)
