@@ -311,6 +311,13 @@ class Executor:
             raise ConditionReachedException
         raise TimeoutError("no callback was ready in time")
 
+    def _wait_for_ready_callbacks(
+        self, *args: Any, **kwargs: Any
+    ) -> Iterator[tuple[Task[None], Entity, Node | None]]:
+        # What rclpy's executors make of it, and those of programs that were derived from them.
+        while True:
+            yield self.wait_for_ready_callbacks(*args, **kwargs)
+
     def _execute_alone(self, entity: Entity, taken: Any) -> None:
         self._is_disturbed = True  # one callback, and no more
         try:

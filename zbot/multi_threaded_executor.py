@@ -6,6 +6,7 @@ import contextlib
 import os
 import threading
 import time
+import warnings
 from collections import deque
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
@@ -21,18 +22,30 @@ if TYPE_CHECKING:
     from zbot.mailbox import Entity
 
 
+def _core_count() -> int:
+    # A container or `taskset` may leave the process fewer cores than the machine has.
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
 class MultiThreadedExecutor(Executor):
     """Runs callbacks in a pool of threads, as far as their callback groups allow.
 
     Args:
-        num_threads: Size of the pool; by default one per processor core, but at least 2.
+        num_threads: Size of the pool; by default one per processor core, but at least 2. A pool of
+            one draws a `UserWarning`.
         context: See `Executor`.
     """
 
     def __init__(self, num_threads: int | None = None, *, context: Context | None = None) -> None:
         super().__init__(context=context)
-        self._num_threads = max(1, num_threads or max(2, os.cpu_count() or 2))
-        self._pool = ThreadPoolExecutor(self._num_threads, thread_name_prefix="zbot executor")
+        self._num_threads = max(1, num_threads or max(2, _core_count()))
+        if self._num_threads == 1:
+            one = "a MultiThreadedExecutor of one thread runs no callbacks beside each other"
+            warnings.warn(f"{one}; use a SingleThreadedExecutor, or more threads", stacklevel=2)
+        # rclpy's name: programs look into it for the number of threads.
+        self._executor = ThreadPoolExecutor(self._num_threads, thread_name_prefix="zbot executor")
         self._failures: deque[BaseException] = deque()
         self._idle = threading.Condition()
         self._running = 0
@@ -88,7 +101,7 @@ class MultiThreadedExecutor(Executor):
         if isinstance(entity.callback_group, ReentrantCallbackGroup):
             self._queue(entity)  # its next piece may run beside this one
         try:
-            self._pool.submit(self._work, entity, taken)
+            self._executor.submit(self._work, entity, taken)
         except RuntimeError:
             # shutdown() came between, or the program is at its end.
             self._is_shutdown = True
@@ -125,5 +138,5 @@ class MultiThreadedExecutor(Executor):
         """Stop spinning, leave all nodes, wait for running callbacks, and end the threads."""
         ended = super().shutdown(timeout_sec)
         own = threading.get_ident() in self._workers
-        self._pool.shutdown(wait=wait_for_threads and ended and not own)
+        self._executor.shutdown(wait=wait_for_threads and ended and not own)
         return ended

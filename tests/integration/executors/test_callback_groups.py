@@ -6,6 +6,8 @@ import threading
 import time
 from typing import TYPE_CHECKING
 
+import pytest
+
 import zbot
 from tests.conftest import allowed, wait_until
 from tests.integration.executors.conftest import Overlap
@@ -98,7 +100,9 @@ def test_one_thread_runs_one_callback_at_a_time(node: zbot.Node, spin: Spin) -> 
     group = zbot.ReentrantCallbackGroup()
     for _ in range(3):
         node.create_timer(0.0, lambda: overlap.visit(meet=False), callback_group=group)
-    with zbot.MultiThreadedExecutor(1, context=node.context) as executor:
+    with pytest.warns(UserWarning, match="one thread"):
+        executor = zbot.MultiThreadedExecutor(1, context=node.context)
+    with executor:
         spin(node, executor=executor)
         assert wait_until(lambda: overlap.calls > 20)
         assert overlap.most == 1

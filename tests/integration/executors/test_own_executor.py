@@ -125,3 +125,21 @@ def test_an_executor_of_another_make_is_not_told_that_its_node_ends(context: zbo
     node.destroy_node()
     stranger.add_node.assert_called_once_with(node)
     stranger.remove_node.assert_not_called()
+
+
+def test_ready_callbacks_come_one_by_one_from_a_generator(context: zbot.Context) -> None:
+    calls: list[int] = []
+    node = zbot.Node("counter", context=context)
+    with Executor(context=context) as executor:
+        executor.add_node(node)
+        guard = node.create_guard_condition(lambda: calls.append(len(calls)))
+        ready = executor._wait_for_ready_callbacks(timeout_sec=1.0)
+        for _ in range(2):
+            guard.trigger()
+            handler, entity, owner = next(ready)
+            handler()
+            assert (entity, owner) == (guard, node)
+        assert calls == [0, 1]
+        executor.shutdown()
+        with pytest.raises(ShutdownError):
+            next(ready)
