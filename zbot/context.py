@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Literal
 
 from zbot import config, ending, membership
 from zbot.arguments import Arguments
-from zbot.errors import ContextInitializedError, NotInitializedError
+from zbot.errors import ArgumentTypeError, ContextInitializedError, NotInitializedError
 from zbot.graph import Graph
 from zbot.handle import Handle
 from zbot.log import configure, get_logger, get_logging_severity_from_string
@@ -166,8 +166,13 @@ class Context:
         self.shutdown()
 
     def on_shutdown(self, callback: Callable[[], None]) -> None:
-        """Call a function once, at the beginning of `shutdown()`."""
-        self._require("on_shutdown()")
+        """Call a function once, at the beginning of `shutdown()`; also before `init()`.
+
+        Raises:
+            ArgumentTypeError: It is no function.
+        """
+        if not callable(callback):
+            raise ArgumentTypeError("callback", "a function", callback)
         self._on_shutdown.append(callback)
 
     def add_waker(self, waker: Callable[[], None]) -> None:
@@ -410,10 +415,14 @@ _default: Context | None = None
 _default_lock = threading.Lock()
 
 
-def get_default_context() -> Context:
-    """Return the process's context; a new one after the last was shut down."""
+def get_default_context(*, shutting_down: bool = False) -> Context:
+    """Return the process's context; a new one after the last was shut down.
+
+    Args:
+        shutting_down: Whether the last one will do, as for whoever is about to end it.
+    """
     global _default  # noqa: PLW0603 - one per process is what it is
     with _default_lock:
-        if _default is None or _default.is_over:
+        if _default is None or (_default.is_over and not shutting_down):
             _default = Context()
         return _default

@@ -471,7 +471,7 @@ class NodeNameError(InvalidNodeNameError):
         super().__init__(name, given, 0)
 
 
-class UnknownNodeError(ZbotError, LookupError):
+class UnknownNodeError(ZbotError, LookupError, RuntimeError):
     """A node is asked for that is not there (rclpy's NodeNameNonExistentError)."""
 
     def __init__(self, name: str, known: list[str]) -> None:
@@ -479,8 +479,8 @@ class UnknownNodeError(ZbotError, LookupError):
         super().__init__(f"there is no node {name}; the nodes are: {', '.join(known) or 'none'}")
 
 
-class InvalidPeriodError(ZbotError, ValueError):
-    """A period or frequency is no positive number."""
+class InvalidPeriodError(ZbotError, ValueError, RuntimeError):
+    """A period or frequency is no positive number (rclpy: RuntimeError for timers)."""
 
     def __init__(self, what: str, value: object) -> None:
         self.what, self.value = what, value
@@ -579,7 +579,7 @@ class ParameterValueError(ZbotError, ValueError):
         super().__init__(f"not a parameter's value: {text[:100]!r}: {reason}")
 
 
-class ParametersFileError(SetupError, ValueError):
+class ParametersFileError(SetupError, ValueError, RuntimeError):
     """A parameter file cannot be read or has another form than ROS 2 asks for."""
 
     def __init__(self, path: str, reason: str) -> None:

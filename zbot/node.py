@@ -527,12 +527,14 @@ class Node(GraphQueries, NodeParameters):
 
     def destroy_publisher(self, publisher: Publisher[Any]) -> bool:
         """Destroy a publisher; return whether it was this node's."""
-        self._zbot_handle.adviser.remove(publisher.token)
+        if publisher in self._zbot_handle.publishers:
+            self._zbot_handle.adviser.remove(publisher.token)
         return self._zbot_remove(self._zbot_handle.publishers, publisher)
 
     def destroy_subscription(self, subscription: Subscription[Any]) -> bool:
         """Destroy a subscription; return whether it was this node's."""
-        self._zbot_handle.adviser.remove(subscription.token)
+        if subscription in self._zbot_handle.subscriptions:
+            self._zbot_handle.adviser.remove(subscription.token)
         return self._zbot_remove(self._zbot_handle.subscriptions, subscription)
 
     def destroy_service(self, service: Service[Any, Any]) -> bool:

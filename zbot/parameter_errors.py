@@ -39,7 +39,7 @@ class ParameterNotDeclaredException(ParameterError, LookupError):
 
     def __init__(self, parameters: str | list[str], known: Iterable[str] = ()) -> None:
         super().__init__("Invalid access to undeclared parameter(s)", parameters)
-        self.suggestions = nearest(self.parameters[0], known, 1) if self.parameters else ()
+        self.suggestions = nearest(str(self.parameters[0]), known, 1) if self.parameters else ()
         if self.suggestions:
             self.args = (f"{self.args[0]}; did you mean {self.suggestions[0]!r}?",)
 

@@ -34,6 +34,25 @@ def test_the_default_context_may_be_shut_down_twice(domain: int) -> None:
         assert not zbot.ok()
 
 
+def test_functions_for_the_end_may_come_before_the_beginning(domain: int) -> None:
+    context, called = zbot.Context(), list[str]()
+    context.on_shutdown(lambda: called.append("early"))
+    context.init([], domain_id=domain)
+    context.on_shutdown(lambda: called.append("late"))
+    with pytest.raises(TypeError, match="callback must be a function, not int: 3"):
+        context.on_shutdown(3)  # type: ignore[arg-type]
+    context.shutdown()
+    assert called == ["early", "late"]
+
+
+def test_whoever_ends_the_default_context_gets_the_one_that_was(domain: int) -> None:
+    zbot.init(domain_id=domain)
+    context = zbot.get_default_context()
+    zbot.shutdown()
+    assert zbot.get_default_context(shutting_down=True) is context
+    assert zbot.get_default_context() is not context
+
+
 def test_arguments_that_are_no_text_are_refused_where_they_are_given(domain: int) -> None:
     with pytest.raises(UnicodeEncodeError):
         zbot.init(args=["prog", "Ragnar\udcf6k"], context=zbot.Context(), domain_id=domain)

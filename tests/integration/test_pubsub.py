@@ -455,6 +455,14 @@ def test_destroying_twice_is_harmless(talker: zbot.Node) -> None:
         talker.create_publisher(String, "chatter", 10)
 
 
+def test_a_node_destroys_only_what_is_its_own(talker: zbot.Node, listener: zbot.Node) -> None:
+    foreign = listener.create_publisher(String, "chatter", 10)
+    assert not talker.destroy_publisher(foreign)
+    assert not talker.destroy_publisher(None)  # type: ignore[arg-type]
+    assert not talker.destroy_subscription(None)  # type: ignore[arg-type]
+    assert listener.destroy_publisher(foreign)
+
+
 def test_with_blocks_destroy_what_they_made(talker: zbot.Node) -> None:
     with talker.create_publisher(String, "chatter", 10) as publisher:
         assert talker.count_publishers("chatter") == 1
