@@ -193,7 +193,7 @@ def test_the_service_runs_in_a_thread_until_it_is_told_to_end() -> None:
 
 @pytest.mark.usefixtures("domain")
 def test_managed_nodes_are_led_and_heard_of(capsys: pytest.CaptureFixture[str]) -> None:
-    node = LifecycleNode(package="zbot", executable="lifecycle_talker", name="lc")
+    node = LifecycleNode(package="zbot", executable="lifecycle_talker", name="lc", namespace="")
 
     def change(number: int) -> EmitEvent:
         matcher = matches_action(node)

@@ -14,6 +14,8 @@ if TYPE_CHECKING:
     from zbot.launch.condition import Condition
     from zbot.launch.context import LaunchContext
     from zbot.launch.entity import Origin
+    from zbot.launch.frontend.entity import Entity
+    from zbot.launch.frontend.parser import Parser
 
 
 class Action(LaunchDescriptionEntity):
@@ -26,6 +28,14 @@ class Action(LaunchDescriptionEntity):
     def __init__(self, *, condition: Condition | None = None) -> None:
         self.condition = condition
         self.origin: Origin | None = calling_line()
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:  # noqa: ARG003
+        """Return the class and the options that a tag in XML or YAML stands for.
+
+        Classes of extensions call this of the class that they extend, and add options of their own.
+        """
+        return cls, {}
 
     def visit(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         """Do it if the condition holds."""

@@ -89,6 +89,10 @@ class SubstitutionError(LaunchError, ValueError):
         super().__init__(message)
 
 
+class UnknownNameError(SubstitutionError, NameError):
+    """A Python expression has a name that nothing has; it may need a module."""
+
+
 class ConditionError(LaunchError, ValueError):
     """A condition is neither true nor false."""
 

@@ -100,7 +100,7 @@ _TREE = """\
         group condition:
             PushROSNamespace()
     Node(package='p', executable='e')
-    ExecuteProcess(cmd=['echo hi'])
+    ExecuteProcess(cmd=['echo', 'hi'])
     SetParameter()
     SetRemap()
     TimerAction()

@@ -6,7 +6,7 @@ import os
 import re
 import shlex
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.launch.own_command import for_scripts, with_ros2
 from zbot.launch.substitution import describe_list, normalize, perform
@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 
     from zbot.launch.context import LaunchContext
     from zbot.launch.substitution import SomeSubstitutionsType, Substitution
+
+#: The name and the value of an environment variable.
+Variable: TypeAlias = "tuple[list[Substitution], list[Substitution]]"
 
 #: Launch configurations that `zbot launch` sets for its options.
 PREFIX, PREFIX_FILTER = "launch-prefix", "launch-prefix-filter"
@@ -61,7 +64,19 @@ class Executable:
         self.cmd += [normalize(word) for word in arguments or ()]
         self.prefix = _optional(prefix)
         self.name, self.cwd = _optional(name), _optional(cwd)
-        self.env, self.additional_env = env, additional_env
+        self.env, self.additional_env = _variables(env), _variables(additional_env)
+        self.final_cmd: list[str] | None = None
+        self.final_cwd: str | None = None
+        self.final_env: dict[str, str] | None = None
+        self.final_name: str | None = None
+
+    def apply_context(self, context: LaunchContext) -> None:
+        """Set the words, the folder, the environment and the name that a launch gives them."""
+        words = [perform(context, word) for word in self.cmd]
+        name = perform(context, self.name) if self.name else os.path.basename(words[0])  # noqa: PTH119
+        prepared = self.prepare(context, words, name)
+        self.final_cmd, self.final_cwd = prepared.words, prepared.cwd
+        self.final_env, self.final_name = prepared.env, prepared.name
 
     def describe(self) -> str:
         """Return the words."""
@@ -80,7 +95,7 @@ class Executable:
         own = {"PYTHONUNBUFFERED": "1"}
         if context.journal.is_coloured:
             own["RCUTILS_COLORIZED_OUTPUT"] = "1"
-        added = _performed(context, self.additional_env or {})
+        added = _performed(context, self.additional_env or ())
         return with_ros2({**own, **base, **added})
 
 
@@ -88,10 +103,14 @@ def _optional(value: SomeSubstitutionsType | None) -> list[Substitution] | None:
     return None if value is None else normalize(value)
 
 
-def _performed(
-    context: LaunchContext, variables: Mapping[Any, SomeSubstitutionsType]
-) -> dict[str, str]:
-    return {perform(context, key): perform(context, value) for key, value in variables.items()}
+def _variables(given: Mapping[Any, SomeSubstitutionsType] | None) -> list[Variable] | None:
+    if given is None:
+        return None
+    return [(normalize(name), normalize(value)) for name, value in given.items()]
+
+
+def _performed(context: LaunchContext, variables: Iterable[Variable]) -> dict[str, str]:
+    return {perform(context, name): perform(context, value) for name, value in variables}
 
 
 def _common_prefix(context: LaunchContext, name: str) -> str:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from zbot.launch.action import Action
 from zbot.launch.actions.event_action import Shutdown
-from zbot.launch.actions.executable import Executable, Prepared
+from zbot.launch.actions.executable import Executable, Prepared, Variable
 from zbot.launch.errors import EntityTypeError, ProgramError
 from zbot.launch.event_handler import OnProcessExit
 from zbot.launch.output import DEFAULT, parse_output
@@ -23,7 +23,9 @@ if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
     from zbot.launch.entity import LaunchDescriptionEntity
     from zbot.launch.event_handler import Reaction
-    from zbot.launch.substitution import SomeSubstitutionsType
+    from zbot.launch.frontend.entity import Entity
+    from zbot.launch.frontend.parser import Parser
+    from zbot.launch.substitution import SomeSubstitutionsType, Substitution
 
 _OVERRIDE: Final = "OVERRIDE_LAUNCH_PROCESS_OUTPUT"
 _LINE: Final = "[{label}] {line}"
@@ -70,7 +72,7 @@ class ExecuteLocal(Action):
         self.process_description = process_description
         self.shell = shell
         self.sigterm_timeout, self.sigkill_timeout = _text(sigterm_timeout), _text(sigkill_timeout)
-        self.emulate_tty, self.output = _text(emulate_tty), output
+        self.emulate_tty, self.output = emulate_tty, output
         # ROS 2's own default is an expression about the action; it means what `_LINE` does.
         self.output_format = _LINE if "{this" in output_format else output_format
         self.cached_output, self.log_cmd = cached_output, log_cmd
@@ -84,15 +86,29 @@ class ExecuteLocal(Action):
         self._task: asyncio.Task[None] | None = None
 
     @property
-    def name(self) -> str | None:
-        """The process's name, `talker-1`, once it is started."""
-        name: str | None = self.process_details.get("name")
-        return name
+    def name(self) -> Any:
+        """The process's name, `talker-1`, once it is started; before, as it was given."""
+        return self.process_details.get("name") or self.process_description.name
 
     @property
     def cmd(self) -> Any:
         """The words of the command line."""
         return self.process_description.cmd
+
+    @property
+    def cwd(self) -> list[Substitution] | None:
+        """The folder to run it in."""
+        return self.process_description.cwd
+
+    @property
+    def env(self) -> list[Variable] | None:
+        """Its whole environment."""
+        return self.process_description.env
+
+    @property
+    def additional_env(self) -> list[Variable] | None:
+        """What is added to its environment."""
+        return self.process_description.additional_env
 
     def prepare(self, context: LaunchContext) -> Prepared:
         """Return the command line.
@@ -200,6 +216,20 @@ class ExecuteProcess(ExecuteLocal):
         )
         super().__init__(process_description=executable, **options)
 
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
+        """Return the class and the options that a tag with a command line stands for."""
+        from zbot.launch.frontend.tags import executable_options  # noqa: PLC0415 - cycle
+
+        return cls, executable_options(entity, parser)
+
+    @classmethod
+    def _parse_cmdline(cls, cmd: str, parser: Parser) -> list[list[Substitution]]:
+        """Return the words of a command line; extensions call this by its name in launch."""
+        from zbot.launch.frontend.tags import words  # noqa: PLC0415 - cycle
+
+        return words(parser.parse_substitution(cmd))
+
 
 def _check(prepared: Prepared) -> None:
     cwd, program = prepared.cwd, prepared.words[0]
@@ -220,7 +250,7 @@ def _text(value: Any) -> Any:
 
 
 def _truth(what: str, value: Any, context: LaunchContext) -> bool:
-    text = perform(context, value)
+    text = perform(context, _text(value))
     truth = to_bool(text)
     if truth is None:
         raise EntityTypeError(what, "true or false", text)

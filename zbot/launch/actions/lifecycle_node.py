@@ -15,6 +15,8 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
 
     from zbot.launch.context import LaunchContext
+    from zbot.launch.frontend.entity import Entity
+    from zbot.launch.frontend.parser import Parser
     from zbot.launch.ros_node import LaunchNode
     from zbot.launch.substitution import SomeSubstitutionsType
 
@@ -45,12 +47,19 @@ class LifecycleNode(Node):
         self,
         *,
         name: SomeSubstitutionsType,
-        namespace: SomeSubstitutionsType = "",
+        namespace: SomeSubstitutionsType,
         autostart: bool = False,
         **options: Any,
     ) -> None:
         super().__init__(name=name, namespace=namespace, **options)
         self._autostart = autostart
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
+        """Return the class and the options that the tag of a managed node stands for."""
+        from zbot.launch.frontend.ros_tags import lifecycle_node_options  # noqa: PLC0415 - cycle
+
+        return cls, lifecycle_node_options(entity, parser)
 
     def execute(self, context: LaunchContext) -> list[Any] | None:
         """Start the node, and listen to what it tells of its state."""

@@ -22,8 +22,11 @@ from zbot.package.workspace import search_roots
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
+    from zbot.launch.action import Action
     from zbot.launch.actions.executable import Prepared
     from zbot.launch.context import LaunchContext
+    from zbot.launch.frontend.entity import Entity
+    from zbot.launch.frontend.parser import Parser
     from zbot.launch.parameters import SomeParameters
     from zbot.launch.substitution import SomeSubstitutionsType, Substitution
 
@@ -71,6 +74,13 @@ class Node(ExecuteProcess):
         self._name = _optional(name)
         self._namespace = _optional(namespace)
         self.node_name, self.namespace = _UNKNOWN, ""
+
+    @classmethod
+    def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
+        """Return the class and the options that the tag of a node stands for."""
+        from zbot.launch.frontend.ros_tags import node_options  # noqa: PLC0415 - cycle
+
+        return cls, node_options(entity, parser)
 
     @property
     def node_package(self) -> list[Substitution] | None:

@@ -2,32 +2,67 @@
 
 from __future__ import annotations
 
-import typing
-from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, get_args
 
 from zbot.errors import nearest
-from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError
+from zbot.launch.errors import CoercionError
+from zbot.launch.frontend.errors import (
+    AttributeTypeError,
+    InvalidFrontendLaunchFileError,
+    MissingAttributeError,
+)
 from zbot.launch.substitution import to_bool
+from zbot.launch.typed_value import get_typed_value, is_instance_of, is_typing_list
 
-_CONVERTERS: dict[Any, Any] = {int: int, float: float, str: str, bool: to_bool}
+#: The arguments of `List` that make an attribute's type.
+_LISTS = ((bool,), (int,), (float,), (str,))
 
 
-@dataclass(eq=False)
 class Entity:
-    """A tag with its attributes and what is inside it."""
+    """A tag with its attributes and what is inside it.
 
-    type_name: str
-    attributes: dict[str, Any]
-    children: list[Entity]
-    path: str
-    line: int
-    parent: Entity | None = None
-    _used: set[str] = field(default_factory=set)
+    Args:
+        type_name: The tag's name.
+        attributes: Its attributes, as they are written.
+        children: The entities inside it.
+        path: The file.
+        line: Its line in that, from 1.
+        parent: The entity that it is inside of.
+    """
 
-    def __post_init__(self) -> None:
-        for child in self.children:
+    def __init__(
+        self,
+        type_name: str,
+        attributes: dict[str, Any],
+        children: list[Entity],
+        path: str,
+        line: int,
+        *,
+        parent: Entity | None = None,
+    ) -> None:
+        self.type_name, self.attributes = type_name, attributes
+        self.path, self.line, self.parent = path, line, parent
+        self._children = children
+        self._used: set[str] = set()
+        self._all_used = False
+        for child in children:
             child.parent = self
+
+    @property
+    def children(self) -> list[Entity]:
+        """The entities inside it; whoever asks for them takes any."""
+        self._all_used = True
+        return self._children
+
+    def add(self, child: Entity) -> None:
+        """Put an entity inside."""
+        self._children.append(child)
+
+    def take(self, type_name: str) -> list[Entity]:
+        """Remove the entities of a kind from inside, and return them."""
+        taken = self.inside(type_name)
+        self._children = [child for child in self._children if child.type_name != type_name]
+        return taken
 
     def text(self, name: str) -> str | None:
         """Return an attribute as text; None if there is none."""
@@ -45,8 +80,12 @@ class Entity:
         """
         value = self.text(name)
         if value is None:
-            raise self.error(f"`{self.type_name}` needs the attribute '{name}'")
+            raise self._missing(name)
         return value
+
+    def _missing(self, name: str) -> MissingAttributeError:
+        reason = f"`{self.type_name}` needs the attribute '{name}'"
+        return MissingAttributeError(self.path, self.line, reason)
 
     def value(self, name: str) -> Any:
         """Return an attribute as it was written: in YAML it may be a number or a list."""
@@ -56,7 +95,7 @@ class Entity:
     def inside(self, type_name: str) -> list[Entity]:
         """Return those children that are of a kind."""
         self._used.add(type_name)
-        return [child for child in self.children if child.type_name == type_name]
+        return [child for child in self._children if child.type_name == type_name]
 
     def get_attr(
         self,
@@ -70,39 +109,63 @@ class Entity:
 
         Args:
             name: Its name.
-            data_type: `str`, `int`, `float`, `bool`, or `List[Entity]` for children.
+            data_type: `str`, `int`, `float`, `bool` or a list of one, as in `List[int]`; what the
+                text means as YAML if None; `List[Entity]` for children.
             optional: Whether None is returned where there is none.
             can_be_str: Whether a text with substitutions will do for any type.
 
         Raises:
-            InvalidFrontendLaunchFileError: There is none, or it is of another type.
+            AttributeTypeError: It is of another type.
+            MissingAttributeError: There is none.
         """
-        if typing.get_origin(data_type) is list:
+        if is_typing_list(data_type) and get_args(data_type) not in _LISTS:
             found = self.inside(name)
             if not found and not optional:
-                raise self.error(f"`{self.type_name}` needs `{name}` inside it")
+                raise MissingAttributeError(
+                    self.path, self.line, f"`{self.type_name}` needs `{name}` inside it"
+                )
             return found or None
-        text = self.text(name) if optional else self.required(name)
-        if text is None or (can_be_str and "$(" in text):
-            return text
+        value = self.text(name) if data_type is str else self.value(name)
+        if value is None:
+            if optional:
+                return None
+            raise self._missing(name)
+        return self._typed(name, value, data_type, can_be_str)
+
+    def _typed(self, name: str, value: Any, data_type: Any, can_be_str: bool) -> Any:
+        if isinstance(value, str) and can_be_str and "$(" in value:
+            return value
+        separator = self.text(f"{name}-sep")
         try:
-            converted = _CONVERTERS.get(data_type, str)(text)
-        except ValueError:
-            converted = None
-        if converted is None:
-            raise self.error(f"'{name}' must be of type {data_type.__name__}, not '{text}'")
-        return converted
+            if isinstance(value, str) and data_type is bool:
+                value = to_bool(value)
+            elif isinstance(value, str):
+                text = value if separator is None else value.split(separator)
+                value = get_typed_value(text, data_type)
+            elif data_type is float and type(value) is int:
+                value = float(value)
+        except CoercionError:
+            value = None
+        if not is_instance_of(value, data_type, can_be_str):
+            expected = getattr(data_type, "__name__", str(data_type))
+            written = self.attributes[name]
+            reason = f"Attribute '{name}' of `{self.type_name}` must be of type {expected}"
+            raise AttributeTypeError(self.path, self.line, f"{reason}, not '{written}'")
+        return value
 
     def error(self, reason: str, hint: str = "") -> InvalidFrontendLaunchFileError:
         """Return an error that names this place."""
         return InvalidFrontendLaunchFileError(self.path, self.line, reason, hint)
 
     def assert_entity_completely_parsed(self) -> None:
-        """Check that nobody wrote an attribute that nothing asks for.
+        """Check that nobody wrote an attribute, or an entity inside, that nothing asks for.
 
         Raises:
             InvalidFrontendLaunchFileError: There is one.
         """
+        for child in () if self._all_used else self._children:
+            if child.type_name not in self._used:
+                raise child.error(f"`{self.type_name}` has no `{child.type_name}` inside it")
         for name in self.attributes:
             if name not in self._used:
                 near = nearest(name, self._used, 1)

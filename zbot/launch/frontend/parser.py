@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError, nearest
@@ -10,10 +12,13 @@ from zbot.launch.condition import IfCondition, UnlessCondition
 from zbot.launch.description import LaunchDescription
 from zbot.launch.entity import Origin
 from zbot.launch.errors import LaunchFileError
+from zbot.launch.frontend import xml_file, yaml_file
 from zbot.launch.frontend.registry import ACTIONS
-from zbot.launch.frontend.substitution_text import parse
+from zbot.launch.frontend.substitution_text import parse, parse_if_substitutions
 
 if TYPE_CHECKING:
+    from typing import TextIO
+
     from zbot.launch.condition import Condition
     from zbot.launch.entity import LaunchDescriptionEntity
     from zbot.launch.frontend.entity import Entity
@@ -25,13 +30,31 @@ _ROOT = "launch"
 class Parser:
     """Makes actions of entities."""
 
+    @classmethod
+    def load(cls, file: str | PathLike[str] | TextIO) -> tuple[Entity, Parser]:
+        """Return the tree of a launch file in XML or YAML, and a parser for it.
+
+        Args:
+            file: Its path, or an open file.
+
+        Raises:
+            InvalidFrontendLaunchFileError: It is neither XML nor YAML.
+            OSError: It cannot be read.
+        """
+        if isinstance(file, (str, PathLike)):
+            content, path = Path(file).read_text(encoding="utf-8"), str(file)
+        else:
+            content, path = file.read(), str(getattr(file, "name", "<text>"))
+        parse_content = xml_file.parse if content.lstrip().startswith("<") else yaml_file.parse
+        return parse_content(content, path), cls()
+
     def parse_substitution(self, value: Any) -> list[Substitution]:
         """Return the substitutions that a text is made of."""
         return parse(str(value).lower() if isinstance(value, bool) else str(value))
 
     def parse_if_substitutions(self, value: Any) -> Any:
-        """Return the substitutions of a text; other values as they are."""
-        return parse(value) if isinstance(value, str) else value
+        """Return the substitutions of a text that has any; other values as they are."""
+        return parse_if_substitutions(value)
 
     def escape_characters(self, value: str) -> str:
         """Return a text that is read as itself."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.launch import actions
 from zbot.launch.actions.composable import ComposableNode
-from zbot.launch.frontend.registry import action
+from zbot.launch.frontend.registry import action, expose_action
 from zbot.launch.frontend.tags import needed, process_options, text, truth, words
 from zbot.launch.parameters import ParameterFile, ParameterValue
 
@@ -78,7 +78,8 @@ def _remaps(entity: Entity, parser: Parser) -> list[Any]:
     ]
 
 
-def _node_options(entity: Entity, parser: Parser) -> dict[str, Any]:
+def node_options(entity: Entity, parser: Parser) -> dict[str, Any]:
+    """Return what the tag of a node says, as `Node` takes it."""
     options = {
         "package": text(entity, parser, "pkg"),
         "executable": needed(entity, parser, "exec"),
@@ -96,18 +97,16 @@ def _node_options(entity: Entity, parser: Parser) -> dict[str, Any]:
     return options
 
 
-@action("node")
-def _node(entity: Entity, parser: Parser) -> Action:
-    return actions.Node(**_node_options(entity, parser))
-
-
-@action("lifecycle_node")
-def _lifecycle_node(entity: Entity, parser: Parser) -> Action:
+def lifecycle_node_options(entity: Entity, parser: Parser) -> dict[str, Any]:
+    """Return what the tag of a managed node says, as `LifecycleNode` takes it."""
     entity.required("name")
-    options = _node_options(entity, parser)
+    options = node_options(entity, parser)
     options["namespace"] = options["namespace"] or ""
-    autostart = truth(entity, "autostart", default=False)
-    return actions.LifecycleNode(autostart=autostart, **options)
+    return {**options, "autostart": truth(entity, "autostart", default=False)}
+
+
+expose_action("node")(actions.Node)
+expose_action("lifecycle_node")(actions.LifecycleNode)
 
 
 @action("push_ros_namespace")
@@ -167,7 +166,7 @@ def _components(entity: Entity, parser: Parser) -> list[ComposableNode]:
 
 @action("node_container")
 def _node_container(entity: Entity, parser: Parser) -> Action:
-    options = _node_options(entity, parser)
+    options = node_options(entity, parser)
     return actions.ComposableNodeContainer(
         name=options["name"] or "",
         namespace=options["namespace"] or "",

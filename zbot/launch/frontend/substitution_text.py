@@ -1,17 +1,20 @@
 r"""Texts with substitutions: `$(find-pkg-share my_pkg)/config/$(var robot).yaml`.
 
 An argument is separated by blanks; quotes keep blanks together, and substitutions may stand inside
-both. A backslash takes its meaning from `$`, brackets, quotes and backslashes.
+both: in one between quotes, quotes are plain text. A backslash takes its meaning from `$`,
+brackets, quotes and backslashes.
 """
 
 from __future__ import annotations
 
 import re
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
+from zbot.launch.errors import CoercionError
 from zbot.launch.frontend.errors import SubstitutionSyntaxError
 from zbot.launch.frontend.registry import make_substitution
 from zbot.launch.substitution import TextSubstitution
+from zbot.launch.typed_value import is_instance_of_valid_type
 
 if TYPE_CHECKING:
     from zbot.launch.substitution import Substitution
@@ -30,10 +33,30 @@ def parse(text: str) -> list[Substitution]:
     return _Parser(text).template("")
 
 
+def parse_if_substitutions(value: Any) -> Any:
+    """Return a value, or a list of values, with substitutions for the texts that have any.
+
+    Raises:
+        CoercionError: The items of a list are of several types.
+        SubstitutionSyntaxError: A text breaks the grammar.
+    """
+    if isinstance(value, list):
+        items = [parse_if_substitutions(one) for one in value]
+        if not is_instance_of_valid_type([one for one in items if not isinstance(one, list)]):
+            raise CoercionError(f"the items of {value} are of several types")
+        return items
+    if not isinstance(value, str):
+        return value
+    parts = parse(value)
+    texts = [part.text for part in parts if isinstance(part, TextSubstitution)]
+    return "".join(texts) if len(texts) == len(parts) else parts
+
+
 class _Parser:
     def __init__(self, text: str) -> None:
         self._text = text
         self._at = 0
+        self._is_quoted = False  #: inside of quotes, where others are plain text
 
     @property
     def _next(self) -> str:
@@ -48,7 +71,7 @@ class _Parser:
                 parts += [TextSubstitution(text=plain)] if plain else []
                 plain = ""
                 parts.append(self._substitution())
-            elif ends == _BLANKS + ")" and self._next in "\"'":
+            elif ends == _BLANKS + ")" and self._next in "\"'" and not self._is_quoted:
                 parts += [TextSubstitution(text=plain)] if plain else []
                 plain = ""
                 parts += self._quoted()
@@ -65,7 +88,9 @@ class _Parser:
     def _quoted(self) -> list[Substitution]:
         quote = self._next
         self._at += 1
+        self._is_quoted = True
         parts = self.template(quote)
+        self._is_quoted = False
         if self._next != quote:
             raise SubstitutionSyntaxError(f"the quote {quote} is not closed in: {self._text}")
         self._at += 1

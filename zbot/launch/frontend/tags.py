@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.launch import actions
 from zbot.launch.frontend.errors import SubstitutionSyntaxError
-from zbot.launch.frontend.registry import action
+from zbot.launch.frontend.registry import action, expose_action
 from zbot.launch.source import AnyLaunchDescriptionSource
-from zbot.launch.substitution import TextSubstitution, to_bool
+from zbot.launch.substitution import TextSubstitution
 
 if TYPE_CHECKING:
     from zbot.launch.action import Action
@@ -33,17 +33,18 @@ def needed(entity: Entity, parser: Parser, name: str) -> list[Substitution]:
 
 def truth(entity: Entity, name: str, *, default: bool) -> bool:
     """Return an attribute that says true or false."""
-    value = entity.text(name)
-    found = default if value is None else to_bool(value)
-    if found is None:
-        raise entity.error(f"'{name}' must be true or false, not '{value}'")
-    return found
+    found: bool | None = entity.get_attr(name, data_type=bool, optional=True, can_be_str=False)
+    return default if found is None else found
 
 
-def words(parts: list[Substitution]) -> list[list[Substitution]]:
+def words(parts: list[Substitution], *, keeps_quotes: bool = False) -> list[list[Substitution]]:
     """Return the words of a command line, of which each is made of substitutions.
 
     Blanks end a word, except between quotes or inside of what a substitution becomes.
+
+    Args:
+        parts: The command line.
+        keeps_quotes: Whether quotes stay in the words, for a shell to read.
     """
     found: list[list[Substitution]] = [[]]
     quote, is_open = "", False
@@ -55,6 +56,7 @@ def words(parts: list[Substitution]) -> list[list[Substitution]]:
         for character in part.text:
             if character == quote or (not quote and character in _QUOTES):
                 quote, is_open = "" if quote else character, True
+                found[-1] += [TextSubstitution(text=character)] if keeps_quotes else []
             elif character.isspace() and not quote:
                 found += [[]] if is_open else []
                 is_open = False
@@ -85,7 +87,6 @@ def process_options(entity: Entity, parser: Parser) -> dict[str, Any]:
         "launch-prefix": "prefix",
         "cwd": "cwd",
         "output": "output",
-        "emulate_tty": "emulate_tty",
         "respawn": "respawn",
         "respawn_delay": "respawn_delay",
         "sigterm_timeout": "sigterm_timeout",
@@ -97,6 +98,9 @@ def process_options(entity: Entity, parser: Parser) -> dict[str, Any]:
         value = text(entity, parser, attribute)
         if value is not None:
             options[option] = value
+    is_terminal = entity.get_attr("emulate_tty", data_type=bool, optional=True)
+    if is_terminal is not None:
+        options["emulate_tty"] = parser.parse_if_substitutions(is_terminal)
     if "on_exit" in options:
         options["on_exit"] = entity.text("on_exit")
         if options["on_exit"] != "shutdown":
@@ -142,9 +146,8 @@ def _include(entity: Entity, parser: Parser) -> Action:
 def _group(entity: Entity, parser: Parser) -> Action:
     kept = {
         parser.parse_substitution(one.required("name"))[0]: needed(one, parser, "value")
-        for one in entity.inside("keep")
+        for one in entity.take("keep")
     }
-    entity.children = [child for child in entity.children if child.type_name != "keep"]
     return actions.GroupAction(
         parser.actions(entity),
         scoped=truth(entity, "scoped", default=True),
@@ -227,16 +230,19 @@ def _shutdown(entity: Entity, parser: Parser) -> Action:
     return actions.Shutdown(reason=text(entity, parser, "reason") or "reason not given")
 
 
-@action("executable")
-def _executable(entity: Entity, parser: Parser) -> Action:
+def executable_options(entity: Entity, parser: Parser) -> dict[str, Any]:
+    """Return what the tag of a program says, as `ExecuteProcess` takes it."""
     shell = truth(entity, "shell", default=False)
     command = needed(entity, parser, "cmd")
     arguments = text(entity, parser, "args")
     if arguments is not None:
         command = [*command, TextSubstitution(text=" "), *arguments]
-    return actions.ExecuteProcess(
-        cmd=[command] if shell else words(command),
-        shell=shell,
-        name=text(entity, parser, "name"),
+    return {
+        "cmd": words(command, keeps_quotes=shell),
+        "shell": shell,
+        "name": text(entity, parser, "name"),
         **process_options(entity, parser),
-    )
+    }
+
+
+expose_action("executable")(actions.ExecuteProcess)

@@ -11,30 +11,35 @@ from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError
 if TYPE_CHECKING:
     from pathlib import Path
 
-__all__ = ["Entity", "load"]
+__all__ = ["Entity", "load", "parse"]
 
 
 def load(path: Path) -> Entity:
-    """Return the tree of a file.
+    """Return the tree of a file; see `parse`."""
+    return parse(path.read_bytes(), str(path))
+
+
+def parse(content: bytes | str, path: str) -> Entity:
+    """Return the tree of a file's content.
 
     Raises:
         InvalidFrontendLaunchFileError: It is no XML.
     """
     parser = expat.ParserCreate()
-    root = Entity("", {}, [], str(path), 0)
+    root = Entity("", {}, [], path, 0)
     open_entities = [root]
 
     def start(name: str, attributes: dict[str, str]) -> None:
         line = parser.CurrentLineNumber
-        entity = Entity(name, dict(attributes), [], str(path), line, open_entities[-1])
-        open_entities[-1].children.append(entity)
+        entity = Entity(name, dict(attributes), [], path, line, parent=open_entities[-1])
+        open_entities[-1].add(entity)
         open_entities.append(entity)
 
     parser.StartElementHandler = start
     parser.EndElementHandler = lambda _: open_entities.pop()
     try:
-        parser.Parse(path.read_bytes(), True)
+        parser.Parse(content, True)
     except expat.ExpatError as error:
         reason = expat.errors.messages[error.code]
-        raise InvalidFrontendLaunchFileError(str(path), error.lineno, reason) from error
+        raise InvalidFrontendLaunchFileError(path, error.lineno, reason) from error
     return root.children[0]

@@ -10,13 +10,21 @@ from zbot.launch.frontend.errors import InvalidFrontendLaunchFileError
 if TYPE_CHECKING:
     from pathlib import Path
 
-__all__ = ["Entity", "load"]
+__all__ = ["Entity", "load", "parse"]
 
 _ROOT, _CHILDREN = "launch", "children"
 
 
 def load(path: Path) -> Entity:
-    """Return the tree of a file.
+    """Return the tree of a file; see `parse`."""
+    try:
+        return parse(path.read_text(encoding="utf-8"), str(path))
+    except UnicodeDecodeError as error:
+        raise InvalidFrontendLaunchFileError(str(path), 0, f"YAML: {error}") from error
+
+
+def parse(content: str, path: str) -> Entity:
+    """Return the tree of a file's content.
 
     Raises:
         InvalidFrontendLaunchFileError: It is no YAML, or no launch file.
@@ -24,13 +32,13 @@ def load(path: Path) -> Entity:
     import yaml  # noqa: PLC0415 - 15 ms; most launch files are Python
 
     try:
-        node = yaml.compose(path.read_text(encoding="utf-8"), Loader=yaml.SafeLoader)
-    except (yaml.YAMLError, UnicodeDecodeError) as error:
+        node = yaml.compose(content, Loader=yaml.SafeLoader)
+    except yaml.YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         reason = getattr(error, "problem", None) or str(error)
         line = mark.line + 1 if mark is not None else 0
-        raise InvalidFrontendLaunchFileError(str(path), line, f"YAML: {reason}") from error
-    return _Reader(str(path)).root(node)
+        raise InvalidFrontendLaunchFileError(path, line, f"YAML: {reason}") from error
+    return _Reader(path).root(node)
 
 
 class _Reader:

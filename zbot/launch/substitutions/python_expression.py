@@ -5,7 +5,7 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from zbot.launch.errors import SubstitutionError, describe
+from zbot.launch.errors import SubstitutionError, UnknownNameError, describe
 from zbot.launch.substitution import Substitution, normalize, perform
 from zbot.launch.substitution import describe as describe_substitutions
 
@@ -38,12 +38,14 @@ class PythonExpression(Substitution):
 
         Raises:
             SubstitutionError: The expression fails, or a module cannot be imported.
+            UnknownNameError: A name in it is not there.
         """
         text = perform(context, self.expression)
         try:
             return str(eval(text, self._names(context)))  # noqa: S307 - the user's own launch file
         except Exception as error:
-            raise SubstitutionError(f"cannot evaluate `{text}`: {describe(error)}") from error
+            kind = UnknownNameError if isinstance(error, NameError) else SubstitutionError
+            raise kind(f"cannot evaluate `{text}`: {describe(error)}") from error
 
     def _names(self, context: LaunchContext) -> dict[str, Any]:
         names: dict[str, Any] = {}
