@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import inspect
 import threading
 import time
@@ -16,6 +17,8 @@ from zbot.action.errors import ActionMessageError, NotAnActionTypeError
 from zbot.action.feedback import FeedbackSubscription
 from zbot.action.goal_state import GoalState
 from zbot.callback_group import ReentrantCallbackGroup
+from zbot.clock import Clock
+from zbot.errors import InvalidHandleError, ServiceError
 from zbot.interfaces import type_name
 from zbot.qos import (
     QoSProfile,
@@ -23,6 +26,8 @@ from zbot.qos import (
     qos_profile_services_default,
 )
 from zbot.task import Future
+from zbot.time import S_TO_NS, ClockType
+from zbot.timer import Timer
 from zbot.waitable import NumberOfEntities
 
 from action_msgs.srv import CancelGoal
@@ -35,7 +40,6 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.callback_group import CallbackGroup
-    from zbot.clock import Clock
     from zbot.node import Node
     from zbot.service_introspection import ServiceIntrospectionState
 
@@ -44,6 +48,7 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 qos_profile_action_feedback = QoSProfile(depth=10)
+_PATIENCE_S = 3.0  # that a goal waits for a server that is just starting; rclpy's wait for ever
 _STEP_S = 0.5  # a shutdown wakes nobody who waits for the graph
 
 
@@ -134,6 +139,7 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT]):
         # No callbacks of the user run here, so nothing has to wait for a group's turn.
         free = ReentrantCallbackGroup()
         self._answers = Agenda(node.handle.mailbox, free)
+        self._timers: list[Timer] = []  # of goals that wait for a server
         self._status = node.create_subscription(
             impl.GoalStatusMessage,
             f"{name}/status",
@@ -225,7 +231,8 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT]):
 
         Returns:
             A future of the goal's handle, done when the server has accepted or refused the goal. It
-            fails with `ServiceError` when there is no server, or the server ends before that.
+            fails with `ServiceError` when there is still no server after 3 s, or the server ends
+            before that.
 
         Raises:
             ActionMessageError: This is not the action's `Goal`.
@@ -233,9 +240,39 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT]):
         request = self._request(goal, goal_uuid)
         self._remember(request.goal_id, feedback_callback)
         answer: _Answer[ClientGoalHandle[GoalT, ResultT, FeedbackT]] = _Answer(self._node)
-        response = self._goal_client.call_async(request)
-        self._then(response, partial(self._on_goal_response, request.goal_id, answer, response))
+        self._send(request, answer, time.monotonic() + _PATIENCE_S)
         return answer
+
+    def _send(
+        self,
+        request: Any,
+        answer: _Answer[ClientGoalHandle[GoalT, ResultT, FeedbackT]],
+        until: float,
+    ) -> None:
+        response = self._goal_client.call_async(request)
+        told = partial(self._on_goal_response, request, answer, response, until)
+        self._then(response, told)
+
+    def _send_later(self, *sending: Any) -> None:
+        def send() -> None:
+            if self._drop_timer(timer):
+                # Else another thread destroys the client, and nobody waits for the answer.
+                with contextlib.suppress(InvalidHandleError):
+                    self._send(*sending)
+
+        mailbox, steady = self._node.handle.mailbox, Clock(clock_type=ClockType.STEADY_TIME)
+        timer = Timer(send, self._answers.callback_group, int(_STEP_S * S_TO_NS), steady, mailbox)
+        self._timers.append(timer)
+        mailbox.add(timer)
+
+    def _drop_timer(self, timer: Timer) -> bool:
+        with self._lock:
+            if timer not in self._timers:
+                return False
+            self._timers.remove(timer)
+        self._node.handle.mailbox.remove(timer)
+        timer.destroy()
+        return True
 
     def _then(self, response: Future[Any], function: Callable[[], None]) -> None:
         # Not as its done callback, which runs when its group is free: whoever awaits the answer may
@@ -267,16 +304,19 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT]):
 
     def _on_goal_response(
         self,
-        goal_id: UUID,
+        request: Any,
         answer: _Answer[ClientGoalHandle[GoalT, ResultT, FeedbackT]],
         response: Future[Any],
+        until: float,
     ) -> None:
         error = response.exception()
-        if error is not None:
-            self._forget(bytes(goal_id.uuid))
-            answer.set_exception(error)
+        if error is None:
+            answer.set_result(self._handle(request.goal_id, response.result()))
+        elif _is_too_early(error) and time.monotonic() < until:
+            self._send_later(request, answer, until)
         else:
-            answer.set_result(self._handle(goal_id, response.result()))
+            self._forget(bytes(request.goal_id.uuid))
+            answer.set_exception(error)
 
     def _handle(self, goal_id: UUID, response: Any) -> ClientGoalHandle[GoalT, ResultT, FeedbackT]:
         handle = ClientGoalHandle(self, goal_id, response)
@@ -409,6 +449,8 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT]):
         for subscription in (cast("Any", self._feedback), self._status):
             self._node.destroy_subscription(subscription)
         self._answers.destroy()
+        for timer in list(self._timers):
+            self._drop_timer(timer)
         for client in (self._goal_client, self._result_client, self._cancel_client):
             self._node.destroy_client(client)
         with self._lock:
@@ -428,6 +470,10 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT]):
 
 def _take_no_notice(missing: int) -> None:  # noqa: ARG001 - what a subscription calls
     return
+
+
+def _is_too_early(error: BaseException) -> bool:
+    return isinstance(error, ServiceError) and error.kind == "no_server"
 
 
 def _cancel_request(goal_handle: ClientGoalHandle[Any, Any, Any]) -> CancelGoal.Request:

@@ -119,10 +119,40 @@ def test_what_a_decision_raises_reaches_the_client_and_ends_spin(pair: Pair) -> 
     assert wait_until(lambda: isinstance(pair.serving.error, ValueError))
 
 
-def test_without_a_server_a_goal_fails_at_once(make_context: MakeContext, spin: Spin) -> None:
+def lonely(make_context: MakeContext, spin: Spin) -> ActionClient[Any, Any, Any]:
     node = zbot.Node("lonely", context=make_context())
-    client = ActionClient[Any, Any, Any](node, Fibonacci, "fibonacci")
     spin(node)
+    return ActionClient[Any, Any, Any](node, Fibonacci, "fibonacci")
+
+
+def test_a_goal_waits_for_a_server_that_is_just_starting(
+    make_context: MakeContext, spin: Spin
+) -> None:
+    client = lonely(make_context, spin)
+    sent = client.send_goal_async(Fibonacci.Goal(order=3))
+    assert wait_until(lambda: bool(client._timers))
+    late = zbot.Node("late", context=make_context())
+    spin(late)
+    ActionServer[Any, Any, Any](late, Fibonacci, "fibonacci", compute)
+    assert done(sent).accepted
+
+
+def test_a_goal_that_waits_is_forgotten_with_its_client(
+    make_context: MakeContext, spin: Spin
+) -> None:
+    client = lonely(make_context, spin)
+    client.send_goal_async(Fibonacci.Goal())
+    assert wait_until(lambda: bool(client._timers))
+    client.destroy()
+    assert not client._timers
+    assert not client._goals
+
+
+def test_without_a_server_a_goal_fails_soon(
+    make_context: MakeContext, spin: Spin, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("zbot.action.client._PATIENCE_S", 0.1)
+    client = lonely(make_context, spin)
     assert not client.server_is_ready()
     assert not client.wait_for_server(0.05)
     with pytest.raises(ServiceError, match="no server is running"):
