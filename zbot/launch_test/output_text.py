@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ArgumentTypeError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterable, Sequence
 
 # Colours and cursor movements (ECMA-48, 5.4), and titles of windows (xterm's OSC).
 _ESCAPE = re.compile(r"\x1b(?:\[[0-?]*[ -/]*[@-~]|\][^\x07\x1b]*(?:\x07|\x1b\\))")
@@ -58,19 +58,34 @@ def _has_patterns(expected: Sequence[Any], text: str) -> bool:
     return True
 
 
+def get_default_filtered_prefixes() -> list[str]:
+    """Return how lines begin that `basic_output_filter` leaves out if it is not told."""
+    return ["pid", "rc"]
+
+
+def get_default_filtered_patterns() -> list[str]:
+    """Return which lines `basic_output_filter` leaves out if it is not told: none."""
+    return []
+
+
+def _to_text(word: str | bytes) -> str:
+    return word.decode() if isinstance(word, bytes) else word
+
+
 def basic_output_filter(
-    *, filtered_prefixes: Sequence[Any] = (), filtered_patterns: Sequence[Any] = ()
+    filtered_prefixes: Iterable[str | bytes] | None = None,
+    filtered_patterns: Iterable[str | bytes] | None = None,
 ) -> Callable[[str], str]:
     """Return a function that leaves out lines.
 
     Args:
-        filtered_prefixes: Lines that begin with one of these go.
+        filtered_prefixes: Lines that begin with one of these go; `pid` and `rc` if left out.
         filtered_patterns: So do lines that match one of these.
     """
-    prefixes = tuple(one.decode() if isinstance(one, bytes) else one for one in filtered_prefixes)
-    patterns = [
-        re.compile(one.decode() if isinstance(one, bytes) else one) for one in filtered_patterns
-    ]
+    if filtered_prefixes is None:
+        filtered_prefixes = get_default_filtered_prefixes()
+    prefixes = tuple(map(_to_text, filtered_prefixes))
+    patterns = [re.compile(_to_text(one)) for one in filtered_patterns or ()]
 
     def keep(text: str) -> str:
         return "".join(
@@ -82,43 +97,17 @@ def basic_output_filter(
     return keep
 
 
-def expect_output(
-    *,
-    expected_text: Any = None,
-    expected_lines: Sequence[Any] | None = None,
-    text: str | None = None,
-    lines: Sequence[str] | None = None,
-    strict: bool = False,
-) -> bool:
-    """Return whether an output is as expected.
+def ros_output_filter(
+    filtered_prefixes: Iterable[str | bytes] | None = None,
+    filtered_patterns: Iterable[str | bytes] | None = None,
+    filtered_rmw_implementation: str | None = None,
+) -> Callable[[str], str]:
+    """Return a function that leaves out lines: launch_testing_ros's `basic_output_filter`.
 
     Args:
-        expected_text: A text or a pattern.
-        expected_lines: Texts or patterns for whole lines; `None` among them stands for any line.
-        text: The output.
-        lines: The output, in lines.
-        strict: Whether nothing else may be there.
+        filtered_prefixes: As for `basic_output_filter`.
+        filtered_patterns: As for `basic_output_filter`.
+        filtered_rmw_implementation: The middleware whose own lines are left out; Zenoh writes none.
     """
-    whole = text if text is not None else "\n".join(lines or ())
-    if expected_text is not None:
-        if hasattr(expected_text, "search"):
-            match = expected_text.fullmatch(whole) if strict else expected_text.search(whole)
-            return match is not None
-        return bool(whole == expected_text) if strict else expected_text in whole
-    return _expect_lines(list(expected_lines or ()), whole.splitlines(), strict=strict)
-
-
-def _expect_lines(expected: list[Any], lines: list[str], *, strict: bool) -> bool:
-    starts = range(1) if strict else range(max(len(lines) - len(expected), -1) + 1)
-    if strict and len(expected) != len(lines):
-        return False
-    return any(
-        all(_fits(one, line) for one, line in zip(expected, lines[start:], strict=False))
-        for start in starts
-    )
-
-
-def _fits(expected: Any, line: str) -> bool:
-    if expected is None:
-        return True
-    return expected.match(line) is not None if hasattr(expected, "match") else expected == line
+    del filtered_rmw_implementation
+    return basic_output_filter(filtered_prefixes, filtered_patterns)

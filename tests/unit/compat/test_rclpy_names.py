@@ -87,7 +87,9 @@ launch_testing.asserts: assertInStdout assertInStderr assertExitCodes assertSequ
 launch_testing.asserts: EXIT_OK EXIT_SIGINT NO_CMD_ARGS
 launch_testing.util: KeepAliveProc resolveProcesses NoMatchingProcessException
 launch_testing.event_handlers: StdoutReadyListener
+launch_testing.tools: basic_output_filter expect_output expected_output_from_file launch_process
 launch_testing_ros: WaitForTopics
+launch_testing_ros.tools: basic_output_filter
 launch_pytest: fixture actions tools
 tf2_py: BufferCore TransformException
 tf2_geometry_msgs: do_transform_point do_transform_pose do_transform_vector3 PointStamped

@@ -3,4 +3,4 @@
 from zbot.compat.submodules import submodules as submodules
 from zbot.launch_test.topics import WaitForTopics as WaitForTopics
 
-__getattr__ = submodules(__name__, "actions", "wait_for_topics")
+__getattr__ = submodules(__name__, "actions", "tools", "wait_for_topics")

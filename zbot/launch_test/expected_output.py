@@ -1,0 +1,117 @@
+"""launch_testing's `expect_output`: whether lines or a text are there, in their order."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ArgumentTypeError
+from zbot.launch_test.error import LaunchTestError
+from zbot.launch_test.output_text import without_escapes
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Sequence
+
+
+class ChoiceError(LaunchTestError, ValueError):
+    """One of two arguments is needed: neither was given, or both."""
+
+    def __init__(self, text: str, lines: str) -> None:
+        super().__init__(f"expect_output takes either {text} or {lines}")
+
+
+def expect_output(
+    text: str | None = None,
+    *,
+    lines: Sequence[str] | None = None,
+    expected_text: Any = None,
+    expected_lines: Any = None,
+    strip_ansi_escape_sequences: bool = True,
+    strict: bool = False,
+) -> bool:
+    """Return whether an output has what is expected.
+
+    Args:
+        text: The output.
+        lines: The output in lines, instead of `text`.
+        expected_text: A text, a pattern, or several that come in that order.
+        expected_lines: The same for lines: a text may stand anywhere in its line, a pattern
+            matches from its beginning.
+        strip_ansi_escape_sequences: Whether colours of the output are left out first.
+        strict: Whether what is expected comes from the beginning and without gaps. More lines may
+            follow: the program may still be running.
+
+    Raises:
+        ChoiceError: Not exactly one of `text` and `lines` was given, or of the expected ones.
+        ArgumentTypeError: The expected one is neither text nor pattern nor several of these.
+    """
+    if (text is None) == (lines is None):
+        raise ChoiceError("text", "lines")
+    if (expected_text is None) == (expected_lines is None):
+        raise ChoiceError("expected_text", "expected_lines")
+    whole = "\n".join(lines or ()) if text is None else text.replace("\r\n", "\n")
+    if strip_ansi_escape_sequences:
+        whole = without_escapes(whole)
+    if expected_text is not None:
+        return _has_text(expected_text, whole, strict=strict)
+    found = whole.splitlines() if lines is None else whole.split("\n") if lines else []
+    return _has_lines(expected_lines, found, strict=strict)
+
+
+def expected_output_from_file(path: str) -> list[Any]:
+    """Return the expected lines that a file holds.
+
+    Args:
+        path: The file without its suffix: `.txt` holds lines, `.regex` patterns.
+
+    Raises:
+        LaunchTestError: There is neither.
+    """
+    texts, patterns = Path(f"{path}.txt"), Path(f"{path}.regex")
+    if texts.is_file():
+        return list(texts.read_text(encoding="utf-8").splitlines())
+    if patterns.is_file():
+        return [re.compile(line) for line in patterns.read_text(encoding="utf-8").splitlines()]
+    raise LaunchTestError(f"there is neither {texts} nor {patterns}")
+
+
+def _has_text(expected: Any, text: str, *, strict: bool) -> bool:
+    if strict and isinstance(expected, str):
+        return text == expected
+    end = 0
+    for one in _each("expected_text", expected):
+        pattern = re.compile(re.escape(one)) if isinstance(one, str) else one
+        found = pattern.match(text, end) if strict else pattern.search(text, end)
+        if found is None:
+            return False
+        end = found.end()
+    return True
+
+
+def _has_lines(expected: Any, lines: Sequence[str], *, strict: bool) -> bool:
+    if strict and isinstance(expected, str):
+        return all(line == expected for line in lines)
+    if strict and hasattr(expected, "match"):
+        return all(expected.match(line) for line in lines)
+    place = 0
+    for one in _each("expected_lines", expected):
+        within = lines[place : place + 1] if strict else lines[place:]
+        step = next((n for n, line in enumerate(within, start=1) if _fits(one, line)), None)
+        if step is None:
+            return False
+        place += step
+    return True
+
+
+def _each(name: str, expected: Any) -> Iterable[Any]:
+    if isinstance(expected, str) or hasattr(expected, "match"):
+        return (expected,)
+    several = list(expected) if hasattr(expected, "__iter__") else []
+    if several and all(isinstance(one, str) or hasattr(one, "match") for one in several):
+        return several
+    raise ArgumentTypeError(name, "a text, a pattern or several of these", expected)
+
+
+def _fits(expected: Any, line: str) -> bool:
+    return expected in line if isinstance(expected, str) else expected.match(line) is not None
