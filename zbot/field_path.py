@@ -12,7 +12,10 @@ from zbot.names import nearest
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-_PART = re.compile(r"(?P<name>\w+)(?P<indices>(?:\[[^\[\]]*\])*)\Z")
+_INDICES = r"(?:\[[^\[\]]*\])"
+_PART = re.compile(rf"(?P<name>\w+)(?P<indices>{_INDICES}*)\Z")
+# ros2 writes an index as a part of its own: poses.[0].position
+_LATER_PART = re.compile(rf"(?P<name>\w+|(?=\[))(?P<indices>{_INDICES}*)\Z")
 _INDEX = re.compile(r"\[([^\[\]]*)\]")
 
 #: A field's name, or what stands in brackets behind it.
@@ -28,7 +31,7 @@ class FieldPathError(ZbotError):
 
 
 class FieldPath:
-    """A dotted path with indices and slices, as in `ranges[0]` and `points[2:5]`.
+    """A dotted path with indices and slices, as in `ranges[0]`, `ranges.[0]` and `points[2:5]`.
 
     Args:
         text: The path.
@@ -80,10 +83,10 @@ class FieldPath:
     def _parse(self) -> Sequence[Step]:
         steps: list[Step] = []
         for part in self.text.split("."):
-            match = _PART.match(part)
+            match = (_LATER_PART if steps else _PART).match(part)
             if match is None:
                 raise FieldPathError(self.text, "write it like pose.position.x or ranges[0]")
-            steps.append(match["name"])
+            steps.extend(filter(None, (match["name"],)))
             steps.extend(self._index(text) for text in _INDEX.findall(match["indices"]))
         return steps
 

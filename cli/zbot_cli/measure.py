@@ -355,7 +355,7 @@ class _Report:
             name.center(width) for name, width in zip(self._kind.columns, widths, strict=True)
         )
         lines = [
-            "   ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip()
+            "   ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True))
             for row in rows
         ]
         return "\n".join((head.rstrip(), "=" * len(head), *lines, ""))

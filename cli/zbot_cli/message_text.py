@@ -77,7 +77,8 @@ class Formatter:
             return head + _info_text(form, info) + f"{message}\n{SEPARATOR}"
         parts = [path.select(message) for path in self._paths] or [message]
         if not form.csv:
-            return head + "".join(_yaml_text(form, part, info) for part in parts)
+            texts = (_value_text(form, part) for part in parts)
+            return "".join((head, _info_text(form, info), *texts, SEPARATOR))
         head = f"{topic}," if self._with_topic else ""
         return "".join(head + _csv_line(form, part, info) for part in parts)
 
@@ -92,10 +93,6 @@ class Formatter:
 
 
 # -- YAML ----------------------------------------------------------------------------------------
-
-
-def _yaml_text(form: Form, value: Any, info: MessageInfo) -> str:
-    return _info_text(form, info) + _value_text(form, value) + SEPARATOR
 
 
 def _value_text(form: Form, value: Any) -> str:

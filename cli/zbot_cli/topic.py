@@ -32,6 +32,9 @@ app = new_app("Look at topics, listen and publish")
 IncludeHidden = Annotated[
     bool, typer.Option("--include-hidden-topics", help="Consider hidden topics too")
 ]
+ListHidden = Annotated[
+    bool, typer.Option("-a", "--all", "--include-hidden-topics", help="Consider hidden topics too")
+]
 TopicName = Annotated[str, typer.Argument(help="Name of the topic, e.g. /chatter")]
 UNKNOWN_TYPE = "unknown"
 
@@ -68,7 +71,7 @@ def list_topics(
     verbose: Annotated[
         bool, typer.Option("-v", "--verbose", help="Count publishers and subscribers")
     ] = False,
-    include_hidden_topics: IncludeHidden = False,
+    include_hidden_topics: ListHidden = False,
     as_json: AsJson = False,
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
@@ -195,7 +198,7 @@ def find(
     count: Annotated[
         bool, typer.Option("-c", "--count-topics", "--count", help="Print the number")
     ] = False,
-    include_hidden_topics: IncludeHidden = False,
+    include_hidden_topics: ListHidden = False,
     as_json: AsJson = False,
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:

@@ -115,10 +115,11 @@ def test_a_field_can_be_chosen() -> None:
     assert text(message, fields=("linear.x",)) == "0.25\n---\n"
     assert text(message, fields=("linear",)) == "x: 0.25\ny: 0.0\nz: 0.0\n---\n"
     assert text(scan(5), fields=("ranges[3]",)) == "3.0\n---\n"
-    assert text(message, fields=("linear.x", "angular.z")) == "0.25\n---\n0.0\n---\n"
+    assert text(scan(5), fields=("ranges.[3]",)) == "3.0\n---\n"
+    assert text(message, fields=("linear.x", "angular.z")) == "0.25\n0.0\n---\n"
 
 
-@pytest.mark.parametrize("path", ["", ".", "a..b", "a[", "a[x]", "a[1:2:3:4]", "a b"])
+@pytest.mark.parametrize("path", ["", ".", "[0]", "a..b", "a.", "a[", "a[x]", "a[1:2:3:4]", "a b"])
 def test_a_malformed_path_is_refused(path: str) -> None:
     with pytest.raises(FieldPathError, match="Invalid field"):
         FieldPath(path)

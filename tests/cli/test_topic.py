@@ -49,7 +49,9 @@ def robot(make_context: MakeContext, spin: Spin) -> library.Node:
 def test_list_shows_what_its_options_ask_for() -> None:
     assert zbot("topic", "list").out == "/chatter\n/parameter_events\n/robot1/scan\n/rosout\n"
     assert zbot("topic", "list", "--count-topics").out == "4\n"
-    assert "/_hidden\n" in zbot("topic", "list", "--include-hidden-topics").out
+    for option in ("--include-hidden-topics", "--all", "-a"):
+        assert "/_hidden\n" in zbot("topic", "list", option).out
+        assert "/_hidden\n" in zbot("topic", "find", "std_msgs/msg/String", option).out
     assert zbot("topic", "list", "-v").out == (
         "Published topics:\n"
         " * /chatter [std_msgs/msg/String] 1 publisher\n"
