@@ -51,11 +51,23 @@ def _rounded(number: Any) -> Any:
 
 _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "abs": abs,
+    "bool": bool,
+    "float": float,
+    "int": int,
     "len": len,
     "max": max,
     "min": min,
     "round": _rounded,
 }
+# None of them makes a text that is longer than what it is given.
+_TEXT_METHODS = frozenset(
+    (
+        *("lower", "upper", "strip", "lstrip", "rstrip"),
+        *("split", "rsplit", "partition", "rpartition"),
+        *("startswith", "endswith", "find", "rfind", "count", "isdigit"),
+    )
+)
+_CALLABLE = ", ".join(_FUNCTIONS) + " and methods of texts such as startswith()"
 
 
 class FilterError(ZbotError):
@@ -133,12 +145,7 @@ def _fault(node: ast.AST) -> str | None:
             None if node.id in {"m", *_FUNCTIONS} else f"{node.id} is not known; the message is m"
         )
     if isinstance(node, ast.Call):
-        named = isinstance(node.func, ast.Name) and node.func.id in _FUNCTIONS
-        return (
-            None
-            if named and not node.keywords
-            else "only " + ", ".join(_FUNCTIONS) + " can be called"
-        )
+        return None if _is_harmless(node) else f"only {_CALLABLE} can be called"
     allowed = (
         ast.Expression,
         ast.BoolOp,
@@ -158,6 +165,14 @@ def _fault(node: ast.AST) -> str | None:
         *_COMPARE,
     )
     return None if isinstance(node, allowed) else f"{type(node).__name__} is not allowed"
+
+
+def _is_harmless(call: ast.Call) -> bool:
+    if call.keywords:
+        return False
+    if isinstance(call.func, ast.Attribute):
+        return call.func.attr in _TEXT_METHODS
+    return isinstance(call.func, ast.Name) and call.func.id in _FUNCTIONS
 
 
 def _value(node: ast.AST, message: Any) -> Any:  # noqa: C901 - one branch a kind of node
@@ -184,9 +199,17 @@ def _value(node: ast.AST, message: Any) -> Any:  # noqa: C901 - one branch a kin
             return all(results) if isinstance(op, ast.And) else any(results)
         case ast.Call(func=ast.Name(id=name), args=arguments):
             return _FUNCTIONS[name](*(_value(argument, message) for argument in arguments))
+        case ast.Call(func=ast.Attribute(value=owner, attr=name), args=arguments):
+            return _ask_text(_value(owner, message), name, [_value(a, message) for a in arguments])
         case ast.Compare(left=left, ops=ops, comparators=comparators):
             return _compare(_value(left, message), ops, comparators, message)
     raise TypeError(f"{type(node).__name__} is not allowed")
+
+
+def _ask_text(text: Any, method: str, arguments: list[Any]) -> Any:
+    if not isinstance(text, str):
+        raise TypeError(f"only texts have {method}()")
+    return getattr(text, method)(*arguments)
 
 
 def _reckon(op: ast.operator, left: Any, right: Any) -> Any:

@@ -250,9 +250,26 @@ def test_filters_compare_and_reckon(expression: str, wanted: bool) -> None:
 
 
 @pytest.mark.parametrize(
+    ("expression", "wanted"),
+    [
+        ("int(m.data.rpartition(':')[-1]) % 2 == 0", True),
+        ("float(m.data.split(':')[1]) > 42.5", False),
+        ("m.data.startswith('x') or not m.data.lower().endswith('42')", False),
+    ],
+)
+def test_filters_look_into_texts(expression: str, wanted: bool) -> None:
+    wanting = Filter(expression)
+    wanting.check(String, lambda message: message)
+    assert wanting.accepts(String(data="Count: 42")) is wanted
+
+
+@pytest.mark.parametrize(
     "expression",
     [
         "__import__('os')",
+        "m.data.zfill(10**9)",
+        "m.data.format(m)",
+        "m.data.split(sep=':')",
         "m.__class__",
         "open('x')",
         "m.linear._x",
@@ -274,7 +291,8 @@ def test_a_filter_can_do_nothing_else(expression: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "expression", ["m.nope > 1", "m.linear > 1", "m.linear.x / 0", "'a' * 9 == m"]
+    "expression",
+    ["m.nope > 1", "m.linear > 1", "m.linear.x / 0", "'a' * 9 == m", "m.linear.find(1)"],
 )
 def test_a_filter_that_does_not_fit_is_told_at_the_first_message(expression: str) -> None:
     with pytest.raises(FilterError):
