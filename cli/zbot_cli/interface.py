@@ -51,10 +51,11 @@ class InterfaceError(ZbotError):
     """A package has no such interface."""
 
     def __init__(self, name: str) -> None:
-        known = interface_names(name.split("/", maxsplit=1)[0])
+        package, _, interface = name.partition("/")
+        known = interface_names(package)
         guess = nearest(name, known)
         self.hint = f"did you mean {guess}?" if guess else f"there are {', '.join(known)}"
-        super().__init__(f"Unknown interface '{name}'")
+        super().__init__(f"Interface '{interface}' not found in package '{package}'")
 
 
 def _wanted(messages: bool, services: bool, actions: bool) -> list[str]:

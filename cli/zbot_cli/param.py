@@ -24,7 +24,7 @@ from zbot_cli.parameter_text import (
     shown,
     values_for,
 )
-from zbot_cli.parameters import ParameterNotSetError, RemoteParameters
+from zbot_cli.parameters import ANSWER_TIMEOUT_S, ParameterNotSetError, RemoteParameters
 from zbot_cli.status import Status
 
 if TYPE_CHECKING:
@@ -38,6 +38,12 @@ NodeAndNames = Annotated[
 ]
 
 
+# How a change is told, and how that it was refused.
+_SINGLE = ("Set parameter successful", "Setting parameter failed")
+_ATOMIC = ("Set parameters atomically successful", "Setting parameters atomically failed")
+_DELETED = ("Deleted parameter successfully", "Deleting parameter failed")
+
+
 class ListCommand(ManyValuesCommand):
     """`zbot param list --param-prefixes A B`."""
 
@@ -49,9 +55,9 @@ class ParameterFilterError(ZbotError):
 
 
 @contextmanager
-def _remote(timeout: float) -> Iterator[RemoteParameters]:
+def _remote(timeout: float, answer_timeout: float = ANSWER_TIMEOUT_S) -> Iterator[RemoteParameters]:
     with hidden_node("param") as node:
-        yield RemoteParameters(node, timeout)
+        yield RemoteParameters(node, timeout, answer_timeout)
 
 
 def _fail(error: object) -> None:
@@ -76,12 +82,15 @@ def list_parameters(
         list[str] | None, typer.Option("--param-prefixes", help="Only these groups")
     ] = None,
     show_types: Annotated[bool, typer.Option("--param-type", help="Add the types")] = False,
+    service_timeout: Annotated[
+        float, typer.Option("--service-timeout", help="Seconds to wait for each node's answer")
+    ] = ANSWER_TIMEOUT_S,
     as_json: AsJson = False,
     search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """List the parameters of nodes."""
     wanted = _compiled(pattern)
-    with _remote(search.timeout) as remote:
+    with _remote(search.timeout, service_timeout) as remote:
         one = None if node_name is None else remote.find(node_name)
         nodes = remote.nodes(include_hidden=search.include_hidden) if one is None else [one]
         answers = remote.ask_all(
@@ -202,6 +211,8 @@ def set_parameters(
     has_node = len(words) % 2 == 1
     if len(words) < 2:
         raise typer.BadParameter("needs the name of a parameter and its value")
+    if words[0].startswith("/") and not has_node:  # no parameter's name begins like this
+        raise typer.BadParameter(f"needs name/value pairs: {words[-1]} has no value")
     pairs = words[1:] if has_node else words
     values = dict(zip(pairs[::2], pairs[1::2], strict=True))
     messages = [message_of(name, text) for name, text in values.items()]
@@ -215,9 +226,12 @@ def set_parameters(
         for node in nodes:
             results = _send(remote, node, messages, atomic=atomic)
             with _heading(node, is_shown=not has_node) as indent:
+                if atomic:
+                    failures += _report(indent, results[0], *_ATOMIC)
+                    continue
                 for name, result in zip(values, results, strict=True):
                     label = f"{indent}{name}: " if len(values) > 1 else indent
-                    failures += _report(label, result, "Set parameter successful", "Setting")
+                    failures += _report(label, result, *_SINGLE)
     _end(failures)
 
 
@@ -238,12 +252,12 @@ def _send(
     return results
 
 
-def _report(label: str, result: Any, success: str, doing: str) -> bool:
+def _report(label: str, result: Any, success: str, failure: str) -> bool:
     """Print how one setting went; return whether it failed."""
     if result.successful:
         print(f"{label}{success}" + (f": {result.reason}" if result.reason else ""))
         return False
-    _fail(f"{label}{doing} parameter failed: {result.reason}")
+    _fail(f"{label}{failure}: {result.reason}")
     if result.reason.startswith("Wrong parameter type, expected 'string' "):
         _fail("\nhint: quote a text twice that looks like something else: \"'5'\"")
     return True
@@ -264,8 +278,7 @@ def delete(
             with _heading(node, is_shown=len(words) == 1) as indent:
                 for name, result in zip(names, results, strict=True):
                     label = f"{indent}{name}: " if len(names) > 1 else indent
-                    success = "Deleted parameter successfully"
-                    failures += _report(label, result, success, "Deleting")
+                    failures += _report(label, result, *_DELETED)
     _end(failures)
 
 

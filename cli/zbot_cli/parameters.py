@@ -52,7 +52,7 @@ class ParameterNotSetError(ZbotError):
         guess = nearest(name, known)
         advice = f"; did you mean {guess}?" if guess else ""
         self.hint = f"{node or 'no node'} has {'no' if node else 'a'} parameter {name}{advice}"
-        super().__init__("Parameter not set")
+        super().__init__("Parameter not set" if node else f"Parameter '{name}' not set on any node")
 
 
 def _others(known: Sequence[str]) -> str:
@@ -73,11 +73,15 @@ class RemoteParameters:
     Args:
         node: Sends the requests.
         timeout_s: Seconds to wait for a node that is not there yet.
+        answer_timeout_s: Seconds to wait for each answer.
     """
 
-    def __init__(self, node: Node, timeout_s: float) -> None:
+    def __init__(
+        self, node: Node, timeout_s: float, answer_timeout_s: float = ANSWER_TIMEOUT_S
+    ) -> None:
         self._node = node
         self._timeout_s = timeout_s
+        self._answer_timeout_s = answer_timeout_s
 
     def find(self, name: str) -> str:
         """Return a node's full name once it is there.
@@ -122,7 +126,7 @@ class RemoteParameters:
             over = threading.Event()
             future.add_waker(over.set)
             try:
-                if not over.wait(ANSWER_TIMEOUT_S):
+                if not over.wait(self._answer_timeout_s):
                     raise NoParameterServicesError(node, f"{node} does not answer: does it spin?")
                 answers.found[node] = future.result()
             except ZbotError as error:
@@ -133,7 +137,7 @@ class RemoteParameters:
         name = f"{node}/{_snake(srv_type.__name__)}"
         client = self._node.create_client(srv_type, name)
         is_offered = any(name == one for one, _ in self._snapshot().services())
-        if not is_offered or not client.wait_for_service(ANSWER_TIMEOUT_S):
+        if not is_offered or not client.wait_for_service(self._answer_timeout_s):
             raise NoParameterServicesError(node, f"{node} has no {name}")
         return client.call_async(request)
 

@@ -61,7 +61,11 @@ def test_a_wrong_command_line_exits_with_two(words: list[str], text: str) -> Non
         (["topic", "info", "/nothing"], "Unknown topic '/nothing'", None),
         (["interface", "show", "nope/msg/Nope"], "Unknown package 'nope'", None),
         (["interface", "show", "String"], "Invalid name 'String'. Expected three", "std_msgs"),
-        (["interface", "show", "std_msgs/msg/Strin"], "Unknown interface", "std_msgs/msg/String"),
+        (
+            ["interface", "show", "std_msgs/msg/Strin"],
+            "Interface 'msg/Strin' not",
+            "std_msgs/msg/String",
+        ),
         (["run", "no_package", "node"], "Package 'no_package' not found", "zbot_nodes"),
         (["run", "zbot_nodes", "senzor"], "No executable found", "sensor"),
         (["run", "senzor"], "No executable found", "did you mean 'sensor'?"),

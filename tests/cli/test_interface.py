@@ -119,8 +119,12 @@ def test_a_type_may_be_written_in_several_ways(zbot_command: Command, word: str)
     [
         ("nope/msg/Nope", "Unknown package 'nope'", "zbot interface packages lists them"),
         ("std_msg/msg/String", "Unknown package 'std_msg'", "did you mean std_msgs?"),
-        ("std_msgs/msg/Strin", "Unknown interface 'std_msgs/msg/Strin'", "std_msgs/msg/String?"),
-        ("std_msgs/srv/String", "Unknown interface 'std_msgs/srv/String'", "there are std_msgs/"),
+        (
+            "std_msgs/msg/Strin",
+            "Interface 'msg/Strin' not found in package 'std_msgs'",
+            "msg/String?",
+        ),
+        ("std_msgs/srv/String", "Interface 'srv/String' not found", "there are std_msgs/"),
         ("Twst", "Invalid name 'Twst'. Expected three parts separated by '/'", "msg/Twist?"),
         ("String", "Invalid name 'String'. Expected three", "there are several: example_interf"),
         ("a/b/c/d", "Invalid name 'a/b/c/d'. Expected three", "zbot interface list shows all"),

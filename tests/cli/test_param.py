@@ -268,6 +268,7 @@ def test_without_a_node_every_node_that_has_it_answers(zbot_command: Command) ->
     result = zbot_command("param", "delete", "level")
     assert (result.code, result.out) == (1, "/lab/rich:\n")
     result = zbot_command("param", "get", "ratte")
+    assert result.err.startswith("Parameter 'ratte' not set on any node\n")
     assert result.err.endswith("hint: no node has a parameter ratte; did you mean rate?\n")
     dumped = json.loads(zbot_command("param", "dump", "--json").out)
     assert sorted(dumped) == ["/lab/rich", "/minimal_service"]
@@ -279,12 +280,21 @@ def test_several_are_set_each_for_itself_or_all_together(
 ) -> None:
     words = ["param", "set", SERVICE, "rate", "9", "my_parameter", "9"]
     result = zbot_command(*words, "--atomic")
-    assert result.code == 1
+    assert (result.code, result.out) == (1, "")
+    assert result.err.startswith("Setting parameters atomically failed: Wrong parameter type")
     assert node.get_parameter("rate").value == 2.5
+    result = zbot_command(*words[:-1], "text", "--atomic")
+    assert (result.code, result.out) == (0, "Set parameters atomically successful\n")
     result = zbot_command(*words)
     assert result.out == "rate: Set parameter successful\n"
     assert result.err.startswith("my_parameter: Setting parameter failed: Wrong parameter type")
     assert node.get_parameter("rate").value == 9.0
+
+
+def test_a_parameter_without_its_value_is_no_name_of_a_node(zbot_command: Command) -> None:
+    result = zbot_command("param", "set", "/lab/rich", "rate", "9", "my_parameter")
+    assert result.code == 2
+    assert "needs name/value pairs: my_parameter has no value" in result.err
 
 
 def test_a_dynamic_parameter_is_deleted(zbot_command: Command, rich: library.Node) -> None:
@@ -442,19 +452,19 @@ def test_the_demonstration_takes_and_refuses_values(start: Start) -> None:
 
 
 def test_a_node_that_does_not_spin_is_named(
-    zbot_command: Command, make_context: MakeContext, monkeypatch: pytest.MonkeyPatch
+    zbot_command: Command, make_context: MakeContext
 ) -> None:
-    monkeypatch.setattr("zbot_cli.parameters.ANSWER_TIMEOUT_S", 0.2)
+    soon = ("--service-timeout", "0.2")
     nodes = [
         library.Node("asleep", context=make_context()),
         library.Node("closed", context=make_context(), start_parameter_services=False),
     ]
-    result = zbot_command("param", "list")
+    result = zbot_command("param", "list", *soon)
     assert (result.code, result.out) == (1, "")
     assert result.err == (
         "Wait for service timed out waiting for parameter services for node /asleep\n"
     )
-    result = zbot_command("param", "list", "/asleep")
+    result = zbot_command("param", "list", "/asleep", *soon)
     assert "/asleep does not answer: does it spin?" in result.err
     result = zbot_command("param", "get", "/closed", "x")
     assert result.err == (
