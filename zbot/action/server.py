@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-import time
 import traceback
 from collections import deque
 from enum import Enum
@@ -17,7 +16,6 @@ from zbot.action.goal_state import GoalEvent, GoalState, GoalTransitionError
 from zbot.action.server_goal_handle import FeedbackT, GoalT, ResultT, ServerGoalHandle
 from zbot.action.service import Reply, call, create_action_service
 from zbot.callback_group import ReentrantCallbackGroup
-from zbot.clock import Clock
 from zbot.errors import InvalidHandleError
 from zbot.interfaces import type_name
 from zbot.qos import (
@@ -26,7 +24,7 @@ from zbot.qos import (
     qos_profile_services_default,
 )
 from zbot.signals import user_part
-from zbot.time import S_TO_NS, ClockType
+from zbot.time import S_TO_NS
 from zbot.timer import Timer
 from zbot.waitable import NumberOfEntities
 
@@ -39,6 +37,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.callback_group import CallbackGroup
+    from zbot.clock import Clock
     from zbot.node import Node
     from zbot.service_introspection import ServiceIntrospectionState
 
@@ -99,7 +98,8 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         cancel_service_qos_profile: Of the service that cancels goals.
         feedback_pub_qos_profile: Of the topic that tells how it goes.
         status_pub_qos_profile: Of the topic that tells where each goal stands.
-        result_timeout: Seconds to keep a result after its goal's end; below 0: for ever.
+        result_timeout: Seconds of the node's clock to keep a result after its goal's end; below 0:
+            for ever.
 
     Raises:
         NotAnActionTypeError: The class is no action's.
@@ -142,8 +142,9 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         self._action_name = node.resolve_service_name(action_name)
         self._logger = node.get_logger().get_child("action_server")
         self._goal_handles: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
+        self._clock = node.get_clock()  # a simulation keeps results for its own seconds
         self._result_timeout_ns = int(result_timeout * S_TO_NS)
-        self._ended: deque[tuple[int, bytes]] = deque()  # when (monotonic) and which goal
+        self._ended: deque[tuple[int, bytes]] = deque()  # when (the node's clock) and which goal
         group = callback_group or node.default_callback_group
         free = ReentrantCallbackGroup()  # here run no callbacks that a group could protect
         self._executions = Agenda(node.handle.mailbox, free)
@@ -182,11 +183,8 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
         ]
 
     def _make_timer(self, group: CallbackGroup) -> Timer:
-        mailbox = self._node.handle.mailbox
-        steady = Clock(clock_type=ClockType.STEADY_TIME)
-        timer = Timer(
-            self._expire, group, max(self._result_timeout_ns, 0), steady, mailbox, autostart=False
-        )
+        mailbox, period_ns = self._node.handle.mailbox, max(self._result_timeout_ns, 0)
+        timer = Timer(self._expire, group, period_ns, self._clock, mailbox, autostart=False)
         mailbox.add(timer)
         return timer
 
@@ -370,19 +368,22 @@ class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
             if handle.result_future.is_over:
                 return
             handle.result_future.set_result(response)
-            self._ended.append((time.monotonic_ns() + self._result_timeout_ns, handle.key))
+            self._ended.append((self._now_ns() + self._result_timeout_ns, handle.key))
             if len(self._ended) == 1:
                 self._schedule_expiry()
 
     def _schedule_expiry(self) -> None:
         if self._ended and self._result_timeout_ns >= 0:
-            self._expiry.timer_period_ns = max(0, self._ended[0][0] - time.monotonic_ns())
+            self._expiry.timer_period_ns = max(0, self._ended[0][0] - self._now_ns())
             self._expiry.reset()
         else:
             self._expiry.cancel()
 
+    def _now_ns(self) -> int:
+        return self._clock.now().nanoseconds
+
     def _expire(self) -> None:
-        now = time.monotonic_ns()
+        now = self._now_ns()
         with self.lock:
             while self._ended and self._ended[0][0] <= now:
                 _, key = self._ended.popleft()

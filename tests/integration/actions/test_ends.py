@@ -29,6 +29,7 @@ from zbot.action import (
     GoalTransitionError,
 )
 from zbot.errors import ServiceError
+from zbot.time import ClockType, Time
 
 from action_msgs.srv import CancelGoal
 from example_interfaces.action import Fibonacci
@@ -322,3 +323,22 @@ def test_a_server_that_is_killed_fails_its_goals_and_the_next_one_takes_over(
                 done(result)
         assert wait_until(lambda: not client._goals)
         assert wait_until(lambda: not client.server_is_ready())
+
+
+def test_a_result_is_kept_for_seconds_of_the_nodes_clock(pair: Pair) -> None:
+    pair.server_node.set_parameters([zbot.Parameter("use_sim_time", value=True)])
+    clock = pair.server_node.get_clock()
+    assert isinstance(clock, zbot.ROSClock)
+    goals: list[Goal] = []
+
+    def execute(goal: Goal) -> Fibonacci.Result:
+        goals.append(goal)
+        return compute(goal)
+
+    pair.begin(execute, result_timeout=10)
+    done(pair.send(3).get_result_async())
+    assert wait_until(lambda: not pair.server._expiry.is_canceled())
+    clock.set_ros_time_override(Time(seconds=9.9, clock_type=ClockType.ROS_TIME))
+    assert goals[0].state is GoalState.SUCCEEDED
+    clock.set_ros_time_override(Time(seconds=10, clock_type=ClockType.ROS_TIME))
+    assert wait_until(lambda: goals[0].state is GoalState.UNKNOWN)
