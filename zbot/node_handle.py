@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.advice import adviser_of
@@ -63,6 +64,8 @@ class NodeHandle:
         self.parameters = ParameterStore(self._tell)
         self.parameter_events: Publisher[Any] | None = None
         self.is_destroyed = False
+        self._lock = threading.Lock()
+        self._users = 0  # blocks that hold it
         self.token = NodeToken(
             domain=context.get_domain_id(),
             zid=context.zid,
@@ -123,9 +126,18 @@ class NodeHandle:
             self.mailbox.remove(entity)
             entity.destroy()
 
+    def destroy_when_not_in_use(self) -> None:
+        """Destroy the node."""
+        for node in self.context.nodes:
+            if node.handle is self:
+                node.destroy_node()
+
     def __enter__(self) -> NodeHandle:
-        if self.is_destroyed:
-            raise InvalidHandleError(f"the node {self.full_name}")
+        with self._lock:
+            # As in rclpy, whoever uses it already may go on to the end of the outermost block.
+            if self.is_destroyed and not self._users:
+                raise InvalidHandleError(f"the node {self.full_name}")
+            self._users += 1
         return self
 
     def __exit__(
@@ -135,6 +147,8 @@ class NodeHandle:
         exc_tb: TracebackType | None,
     ) -> None:
         """Leave the node as it is."""
+        with self._lock:
+            self._users -= 1
 
     def add(self, entity: Any) -> None:
         """Let the node's executor run what an entity has to do."""

@@ -455,6 +455,15 @@ def test_destroying_twice_is_harmless(talker: zbot.Node) -> None:
         talker.create_publisher(String, "chatter", 10)
 
 
+def test_a_node_s_handle_is_good_to_the_end_of_its_block(talker: zbot.Node) -> None:
+    with talker.handle:
+        talker.handle.destroy_when_not_in_use()
+        with talker.handle:
+            pass
+    with pytest.raises(InvalidHandleError), talker.handle:
+        pass
+
+
 def test_a_node_destroys_only_what_is_its_own(talker: zbot.Node, listener: zbot.Node) -> None:
     foreign = listener.create_publisher(String, "chatter", 10)
     assert not talker.destroy_publisher(foreign)
