@@ -99,7 +99,7 @@ def launch(
     include = IncludeLaunchDescription(source, launch_arguments=arguments.items())
     include.origin = None  # no line of a launch file has it
     service.include_launch_description(LaunchDescription([include]))
-    return service.run()
+    return service.run() or int(service.context.program_failed)
 
 
 def _likely_typos(

@@ -191,6 +191,14 @@ def test_the_service_runs_in_a_thread_until_it_is_told_to_end() -> None:
     assert codes == [0]
 
 
+@pytest.mark.parametrize("code", [0, 3])
+def test_a_program_that_dies_is_no_failure_of_the_launch(code: int) -> None:
+    service = LaunchService(noninteractive=True)
+    service.include_launch_description(LaunchDescription([_python(f"raise SystemExit({code})")]))
+    assert service.run() == 0
+    assert service.context.program_failed is bool(code)
+
+
 @pytest.mark.usefixtures("domain")
 def test_managed_nodes_are_led_and_heard_of(capsys: pytest.CaptureFixture[str]) -> None:
     node = LifecycleNode(package="zbot", executable="lifecycle_talker", name="lc", namespace="")

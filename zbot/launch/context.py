@@ -65,6 +65,7 @@ class LaunchContext:
         self.launch_configurations: dict[str, Any] = {}
         self.is_shutdown = False
         self.failed = False  #: something went wrong that the exit code has to tell
+        self.program_failed = False  #: a program died by itself, with an error
         self._saved: list[tuple[str, dict[str, Any]]] = []
         self._locals: list[dict[str, Any]] = []
         self._globals: dict[str, Any] = {}

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 #: Longer ones go through a file: systems limit the length of a command line's word.
 _MAX_WORD: Final = 10_000
 _ITEM_TYPES: Final = (bool, int, float, str)
+_VALUES: Final = "a bool, a number, a text or a list of one of these"
 
 
 class ParameterValue:
@@ -105,6 +106,43 @@ SomeParameters: TypeAlias = (
 )
 
 
+def normalize_parameters(parameters: Iterable[Any]) -> list[Any]:
+    """Return a list of parameters, each of which can become some when the launch runs.
+
+    Raises:
+        EntityTypeError: It is no list, or something in it is no parameter.
+    """
+    if isinstance(parameters, (str, Mapping)):
+        raise EntityTypeError("parameters", "a list: parameters=[...]", parameters)
+    items = list(parameters)
+    for item in items:
+        if isinstance(item, Mapping):
+            _check(item)
+        elif not isinstance(item, Parameter):
+            _as_file(item)
+    return items
+
+
+def _check(values: Mapping[Any, Any]) -> None:
+    for name, value in values.items():
+        normalize(name)
+        if isinstance(value, Mapping):
+            _check(value)
+        elif not _is_valid(value):
+            raise EntityTypeError("a parameter", _VALUES, value)
+
+
+def _is_valid(value: Any) -> bool:
+    if isinstance(value, (*_ITEM_TYPES, bytes, bytearray, PurePath, ParameterValue, Substitution)):
+        return True
+    if isinstance(value, Sequence):
+        return all(
+            isinstance(one, (*_ITEM_TYPES, ParameterValue, Substitution)) or _is_text_of_parts(one)
+            for one in value
+        )
+    return callable(getattr(value, "tolist", None))  # numpy
+
+
 def to_words(context: LaunchContext, parameters: Iterable[Any]) -> list[str]:
     """Return the `-p` and `--params-file` words for a list of parameters.
 
@@ -118,7 +156,7 @@ def to_words(context: LaunchContext, parameters: Iterable[Any]) -> list[str]:
                 words += _word(context, name, value)
         elif isinstance(item, Parameter):
             words += _word(context, perform(context, item.name), item.evaluate(context))
-        elif isinstance(item, tuple) and len(item) == 2:
+        elif isinstance(item, tuple) and len(item) == 2 and not _is_text_of_parts(item):
             words += _word(context, str(item[0]), evaluate(context, item[1]))
         else:
             words += _file(context, item)
@@ -138,10 +176,14 @@ def evaluate_parameters(
 
 def _evaluated(context: LaunchContext, item: Any) -> dict[str, Any] | Path:
     if isinstance(item, Mapping):
-        return dict(flatten(context, item))
+        return {name: _as_tuple(value) for name, value in flatten(context, item)}
     if isinstance(item, Parameter):
-        return {perform(context, item.name): item.evaluate(context)}
+        return {perform(context, item.name): _as_tuple(item.evaluate(context))}
     return _as_file(item).evaluate(context)
+
+
+def _as_tuple(value: Any) -> Any:
+    return tuple(value) if isinstance(value, list) else value
 
 
 def _as_file(item: Any) -> ParameterFile:
@@ -207,7 +249,7 @@ def evaluate(context: LaunchContext, value: Any) -> Any:
         return value.evaluate(context)
     if isinstance(value, Substitution) or _is_text_of_parts(value):
         text = perform(context, value)
-        return parse_value(text) if text.strip() else text
+        return _read(text)
     if isinstance(value, _ITEM_TYPES):
         return value
     if isinstance(value, (bytes, bytearray)):
@@ -219,8 +261,7 @@ def evaluate(context: LaunchContext, value: Any) -> Any:
         return _same_kind([evaluate(context, item) for item in value])
     if isinstance(value, PurePath):
         return str(value)
-    expected = "a bool, a number, a text or a list of one of these"
-    raise EntityTypeError("a parameter", expected, value)
+    raise EntityTypeError("a parameter", _VALUES, value)
 
 
 def _is_text_of_parts(value: Any) -> bool:
@@ -233,8 +274,19 @@ def _is_text_of_parts(value: Any) -> bool:
 
 def _same_kind(items: list[Any]) -> list[Any]:
     if any(isinstance(item, float) for item in items):
-        return [float(item) if type(item) is int else item for item in items]
+        items = [float(item) if type(item) is int else item for item in items]
+    kinds = {type(item) for item in items}
+    if len(kinds) > 1 or not kinds <= set(_ITEM_TYPES):
+        raise EntityTypeError("a list parameter", "a list of values of one kind", items)
     return items
+
+
+def _read(text: str) -> Any:
+    """Return the value that a text is as YAML."""
+    try:
+        return parse_value(text) if text.strip() else text
+    except ZbotError as error:
+        raise EntityTypeError("a parameter", _VALUES, text) from error
 
 
 def _converted(value: Any, kind: Any) -> Any:

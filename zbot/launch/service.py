@@ -66,7 +66,8 @@ class LaunchService:
             shutdown_when_idle: Whether it ends when nothing is left to wait for.
 
         Returns:
-            The exit code: 1 if something failed, else 0.
+            The exit code: 1 if the launch failed, else 0. Of programs that died by themselves tells
+            `context.program_failed`, as for launch they are no failure.
         """
         return asyncio.run(self.run_async(shutdown_when_idle=shutdown_when_idle))
 

@@ -107,7 +107,7 @@ class Supervisor:
         while not self._wants_end.is_set():
             code = await self._run_once()
             if not self._policy.respawn or retries == 0 or self._wants_end.is_set():
-                self._context.failed |= code != 0 and not self._sent  # it died by itself
+                self._context.program_failed |= code != 0 and not self._sent  # it died by itself
                 return
             retries -= 1
             await _wait(self._wants_end, self._policy.respawn_delay_s)

@@ -15,7 +15,7 @@ from zbot.launch.actions.ros_names import (
 )
 from zbot.launch.errors import EntityTypeError
 from zbot.launch.own_command import own_command
-from zbot.launch.parameters import to_words
+from zbot.launch.parameters import normalize_parameters, to_words
 from zbot.launch.substitution import describe, normalize, perform
 from zbot.package.workspace import search_roots
 
@@ -29,8 +29,6 @@ if TYPE_CHECKING:
     from zbot.launch.frontend.parser import Parser
     from zbot.launch.parameters import SomeParameters
     from zbot.launch.substitution import SomeSubstitutionsType, Substitution
-
-_UNKNOWN = "<node_name_unspecified>"
 
 
 class Node(ExecuteProcess):
@@ -49,6 +47,9 @@ class Node(ExecuteProcess):
         options: As for `ExecuteProcess`.
     """
 
+    UNSPECIFIED_NODE_NAME = "<node_name_unspecified>"
+    UNSPECIFIED_NODE_NAMESPACE = "<node_namespace_unspecified>"
+
     def __init__(
         self,
         *,
@@ -63,17 +64,18 @@ class Node(ExecuteProcess):
         arguments: Iterable[SomeSubstitutionsType] | None = None,
         **options: Any,
     ) -> None:
-        if parameters is not None and (isinstance(parameters, (str, dict))):
-            raise EntityTypeError("parameters", "a list: parameters=[...]", parameters)
         self.package = None if package is None else normalize(package)
         self.executable = normalize(executable)
         super().__init__(cmd=[self.executable], name=exec_name, **options)
-        self.parameters, self.remappings = list(parameters or ()), list(remappings or ())
+        self.parameters = normalize_parameters(parameters or ())
+        self.remappings = [_pair(one) for one in remappings or ()]
         self.arguments = [normalize(word) for word in _listed(arguments)]
         self.ros_arguments = [normalize(word) for word in _listed(ros_arguments)]
         self._name = _optional(name)
         self._namespace = _optional(namespace)
-        self.node_name, self.namespace = _UNKNOWN, ""
+        self.node_name = self.UNSPECIFIED_NODE_NAME
+        self.expanded_node_namespace = self.UNSPECIFIED_NODE_NAMESPACE
+        self.expanded_remapping_rules: list[tuple[str, str]] = []
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
@@ -96,6 +98,11 @@ class Node(ExecuteProcess):
     def is_fully_qualified(self) -> bool:
         """Whether its whole name is known."""
         return self._name is not None
+
+    def is_node_name_fully_specified(self) -> bool:
+        """Return whether the launch gave it a name and a namespace."""
+        unknown = (self.UNSPECIFIED_NODE_NAME, self.UNSPECIFIED_NODE_NAMESPACE)
+        return not any(text in self.node_name for text in unknown)
 
     def prepare(self, context: LaunchContext) -> Prepared:
         """Return the command line.
@@ -121,39 +128,40 @@ class Node(ExecuteProcess):
         return prepared
 
     def _ros_words(self, context: LaunchContext) -> list[str]:
+        self._perform_substitutions(context)
         words = [perform(context, word) for word in self.ros_arguments]
-        words += self._name_words(context)
+        if self._name is not None:
+            words += ["-r", f"__node:={perform(context, self._name)}"]
+        if self.expanded_node_namespace != self.UNSPECIFIED_NODE_NAMESPACE:
+            words += ["-r", f"__ns:={self.expanded_node_namespace}"]
         shared = context.launch_configurations.get(PARAMETERS, [])
         words += to_words(context, [*shared, *self.parameters])
-        for source, target in context.launch_configurations.get(REMAPS, []):
+        for source, target in self.expanded_remapping_rules:
             words += ["-r", f"{source}:={target}"]
-        for source, target in self._pairs():
-            words += ["-r", f"{perform(context, source)}:={perform(context, target)}"]
         return ["--ros-args", *words] if words else []
 
-    def _name_words(self, context: LaunchContext) -> list[str]:
-        words: list[str] = []
-        name = perform(context, self._name) if self._name is not None else ""
-        own = perform(context, self._namespace) if self._namespace is not None else ""
-        namespace = join_namespace(str(context.launch_configurations.get(NAMESPACE, "")), own)
-        if name:
-            words += ["-r", f"__node:={name}"]
-        if namespace:
-            words += ["-r", f"__ns:={absolute(namespace)}"]
-        self.namespace = absolute(namespace)
-        self.node_name = f"{self.namespace.rstrip('/')}/{name or _UNKNOWN}"
-        return words
-
-    def _pairs(self) -> list[tuple[Any, Any]]:
-        for pair in self.remappings:
-            if not isinstance(pair, (tuple, list)) or len(pair) != 2:
-                raise EntityTypeError("a remapping", "a pair ('from', 'to')", pair)
-        return self.remappings
+    def _perform_substitutions(self, context: LaunchContext) -> None:
+        """Set its names and remaps as the launch has them; extensions call this by its name."""
+        pushed: str | None = context.launch_configurations.get(NAMESPACE)
+        if pushed is not None or self._namespace is not None:
+            own = perform(context, self._namespace or ())
+            self.expanded_node_namespace = absolute(join_namespace(pushed or "", own))
+        name = perform(context, self._name or ()) or self.UNSPECIFIED_NODE_NAME
+        self.node_name = f"{self.expanded_node_namespace.rstrip('/')}/{name}"
+        own_rules = [(perform(context, old), perform(context, new)) for old, new in self.remappings]
+        shared = context.launch_configurations.get(REMAPS, [])
+        self.expanded_remapping_rules = [*shared, *own_rules]
 
     def describe(self) -> str:
         """Return package and executable."""
         package = "" if self.package is None else f"package={describe(self.package)}, "
         return f"{type(self).__name__}({package}executable={describe(self.executable)})"
+
+
+def _pair(remap: Any) -> tuple[list[Substitution], list[Substitution]]:
+    if not isinstance(remap, (tuple, list)) or len(remap) != 2:
+        raise EntityTypeError("a remapping", "a pair ('from', 'to')", remap)
+    return normalize(remap[0]), normalize(remap[1])
 
 
 def _optional(value: SomeSubstitutionsType | None) -> list[Substitution] | None:

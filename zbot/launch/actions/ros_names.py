@@ -41,8 +41,7 @@ class PushROSNamespace(Action):
         """Add to the namespace that holds."""
         present = str(context.launch_configurations.get(NAMESPACE, ""))
         joined = join_namespace(present, perform(context, self.namespace))
-        if joined:
-            context.launch_configurations[NAMESPACE] = absolute(joined)
+        context.launch_configurations[NAMESPACE] = absolute(joined)
 
 
 PushRosNamespace = PushROSNamespace

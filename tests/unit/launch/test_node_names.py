@@ -1,0 +1,96 @@
+"""What a node is called in a launch, and what it refuses before there is one."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from zbot.launch import LaunchContext
+from zbot.launch.actions import LifecycleNode, Node, PushROSNamespace, SetRemap
+from zbot.launch.parameters import evaluate_parameters, normalize_parameters
+from zbot.launch.substitution import TextSubstitution
+
+UNKNOWN = Node.UNSPECIFIED_NODE_NAMESPACE
+
+
+def text(value: str) -> TextSubstitution:
+    return TextSubstitution(text=value)
+
+
+@pytest.mark.parametrize(
+    ("pushed", "own", "expected"),
+    [
+        ([], None, UNKNOWN),
+        ([], "", "/"),
+        ([""], None, "/"),
+        (["a"], None, "/a"),
+        (["a", "b"], "c", "/a/b/c"),
+        (["a", "/b"], "c", "/b/c"),
+        (["a"], "/", "/"),
+    ],
+)
+def test_a_node_knows_its_namespace(pushed: list[str], own: str | None, expected: str) -> None:
+    context = LaunchContext()
+    for namespace in pushed:
+        PushROSNamespace(namespace).visit(context)
+    node = Node(executable="talker", name="t", namespace=own)
+    assert not node.is_node_name_fully_specified()
+    words = node.prepare(context).words
+    assert node.expanded_node_namespace == expected
+    assert node.node_name == f"{expected.rstrip('/')}/t"
+    assert node.is_node_name_fully_specified() is (expected != UNKNOWN)
+    assert (f"__ns:={expected}" in words) is (expected != UNKNOWN)
+
+
+def test_remaps_of_the_launch_come_before_those_of_the_node() -> None:
+    context = LaunchContext()
+    SetRemap("a", "b").visit(context)
+    node = Node(executable="talker", remappings=[("c", [text("d"), "e"])])
+    node.prepare(context)
+    assert node.expanded_remapping_rules == [("a", "b"), ("c", "de")]
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        {"remappings": {"a": "b"}},
+        {"remappings": [{"a": "b"}]},
+        {"parameters": "file.yaml"},
+        {"parameters": {"a": 5}},
+        {"parameters": [5.0]},
+        {"parameters": [{5: "a"}]},
+        {"parameters": [{"a": {"b": [1, [2, 3]]}}]},
+        {"parameters": [{"a": {1, 2}}]},
+    ],
+)
+def test_a_node_refuses_what_it_cannot_be_given(options: Any) -> None:
+    with pytest.raises(TypeError):
+        Node(executable="talker", **options)
+
+
+def test_a_managed_node_needs_a_namespace() -> None:
+    with pytest.raises(TypeError, match="namespace"):
+        LifecycleNode(executable="talker", name="t")  # type: ignore[call-arg]  # pyright: ignore[reportCallIssue]
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        [True, 1],
+        [[text("a")], True],
+        text("{a: 3}"),
+        [[text("[a, b]")], [text("[c]")]],
+    ],
+)
+def test_values_that_no_parameter_has_are_refused(value: Any) -> None:
+    parameters = normalize_parameters([{"a": value}])
+    with pytest.raises(TypeError):
+        evaluate_parameters(LaunchContext(), parameters)
+
+
+def test_lists_are_tuples_and_paths_may_have_parts() -> None:
+    given = normalize_parameters([{"a": [1, 2.5]}, (text("/a"), text("/b"))])
+    values, path = evaluate_parameters(LaunchContext(), given)
+    assert values == {"a": (1.0, 2.5)}
+    assert str(path) == "/a/b"
