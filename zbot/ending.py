@@ -6,6 +6,7 @@ program's own threads come first: one that spins goes on after the main thread's
 
 from __future__ import annotations
 
+import atexit
 import contextlib
 import sys
 import threading
@@ -41,7 +42,9 @@ def hook() -> None:
         _Process.hooked = True
         # Python joins non-daemon threads before it runs atexit functions, and Zenoh's thread ends
         # only with its session: concurrent.futures closes its pools by the same, private, means.
-        threading._register_atexit(_close_contexts)  # type: ignore[attr-defined] # noqa: SLF001
+        threading._register_atexit(_end)  # type: ignore[attr-defined] # noqa: SLF001
+        # A signal that comes just then keeps Python from calling that, but not this.
+        atexit.register(_close_contexts)
 
 
 def wait_for_threads() -> None:
@@ -68,10 +71,14 @@ def _programs_threads() -> list[threading.Thread]:
     ]
 
 
-def _close_contexts() -> None:
+def _end() -> None:
     # A signal ends whatever spins; Python waits for the rest.
     with contextlib.suppress(KeyboardInterrupt, SystemExit, ExternalShutdownException):
         wait_for_threads()
+    _close_contexts()
+
+
+def _close_contexts() -> None:
     _Process.ending = True
     for context in list(open_contexts):
         executors = {node.executor for node in context.nodes if node.executor is not None}

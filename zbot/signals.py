@@ -9,6 +9,7 @@ it.
 from __future__ import annotations
 
 import atexit
+import contextlib
 import enum
 import os
 import signal
@@ -221,7 +222,9 @@ def _again(previous: Any) -> Any:
         if ending.is_ending() or sys.platform == "win32" or not issubclass(args.exc_type, ours):
             previous(args)
         else:
-            threading.Timer(_AGAIN_S, os.kill, (os.getpid(), number)).start()
+            # The process may have come to its end: what the signal asked for is under way.
+            with contextlib.suppress(RuntimeError):
+                threading.Timer(_AGAIN_S, os.kill, (os.getpid(), number)).start()
 
     return unraisablehook
 

@@ -234,6 +234,22 @@ def test_two_signals_in_a_row_end_quietly_too(start: Start) -> None:
     assert end(program, signal.SIGINT) in {-signal.SIGINT, 0}
 
 
+def test_a_signal_that_interrupts_the_end_itself_is_quiet_too(start: Start) -> None:
+    # Two presses of Ctrl-C: the second meets Python before it calls what closes the contexts.
+    program = start(
+        source=HEAD
+        + """
+import signal
+robot = Robot()
+threading._register_atexit(signal.raise_signal, signal.SIGINT)
+threading.Thread(target=zbot.spin, args=(robot,), daemon=True).start()
+time.sleep(0.2)
+"""
+    )
+    assert program.wait() in {0, -signal.SIGINT}
+    assert program.lines == ["up"]
+
+
 def test_a_handler_of_the_programs_own_is_respected(start: Start) -> None:
     program = start(
         source="""
