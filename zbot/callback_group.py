@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+import contextlib
 import threading
 import weakref
-from typing import Any
+from collections import deque
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
 
 
 class CallbackGroup:
-    """Decides whether a callback may begin while others of its group are running."""
+    """Decides whether a callback may begin while others of its group are running.
+
+    A program's own group defines the three methods of execution. What it refuses, it is asked again
+    after the executor's next callback, whichever that is, or when the executor is woken. It may be
+    asked, and given back, for what turns out to have no work.
+    """
 
     def __init__(self) -> None:
         self._entities: weakref.WeakSet[Any] = weakref.WeakSet()
@@ -29,8 +39,8 @@ class CallbackGroup:
         """Reserve the group for the entity; `False` means that it has to wait."""
         raise NotImplementedError
 
-    def ending_execution(self, entity: Any) -> list[Any]:
-        """Give the group back; return the entities that were made to wait meanwhile."""
+    def ending_execution(self, entity: Any) -> list[Any] | None:
+        """Give the group back; return the entities that were made to wait, if it knows them."""
         raise NotImplementedError
 
 
@@ -79,3 +89,36 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
             self._active = None
             waiting, self._waiting = self._waiting, []
             return waiting
+
+
+_TELL_WHO_WAITED = {ReentrantCallbackGroup, MutuallyExclusiveCallbackGroup}
+
+
+class Refused:
+    """What an executor has to ask for again, for a program's own groups keep no list of it."""
+
+    def __init__(self) -> None:
+        self._entities: deque[Any] = deque()
+
+    def begins(self, entity: Any) -> bool:
+        """Reserve an entity's group for it; `False` means that it has to wait."""
+        group: CallbackGroup = entity.callback_group
+        if type(group) in _TELL_WHO_WAITED:
+            return group.beginning_execution(entity)
+        # First, for another thread may give the group back while it is being asked.
+        self._entities.append(entity)
+        if not (group.can_execute(entity) and group.beginning_execution(entity)):
+            return False
+        with contextlib.suppress(ValueError):
+            self._entities.remove(entity)
+        return True
+
+    def ends(self, entity: Any) -> list[Any]:
+        """Give an entity's group back; return those that are to be asked for again."""
+        return [*(entity.callback_group.ending_execution(entity) or ()), *self.drain()]
+
+    def drain(self) -> Iterator[Any]:
+        """Yield what was refused until now, each thing to one thread only."""
+        with contextlib.suppress(IndexError):
+            for _ in range(len(self._entities)):
+                yield self._entities.popleft()

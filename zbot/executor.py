@@ -14,7 +14,7 @@ from collections import deque
 from typing import TYPE_CHECKING, Any
 
 from zbot.agenda import Agenda
-from zbot.callback_group import CallbackGroup, ReentrantCallbackGroup
+from zbot.callback_group import CallbackGroup, ReentrantCallbackGroup, Refused
 from zbot.errors import (
     ConditionReachedException,
     ExecutorBusyError,
@@ -104,6 +104,7 @@ class Executor:
         self._nodes: list[Node] = []
         self._ready: deque[Entity] = deque()
         self._queued: set[Entity] = set()
+        self._refused = Refused()
         self._agenda = Agenda()
         self._signal = BinarySemaphore()
         self._is_shutdown = False
@@ -192,6 +193,8 @@ class Executor:
         for node in list(self._nodes):
             for waitable in list(node.handle.waitables):
                 self._queue(waitable)
+        for entity in self._refused.drain():
+            self._queue(entity)
         self._signal.set()
 
     def _post(self, entity: Entity) -> None:
@@ -247,13 +250,12 @@ class Executor:
         if mailbox is not None and mailbox.executor is not self:
             mailbox.post(entity)  # its node went to another executor meanwhile
             return None
-        group = entity.callback_group
-        if not group.beginning_execution(entity):
-            return None  # the group posts it again when it is free
+        if not self._refused.begins(entity):
+            return None  # it is posted again when the group is free
         taken = entity.take()
         if taken is not None:
             return entity, taken
-        for waiting in group.ending_execution(entity):
+        for waiting in self._refused.ends(entity):
             self._queue(waiting)
         due = entity.due_ns
         if due is not None:
@@ -384,7 +386,7 @@ class Executor:
         """
         group = entity.callback_group
         is_held = any(outer.callback_group is group for _, outer in _inside.stack)
-        if not is_held and not group.beginning_execution(entity):
+        if not is_held and not self._refused.begins(entity):
             return False
         _inside.stack.append((self, entity))
         try:
@@ -396,7 +398,7 @@ class Executor:
             return taken is not None
         finally:
             _inside.stack.pop()
-            for waiting in () if is_held else group.ending_execution(entity):
+            for waiting in () if is_held else self._refused.ends(entity):
                 self._queue(waiting)
 
     def _serve_next(self, deadline_ns: int | None, stop: Callable[[], bool] | None) -> None:
@@ -428,7 +430,7 @@ class Executor:
 
     def _finish(self, entity: Entity) -> None:
         # In front: they had their turn already, and were sent away.
-        for waiting in reversed(entity.callback_group.ending_execution(entity)):
+        for waiting in reversed(self._refused.ends(entity)):
             if waiting not in self._queued:
                 self._queued.add(waiting)
                 self._ready.appendleft(waiting)

@@ -122,3 +122,49 @@ def test_blocked_threads_do_not_hold_up_spin_once(
         assert time.monotonic() - begin < allowed(1)
     finally:
         gate.set()
+
+
+class Gate(zbot.CallbackGroup):
+    """A program's own group, which tells nobody who waited."""
+
+    is_open = False
+
+    def can_execute(self, entity: object) -> bool:  # noqa: ARG002 - rclpy's signature
+        return self.is_open
+
+    def beginning_execution(self, entity: object) -> bool:  # noqa: ARG002 - rclpy's signature
+        return self.is_open
+
+    def ending_execution(self, entity: object) -> None:
+        self.is_open = entity is None
+
+
+def test_a_programs_own_group_is_asked_again_after_other_callbacks(
+    node: zbot.Node, executor: zbot.Executor, spin: Spin
+) -> None:
+    gate, ticks = Gate(), list[float]()
+    node.create_timer(0.001, lambda: ticks.append(time.monotonic()), callback_group=gate)
+    seen: list[int] = []
+
+    def open_gate() -> None:
+        seen.append(len(ticks))
+        gate.is_open = True
+
+    node.create_timer(0.02, open_gate)
+    spin(node, executor=executor)
+    assert wait_until(lambda: len(ticks) == 3)
+    assert seen[0] == 0
+
+
+def test_a_programs_own_group_is_asked_again_when_the_executor_is_woken(
+    node: zbot.Node, executor: zbot.Executor, spin: Spin
+) -> None:
+    gate, calls = Gate(), list[str]()
+    node.create_guard_condition(lambda: calls.append("guarded"), gate).trigger()
+    other = node.create_guard_condition(lambda: calls.append("other"))
+    spin(node, executor=executor)
+    other.trigger()
+    assert wait_until(lambda: calls == ["other"])
+    gate.is_open = True
+    executor.wake()
+    assert wait_until(lambda: calls == ["other", "guarded"])
