@@ -11,6 +11,7 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
+    from zbot.context import Context
     from zbot.qos import QoSProfile
     from zbot.wire.tokens import EndpointToken
 
@@ -69,6 +70,12 @@ class TopicEndpoint(Endpoint):
     """One that has a topic."""
 
     _topic = ""
+    _context: Context
+
+    @property
+    def context(self) -> Context:
+        """The context whose session carries its messages."""
+        return self._context
 
     @property
     def topic_name(self) -> str:

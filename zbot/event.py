@@ -8,10 +8,13 @@ from __future__ import annotations
 
 from collections import deque
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from enum import Enum
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.clock import Clock
-from zbot.qos import LivelinessPolicy
+from zbot.handle import Handle
+from zbot.mailbox import Mailbox
+from zbot.qos import LivelinessPolicy, QoSPolicyKind
 from zbot.time import ClockType
 from zbot.timer import Timer
 from zbot.wire.tokens import EndpointToken, EntityKind
@@ -21,10 +24,34 @@ if TYPE_CHECKING:
 
     from zbot.callback_group import CallbackGroup
     from zbot.graph import Graph, Token
-    from zbot.mailbox import Mailbox
     from zbot.time import Duration
 
 _INFINITE_NS = 2**63 - 1
+
+
+class QoSPublisherEventType(Enum):
+    """What can happen to a publisher (rclpy's names and numbers)."""
+
+    RCL_PUBLISHER_OFFERED_DEADLINE_MISSED = 0
+    RCL_PUBLISHER_LIVELINESS_LOST = 1
+    RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS = 2
+    RCL_PUBLISHER_INCOMPATIBLE_TYPE = 3
+    RCL_PUBLISHER_MATCHED = 4
+
+
+class QoSSubscriptionEventType(Enum):
+    """What can happen to a subscription (rclpy's names and numbers)."""
+
+    RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED = 0
+    RCL_SUBSCRIPTION_LIVELINESS_CHANGED = 1
+    RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS = 2
+    RCL_SUBSCRIPTION_MESSAGE_LOST = 3
+    RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE = 4
+    RCL_SUBSCRIPTION_MATCHED = 5
+
+
+_P, _S = QoSPublisherEventType, QoSSubscriptionEventType
+EventKind: TypeAlias = QoSPublisherEventType | QoSSubscriptionEventType
 
 
 @dataclass(frozen=True)
@@ -96,8 +123,6 @@ class EventHandler:
         mailbox: The node's way to its executor.
     """
 
-    due_ns: int | None = None
-
     def __init__(
         self, callback: Callable[[Any], Any], callback_group: CallbackGroup, mailbox: Mailbox
     ) -> None:
@@ -107,6 +132,11 @@ class EventHandler:
         self._infos: deque[Any] = deque()
         mailbox.add(self)
 
+    @property
+    def due_ns(self) -> int | None:
+        """When it wants to look for an event by itself (monotonic clock, nanoseconds)."""
+        return None
+
     def tell(self, info: Any) -> None:
         """Queue an event; from any thread."""
         self._infos.append(info)
@@ -115,6 +145,11 @@ class EventHandler:
     def take(self) -> Any | None:
         """Return the oldest event, if any."""
         return self._infos.popleft() if self._infos else None
+
+    @property
+    def has_work(self) -> bool:
+        """Whether an event waits."""
+        return bool(self._infos)
 
     def execute(self, info: Any) -> Any:
         """Call the callback."""
@@ -127,6 +162,16 @@ class EventHandler:
         """Call the callback no more."""
         self.mailbox.remove(self)
         self._infos.clear()
+
+
+class _NeverHandler(EventHandler):
+    """Stands for an event that cannot come, such as one of two incompatible profiles."""
+
+    def __init__(
+        self, callback: Callable[[Any], Any], callback_group: CallbackGroup, mailbox: Mailbox
+    ) -> None:
+        self.callback, self.callback_group, self.mailbox = callback, callback_group, mailbox
+        self._infos = deque()  # and unknown to the executor, which it never needs
 
 
 class _PartnerHandler(EventHandler):
@@ -211,16 +256,30 @@ class _SilenceHandler(EventHandler):
         count: Callable[[], int],
         info: type[QoSCountInfo],
     ) -> None:
-        super().__init__(callback, callback_group, mailbox)
         self._count = count
         self._info = info
         self._last = count()
         self._total = 0
         steady = Clock(clock_type=ClockType.STEADY_TIME)
-        self._timer = Timer(self._look, callback_group, period.nanoseconds, steady, mailbox)
-        mailbox.add(self._timer)
+        self._timer = Timer(None, callback_group, period.nanoseconds, steady, mailbox)
+        super().__init__(callback, callback_group, mailbox)  # last: it may be asked at once
+
+    @property
+    def due_ns(self) -> int | None:
+        return self._timer.due_ns
+
+    @property
+    def has_work(self) -> bool:
+        self._look()
+        return super().has_work
+
+    def take(self) -> Any | None:
+        self._look()
+        return super().take()
 
     def _look(self) -> None:
+        if self._timer.take() is None:
+            return
         count = self._count()
         if self._is_silent(count):
             self._total += 1
@@ -232,7 +291,6 @@ class _SilenceHandler(EventHandler):
 
     def destroy(self) -> None:
         self._timer.destroy()
-        self.mailbox.remove(self._timer)
         super().destroy()
 
 
@@ -256,7 +314,120 @@ def _is_finite(period: Duration) -> bool:
     return 0 < period.nanoseconds < _INFINITE_NS
 
 
-class PublisherEventCallbacks:
+def _make_handler(
+    kind: EventKind,
+    callback: Callable[[Any], Any],
+    endpoint: Any,
+    mailbox: Mailbox,
+    graph: Graph,
+) -> EventHandler:
+    """Return what follows one kind of event of a publisher or subscription."""
+    group, own = endpoint.callback_group, endpoint.token
+    if kind in _PARTNERS:
+        return _PARTNERS[kind](callback, group, mailbox, own=own, graph=graph)
+    if kind is _S.RCL_SUBSCRIPTION_MESSAGE_LOST:
+        loss = _LossHandler(callback, group, mailbox)
+        endpoint.report_losses_to(loss.add)
+        return loss
+    period, silence = own.qos.deadline, _SilenceHandler
+    if kind is _P.RCL_PUBLISHER_LIVELINESS_LOST:
+        period, silence = own.qos.liveliness_lease_duration, _LeaseHandler
+        if own.qos.liveliness is not LivelinessPolicy.MANUAL_BY_TOPIC:
+            return _NeverHandler(callback, group, mailbox)
+    if kind in _INCOMPATIBLE_QOS or not _is_finite(period):
+        return _NeverHandler(callback, group, mailbox)
+
+    def count() -> int:
+        messages: int = endpoint.sent_count if kind in _P else endpoint.received_count
+        return messages
+
+    info = type(_NOTHING[kind])
+    return silence(callback, group, mailbox, period=period, count=count, info=info)
+
+
+_PARTNERS: dict[EventKind, type[_PartnerHandler]] = {
+    _P.RCL_PUBLISHER_INCOMPATIBLE_TYPE: _TypeClashHandler,
+    _P.RCL_PUBLISHER_MATCHED: _PartnerHandler,
+    _S.RCL_SUBSCRIPTION_LIVELINESS_CHANGED: _LivelinessChangedHandler,
+    _S.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE: _TypeClashHandler,
+    _S.RCL_SUBSCRIPTION_MATCHED: _PartnerHandler,
+}
+_INCOMPATIBLE_QOS: tuple[EventKind, ...] = (
+    _P.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS,
+    _S.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS,
+)
+# What ROS 2 has a callback of its own for, unless told otherwise.
+_DEFAULTS: tuple[EventKind, ...] = (
+    *_INCOMPATIBLE_QOS,
+    _P.RCL_PUBLISHER_INCOMPATIBLE_TYPE,
+    _S.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE,
+)
+#: The info of each kind before anything happened.
+_NOTHING: dict[EventKind, Any] = {
+    _P.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED: QoSOfferedDeadlineMissedInfo(0, 0),
+    _P.RCL_PUBLISHER_LIVELINESS_LOST: QoSLivelinessLostInfo(0, 0),
+    _P.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS: QoSOfferedIncompatibleQoSInfo(
+        0, 0, QoSPolicyKind.INVALID
+    ),
+    _P.RCL_PUBLISHER_INCOMPATIBLE_TYPE: IncompatibleTypeInfo(0, 0),
+    _P.RCL_PUBLISHER_MATCHED: QoSMatchedInfo(0, 0, 0, 0),
+    _S.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED: QoSRequestedDeadlineMissedInfo(0, 0),
+    _S.RCL_SUBSCRIPTION_LIVELINESS_CHANGED: QoSLivelinessChangedInfo(0, 0, 0, 0),
+    _S.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS: QoSRequestedIncompatibleQoSInfo(
+        0, 0, QoSPolicyKind.INVALID
+    ),
+    _S.RCL_SUBSCRIPTION_MESSAGE_LOST: QoSMessageLostInfo(0, 0),
+    _S.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE: IncompatibleTypeInfo(0, 0),
+    _S.RCL_SUBSCRIPTION_MATCHED: QoSMatchedInfo(0, 0, 0, 0),
+}
+
+
+def _ignore(info: object) -> None:
+    """Stand for the callback of an event that is taken by hand, or told by zbot's own notices."""
+
+
+class EventHandle(Handle[EventHandler]):
+    """One kind of event to wait for with a `WaitSet`, and to take from there.
+
+    Args:
+        parent: The publisher's or subscription's handle.
+        kind: Which event.
+    """
+
+    def __init__(self, parent: Handle[Any], kind: EventKind) -> None:
+        endpoint = parent.entity
+        graph = endpoint.context.graph
+        super().__init__(_make_handler(kind, _ignore, endpoint, Mailbox(), graph))
+        self._nothing = _NOTHING[kind]
+
+    def take_event(self) -> Any:
+        """Return the oldest event's info; counts of 0 if there is none."""
+        info = self.entity.take()
+        return self._nothing if info is None else info
+
+
+class _EventCallbacks:
+    """What publishers' and subscriptions' callbacks have in common."""
+
+    use_default_callbacks: bool
+
+    def _by_kind(self) -> dict[EventKind, Callable[[Any], Any] | None]:
+        raise NotImplementedError
+
+    def attach(self, endpoint: Any, mailbox: Mailbox, graph: Graph) -> None:
+        """Make the handlers of a publisher or subscription; its `destroy()` ends them."""
+        for kind, callback in self._by_kind().items():
+            if callback is not None:
+                handler = _make_handler(kind, callback, endpoint, mailbox, graph)
+            elif self.use_default_callbacks and kind in _DEFAULTS:
+                # Type clashes are told of all endpoints alike, in one place: zbot.advice.
+                handler = _NeverHandler(_ignore, endpoint.callback_group, mailbox)
+            else:
+                continue
+            endpoint.event_handlers.append(handler)
+
+
+class PublisherEventCallbacks(_EventCallbacks):
     """What a publisher wants to hear; each callback takes the event's info.
 
     Args:
@@ -265,7 +436,7 @@ class PublisherEventCallbacks:
         incompatible_qos: Accepted and never called: no two profiles are incompatible.
         incompatible_type: A subscription has another type.
         matched: A subscription came or went.
-        use_default_callbacks: Accepted; type clashes are always logged.
+        use_default_callbacks: Count handlers as rclpy does; type clashes are always logged.
     """
 
     def __init__(
@@ -285,42 +456,17 @@ class PublisherEventCallbacks:
         self.matched = matched
         self.use_default_callbacks = use_default_callbacks
 
-    def attach(self, publisher: Any, mailbox: Mailbox, graph: Graph) -> None:
-        """Make the handlers of a publisher; its `destroy()` ends them."""
-        group, own, handlers = publisher.callback_group, publisher.token, publisher.event_handlers
-        if self.matched is not None:
-            handlers.append(_PartnerHandler(self.matched, group, mailbox, own=own, graph=graph))
-        if self.incompatible_type is not None:
-            handlers.append(
-                _TypeClashHandler(self.incompatible_type, group, mailbox, own=own, graph=graph)
-            )
-        if self.deadline is not None and _is_finite(own.qos.deadline):
-            handlers.append(
-                _SilenceHandler(
-                    self.deadline,
-                    group,
-                    mailbox,
-                    period=own.qos.deadline,
-                    count=lambda: publisher.sent_count,
-                    info=QoSOfferedDeadlineMissedInfo,
-                )
-            )
-        lease = own.qos.liveliness_lease_duration
-        is_manual = own.qos.liveliness is LivelinessPolicy.MANUAL_BY_TOPIC
-        if self.liveliness is not None and is_manual and _is_finite(lease):
-            handlers.append(
-                _LeaseHandler(
-                    self.liveliness,
-                    group,
-                    mailbox,
-                    period=lease,
-                    count=lambda: publisher.sent_count,
-                    info=QoSLivelinessLostInfo,
-                )
-            )
+    def _by_kind(self) -> dict[EventKind, Callable[[Any], Any] | None]:
+        return {
+            _P.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED: self.deadline,
+            _P.RCL_PUBLISHER_LIVELINESS_LOST: self.liveliness,
+            _P.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS: self.incompatible_qos,
+            _P.RCL_PUBLISHER_INCOMPATIBLE_TYPE: self.incompatible_type,
+            _P.RCL_PUBLISHER_MATCHED: self.matched,
+        }
 
 
-class SubscriptionEventCallbacks:
+class SubscriptionEventCallbacks(_EventCallbacks):
     """What a subscription wants to hear; each callback takes the event's info.
 
     Args:
@@ -330,7 +476,7 @@ class SubscriptionEventCallbacks:
         message_lost: Messages were published and did not come out of the queue.
         incompatible_type: A publisher has another type.
         matched: A publisher came or went.
-        use_default_callbacks: Accepted; type clashes are always logged.
+        use_default_callbacks: Count handlers as rclpy does; type clashes are always logged.
     """
 
     def __init__(
@@ -352,29 +498,12 @@ class SubscriptionEventCallbacks:
         self.matched = matched
         self.use_default_callbacks = use_default_callbacks
 
-    def attach(self, subscription: Any, mailbox: Mailbox, graph: Graph) -> None:
-        """Make the handlers of a subscription; its `destroy()` ends them."""
-        group, own = subscription.callback_group, subscription.token
-        handlers = subscription.event_handlers
-        for callback, kind in (
-            (self.matched, _PartnerHandler),
-            (self.liveliness, _LivelinessChangedHandler),
-            (self.incompatible_type, _TypeClashHandler),
-        ):
-            if callback is not None:
-                handlers.append(kind(callback, group, mailbox, own=own, graph=graph))
-        if self.message_lost is not None:
-            loss = _LossHandler(self.message_lost, group, mailbox)
-            subscription.report_losses_to(loss.add)
-            handlers.append(loss)
-        if self.deadline is not None and _is_finite(own.qos.deadline):
-            handlers.append(
-                _SilenceHandler(
-                    self.deadline,
-                    group,
-                    mailbox,
-                    period=own.qos.deadline,
-                    count=lambda: subscription.received_count,
-                    info=QoSRequestedDeadlineMissedInfo,
-                )
-            )
+    def _by_kind(self) -> dict[EventKind, Callable[[Any], Any] | None]:
+        return {
+            _S.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED: self.deadline,
+            _S.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS: self.incompatible_qos,
+            _S.RCL_SUBSCRIPTION_LIVELINESS_CHANGED: self.liveliness,
+            _S.RCL_SUBSCRIPTION_MESSAGE_LOST: self.message_lost,
+            _S.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE: self.incompatible_type,
+            _S.RCL_SUBSCRIPTION_MATCHED: self.matched,
+        }

@@ -8,6 +8,7 @@ from zbot.arguments import Arguments
 from zbot.client import Client
 from zbot.context import get_default_context
 from zbot.errors import ArgumentTypeError, InvalidPeriodError, NodeNameError
+from zbot.event import PublisherEventCallbacks, SubscriptionEventCallbacks
 from zbot.guard_condition import GuardCondition
 from zbot.interfaces.type_support import check_is_valid_msg_type, check_is_valid_srv_type
 from zbot.log import get_logger
@@ -282,8 +283,8 @@ class Node(GraphQueries, NodeParameters):
         publisher.topic = topic
         handle.publishers.append(publisher)
         handle.adviser.add(token, handle.logger_name)
-        if event_callbacks is not None:
-            event_callbacks.attach(publisher, handle.mailbox, handle.context.graph)
+        events = event_callbacks or PublisherEventCallbacks()
+        events.attach(publisher, handle.mailbox, handle.context.graph)
         return cast("Publisher[MsgT]", publisher)
 
     def create_subscription(
@@ -339,8 +340,8 @@ class Node(GraphQueries, NodeParameters):
         handle.subscriptions.append(subscription)
         handle.adviser.add(subscription.token, handle.logger_name)
         handle.add(subscription)
-        if event_callbacks is not None:
-            event_callbacks.attach(subscription, handle.mailbox, handle.context.graph)
+        events = event_callbacks or SubscriptionEventCallbacks()
+        events.attach(subscription, handle.mailbox, handle.context.graph)
         subscription.start()
         return subscription
 

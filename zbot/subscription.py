@@ -151,7 +151,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self.event_handlers: list[Any] = []
         self.lost_count = 0  #: messages that were published and never came out of the queue
         self.refused_count = 0  #: messages that could not be read, or had another type
-        self._on_lost: Callable[[int], None] | None = None
+        self._loss_listeners: list[Callable[[int], None]] = []
         self._context = context
         self._token = token
         self.mailbox = mailbox
@@ -412,9 +412,9 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             return  # the publisher's threads overtook each other, or it sent a cached message again
         first = self.lost_count == 0
         self.lost_count += missing
-        if self._on_lost is not None:
-            self._on_lost(missing)
-        elif first:
+        for listener in self._loss_listeners:
+            listener(missing)
+        if first and not self._loss_listeners:
             self._warn_of_loss(missing)
 
     def _warn_of_loss(self, missing: int) -> None:
@@ -448,7 +448,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
 
     def report_losses_to(self, listener: Callable[[int], None]) -> None:
         """Call `listener(missing)` in the executor's thread when messages were lost."""
-        self._on_lost = listener
+        self._loss_listeners.append(listener)
 
     def destroy(self) -> None:
         """Stop listening; may be called twice, also in the callback."""

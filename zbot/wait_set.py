@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
     from zbot.handle import Handle
 
-Kind = Literal["subscription", "guard_condition", "timer", "client", "service"]
+Kind = Literal["subscription", "guard_condition", "timer", "client", "service", "event"]
 _POLL_S = 0.1  # on simulated time a timer has no moment to sleep until
 
 
@@ -52,6 +52,10 @@ class WaitSet:
     def add_service(self, handle: Handle[Any]) -> int:
         """Wait for a service's requests too; return its index."""
         return self._add("service", handle)
+
+    def add_event(self, handle: Handle[Any]) -> int:
+        """Wait for an event of quality of service too; return its index."""
+        return self._add("event", handle)
 
     def _add(self, kind: Kind, handle: Handle[Any]) -> int:
         handles = self._handles.setdefault(kind, [])
@@ -106,8 +110,9 @@ class WaitSet:
 
     @property
     def due_ns(self) -> int | None:
-        """When the first of the timers wants to run (monotonic clock, nanoseconds)."""
-        dues = [handle.entity.due_ns for handle in self._handles.get("timer", ())]
+        """When the first of the timers and events wants to run (monotonic clock, nanoseconds)."""
+        timed = (*self._handles.get("timer", ()), *self._handles.get("event", ()))
+        dues = [handle.entity.due_ns for handle in timed]
         return min((due for due in dues if due is not None), default=None)
 
     def waits_for_same(self, other: WaitSet) -> bool:

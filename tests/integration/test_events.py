@@ -9,6 +9,7 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from zbot.event import (
+    EventHandle,
     IncompatibleTypeInfo,
     PublisherEventCallbacks,
     QoSLivelinessChangedInfo,
@@ -16,10 +17,14 @@ from zbot.event import (
     QoSMatchedInfo,
     QoSMessageLostInfo,
     QoSOfferedDeadlineMissedInfo,
+    QoSOfferedIncompatibleQoSInfo,
+    QoSPublisherEventType,
     QoSRequestedDeadlineMissedInfo,
+    QoSSubscriptionEventType,
     SubscriptionEventCallbacks,
 )
-from zbot.qos import HistoryPolicy, LivelinessPolicy, QoSProfile
+from zbot.qos import HistoryPolicy, LivelinessPolicy, QoSPolicyKind, QoSProfile
+from zbot.wait_set import WaitSet
 
 from std_msgs.msg import Float32, Int64, String
 
@@ -69,6 +74,60 @@ def test_a_publisher_hears_of_subscriptions_that_come_and_go(
     assert wait_until(lambda: infos[2:] == [QoSMatchedInfo(2, 0, 1, -1)])
     listener.context.shutdown()
     assert wait_until(lambda: infos[3:] == [QoSMatchedInfo(2, 0, 0, -1)])
+
+
+def test_every_endpoint_has_the_handlers_of_rclpy(talker: zbot.Node) -> None:
+    def handlers(**callbacks: Any) -> int:
+        events = PublisherEventCallbacks(**callbacks)
+        return len(talker.create_publisher(String, "a", 1, event_callbacks=events).event_handlers)
+
+    assert len(talker.create_publisher(String, "a", 1).event_handlers) == 2
+    assert handlers(use_default_callbacks=False) == 0
+    assert handlers(incompatible_qos=print, incompatible_type=print) == 2
+    assert handlers(deadline=print, liveliness=print, matched=print) == 5
+
+
+def test_an_event_can_be_waited_for_and_taken_by_hand(
+    talker: zbot.Node, listener: zbot.Node
+) -> None:
+    publisher = talker.create_publisher(String, "chatter", every(0.05))
+    matched = EventHandle(publisher.handle, QoSPublisherEventType.RCL_PUBLISHER_MATCHED)
+    missed = EventHandle(
+        publisher.handle, QoSPublisherEventType.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED
+    )
+    never = EventHandle(
+        publisher.handle, QoSPublisherEventType.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS
+    )
+    assert never.take_event() == QoSOfferedIncompatibleQoSInfo(0, 0, QoSPolicyKind.INVALID)
+    listener.create_subscription(String, "chatter", print, 10)
+    found = {matched: QoSMatchedInfo(1, 1, 1, 1), missed: QoSOfferedDeadlineMissedInfo(1, 1)}
+    for handle, info in found.items():
+        events = WaitSet()
+        index, silent = events.add_event(handle), events.add_event(never)
+        events.wait(10 * 10**9)
+        assert (events.is_ready("event", index), events.is_ready("event", silent)) == (True, False)
+        assert handle.take_event() == info
+        handle.destroy_when_not_in_use()
+
+
+def test_a_loss_is_told_to_the_callback_and_to_a_handle(listener: zbot.Node) -> None:
+    infos: list[QoSMessageLostInfo] = []
+    events = SubscriptionEventCallbacks(message_lost=infos.append)
+    subscription = listener.create_subscription(Int64, "n", print, 1, event_callbacks=events)
+    handle = EventHandle(
+        subscription.handle, QoSSubscriptionEventType.RCL_SUBSCRIPTION_MESSAGE_LOST
+    )
+    publisher = listener.create_publisher(Int64, "n", 10)
+    executor = zbot.SingleThreadedExecutor(context=listener.context)
+    executor.add_node(listener)
+    for numbers in ((1,), (2, 3, 4)):
+        for number in numbers:
+            publisher.publish(Int64(data=number))
+        while subscription.received_count < len(numbers) // 3 + 1:
+            executor.spin_once(timeout_sec=2)
+    while not infos:
+        executor.spin_once(timeout_sec=2)
+    assert infos == [handle.take_event()] == [QoSMessageLostInfo(2, 2)]
 
 
 def test_a_subscription_hears_of_publishers_that_come_and_go(

@@ -44,6 +44,8 @@ def test_they_have_the_names_of_ros() -> None:
     assert zbot.compat
     fixtures = importlib.import_module("test_msgs.message_fixtures")
     assert len(fixtures.get_test_msg("Strings")) == 3
+    assert fixtures.get_msg_wstrings() == fixtures.get_test_msg("WStrings")
+    assert not hasattr(fixtures, "get_msg_strng")
     services = importlib.import_module("test_msgs.service_fixtures")
     assert len(services.get_test_srv("Empty")) == 1
     assert importlib.import_module("test_msgs.msg").Strings(string_value="x").string_value == "x"

@@ -10,6 +10,9 @@ from zbot.errors import UnknownNodeError as NodeNameNonExistentError
 from zbot.errors import UnsupportedEventTypeError as UnsupportedEventTypeError
 from zbot.errors import ZbotError as RCLError
 from zbot.errors import ZbotError as RMWError
+from zbot.event import EventHandle as EventHandle
+from zbot.event import QoSPublisherEventType as rcl_publisher_event_type_t  # noqa: N813 - rclpy
+from zbot.event import QoSSubscriptionEventType as rcl_subscription_event_type_t  # noqa: N813
 from zbot.executor import SingleThreadedExecutor as EventsExecutor
 from zbot.lifecycle import TransitionCallbackReturn as TransitionCallbackReturnType
 from zbot.log import get_logger_effective_level as rclpy_logging_get_logger_effective_level

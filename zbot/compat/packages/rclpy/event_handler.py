@@ -13,9 +13,11 @@ from zbot.event import QoSMatchedInfo as QoSPublisherMatchedInfo
 from zbot.event import QoSMatchedInfo as QoSSubscriptionMatchedInfo
 from zbot.event import QoSMessageLostInfo as QoSMessageLostInfo
 from zbot.event import QoSOfferedDeadlineMissedInfo as QoSOfferedDeadlineMissedInfo
+from zbot.event import QoSPublisherEventType as QoSPublisherEventType
 from zbot.event import QoSRequestedDeadlineMissedInfo as QoSRequestedDeadlineMissedInfo
 from zbot.event import QoSRequestedIncompatibleQoSInfo as QoSOfferedIncompatibleQoSInfo
 from zbot.event import QoSRequestedIncompatibleQoSInfo as QoSRequestedIncompatibleQoSInfo
+from zbot.event import QoSSubscriptionEventType as QoSSubscriptionEventType
 from zbot.event import SubscriptionEventCallbacks as SubscriptionEventCallbacks
 from zbot.log import get_logger as get_logger
 from zbot.qos import qos_policy_name_from_kind as qos_policy_name_from_kind
