@@ -218,7 +218,7 @@ def _validate_remap(source: str, target: str) -> None:
 def _parameter(found: Arguments, word: str) -> Arguments:
     node, name, text = _assignment(word, "-p", "speed:=1.5")
     try:
-        value = parameter_file.parse_value(text)
+        value = parameter_file.parse_value(text, of_one_kind=True)
     except ParameterValueError as error:
         raise ArgumentsError(word, str(error)) from error
     return replace(found, parameters=(*found.parameters, ParameterValue(name, value, node)))

@@ -34,8 +34,12 @@ _FLOAT = re.compile(
 _INTEGER = re.compile(r"[-+]?(?:0x[0-9a-fA-F]+|0b[01]+|0o?[0-7]*|[1-9][0-9_]*)\Z")
 
 
-def parse_value(text: str) -> Any:
+def parse_value(text: str, *, of_one_kind: bool = False) -> Any:
     """Return the value of a parameter written as YAML: `1.5`, `true`, `[1, 2]`, `hello`.
+
+    Args:
+        text: The YAML.
+        of_one_kind: Whether a list of several kinds is refused.
 
     Raises:
         ParameterValueError: The text is no YAML, or a value that no parameter can have.
@@ -45,7 +49,7 @@ def parse_value(text: str) -> Any:
         value = yaml.load(text, Loader=_loader())
     except (yaml.YAMLError, ValueError, RecursionError) as error:
         raise ParameterValueError(text, _problem(error)) from error
-    _check(text, value)
+    _check(text, value, of_one_kind=of_one_kind)
     return value
 
 
@@ -126,18 +130,20 @@ def _flat(path: str, prefix: str, values: dict[Any, Any]) -> dict[str, Any]:
             flat.update(_flat(path, f"{name}.", value))
             continue
         try:
-            _check(name, value)
+            _check(name, value, of_one_kind=True)
         except ParameterValueError as error:
             raise ParametersFileError(path, str(error)) from error
         flat[name] = value
     return flat
 
 
-def _check(text: str, value: Any) -> None:
+def _check(text: str, value: Any, *, of_one_kind: bool) -> None:
     items = value if isinstance(value, list) else [value]
     if any(not isinstance(item, (bool, int, float, str)) for item in items):
         reason = "a parameter is a bool, a number, a text or a list of one of these"
         raise ParameterValueError(text, reason)
+    if of_one_kind and len({float if type(item) is int else type(item) for item in items}) > 1:
+        raise ParameterValueError(text, f"the values of a list are of one kind, not {value!r}")
     if any(isinstance(item, int) and not -(2**63) <= item < 2**63 for item in items):
         raise ParameterValueError(text, "an integer parameter has 64 bits")
 
@@ -162,6 +168,8 @@ def _yaml() -> Any:
 def _loader() -> Any:
     """Return YAML's safe loader with ROS 2's idea of scalars: no dates, `1e3` is a number.
 
+    `null` and `~` are texts, and only nothing at all is no value.
+
     A key that is written twice continues what it began, where YAML forgets the first.
     """
     base = _yaml().SafeLoader
@@ -173,7 +181,7 @@ def _loader() -> Any:
     members = {"yaml_implicit_resolvers": {}, "construct_mapping": construct_mapping}
     loader: Any = type("_Loader", (base,), members)
     for first, resolvers in base.yaml_implicit_resolvers.items():
-        kept = {"bool", "null", "merge"}
+        kept = {"bool", "merge"} if first else {"null"}
         loader.yaml_implicit_resolvers[first] = [
             r for r in resolvers if r[0].split(":")[-1] in kept
         ]

@@ -153,6 +153,7 @@ def test_a_nodes_own_arguments_come_before_its_process_ones() -> None:
         (["-r", "__node:=a/b"], "__node:=a/b", "Invalid node name"),
         (["-p", "rate=1"], "rate=1", "`-p speed:=1.5`"),
         (["-p", "rate:=[1"], "rate:=[1", "line 1"),
+        (["-p", "rate:=[1, x]"], "rate:=[1, x]", "of one kind"),
         (["--log-level", "loud"], "loud", "one of unset, debug"),
         (["--log-level", "node:=loud"], "node:=loud", "one of unset, debug"),
         (["--log-level", ":=info"], ":=info", "one of unset, debug"),
