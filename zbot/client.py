@@ -11,6 +11,7 @@ import inspect
 import threading
 import time
 from collections import deque
+from dataclasses import dataclass
 from functools import partial
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
@@ -25,6 +26,7 @@ from zbot.errors import (
 )
 from zbot.executor import current_executor
 from zbot.foreign_call import called_by_zenoh, keep_thread_state
+from zbot.handle import Handle
 from zbot.interfaces import type_name
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.semaphore import LONGEST_WAIT_S, BinarySemaphore, Haste
@@ -90,6 +92,12 @@ class _Response(Future[ResponseT]):
         self._client = client
         self._exchange = exchange
         self._attempt = 0
+
+    @property
+    def number(self) -> int:
+        """The request's number, which its client counts from 1."""
+        number: int = LAYOUT.unpack(self._exchange.facts)[0]
+        return number
 
     def send(self) -> None:
         """Send the request, for the first time or again."""
@@ -175,6 +183,11 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             dialect.topic_key(context.get_domain_id(), token.name)
         )
         self._liveliness = context.graph.announce(token)
+
+    @property
+    def handle(self) -> ClientHandle:
+        """What a `WaitSet` takes, and what responses can be taken from without an executor."""
+        return ClientHandle(self)
 
     @property
     def is_destroyed(self) -> bool:
@@ -494,3 +507,36 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             if self._listener is not None:
                 self._listener.undeclare()
             querier.undeclare()
+
+
+@dataclass(frozen=True)
+class ResponseHeader:
+    """Which request it is whose response a program took itself."""
+
+    sequence_number: int  #: what `send_request` returned
+
+
+class ClientHandle(Handle[Client[Any, Any]]):
+    """A client's handle."""
+
+    def service_server_is_available(self) -> bool:
+        """Return whether a server is there."""
+        return self.entity.service_is_ready()
+
+    def send_request(self, request: Any) -> int:
+        """Send a request; return its number."""
+        return cast("_Response[Any]", self.entity.call_async(request)).number
+
+    def take_response(
+        self,
+        response_type: object = None,  # noqa: ARG002 - rclpy's signature
+    ) -> tuple[ResponseHeader, Any] | tuple[None, None]:
+        """Take the oldest response; two `None` if there is none.
+
+        Raises:
+            ServiceError: The call failed, or there was no server.
+        """
+        response = self.entity.take()
+        if response is None:
+            return None, None
+        return ResponseHeader(response.number), response.result()

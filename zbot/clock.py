@@ -216,6 +216,18 @@ class Clock:
         """The clock itself: there is nothing beneath it, unlike in rclpy."""
         return self
 
+    def __enter__(self) -> Self:
+        """Do nothing: programs hold rclpy's `handle` of a clock like that."""
+        return self
+
+    def __exit__(
+        self,
+        exc_type: type[BaseException] | None,
+        exc_val: BaseException | None,
+        exc_tb: TracebackType | None,
+    ) -> None:
+        """See `__enter__`."""
+
     def __repr__(self) -> str:
         return f"Clock(clock_type={self._clock_type.name})"
 

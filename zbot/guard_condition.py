@@ -40,9 +40,9 @@ class GuardCondition:
         self._triggered = False
 
     @property
-    def handle(self) -> Handle[GuardCondition]:
+    def handle(self) -> GuardConditionHandle:
         """What a `WaitSet` takes."""
-        return Handle(self)
+        return GuardConditionHandle(self)
 
     @property
     def has_work(self) -> bool:
@@ -68,3 +68,11 @@ class GuardCondition:
     def destroy(self) -> None:
         """Never run the callback again."""
         self.callback = None
+
+
+class GuardConditionHandle(Handle[GuardCondition]):
+    """A guard condition's handle."""
+
+    def trigger_guard_condition(self) -> None:
+        """Do what `GuardCondition.trigger` does."""
+        self.entity.trigger()

@@ -13,12 +13,9 @@ from zbot.guard_condition import GuardCondition
 from zbot.interfaces.type_support import check_is_valid_msg_type, check_is_valid_srv_type
 from zbot.log import get_logger
 from zbot.names import (
-    expand_topic_name,
     fully_qualified,
-    validate_full_topic_name,
     validate_namespace,
     validate_node_name,
-    validate_topic_name,
 )
 from zbot.node_graph import GraphQueries
 from zbot.node_handle import NodeHandle
@@ -230,14 +227,7 @@ class Node(GraphQueries, NodeParameters):
         return self._zbot_resolve(service, only_expand=only_expand, is_service=True)
 
     def _zbot_resolve(self, name: str, *, only_expand: bool, is_service: bool) -> str:
-        handle = self._zbot_handle
-        validate_topic_name(name, is_service=is_service)
-        full = expand_topic_name(name, handle.token.node, handle.token.namespace)
-        validate_full_topic_name(full, is_service=is_service)
-        if only_expand:
-            return full
-        remap = handle.arguments.remap_service if is_service else handle.arguments.remap_topic
-        return remap(full, handle.token.node, handle.token.namespace)
+        return self._zbot_handle.resolve(name, only_expand=only_expand, is_service=is_service)
 
     # -- what it has ---------------------------------------------------------------------------
 

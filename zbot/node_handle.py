@@ -11,7 +11,12 @@ from zbot.clock import ROSClock
 from zbot.errors import InvalidHandleError
 from zbot.interfaces import type_hash, type_name
 from zbot.mailbox import Mailbox
-from zbot.names import fully_qualified
+from zbot.names import (
+    expand_topic_name,
+    fully_qualified,
+    validate_full_topic_name,
+    validate_topic_name,
+)
 from zbot.parameter_store import ParameterStore
 from zbot.waitable import WaitableEntity
 from zbot.wire.tokens import EndpointToken, NodeToken
@@ -87,6 +92,16 @@ class NodeHandle:
     def logger_name(self) -> str:
         """The full name with dots, as log lines show it."""
         return self.full_name[1:].replace("/", ".")
+
+    def resolve(self, name: str, *, is_service: bool, only_expand: bool = False) -> str:
+        """Return the full name of a topic or service: expanded, and remapped as a rule."""
+        validate_topic_name(name, is_service=is_service)
+        full = expand_topic_name(name, self.token.node, self.token.namespace)
+        validate_full_topic_name(full, is_service=is_service)
+        if only_expand:
+            return full
+        remap = self.arguments.remap_service if is_service else self.arguments.remap_topic
+        return remap(full, self.token.node, self.token.namespace)
 
     def endpoint(
         self, kind: EntityKind, name: str, msg_type: type[Any], qos: QoSProfile

@@ -169,9 +169,9 @@ class Timer:
         return self._is_destroyed
 
     @property
-    def handle(self) -> Handle[Timer]:
-        """What a `WaitSet` takes."""
-        return Handle(self)
+    def handle(self) -> TimerHandle:
+        """What a `WaitSet` takes, and what calls can be taken from without an executor."""
+        return TimerHandle(self)
 
     @property
     def has_work(self) -> bool:
@@ -227,6 +227,14 @@ class Timer:
         exc_tb: TracebackType | None,
     ) -> None:
         self.destroy()
+
+
+class TimerHandle(Handle[Timer]):
+    """A timer's handle."""
+
+    def call_timer(self) -> None:
+        """Take the call that is due, if any, without running the callback."""
+        self.entity.take()
 
 
 def _wants_info(callback: Callable[..., Any]) -> bool:

@@ -2,6 +2,11 @@
 
 from zbot.action.goal_state import GoalEvent as GoalEvent
 from zbot.clock import ClockChange as ClockChange
+from zbot.compat.raw_entities import Client as Client
+from zbot.compat.raw_entities import GuardCondition as GuardCondition
+from zbot.compat.raw_entities import Service as Service
+from zbot.compat.raw_entities import Subscription as Subscription
+from zbot.compat.raw_entities import Timer as Timer
 from zbot.errors import ArgumentsError as RCLInvalidROSArgsError
 from zbot.errors import ArgumentsError as UnknownROSArgsError
 from zbot.errors import InvalidHandleError as InvalidHandle

@@ -1,0 +1,94 @@
+"""The classes of rclpy's C extension that a program's own `Waitable` is made of.
+
+Each gives the handle of one of zbot's objects that no executor looks at: the program puts it in its
+wait set and takes from it what is there. It ends with its node.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot import client, guard_condition, service, subscription, timer
+from zbot.callback_group import ReentrantCallbackGroup
+from zbot.mailbox import Mailbox
+from zbot.qos import PlainQoSProfile, QoSProfile
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from zbot.clock import Clock
+    from zbot.context import Context
+    from zbot.handle import Handle
+    from zbot.node_handle import NodeHandle
+
+
+class _Own:
+    """What these objects have in place of a node's executor."""
+
+    def __init__(self, node: NodeHandle) -> None:
+        self.options: dict[str, Any] = {
+            "mailbox": Mailbox(),
+            "callback_group": ReentrantCallbackGroup(),
+            "logger_name": node.logger_name,
+        }
+
+
+def _profile(qos: PlainQoSProfile) -> QoSProfile:
+    return QoSProfile(**qos.to_dict())
+
+
+def Subscription(  # noqa: N802 - rclpy's name of a class
+    node: NodeHandle, msg_type: type[Any], topic: str, qos: PlainQoSProfile
+) -> subscription.SubscriptionHandle:
+    """Listen to a topic."""
+    name = node.resolve(topic, is_service=False)
+    token = node.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, _profile(qos))
+    made: subscription.Subscription[Any] = subscription.Subscription(
+        node.context, msg_type, lambda _: None, token, raw=False, **_Own(node).options
+    )
+    node.subscriptions.append(made)
+    made.start()
+    return made.handle
+
+
+def Service(  # noqa: N802 - rclpy's name of a class
+    node: NodeHandle, srv_type: type[Any], service_name: str, qos: PlainQoSProfile
+) -> service.ServiceHandle:
+    """Serve a service."""
+    name = node.resolve(service_name, is_service=True)
+    token = node.endpoint(EntityKind.SERVICE, name, srv_type, _profile(qos))
+    made: service.Service[Any, Any] = service.Service(
+        node.context, srv_type, lambda _, response: response, token, **_Own(node).options
+    )
+    node.services.append(made)
+    return made.handle
+
+
+def Client(  # noqa: N802 - rclpy's name of a class
+    node: NodeHandle, srv_type: type[Any], service_name: str, qos: PlainQoSProfile
+) -> client.ClientHandle:
+    """Call a service."""
+    name = node.resolve(service_name, is_service=True)
+    token = node.endpoint(EntityKind.CLIENT, name, srv_type, _profile(qos))
+    made: client.Client[Any, Any] = client.Client(
+        node.context, srv_type, token, **_Own(node).options
+    )
+    node.clients.append(made)
+    return made.handle
+
+
+def GuardCondition(  # noqa: N802 - rclpy's name of a class
+    context: Handle[Context],
+) -> guard_condition.GuardConditionHandle:
+    """Let any thread make the waitable ready."""
+    return guard_condition.GuardCondition(context=context.entity).handle
+
+
+def Timer(  # noqa: N802 - rclpy's name of a class
+    clock: Clock,
+    context: Handle[Context],  # noqa: ARG001 - rclpy's signature
+    period_nsec: int,
+    autostart: bool = True,
+) -> timer.TimerHandle:
+    """Make the waitable ready every period."""
+    group = ReentrantCallbackGroup()
+    return timer.Timer(None, group, period_nsec, clock, Mailbox(), autostart=autostart).handle
