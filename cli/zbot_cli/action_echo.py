@@ -6,8 +6,10 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
+from zbot.plain_message import json_value
 from zbot.qos import QoSProfile, qos_profile_action_status_default
 from zbot_cli.action_type import only_action_type, resolve_action_type, suggestion
+from zbot_cli.call_event import event_json, event_text
 from zbot_cli.listing import print_json
 from zbot_cli.looking import hidden_node
 
@@ -106,12 +108,17 @@ class ActionEcho:
         subscription.report_losses_to(_take_no_notice)
 
     def _show(self, part: str, message: Any, info: Any) -> None:
+        is_event = part.endswith("_SERVICE")
         if self._form.json:
-            from zbot.plain_message import json_value  # noqa: PLC0415 - seldom used
-
-            print_json({"interface": part, "message": json_value(message)})
+            shown = event_json(message) if is_event else json_value(message)
+            print_json({"interface": part, "message": shown})
         else:
-            sys.stdout.write(f"interface: {part}\n{self._format.text(self._name, message, info)}")
+            text = (
+                event_text(message, self._form)
+                if is_event and not self._form.csv
+                else self._format.text(self._name, message, info)
+            )
+            sys.stdout.write(f"interface: {part}\n{text}")
         sys.stdout.flush()
 
 

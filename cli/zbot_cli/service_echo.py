@@ -5,12 +5,10 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING, Any
 
-from zbot.plain_message import json_value, plain
-from zbot.service_introspection import Step
-from zbot.yaml_text import dump
+from zbot_cli.call_event import event_json, event_text
 from zbot_cli.listing import print_json
 from zbot_cli.looking import hidden_node
-from zbot_cli.message_text import SEPARATOR, Formatter
+from zbot_cli.message_text import Formatter
 from zbot_cli.service_type import (
     SeveralServiceTypesError,
     known_services,
@@ -26,7 +24,6 @@ if TYPE_CHECKING:
     from zbot_cli.message_text import Form
     from zbot_cli.qos_options import Choice
 
-_NAMES = {step.value: step.name for step in Step}
 _STEP_S = 0.5  # a signal does not end waiting for the graph
 
 
@@ -82,19 +79,12 @@ class ServiceEcho:
 
     def _show(self, event: Any, info: MessageInfo) -> None:
         if self._form.json:
-            print_json(_named(json_value(event)))
+            print_json(event_json(event))
         elif self._form.csv:
             sys.stdout.write(self._format.text(self._topic, event, info))
         else:
-            sys.stdout.write(dump(_named(plain(event, self._form))) + SEPARATOR)
+            sys.stdout.write(event_text(event, self._form))
         sys.stdout.flush()
-
-
-def _named(event: dict[str, Any]) -> dict[str, Any]:
-    """Return an event with the name of its step in place of the number."""
-    number = event["info"]["event_type"]
-    event["info"]["event_type"] = _NAMES.get(number, number)
-    return event
 
 
 def _known_type(graph: Snapshot, name: str) -> str | None:

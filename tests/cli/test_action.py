@@ -13,6 +13,7 @@ import zbot as library
 from tests.cli.command import zbot
 from tests.conftest import wait_until
 from zbot.action import ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
+from zbot.service_introspection import ServiceIntrospectionState
 
 from example_interfaces.action import Fibonacci
 
@@ -179,6 +180,23 @@ def test_echo_shows_feedback_and_status(server: library.Node, start: Start) -> N
     program.wait_for("goal_id:")
     program.stop(signal.SIGINT)
     assert "interface: STATUS_TOPIC" in program.output
+
+
+@pytest.mark.parametrize(
+    ("option", "step"),
+    [((), "  event_type: REQUEST_RECEIVED"), (("--json",), '"event_type": "REQUEST_RECEIVED"')],
+)
+def test_echo_names_the_steps_of_calls(
+    server: library.Node, start: Start, option: tuple[str, ...], step: str
+) -> None:
+    server.server.configure_introspection(  # type: ignore[attr-defined]
+        server.get_clock(), 10, ServiceIntrospectionState.METADATA
+    )
+    program = start("zbot", "action", "echo", "/fibonacci", "-i", "GOAL_SERVICE", *option)
+    topic = "/fibonacci/_action/send_goal/_service_event"
+    assert wait_until(lambda: server.count_subscribers(topic) == 1)
+    zbot("action", "send_goal", "/fibonacci", "order: 2")
+    program.wait_for(step)
 
 
 def test_echo_refuses_what_is_no_part_of_an_action() -> None:
