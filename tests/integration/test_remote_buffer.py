@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -11,6 +11,7 @@ from zbot.tf2 import Buffer, ConnectivityException, LookupException, TimeoutExce
 from zbot.tf2.remote_buffer import BufferClient, BufferServer
 
 from geometry_msgs.msg import PointStamped, TransformStamped
+from tf2_msgs.action import LookupTransform
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -82,3 +83,27 @@ def test_a_missing_server_is_told(make_context: MakeContext) -> None:
     client = BufferClient(node, "missing", timeout_padding=MOMENT)
     with pytest.raises(TimeoutException, match="no node serves the action missing"):
         client.lookup_transform("map", "robot", LATEST)
+
+
+def test_the_padding_may_be_seconds(make_context: MakeContext) -> None:
+    client = BufferClient(zbot.Node("asking", context=make_context()), "missing", 10.0, 0.01)
+    assert not client.can_transform("map", "robot", LATEST)
+
+
+def test_a_server_without_topics_is_asked(make_context: MakeContext, spin: Spin) -> None:
+    node = zbot.Node("bare", context=make_context())
+    parts = LookupTransform.Impl
+
+    def accept(_: Any, response: Any) -> Any:
+        response.accepted = True
+        return response
+
+    def answer(_: Any, response: Any) -> Any:
+        response.result.transform.child_frame_id = "robot"
+        return response
+
+    node.create_service(parts.SendGoalService, "bare/_action/send_goal", accept)
+    node.create_service(parts.GetResultService, "bare/_action/get_result", answer)
+    spin(node)
+    client = BufferClient(zbot.Node("asking", context=make_context()), "bare")
+    assert client.lookup_transform("map", "robot", LATEST).child_frame_id == "robot"

@@ -14,6 +14,7 @@ from zbot.tf2 import (
     Buffer,
     LookupException,
     StaticTransformBroadcaster,
+    StaticTransformListener,
     TransformBroadcaster,
     TransformListener,
     TypeException,
@@ -66,6 +67,19 @@ def test_a_listener_hears_what_moves_and_what_does_not(
     found = buffer.lookup_transform("map", "imu", NOW)
     assert found.transform.translation.x == 2
     listener.unregister()
+    listener.unregister()
+
+
+def test_a_static_listener_hears_only_what_does_not_move(
+    robot: zbot.Node, watcher: zbot.Node, spin: Spin
+) -> None:
+    moving = TransformBroadcaster(robot)
+    StaticTransformBroadcaster(robot).sendTransform(told("base", "laser"))
+    buffer = Buffer()
+    listener = StaticTransformListener(buffer, watcher)
+    spin(watcher)
+    assert moving.pub_tf.get_subscription_count() == 0
+    assert buffer.can_transform("base", "laser", NOW, SECOND)
     listener.unregister()
 
 

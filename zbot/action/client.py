@@ -183,6 +183,10 @@ class ActionClient(Generic[GoalT, ResultT, FeedbackT]):
         topics = (self._feedback.topic_name, self._status.topic_name)
         return all(snapshot.publishers(topic) for topic in topics)
 
+    def wait_for_goal_service(self, timeout_sec: float) -> bool:
+        """Wait for who takes goals, complete with the rest of an action server or not."""
+        return self._goal_client.wait_for_service(timeout_sec)
+
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
         """Wait for a server.
 

@@ -23,4 +23,5 @@ from zbot.tf2.errors import NotImplementedException as NotImplementedException
 from zbot.tf2.errors import TimeoutException as TimeoutException
 from zbot.tf2.errors import TransformException as TransformException
 from zbot.tf2.errors import TypeException as TypeException
+from zbot.tf2.listener import StaticTransformListener as StaticTransformListener
 from zbot.tf2.listener import TransformListener as TransformListener

@@ -161,11 +161,10 @@ class Buffer(BufferCore, BufferInterface):
             future.set_result(found)
         return future
 
-    def _set(self, transform: Any, authority: str, *, is_static: bool) -> bool:
-        is_kept = super()._set(transform, authority, is_static=is_static)
+    def _set(self, transform: Any, authority: str, *, is_static: bool) -> None:
+        super()._set(transform, authority, is_static=is_static)
         for future, found in self._found() if self._waiting else ():
             future.set_result(found)  # without the lock: it may call anything
-        return is_kept
 
     def _found(self) -> list[tuple[Future[Any], Any]]:
         """Return the futures whose transforms are known by now, and wait for them no more."""

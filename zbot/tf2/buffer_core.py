@@ -40,21 +40,21 @@ class BufferCore:
 
     # -- telling -------------------------------------------------------------------------------
 
-    def set_transform(self, transform: Any, authority: str = "default_authority") -> bool:
-        """Take note of a `TransformStamped`; `False` if it is useless (logged once) or too old."""
-        return self._set(transform, authority, is_static=False)
+    def set_transform(self, transform: Any, authority: str = "default_authority") -> None:
+        """Take note of a `TransformStamped`; one that is useless or too old is logged once."""
+        self._set(transform, authority, is_static=False)
 
-    def set_transform_static(self, transform: Any, authority: str = "default_authority") -> bool:
+    def set_transform_static(self, transform: Any, authority: str = "default_authority") -> None:
         """Take note of a `TransformStamped` that holds for ever."""
-        return self._set(transform, authority, is_static=True)
+        self._set(transform, authority, is_static=True)
 
-    def _set(self, transform: Any, authority: str, *, is_static: bool) -> bool:
+    def _set(self, transform: Any, authority: str, *, is_static: bool) -> None:
         parent = transform.header.frame_id.removeprefix("/")
         child = transform.child_frame_id.removeprefix("/")
         fault = _fault(parent, child, transform.transform)
         if fault:
             self._refuse(f"a transform from {authority} is ignored: {fault}")
-            return False
+            return
         stamp = Time.from_msg(transform.header.stamp).nanoseconds
         sample = Sample(stamp, parent, _rigid(transform.transform))
         with self._changed:
@@ -67,7 +67,6 @@ class BufferCore:
                 f"old transforms of the frame {child!r} from {authority} are ignored: they are "
                 "from before everything that is remembered"
             )
-        return is_kept
 
     def _refuse(self, text: str) -> None:
         if text not in self._refused:

@@ -33,6 +33,7 @@ class TransformListener:
         static_qos: For `/tf_static`; with the messages sent before, if left out.
         tf_topic: Another topic than `/tf`.
         tf_static_topic: Another topic than `/tf_static`.
+        static_only: Leave `/tf` alone.
     """
 
     def __init__(
@@ -45,16 +46,18 @@ class TransformListener:
         static_qos: QoSProfile | int | None = None,
         tf_topic: str = TF_TOPIC,
         tf_static_topic: str = TF_STATIC_TOPIC,
+        static_only: bool = False,
     ) -> None:
         self.buffer = buffer
         self._own_node = Node("transform_listener") if node is None else None
         feeder: Any = node or self._own_node
         self.node: Any = feeder
         self.group = ReentrantCallbackGroup()
+        self._subscriptions: list[Any] = []
         kept = QoSProfile(depth=_DEPTH, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        self.tf_sub = self._subscribe(
-            tf_topic, self.callback, QoSProfile(depth=_DEPTH) if qos is None else qos
-        )
+        if not static_only:
+            changing = QoSProfile(depth=_DEPTH) if qos is None else qos
+            self.tf_sub = self._subscribe(tf_topic, self.callback, changing)
         self.tf_static_sub = self._subscribe(
             tf_static_topic, self.static_callback, kept if static_qos is None else static_qos
         )
@@ -72,6 +75,7 @@ class TransformListener:
             TFMessage, topic, callback, qos, callback_group=self.group
         )
         self.buffer.subscriptions.append(subscription)
+        self._subscriptions.append(subscription)
         return subscription
 
     def _start(self) -> None:
@@ -105,7 +109,7 @@ class TransformListener:
 
     def unregister(self) -> None:
         """Listen no more; may be called twice."""
-        for subscription in (self.tf_sub, self.tf_static_sub):
+        for subscription in self._subscriptions:
             if subscription in self.buffer.subscriptions:
                 self.buffer.subscriptions.remove(subscription)
             self.node.destroy_subscription(subscription)
@@ -114,3 +118,33 @@ class TransformListener:
             self.executor.shutdown(0)
         if self._own_node is not None:
             self._own_node.destroy_node()
+
+
+class StaticTransformListener(TransformListener):
+    """Feeds a buffer with the transforms that hold for ever, and no others.
+
+    Args:
+        buffer: Who is fed.
+        node: Who subscribes.
+        spin_thread: Whether a thread of its own spins the node, instead of the program.
+        static_qos: Quality of service; with the messages sent before, if left out.
+        tf_static_topic: Another topic than `/tf_static`.
+    """
+
+    def __init__(
+        self,
+        buffer: Buffer,
+        node: Node,
+        *,
+        spin_thread: bool = False,
+        static_qos: QoSProfile | int | None = None,
+        tf_static_topic: str = TF_STATIC_TOPIC,
+    ) -> None:
+        super().__init__(
+            buffer,
+            node,
+            spin_thread=spin_thread,
+            static_qos=static_qos,
+            tf_static_topic=tf_static_topic,
+            static_only=True,
+        )

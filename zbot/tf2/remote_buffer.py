@@ -85,7 +85,8 @@ class BufferClient(BufferInterface):
         node: Asks; another thread, or the callback that asks, runs its executor.
         ns: The action's name.
         check_frequency: Accepted: nothing is polled.
-        timeout_padding: How long to wait for the server, beyond each lookup's own timeout.
+        timeout_padding: How long to wait for the server, beyond each lookup's own timeout; a
+            `Duration`, or seconds.
     """
 
     def __init__(
@@ -93,10 +94,12 @@ class BufferClient(BufferInterface):
         node: Node,
         ns: str,
         check_frequency: float = 10.0,
-        timeout_padding: Duration = _PADDING,
+        timeout_padding: Duration | float = _PADDING,
     ) -> None:
         self._client: ActionClient[Any, Any, Any] = ActionClient(node, LookupTransform, ns)
         self._name = ns
+        if not isinstance(timeout_padding, Duration):
+            timeout_padding = Duration(seconds=timeout_padding)
         self._padding = timeout_padding
 
     def wait_for_server(self, timeout: Duration = NO_WAIT) -> bool:
@@ -169,7 +172,7 @@ class BufferClient(BufferInterface):
 
     def _ask(self, timeout: Duration, **question: Any) -> Any:
         patience = (timeout + self._padding).nanoseconds / 1e9
-        if not self._client.wait_for_server(patience):
+        if not self._client.wait_for_goal_service(patience):
             raise TimeoutException(f"no node serves the action {self._name}")
         goal = LookupTransform.Goal(timeout=timeout.to_msg(), **question)
         result = self._client.send_goal(goal).result

@@ -154,8 +154,8 @@ def test_what_is_older_than_the_cache_is_forgotten() -> None:
     is_known, why = core.can_transform_core("map", "base", at(6))
     assert not is_known
     assert "into the past" in why
-    assert not core.set_transform(told("map", "base", at_s=3))
-    assert not core.set_transform(told("map", "base", at_s=9))
+    core.set_transform(told("map", "base", at_s=3))
+    assert not core.can_transform_core("map", "base", at(6))[0]
 
 
 @pytest.mark.parametrize(
@@ -178,8 +178,8 @@ def test_useless_transforms_are_refused_and_told_once(
     message = told(parent, child)
     message.transform.translation.x = change.get("x", 0.0)
     message.transform.rotation.w = change.get("w", 1.0)
-    assert not core.set_transform(message)
-    assert not core.set_transform(message)
+    core.set_transform(message)
+    core.set_transform(message)
     (line,) = (record.message for record in logged)
     assert reason in line
 

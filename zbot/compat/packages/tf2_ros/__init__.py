@@ -20,6 +20,7 @@ from zbot.tf2.errors import NotImplementedException as NotImplementedException
 from zbot.tf2.errors import TimeoutException as TimeoutException
 from zbot.tf2.errors import TransformException as TransformException
 from zbot.tf2.errors import TypeException as TypeException
+from zbot.tf2.listener import StaticTransformListener as StaticTransformListener
 from zbot.tf2.listener import TransformListener as TransformListener
 
 from geometry_msgs.msg import TransformStamped as TransformStamped
@@ -30,6 +31,7 @@ _submodule = submodules(
     "buffer_client",
     "buffer_interface",
     "static_transform_broadcaster",
+    "static_transform_listener",
     "transform_broadcaster",
     "transform_listener",
 )

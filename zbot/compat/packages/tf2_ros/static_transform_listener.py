@@ -1,0 +1,3 @@
+"""Listeners to what holds for ever."""
+
+from zbot.tf2.listener import StaticTransformListener as StaticTransformListener
