@@ -18,13 +18,13 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
 import zenoh
 
+from zbot.callback_stack import callbacks, current_executor
 from zbot.errors import (
     InvalidHandleError,
     NotInitializedError,
     RequestTypeError,
     ServiceError,
 )
-from zbot.executor import current_executor
 from zbot.foreign_call import called_by_zenoh, keep_thread_state
 from zbot.handle import Handle
 from zbot.interfaces import type_name
@@ -439,10 +439,18 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
     # -- answers -------------------------------------------------------------------------------
 
     def complete(self, response: _Response[ResponseT], reply: zenoh.Reply | None) -> None:
-        """Give a call's future what came for it; in Zenoh's thread."""
+        """Give a call's future what came for it; in Zenoh's thread, or the server's own."""
         with self._lock:
             if self._pending.pop(response, None) is None:
                 return  # nobody waits any more
+        executor = current_executor()
+        if reply is not None and executor is not None and executor is self.mailbox.executor:
+            # The server's callback may have more to do: who spins until then sees it done.
+            callbacks.at_end(partial(self._finish, response, reply))
+        else:
+            self._finish(response, reply)
+
+    def _finish(self, response: _Response[ResponseT], reply: zenoh.Reply | None) -> None:
         try:
             response.set_result(self._read(reply))
         except (ServiceError, CodecError) as error:

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.agenda import Agenda
 from zbot.callback_group import CallbackGroup, ReentrantCallbackGroup, Refused
+from zbot.callback_stack import callbacks
 from zbot.errors import (
     ConditionReachedException,
     ExecutorBusyError,
@@ -37,21 +38,6 @@ if TYPE_CHECKING:
     from zbot.node import Node
 
 _main_spins = 0
-
-
-class _Inside(threading.local):
-    """The callbacks that a thread is in, the innermost last."""
-
-    def __init__(self) -> None:
-        self.stack: list[tuple[Executor, Entity]] = []
-
-
-_inside = _Inside()
-
-
-def current_executor() -> Executor | None:
-    """Return the executor whose callback the calling thread is in, if any."""
-    return _inside.stack[-1][0] if _inside.stack else None
 
 
 def spinning_in_main_thread() -> bool:
@@ -335,7 +321,7 @@ class Executor:
         """Run a piece of work and, while nobody else has any, the entity's next ones."""
         outcome = None
         execute, take = entity.execute, entity.take
-        _inside.stack.append((self, entity))
+        callbacks.stack.append((self, entity))
         try:
             # The common case of a busy topic: without a turn of the queue a message costs half.
             while (outcome := execute(taken)) is None and not self._is_disturbed:
@@ -351,7 +337,7 @@ class Executor:
             # The callback used what another thread, or the end of the program, has just closed.
             raise ExternalShutdownException from exc
         finally:
-            _inside.stack.pop()
+            callbacks.pop()
             if outcome is None or not hasattr(outcome, "send"):
                 self._finish(entity)
         if outcome is not None and hasattr(outcome, "send"):
@@ -385,10 +371,10 @@ class Executor:
             Whether there was any, and the entity's group let it run.
         """
         group = entity.callback_group
-        is_held = any(outer.callback_group is group for _, outer in _inside.stack)
+        is_held = any(outer.callback_group is group for _, outer in callbacks.stack)
         if not is_held and not self._refused.begins(entity):
             return False
-        _inside.stack.append((self, entity))
+        callbacks.stack.append((self, entity))
         try:
             taken = entity.take()
             if taken is not None:
@@ -397,7 +383,7 @@ class Executor:
                     self.create_task(outcome)
             return taken is not None
         finally:
-            _inside.stack.pop()
+            callbacks.pop()
             for waiting in () if is_held else self._refused.ends(entity):
                 self._queue(waiting)
 
@@ -418,7 +404,7 @@ class Executor:
         if mailbox is not None and mailbox.executor is not self:
             mailbox.post(entity)
             return False
-        if any(outer is entity for _, outer in _inside.stack):
+        if any(outer is entity for _, outer in callbacks.stack):
             return False  # a callback never begins inside itself; it is asked again at its end
         if self.serve(entity):
             self._queue(entity)  # it may have more

@@ -5,8 +5,8 @@ from __future__ import annotations
 import time as clock
 from typing import TYPE_CHECKING, Any
 
+from zbot.callback_stack import current_executor
 from zbot.errors import ArgumentTypeError
-from zbot.executor import current_executor
 from zbot.semaphore import LONGEST_WAIT_S
 from zbot.task import Future
 from zbot.tf2.buffer_core import BufferCore

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import threading
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -46,6 +47,22 @@ def test_a_goal_is_handed_over_before_spinning_for_its_answer_ends(
     lone.executor.spin_until_future_complete(future, 5)
     assert done(future).accepted
     assert [goal.state for goal in accepted] == [GoalState.ACCEPTED]
+
+
+def test_beside_other_threads_too(make_context: MakeContext) -> None:
+    accepted: list[Goal] = []
+
+    def accept(goal: Goal) -> None:
+        threading.Event().wait(0.1)  # the thread that spins would be faster by far
+        accepted.append(goal)
+
+    lone = Lone(make_context(), accept)
+    executor = zbot.MultiThreadedExecutor(2, context=lone.node.context)
+    executor.add_node(lone.node)
+    future = lone.send()
+    executor.spin_until_future_complete(future, 5)
+    assert done(future).accepted
+    assert len(accepted) == 1
 
 
 def test_what_taking_over_raises_is_the_servers_mistake(make_context: MakeContext) -> None:
