@@ -75,6 +75,8 @@ tf2_ros: TransformException LookupException ConnectivityException ExtrapolationE
 tf2_ros: InvalidArgumentException TimeoutException TypeException NotImplementedException
 tf2_ros: TransformRegistration ConvertRegistration convert TransformStamped
 tf2_ros: BufferClient BufferServer buffer transform_listener
+tf2_ros.static_transform_listener: StaticTransformListener
+rclpy.event_handler: QoSPublisherEventType QoSSubscriptionEventType EventHandler
 tf2_ros.buffer: Buffer
 tf2_ros.buffer_client: BufferClient
 tf2_ros.buffer_interface: BufferInterface TransformRegistration
