@@ -81,7 +81,16 @@ class LaunchArgumentError(LaunchError, ValueError):
         return cls(f"launch argument '{name}' is '{value}', but must be one of {told}", hint)
 
 
-class SubstitutionError(LaunchError, ValueError):
+class IncludeArgumentError(LaunchArgumentError, RuntimeError):
+    """An included launch file needs an argument that the include does not give."""
+
+    def __init__(self, name: str, given: Iterable[str]) -> None:
+        told = ", ".join(given)
+        text = f'Included launch description missing required argument "{name}", given: [{told}]'
+        super().__init__(text, f"add '{name}' to the launch_arguments of the include")
+
+
+class SubstitutionError(LaunchError, RuntimeError, ValueError):
     """A substitution cannot be turned into text."""
 
     def __init__(self, message: str, hint: str = "") -> None:

@@ -7,8 +7,15 @@ from typing import TYPE_CHECKING, Any, List  # noqa: UP035 - as extensions write
 
 import pytest
 
-from zbot.launch import LaunchContext
-from zbot.launch.actions import ExecuteProcess, GroupAction, Node
+from zbot.launch import LaunchContext, LaunchDescription, LaunchDescriptionSource
+from zbot.launch.actions import (
+    DeclareLaunchArgument,
+    ExecuteProcess,
+    GroupAction,
+    IncludeLaunchDescription,
+    Log,
+    Node,
+)
 from zbot.launch.actions.executable import Executable
 from zbot.launch.errors import CoercionError, UnknownNameError
 from zbot.launch.frontend.errors import (
@@ -138,3 +145,53 @@ def test_an_executable_knows_its_command_line_in_a_launch() -> None:
     assert executable.final_env is not None
     assert executable.final_env["A"] == "b"
     assert (executable.final_name, executable.final_cwd) == ("ls", "/")
+
+
+def texts(entity: LaunchDescriptionEntity, context: LaunchContext) -> list[str]:
+    """Return what the `log` tags inside of an entity say, in their order."""
+    if isinstance(entity, Log):
+        return [perform(context, entity.msg)]
+    said: list[str] = []
+    for one in entity.visit(context) or ():
+        said += texts(one, context)
+    return said
+
+
+@pytest.mark.parametrize(
+    ("loop", "expected"),
+    [
+        ('<for len="2" name="i"><log message="n$(index i)"/></for>', ["n0", "n1"]),
+        (
+            """<for_each values="{a: x};{a: y, b: z}">
+            <group><log message="$(for-var a)$(for-var b -)"/></group></for_each>""",
+            ["x-", "yz"],
+        ),
+        ('<for len="0" name="i"><log message="$(index i)"/></for>', []),
+    ],
+)
+def test_loops_have_values(loop: str, expected: list[str]) -> None:
+    assert texts(described(f"<launch>{loop}</launch>"), LaunchContext()) == expected
+
+
+def test_a_value_of_no_loop_is_an_error() -> None:
+    with pytest.raises(RuntimeError, match="no loop around this has a value 'i'"):
+        perform(LaunchContext(), parse("$(index i)"))
+
+
+def test_the_environment_is_replaced() -> None:
+    context = LaunchContext()
+    described('<launch><rep_env><env name="a" value="b"/></rep_env></launch>').visit(context)
+    assert context.environment == {"a": "b"}
+
+
+def test_texts_are_joined() -> None:
+    assert perform(LaunchContext(), parse("$(string-join . a $(env X b))")) == "a.b"
+
+
+def test_an_include_is_given_its_arguments_itself() -> None:
+    context = LaunchContext()
+    context.launch_configurations["robot"] = "not given by the include"
+    included = LaunchDescriptionSource(LaunchDescription([DeclareLaunchArgument("robot")]))
+    with pytest.raises(RuntimeError, match='missing required argument "robot", given: \\[speed\\]'):
+        IncludeLaunchDescription(included, launch_arguments={"speed": "1"}).visit(context)
+    IncludeLaunchDescription(included, launch_arguments={"robot": "1"}).visit(context)

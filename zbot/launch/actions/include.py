@@ -10,6 +10,7 @@ from zbot.launch.arguments import declared_arguments
 from zbot.launch.description import LaunchDescription
 from zbot.launch.errors import (
     EntityTypeError,
+    IncludeArgumentError,
     IncludeLoopError,
     LaunchArgumentError,
     LaunchFileError,
@@ -79,7 +80,8 @@ class IncludeLaunchDescription(Action):
 
         Raises:
             IncludeLoopError: The file includes itself, without end.
-            LaunchArgumentError: An argument that it needs is not given.
+            IncludeArgumentError: An argument that it needs is not given.
+            LaunchArgumentError: It is not given where no launch file includes it.
         """
         description = self.launch_description_source.get_launch_description(context)
         sets: list[LaunchDescriptionEntity] = []
@@ -88,7 +90,7 @@ class IncludeLaunchDescription(Action):
             key = perform(context, normalize(name))
             given[key] = perform(context, _text(value))
             sets.append(SetLaunchConfiguration(key, given[key]))
-        self._check(description, {*given, *context.launch_configurations})
+        self._check(description, given)
         path = self.launch_description_source.path(context)
         if path is None:
             return [*sets, description]
@@ -110,11 +112,14 @@ class IncludeLaunchDescription(Action):
             raise IncludeLoopError([one for one, _ in (*chain[start:], link)])
         return (*chain, link)
 
-    def _check(self, description: LaunchDescription, given: set[str]) -> None:
-        # launch does so too: before anything of the file is done
+    def _check(self, description: LaunchDescription, given: Mapping[str, str]) -> None:
+        # launch does so too: before anything of the file is done, and whatever the including file
+        # calls its own
         for found in declared_arguments(description, follow_includes=False):
             action = found.action
             if action.default_value is None and not found.conditional and action.name not in given:
+                if self.origin is not None:
+                    raise IncludeArgumentError(action.name, given)
                 told = action.description if action.description != "no description given" else ""
                 error = LaunchArgumentError.missing(action.name, told)
                 raise error if action.origin is None else LaunchFileError.at(action.origin, error)

@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 from zbot.launch.action import Action
 from zbot.launch.errors import LaunchArgumentError
 from zbot.launch.substitution import describe, normalize, perform
+from zbot.launch.substitutions.value import ForEachVar
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Sequence
+    from collections.abc import Callable, Iterable, Mapping, Sequence
 
     from zbot.launch.context import LaunchContext
     from zbot.launch.entity import LaunchDescriptionEntity
@@ -18,6 +19,31 @@ if TYPE_CHECKING:
     Entities = Sequence[LaunchDescriptionEntity] | None
 
 SEPARATOR = ";"
+
+
+class _EnterRound(Action):
+    """Let `ForEachVar` and `ForLoopIndex` mean the values of a round."""
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        super().__init__()
+        self._values = {ForEachVar.get_local_arg_name(key): one for key, one in values.items()}
+
+    def execute(self, context: LaunchContext) -> None:
+        context.extend_locals(self._values)
+
+
+class _LeaveRound(Action):
+    """Let them mean what they did before."""
+
+    def execute(self, context: LaunchContext) -> None:
+        context.pop_locals()
+
+
+def in_a_round(
+    values: Mapping[str, Any], entities: Iterable[LaunchDescriptionEntity]
+) -> list[LaunchDescriptionEntity]:
+    """Return entities between what lets substitutions see the values of a loop's round."""
+    return [_EnterRound(values), *entities, _LeaveRound()]
 
 
 class ForEach(Action):

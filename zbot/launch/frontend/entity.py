@@ -58,12 +58,6 @@ class Entity:
         """Put an entity inside."""
         self._children.append(child)
 
-    def take(self, type_name: str) -> list[Entity]:
-        """Remove the entities of a kind from inside, and return them."""
-        taken = self.inside(type_name)
-        self._children = [child for child in self._children if child.type_name != type_name]
-        return taken
-
     def text(self, name: str) -> str | None:
         """Return an attribute as text; None if there is none."""
         self._used.add(name)

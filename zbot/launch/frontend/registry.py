@@ -106,6 +106,10 @@ def _expression(*words: Any) -> Substitution:
     return subs.PythonExpression(_joined([*words]))
 
 
+def _loop_value(name: Any, default: Any = None) -> Substitution:
+    return subs.ForEachVar(name, default_value=default)
+
+
 def _parameter(name: Any, default: Any = None) -> Substitution:
     return subs.Parameter(name, default=default)
 
@@ -139,6 +143,9 @@ _MAKERS: dict[str, tuple[Callable[..., Substitution], int, int]] = {
     "file-content": (subs.FileContent, 1, 1),
     "path-join": (lambda *parts: subs.PathJoinSubstitution(parts), 1, 999),
     "str-join": (lambda *parts: subs.StringJoinSubstitution(parts[1:], parts[0]), 1, 999),
+    "string-join": (lambda *parts: subs.StringJoinSubstitution(parts[1:], parts[0]), 1, 999),
+    "for-var": (_loop_value, 1, 2),
+    "index": (subs.ForLoopIndex, 1, 1),
     "param": (_parameter, 1, 2),
     "anon": (subs.AnonName, 1, 1),
     "pathsep": (lambda: TextSubstitution(text=os.pathsep), 0, 0),

@@ -6,6 +6,7 @@ import os
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch import actions
+from zbot.launch.actions.loop import in_a_round
 from zbot.launch.frontend.errors import SubstitutionSyntaxError
 from zbot.launch.frontend.registry import action, expose_action
 from zbot.launch.source import AnyLaunchDescriptionSource
@@ -13,6 +14,7 @@ from zbot.launch.substitution import TextSubstitution
 
 if TYPE_CHECKING:
     from zbot.launch.action import Action
+    from zbot.launch.entity import LaunchDescriptionEntity
     from zbot.launch.frontend.entity import Entity
     from zbot.launch.frontend.parser import Parser
     from zbot.launch.substitution import Substitution
@@ -107,11 +109,15 @@ def process_options(entity: Entity, parser: Parser) -> dict[str, Any]:
             raise entity.error(f"'on_exit' can only be 'shutdown', not '{options['on_exit']}'")
     if "respawn_max_retries" in options:
         options["respawn_max_retries"] = entity.get_attr("respawn_max_retries", data_type=int)
-    environment = {
+    environment = _environment(entity, parser)
+    return {**options, **({"additional_env": environment} if environment else {})}
+
+
+def _environment(entity: Entity, parser: Parser) -> dict[Any, list[Substitution]]:
+    return {
         parser.parse_substitution(one.required("name"))[0]: needed(one, parser, "value")
         for one in entity.inside("env")
     }
-    return {**options, **({"additional_env": environment} if environment else {})}
 
 
 @action("arg")
@@ -146,14 +152,36 @@ def _include(entity: Entity, parser: Parser) -> Action:
 def _group(entity: Entity, parser: Parser) -> Action:
     kept = {
         parser.parse_substitution(one.required("name"))[0]: needed(one, parser, "value")
-        for one in entity.take("keep")
+        for one in entity.inside("keep")
     }
+    inside = [one for one in entity.children if one.type_name != "keep"]
     return actions.GroupAction(
-        parser.actions(entity),
+        [parser.parse_action(one) for one in inside],
         scoped=truth(entity, "scoped", default=True),
         forwarding=truth(entity, "forwarding", default=True),
         launch_configurations=kept,
     )
+
+
+@action("for")
+def _for(entity: Entity, parser: Parser) -> Action:
+    name = entity.required("name")
+    parser.actions(entity)  # what is wrong inside shows even where there are no rounds
+
+    def one_round(i: int) -> list[LaunchDescriptionEntity]:
+        return in_a_round({name: i}, parser.actions(entity))
+
+    return actions.ForLoop(needed(entity, parser, "len"), function=one_round, name=name)
+
+
+@action("for_each")
+def _for_each(entity: Entity, parser: Parser) -> Action:
+    parser.actions(entity)  # as above
+
+    def one_round(**values: Any) -> list[LaunchDescriptionEntity]:
+        return in_a_round(values, parser.actions(entity))
+
+    return actions.ForEach(needed(entity, parser, "values"), function=one_round)
 
 
 @action("set_env")
@@ -176,6 +204,11 @@ def _append_env(entity: Entity, parser: Parser) -> Action:
         prepend=truth(entity, "prepend", default=False),
         separator=text(entity, parser, "separator") or os.pathsep,
     )
+
+
+@action("rep_env")
+def _replace_env(entity: Entity, parser: Parser) -> Action:
+    return actions.ReplaceEnvironmentVariables(_environment(entity, parser))
 
 
 @action("push_env")

@@ -22,6 +22,8 @@ from zbot.launch.substitutions.python_expression import PythonExpression as Pyth
 from zbot.launch.substitutions.value import AnonName as AnonName
 from zbot.launch.substitutions.value import EnvironmentVariable as EnvironmentVariable
 from zbot.launch.substitutions.value import FileContent as FileContent
+from zbot.launch.substitutions.value import ForEachVar as ForEachVar
+from zbot.launch.substitutions.value import ForLoopIndex as ForLoopIndex
 from zbot.launch.substitutions.value import LaunchConfiguration as LaunchConfiguration
 from zbot.launch.substitutions.value import LaunchLogDir as LaunchLogDir
 from zbot.launch.substitutions.value import LocalSubstitution as LocalSubstitution

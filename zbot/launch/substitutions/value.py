@@ -115,6 +115,51 @@ class LocalSubstitution(Substitution):
         return f"Local('{self.description or self.expression}')"
 
 
+class ForEachVar(Substitution):
+    """A value of the round that a `for_each` loop of a launch file in XML or YAML is in.
+
+    Args:
+        name: The value's name.
+        default_value: What to return where a round has none; an error if left out.
+    """
+
+    def __init__(
+        self,
+        name: SomeSubstitutionsType,
+        *,
+        default_value: SomeSubstitutionsType | None = None,
+    ) -> None:
+        self.name = normalize(name)
+        self.default_value = None if default_value is None else normalize(default_value)
+
+    @staticmethod
+    def get_local_arg_name(name: str) -> str:
+        """Return what the value is called among a launch's locals."""
+        return f"for_each_{name}"
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return the value as text.
+
+        Raises:
+            SubstitutionError: No round has a value of that name.
+        """
+        name = perform(context, self.name)
+        found = context.get_locals_as_dict().get(self.get_local_arg_name(name))
+        if found is not None:
+            return str(found)
+        if self.default_value is None:
+            raise SubstitutionError(f"no loop around this has a value '{name}'")
+        return perform(context, self.default_value)
+
+    def describe(self) -> str:
+        """Return the name."""
+        return f"{type(self).__name__}({describe(self.name)})"
+
+
+class ForLoopIndex(ForEachVar):
+    """The number of the round that a `for` loop is in; the name is the loop's."""
+
+
 class Parameter(Substitution):
     """The value of a parameter that `SetParameter` set for all nodes.
 
