@@ -52,7 +52,7 @@ class LaunchFileNotFoundError(LaunchError, FileNotFoundError):
         super().__init__(message)
 
 
-class LaunchArgumentError(LaunchError, ValueError):
+class LaunchArgumentError(LaunchError, RuntimeError, ValueError):
     """A launch argument is missing, malformed or not one of the choices."""
 
     def __init__(self, message: str, hint: str = "") -> None:
@@ -81,7 +81,7 @@ class LaunchArgumentError(LaunchError, ValueError):
         return cls(f"launch argument '{name}' is '{value}', but must be one of {told}", hint)
 
 
-class IncludeArgumentError(LaunchArgumentError, RuntimeError):
+class IncludeArgumentError(LaunchArgumentError):
     """An included launch file needs an argument that the include does not give."""
 
     def __init__(self, name: str, given: Iterable[str]) -> None:
@@ -108,6 +108,14 @@ class ConditionError(LaunchError, ValueError):
     def __init__(self, text: str) -> None:
         self.text = text
         super().__init__(f"a condition must be true, false, 1 or 0, not '{text}'")
+
+
+class TargetError(LaunchError, ValueError):
+    """An event handler is to look at something that is no action."""
+
+    def __init__(self, target: object) -> None:
+        self.target = target
+        super().__init__(f"target_action must be an action or a function, not {target!r}")
 
 
 class CoercionError(LaunchError, ValueError):

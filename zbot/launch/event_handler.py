@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias, cast
 
 from zbot.launch.entity import LaunchDescriptionEntity
+from zbot.launch.errors import TargetError
 from zbot.launch.event import ExecutionComplete, IncludeLaunchDescriptionEvent, Shutdown
 from zbot.launch.process_event import ProcessExited, ProcessIO, ProcessStarted
 
@@ -96,6 +97,9 @@ class OnActionEventBase(EventHandler):
         on_event: What to do.
         target_event_cls: The class of events.
         handle_once: Whether to act only on the first.
+
+    Raises:
+        TargetError: The matcher is something else.
     """
 
     def __init__(
@@ -106,6 +110,10 @@ class OnActionEventBase(EventHandler):
         target_event_cls: type[Event],
         handle_once: bool = False,
     ) -> None:
+        given: object = action_matcher
+        is_action = given is None or isinstance(given, LaunchDescriptionEntity)
+        if not is_action and not callable(given):
+            raise TargetError(given)
         self.target = action_matcher
         self.event_class = target_event_cls
         super().__init__(matcher=self._is_meant, entities=on_event, handle_once=handle_once)

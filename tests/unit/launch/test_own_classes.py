@@ -16,6 +16,7 @@ from zbot.launch import (
     Substitution,
 )
 from zbot.launch.actions import (
+    DeclareLaunchArgument,
     ExecuteProcess,
     ForEach,
     ForLoop,
@@ -35,12 +36,19 @@ from zbot.launch.condition import (
     evaluate_condition_expression,
 )
 from zbot.launch.errors import ConditionError, LaunchArgumentError
+from zbot.launch.event_handler import OnProcessExit
 from zbot.launch.frontend.registry import expose_action, expose_substitution
 from zbot.launch.frontend.substitution_text import parse
 from zbot.launch.parameters import Parameter, ParameterFile, evaluate_parameters
 from zbot.launch.source import load_launch_file
 from zbot.launch.substitution import perform
-from zbot.launch.substitutions import LaunchConfiguration, PythonExpression, ThisLaunchFileDir
+from zbot.launch.substitutions import (
+    EqualsSubstitution,
+    LaunchConfiguration,
+    PathSubstitution,
+    PythonExpression,
+    ThisLaunchFileDir,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -223,3 +231,27 @@ def test_arguments_are_checked() -> None:
     assert is_a(1, int)
     assert is_a_subclass(bool, int)
     assert not is_a_subclass(1, int)
+
+
+@pytest.mark.parametrize("options", [{"choices": []}, {"choices": ["a"], "default_value": "b"}])
+def test_an_argument_needs_choices_that_its_default_is_one_of(options: Any) -> None:
+    with pytest.raises(LaunchArgumentError):
+        DeclareLaunchArgument("name", **options)
+
+
+@pytest.mark.parametrize(
+    ("left", "right", "equal"),
+    [(1, "1.0", "true"), (None, "", "true"), (Path("a"), Path("b"), "false")],
+)
+def test_values_of_python_are_compared(left: Any, right: Any, equal: str) -> None:
+    assert EqualsSubstitution(left, right).perform(LaunchContext()) == equal
+
+
+def test_a_path_is_one_text_to_which_parts_are_added() -> None:
+    path = PathSubstitution("some") / "path"
+    assert path.perform(LaunchContext()) == str(Path("some", "path"))
+
+
+def test_a_handler_looks_at_an_action() -> None:
+    with pytest.raises(ValueError, match="must be an action or a function, not 'talker'"):
+        OnProcessExit(target_action="talker", on_exit=[])  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]

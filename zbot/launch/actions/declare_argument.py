@@ -23,6 +23,9 @@ class DeclareLaunchArgument(Action):
         default_value: The value where it is not given; without one it has to be.
         description: What it is for.
         choices: The only values it may have; any if left out.
+
+    Raises:
+        LaunchArgumentError: There are no choices, or the default is none of them.
     """
 
     def __init__(
@@ -41,6 +44,10 @@ class DeclareLaunchArgument(Action):
         # launch fails later, and less clearly, for a bool or a number
         is_value = isinstance(default_value, (bool, int, float))
         given = str(default_value) if is_value else default_value
+        if self.choices is not None and not self.choices:
+            raise LaunchArgumentError(f"launch argument '{name}' has no choices: leave them out")
+        if self.choices is not None and isinstance(given, str) and given not in self.choices:
+            raise LaunchArgumentError.no_choice(name, given, self.choices)
         self.default_value = None if given is None else normalize(given)
         self._told = description or ""
 

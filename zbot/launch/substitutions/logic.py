@@ -3,10 +3,17 @@
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from zbot.launch.errors import SubstitutionError
-from zbot.launch.substitution import Substitution, describe_list, normalize, perform, to_bool
+from zbot.launch.substitution import (
+    Substitution,
+    describe_list,
+    is_a_substitution,
+    normalize,
+    perform,
+    to_bool,
+)
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -92,10 +99,8 @@ def _as_number(text: str) -> float | None:
 class EqualsSubstitution(_Operation):
     """`true` if both sides are the same text, number or truth value."""
 
-    def __init__(
-        self, left: SomeSubstitutionsType | None, right: SomeSubstitutionsType | None
-    ) -> None:
-        super().__init__(*("" if side is None else side for side in (left, right)))
+    def __init__(self, left: Any, right: Any) -> None:
+        super().__init__(*map(_as_text, (left, right)))
 
     def perform(self, context: LaunchContext) -> str:
         """Return `true` or `false`."""
@@ -110,6 +115,13 @@ class EqualsSubstitution(_Operation):
             return math.isclose(numbers[0], numbers[1])
         truths = to_bool(left), to_bool(right)
         return truths[0] is not None and truths[0] == truths[1]
+
+
+def _as_text(value: Any) -> SomeSubstitutionsType:
+    """Return what stands for a value of Python in a comparison."""
+    if value is None:
+        return ""
+    return value if is_a_substitution(value) else str(value)
 
 
 class NotEqualsSubstitution(EqualsSubstitution):

@@ -33,7 +33,11 @@ class PathJoinSubstitution(Substitution):
         return PathJoinSubstitution([*self.substitutions, other])
 
 
-PathSubstitution = PathJoinSubstitution
+class PathSubstitution(PathJoinSubstitution):
+    """A path to add parts to: `PathSubstitution(FindPackageShare("p")) / "x.yaml"`."""
+
+    def __init__(self, path: SomeSubstitutionsType) -> None:
+        super().__init__([path])
 
 
 class StringJoinSubstitution(Substitution):
