@@ -20,6 +20,15 @@ Every public module, class, function and method of rclpy 9.1 (ROS 2 Kilted), and
 finds it here. This page is written by `python -m tests.unit.compat.rclpy_table`; a test keeps it
 true.
 
+What is there behaves as in rclpy, but for this:
+
+* A call of a service that has no server, or whose server ends, fails at once with a `ServiceError`;
+  in rclpy its future stays pending for ever.
+* What a node owns leaves the graph with its node, an action server too; in rclpy that stays until
+  its own `destroy()`.
+* A rate sleeps without an executor that spins in another thread.
+* A `MultiThreadedExecutor` has at least two threads unless it is told otherwise.
+
 """
 #: Why something is not there; by module, by `module.name`, or by the name alone.
 WHY = {
