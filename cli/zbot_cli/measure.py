@@ -10,6 +10,7 @@ import math
 import sys
 import time
 from collections import deque
+from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol
 
 from zbot.errors import ZbotError
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
 _PERIOD_S = 1.0
 _DEPTH = 1000  # a figure is wrong if messages are dropped here
 _NO_NEWS = "no new messages"
+_RESET = "time has reset, resetting counters"
 
 
 class MissingHeaderError(ZbotError):
@@ -57,6 +59,7 @@ class Kind(Protocol):
 
     decodes: bool
     announces: bool
+    reads_stamps: bool  #: whether the node's clock is needed, for that is what stamps are of
     columns: tuple[str, ...]
 
     def meter(self, now_ns: Callable[[], int]) -> Meter:
@@ -80,26 +83,35 @@ def spread(values: Sequence[float]) -> tuple[float, float, float, float]:
 
 
 class _IntervalMeter:
-    def __init__(self, window: int, accepts: Callable[[Any], bool] | None) -> None:
+    def __init__(
+        self, window: int, accepts: Callable[[Any], bool] | None, now_ns: Callable[[], int]
+    ) -> None:
         self._intervals: deque[float] = deque(maxlen=max(window, 1))
         self._accepts = accepts
-        self._last: float | None = None
+        self._now_ns = now_ns
+        self._last: int | None = None
         self._news = False
 
     def add(self, message: Any) -> None:
         if self._accepts is not None and not self._accepts(message):
             return
-        now = time.monotonic()
-        if self._last is not None:
-            self._intervals.append(now - self._last)
+        now = self._now_ns()
+        if now == 0:  # simulated time has not begun
+            return
+        if self._last is not None and now >= self._last:
+            self._intervals.append((now - self._last) / 1e9)
             self._news = True
+        elif self._last is not None:  # a simulation was started again
+            print(_RESET, file=sys.stderr, flush=True)
+            self._intervals.clear()
+            self._news = False
         self._last = now
 
     def figures(self) -> dict[str, float] | None:
-        if not self._news:
+        intervals = list(self._intervals)  # Zenoh's thread goes on adding
+        if not (self._news and intervals):
             return None
         self._news = False
-        intervals = list(self._intervals)
         mean, low, high, deviation = spread(intervals)
         return {
             "rate": 1 / mean if mean > 0 else math.inf,
@@ -113,7 +125,7 @@ class _IntervalMeter:
 class Rates:
     """How often messages come: `zbot topic hz`."""
 
-    announces = False
+    announces = reads_stamps = False
     columns: tuple[str, ...] = ("topic", "rate", "min_delta", "max_delta", "std_dev", "window")
 
     def __init__(self, window: int, filter_expression: str | None = None) -> None:
@@ -121,14 +133,14 @@ class Rates:
         self._filter = filter_expression
         self.decodes = filter_expression is not None
 
-    def meter(self, now_ns: Callable[[], int]) -> Meter:  # noqa: ARG002 - every kind's signature
+    def meter(self, now_ns: Callable[[], int]) -> Meter:
         """Return a meter for one topic."""
         accepts = None
         if self._filter is not None:
             from zbot_cli.filter import Filter  # noqa: PLC0415 - seldom used
 
             accepts = Filter(self._filter).accepts
-        return _IntervalMeter(self._window, accepts)
+        return _IntervalMeter(self._window, accepts, now_ns)
 
     def text(self, figures: dict[str, float]) -> str:
         """Return the two lines of ros2."""
@@ -150,19 +162,29 @@ class Rates:
 
 
 class _SizeMeter:
-    def __init__(self, window: int) -> None:
-        self._times: deque[float] = deque(maxlen=max(window, 2))
+    def __init__(self, window: int, now_ns: Callable[[], int]) -> None:
+        self._times: deque[int] = deque(maxlen=max(window, 2))
         self._sizes: deque[int] = deque(maxlen=max(window, 2))
+        self._now_ns = now_ns
 
     def add(self, message: Any) -> None:
-        self._times.append(time.monotonic())
+        now = self._now_ns()
+        if now == 0:  # simulated time has not begun
+            return
+        if self._times and now < self._times[-1]:  # a simulation was started again
+            print(_RESET, file=sys.stderr, flush=True)
+            self._times.clear()
+            self._sizes.clear()
+        self._times.append(now)
         self._sizes.append(len(message))
 
     def figures(self) -> dict[str, float] | None:
-        if len(self._times) < 2:
+        times, sizes = list(self._times), list(self._sizes)  # Zenoh's thread goes on adding
+        if min(len(times), len(sizes)) < 2:
             return None
-        elapsed = time.monotonic() - self._times[0]
-        sizes = list(self._sizes)  # Zenoh's thread goes on adding
+        elapsed = (self._now_ns() - times[0]) / 1e9
+        if elapsed <= 0:  # simulated time stands still
+            return None
         return {
             "bytes_per_second": sum(sizes) / elapsed,
             "messages": len(sizes),
@@ -176,15 +198,15 @@ class Bandwidths:
     """How many bytes come: `zbot topic bw`."""
 
     announces = True
-    decodes = False
+    decodes = reads_stamps = False
     columns: tuple[str, ...] = ("topic", "rate", "messages", "mean", "min", "max")
 
     def __init__(self, window: int) -> None:
         self._window = window
 
-    def meter(self, now_ns: Callable[[], int]) -> Meter:  # noqa: ARG002 - every kind's signature
+    def meter(self, now_ns: Callable[[], int]) -> Meter:
         """Return a meter for one topic."""
-        return _SizeMeter(self._window)
+        return _SizeMeter(self._window, now_ns)
 
     def text(self, figures: dict[str, float]) -> str:
         """Return the two lines of ros2."""
@@ -242,7 +264,7 @@ class Delays:
     """How old messages are when they come: `zbot topic delay`."""
 
     announces = False
-    decodes = True
+    decodes = reads_stamps = True
     columns: tuple[str, ...] = ("topic", "delay", "min", "max", "std_dev", "window")
 
     def __init__(self, window: int) -> None:
@@ -288,7 +310,10 @@ def measure(
         names = [name for name, _ in graph.topics()] if all_topics else list(map(full_name, topics))
         if not names:
             raise NoTopicError
-        meters = {name: kind.meter(lambda: node.get_clock().now().nanoseconds) for name in names}
+        now_ns = time.monotonic_ns
+        if use_sim_time or kind.reads_stamps:
+            now_ns = partial(_now_ns, node)
+        meters = {name: kind.meter(now_ns) for name in names}
         for name, meter in meters.items():
             publishers = graph.publishers(name)
             if not as_json:
@@ -300,6 +325,10 @@ def measure(
         report = _Report(kind, meters, as_json=as_json)
         node.create_timer(_PERIOD_S, report.show)
         zbot.spin(node)
+
+
+def _now_ns(node: Node) -> int:
+    return node.get_clock().now().nanoseconds
 
 
 def _announce(kind: Kind, name: str, *, known: bool, several: bool) -> None:
