@@ -23,7 +23,7 @@ _DEMO_NODES = frozenset({"add_two_ints_client", "add_two_ints_server", "listener
 _ALIASES: dict[str, frozenset[str]] = {
     "action_tutorials_cpp": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
     "action_tutorials_py": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
-    "demo_nodes_cpp": _DEMO_NODES,
+    "demo_nodes_cpp": _DEMO_NODES | {"parameter_blackboard"},
     "demo_nodes_py": _DEMO_NODES,
     "lifecycle": frozenset({"lifecycle_talker"}),
     "lifecycle_py": frozenset({"lifecycle_talker"}),

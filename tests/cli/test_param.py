@@ -451,6 +451,16 @@ def test_the_demonstration_takes_and_refuses_values(start: Start) -> None:
     assert "Traceback" not in demo.output
 
 
+def test_the_blackboard_keeps_what_anybody_sets(start: Start) -> None:
+    arguments = ("--ros-args", "-p", "colour:=green")
+    start("zbot", "run", "demo_nodes_cpp", "parameter_blackboard", *arguments).wait_for("already")
+    assert zbot("param", "set", "parameter_blackboard", "size", "3").out == (
+        "Set parameter successful\n"
+    )
+    assert zbot("param", "get", "parameter_blackboard", "size").out == "Integer value is: 3\n"
+    assert zbot("param", "get", "parameter_blackboard", "colour").out == "String value is: green\n"
+
+
 def test_a_node_that_does_not_spin_is_named(
     zbot_command: Command, make_context: MakeContext
 ) -> None:
