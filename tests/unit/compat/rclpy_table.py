@@ -20,7 +20,7 @@ Every public module, class, function and method of rclpy 9.1 (ROS 2 Kilted), and
 finds it here. This page is written by `python -m tests.unit.compat.rclpy_table`; a test keeps it
 true.
 
-What is there behaves as in rclpy, but for this:
+Some of what programs meet differs on purpose:
 
 * A call of a service that has no server, or whose server ends, fails at once with a `ServiceError`;
   in rclpy its future stays pending for ever.
