@@ -164,6 +164,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self.srv_name = token.name
         self.callback_group = callback_group
         self.mailbox = mailbox
+        self.on_response: Callable[[int], object] | None = None  #: told of each response; be quick
         self._context = context
         self._token = token
         self._logger_name = logger_name
@@ -455,6 +456,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             response.set_result(self._read(reply))
         except (ServiceError, CodecError) as error:
             response.set_exception(error)
+        if self.on_response is not None:
+            self.on_response(1)
 
     def _read(self, reply: zenoh.Reply | None) -> ResponseT:
         if reply is None:
@@ -548,3 +551,11 @@ class ClientHandle(Handle[Client[Any, Any]]):
         if response is None:
             return None, None
         return ResponseHeader(response.number), response.result()
+
+    def set_on_new_response_callback(self, callback: Callable[[int], object]) -> None:
+        """Call a quick function with the number of new responses, in the thread they come in."""
+        self.entity.on_response = callback
+
+    def clear_on_new_response_callback(self) -> None:
+        """Call it no more."""
+        self.entity.on_response = None

@@ -79,3 +79,22 @@ def test_a_request_can_be_taken_and_answered_without_an_executor(node: zbot.Node
     service.handle.service_send_response(Trigger.Response(message="by hand"), header)
     assert wait_until(future.done)
     assert future.result().message == "by hand"
+
+
+def test_a_client_tells_of_responses_until_it_is_told_not_to(node: zbot.Node) -> None:
+    client = PARTS["client"](node)
+    PARTS["service"](node)
+    assert client.wait_for_service(5)
+    told: list[int] = []
+    client.handle.set_on_new_response_callback(told.append)
+
+    def call() -> None:
+        future = client.call_async(Trigger.Request())
+        zbot.spin_until_future_complete(node, future, timeout_sec=5)
+        assert future.done()
+
+    call()
+    assert wait_until(lambda: told == [1])
+    client.handle.clear_on_new_response_callback()
+    call()
+    assert told == [1]
