@@ -110,14 +110,6 @@ class ConditionError(LaunchError, ValueError):
         super().__init__(f"a condition must be true, false, 1 or 0, not '{text}'")
 
 
-class TargetError(LaunchError, ValueError):
-    """An event handler is to look at something that is no action."""
-
-    def __init__(self, target: object) -> None:
-        self.target = target
-        super().__init__(f"target_action must be an action or a function, not {target!r}")
-
-
 class CoercionError(LaunchError, ValueError):
     """A text means nothing of the type that is wanted, or there is no such type."""
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, Any, TypeAlias, cast
 
 from zbot.launch.entity import LaunchDescriptionEntity
-from zbot.launch.errors import TargetError
+from zbot.launch.errors import EntityTypeError
 from zbot.launch.event import ExecutionComplete, IncludeLaunchDescriptionEvent, Shutdown
 from zbot.launch.process_event import ProcessExited, ProcessIO, ProcessStarted
 
@@ -38,7 +38,7 @@ class BaseEventHandler:
 
     def handle(self, event: Event, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
         """Act; return what is to be visited."""
-        del event  # the service has put it among the locals
+        context.extend_locals({"event": event})  # until the service is done with this handler
         if self.handle_once:
             context.unregister_event_handler(self)
         return []
@@ -83,10 +83,15 @@ def react(
         is_method = hasattr(reaction, "__self__")
         takes_one = code is not None and code.co_argcount - is_method == 1 and not code.co_flags & 4
         arguments = (event,) if takes_one else (event, context)
-        reaction = cast("Entities", reaction(*arguments))
+        return _listed(reaction(*arguments))
+    return _listed(reaction)
+
+
+def _listed(reaction: Any) -> Sequence[LaunchDescriptionEntity]:
     if reaction is None:
         return []
-    return [reaction] if isinstance(reaction, LaunchDescriptionEntity) else list(reaction)
+    is_one = isinstance(reaction, LaunchDescriptionEntity)
+    return [reaction] if is_one else cast("Sequence[LaunchDescriptionEntity]", reaction)
 
 
 class OnActionEventBase(EventHandler):
@@ -99,7 +104,7 @@ class OnActionEventBase(EventHandler):
         handle_once: Whether to act only on the first.
 
     Raises:
-        TargetError: The matcher is something else.
+        EntityTypeError: The matcher is something else.
     """
 
     def __init__(
@@ -113,7 +118,7 @@ class OnActionEventBase(EventHandler):
         given: object = action_matcher
         is_action = given is None or isinstance(given, LaunchDescriptionEntity)
         if not is_action and not callable(given):
-            raise TargetError(given)
+            raise EntityTypeError("target_action", "an action or a function", given)
         self.target = action_matcher
         self.event_class = target_event_cls
         super().__init__(matcher=self._is_meant, entities=on_event, handle_once=handle_once)
@@ -122,9 +127,9 @@ class OnActionEventBase(EventHandler):
         if not isinstance(event, self.event_class):
             return False
         action = cast("Any", event).action
-        if self.target is None or self.target is action:
-            return True
-        return callable(self.target) and bool(self.target(action))
+        if self.target is None or isinstance(self.target, LaunchDescriptionEntity):
+            return self.target is None or self.target is action
+        return bool(self.target(action))
 
 
 class OnExecutionComplete(OnActionEventBase):
@@ -206,7 +211,10 @@ class OnProcessIO(OnActionEventBase):
         return super().matches(event) and self._reactions[cast("ProcessIO", event).fd] is not None
 
     def _react(self, event: Any, context: LaunchContext) -> Any:
-        return react(self._reactions[event.fd], event, context)
+        reaction = self._reactions[event.fd]
+        if callable(reaction):
+            return reaction(event)
+        return react(reaction, event, context)
 
 
 class OnShutdown(EventHandler):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
-from typing import TYPE_CHECKING, TypeAlias
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.launch.event import Event
 
@@ -51,25 +51,34 @@ class ProcessStarted(RunningProcessEvent):
 class ProcessExited(RunningProcessEvent):
     """A process ended.
 
-    Attributes:
+    Args:
         returncode: Its exit code; of one that a signal ended, that signal's number, negative.
+        process: Which process, as for every event of one.
     """
 
     name = "launch.events.process.ProcessExited"
-    returncode: int = 0
+
+    def __init__(self, *, returncode: int = 0, **process: Any) -> None:
+        super().__init__(**process)
+        self.returncode = returncode
 
 
 class ProcessIO(RunningProcessEvent):
     """A process wrote something.
 
-    Attributes:
+    Args:
         text: The bytes.
-        fd: 1 for stdout, 2 for stderr.
+        fd: 0 for stdin, 1 for stdout, 2 for stderr; the class's own if left out.
+        process: Which process, as for every event of one.
     """
 
     name = "launch.events.process.ProcessIO"
-    text: bytes = b""
     fd: int = 1
+
+    def __init__(self, *, text: bytes = b"", fd: int | None = None, **process: Any) -> None:
+        super().__init__(**process)
+        self.text = text
+        self.fd = self.fd if fd is None else fd
 
     @property
     def from_stdin(self) -> bool:

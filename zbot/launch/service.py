@@ -107,11 +107,12 @@ class LaunchService:
             context.journal.debug("launch", f"shutdown: {event.reason}")
         for handler in context.event_handlers:
             if handler.matches(event):
+                depth = context.depth
                 context.extend_locals({**context.locals_of(handler), "event": event})
                 try:
                     self._handle(lambda one=handler: one.handle(event, context))  # type: ignore[misc]
                 finally:
-                    context.pop_locals()
+                    context.cut(depth)
 
     def _handle(self, function: Callable[[], Sequence[LaunchDescriptionEntity]]) -> None:
         depth = self.context.depth

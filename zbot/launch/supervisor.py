@@ -167,10 +167,7 @@ class Supervisor:
         }
 
     def _emit(self, kind: type[Any], **attributes: Any) -> None:
-        event = kind(**self._details())
-        for name, value in attributes.items():
-            setattr(event, name, value)
-        self._context.emit_event_sync(event)
+        self._context.emit_event_sync(kind(**self._details(), **attributes))
 
     def _on_data(self, lines: OutputLines, fd: int, data: bytes) -> None:
         lines.feed(fd, data)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -36,10 +37,11 @@ from zbot.launch.condition import (
     evaluate_condition_expression,
 )
 from zbot.launch.errors import ConditionError, LaunchArgumentError
-from zbot.launch.event_handler import OnProcessExit
+from zbot.launch.event_handler import OnProcessExit, OnProcessIO
 from zbot.launch.frontend.registry import expose_action, expose_substitution
 from zbot.launch.frontend.substitution_text import parse
 from zbot.launch.parameters import Parameter, ParameterFile, evaluate_parameters
+from zbot.launch.process_event import ProcessExited, ProcessIO
 from zbot.launch.source import load_launch_file
 from zbot.launch.substitution import perform
 from zbot.launch.substitutions import (
@@ -253,5 +255,18 @@ def test_a_path_is_one_text_to_which_parts_are_added() -> None:
 
 
 def test_a_handler_looks_at_an_action() -> None:
-    with pytest.raises(ValueError, match="must be an action or a function, not 'talker'"):
+    with pytest.raises(TypeError, match="must be an action or a function"):
         OnProcessExit(target_action="talker", on_exit=[])  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
+
+
+def test_events_can_be_made_and_handled_by_hand() -> None:
+    context, calls = LaunchContext(), list[Any]()
+    of: dict[str, Any] = {"name": "a", "cmd": ["a"], "cwd": None, "env": None, "pid": 1}
+    event = ProcessIO(action=ExecuteProcess(cmd="a"), text=b"x", fd=2, **of)
+    handler = OnProcessIO(on_stderr=partial(calls.append), handle_once=True)
+    context.register_event_handler(handler)
+    assert not handler.handle(event, context)
+    assert calls == [event]
+    assert context.locals.event is event
+    assert not context.event_handlers
+    assert ProcessExited(action=event.action, returncode=3, **of).returncode == 3
