@@ -152,7 +152,7 @@ def test_a_programs_own_group_is_asked_again_after_other_callbacks(
 
     node.create_timer(0.02, open_gate)
     spin(node, executor=executor)
-    assert wait_until(lambda: len(ticks) == 3)
+    assert wait_until(lambda: len(ticks) >= 3)
     assert seen[0] == 0
 
 
