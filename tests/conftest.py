@@ -216,6 +216,13 @@ class Program:
                 self._queue.put(line.rstrip("\n"))
         self._queue.put(None)
 
+    def wait_for_rate(self, rate_hz: float, within_hz: float) -> None:
+        """Wait for a report of `topic hz`; the first may tell how a busy machine stood still."""
+        told = [float(self.wait_for("average rate: ").rpartition(" ")[2])]
+        while abs(told[-1] - rate_hz) > within_hz:
+            assert len(told) < 10, told
+            told.append(float(self.wait_for("average rate: ").rpartition(" ")[2]))
+
     def wait_for(self, text: str, timeout_s: float = 10.0) -> str:
         """Return the next line that contains `text`; fail if it does not come."""
         deadline = time.monotonic() + allowed(timeout_s)
