@@ -45,11 +45,16 @@ class _Plot:
         self.sent: list[str] = []
         self.listed: list[str] = []
         self.values: dict[str, ui.label] = {}
+        self.rows: dict[str, ui.element] = {}
+        self.dots: dict[str, ui.element] = {}
         self.moved_s = 0.0
         self.came_s = 0.0
         self.add_toolbar()
         with ui.element("div").classes("zb-fill"):
             self.legend = ui.element("div").classes("zb-legend")
+            with self.legend:
+                hint = "Type a topic and a field, e.g. /turtle1/pose.x"
+                self.hint = ui.label(hint).classes("zb-muted")
             with ui.element("div").classes("zb-card zb-plot"):
                 self.chart = ui.echart({}, renderer="svg").classes("zb-chart")
         frame.call("zbot.plot.start", self.chart.id, self.window_s)
@@ -163,22 +168,29 @@ class _Plot:
             label.classes(replace="zb-warn" if problem else "zb-mono")
 
     def fill_legend(self, names: list[str]) -> None:
-        """List the curves."""
-        self.legend.clear()
-        with self.legend:
-            for index, name in enumerate(names):
-                with ui.element("div").classes("zb-legend-item"):
-                    colour = f"background: var(--zb-curve-{index % _COLOURS + 1})"
-                    ui.element("span").classes("zb-dot").style(colour)
-                    ui.label(name).classes("zb-mono")
-                    waits = name in self.curves.waiting
-                    self.values[name] = ui.label("nobody uses it yet" if waits else "")
-                    button = ui.button(icon="close", on_click=partial(self.remove, name))
-                    button.props(
-                        f'flat round dense size=xs color=grey-6 aria-label="Remove {name}"'
-                    )
-            if not names:
-                ui.label("Type a topic and a field, e.g. /turtle1/pose.x").classes("zb-muted")
+        """List the curves; a row that stays is the same element, so that no click on it is lost."""
+        for name in [name for name in self.rows if name not in names]:
+            self.rows.pop(name).delete()
+            del self.values[name], self.dots[name]
+        for index, name in enumerate(names):
+            if name not in self.rows:
+                self.add_row(name)
+            if self.legend.default_slot.children[index] is not self.rows[name]:
+                self.rows[name].move(target_index=index)
+            self.dots[name].style(f"background: var(--zb-curve-{index % _COLOURS + 1})")
+            if name in self.curves.waiting:
+                self.values[name].set_text("nobody uses it yet")
+        self.hint.set_visibility(not names)
+
+    def add_row(self, name: str) -> None:
+        """Add a curve's row to the legend."""
+        with self.legend, ui.element("div").classes("zb-legend-item") as row:
+            self.dots[name] = ui.element("span").classes("zb-dot")
+            ui.label(name).classes("zb-mono")
+            self.values[name] = ui.label("")
+            button = ui.button(icon="close", on_click=partial(self.remove, name))
+            button.props(f'flat round dense size=xs color=grey-6 aria-label="Remove {name}"')
+        self.rows[name] = row
 
 
 def _build(frame: Frame) -> None:
