@@ -202,8 +202,7 @@ class Graph:
     def snapshot(self) -> Snapshot:
         """Return the graph as it is now, complete from the first call on (1 to 25 ms then)."""
         if not self._asks_first:
-            # While links between peers come up, on a busy machine, a question to all of them may
-            # miss some: half of the first looks did. What is followed is complete.
+            # What comes or goes during the first look must not be missed.
             self.watch()
         if not self._watching:
             return Snapshot(tuple(self._ask()))

@@ -118,12 +118,11 @@ class MeetingWatch:
             if left <= 0:
                 return False
             met |= {key.split("/")[1] for key, _ in census.answers(self._session, "@/*/*", left)}
-            if missing - met:
-                with self._changed:
-                    self._changed.wait(_LINK_PAUSE_S)
-                missing = self._at_router(deadline) - met  # somebody may have gone
-            else:
-                missing = set()
+            if missing <= met:
+                break
+            with self._changed:
+                self._changed.wait(_LINK_PAUSE_S)
+            missing = self._at_router(deadline) - met  # somebody may have gone
         return True
 
     def _at_router(self, deadline: float) -> set[str]:
