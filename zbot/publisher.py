@@ -158,7 +158,9 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             handler.destroy()
         if not self._context.is_closed:
             self._liveliness.undeclare()
-            publisher.undeclare()
+        # Zenoh undeclares what nobody holds. `undeclare()` of a latched one would wait, up to 10 s
+        # and without letting Python run, for a thread of Zenoh's that may be calling Python.
+        del publisher
 
     def _refuse(self, payload: Any, **_: Any) -> None:  # noqa: ARG002 - stands in for Zenoh's put
         raise InvalidHandleError(f"the publisher of {self.topic_name}")

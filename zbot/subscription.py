@@ -459,7 +459,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             handler.destroy()
         if not self._context.is_closed:
             self._liveliness.undeclare()
-            self._subscriber.undeclare()
+        self._subscriber = None  # as in `Publisher.destroy`
         if self._is_waiting:
             self._rearm()
 
