@@ -29,6 +29,8 @@ _FOUND_PAUSE_S = 0.25  # machines answer multicast at about the same time, then 
 _OPEN_TIMEOUT_MS = 500
 _NO_FILE = SessionConfig("the configuration between hubs", "{}")
 _RETRY = {"period_init_ms": 20, "period_max_ms": 500, "period_increase_factor": 2}
+# Most machines never have a hub: each try wakes an idle node three times.
+_RETRY_HUB = _RETRY | {"period_max_ms": 2000}
 
 
 def _open(what: str, config: zenoh.Config) -> zenoh.Session:
@@ -184,6 +186,7 @@ class MeetingPoint:
                 "listen/timeout_ms": 0,
                 "listen/exit_on_failure": True,
                 "connect/endpoints": [hub_endpoint()],
+                "connect/retry": _RETRY_HUB,
                 **self._multicast(),
             }
             try:
