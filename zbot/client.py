@@ -233,19 +233,12 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             if self._querier is None:
                 raise InvalidHandleError(f"the client of {self.service_name}")
             if self._listener is None:
-                # Zenoh would call a function in the thread that ends the heartbeats of latched
-                # publishers, for which `undeclare()` waits without letting Python run meanwhile.
-                changes = zenoh.handlers.RingChannel(1)
-                self._listener = self._querier.declare_matching_listener(changes)
-                receive = self._listener.handler.recv
-                self._context.start_thread(f"zbot {self.srv_name}", lambda: self._follow(receive))
+                receive = self._context.receiver(self._on_match)
+                self._listener = self._querier.declare_matching_listener(receive)
                 self._context.add_waker(self._arrival.set)
 
-    def _follow(self, receive: Callable[[], object]) -> None:
-        with contextlib.suppress(zenoh.ZError):  # the client or the session was closed
-            while True:
-                receive()
-                self._arrival.set()
+    def _on_match(self, _: object) -> None:
+        self._arrival.set()
 
     # -- calling -------------------------------------------------------------------------------
 

@@ -7,7 +7,9 @@ import sys
 import threading
 import time
 import weakref
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING, Any, Literal
+
+import zenoh
 
 from zbot import config, ending, membership
 from zbot.arguments import Arguments
@@ -16,7 +18,7 @@ from zbot.graph import Graph
 from zbot.handle import Handle
 from zbot.log import configure, get_logger, get_logging_severity_from_string
 from zbot.meeting_watch import MeetingWatch
-from zbot.notice import follow_notices
+from zbot.notice import NOTICE_KEY, log_notice
 from zbot.session import MeetingPoint, process_facts
 from zbot.version import __version__
 from zbot.wire.dialect import IN_CLASS, NATIVE
@@ -25,7 +27,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from types import TracebackType
 
-    import zenoh
     from typing_extensions import Self
 
     from zbot.node import Node
@@ -66,6 +67,7 @@ class Context:
         self._wakers: list[Callable[[], None]] = []
         self._on_shutdown: list[Callable[[], None]] = []
         self._threads: dict[threading.Thread, Callable[[], object]] = {}
+        self._receivers: set[threading.Event] = set()
         self._entity_ids = itertools.count()
         self._nodes: weakref.WeakSet[Node] = weakref.WeakSet()
         self.arguments = Arguments()
@@ -260,7 +262,7 @@ class Context:
                         self._domain,
                         asks_first=self._mode == "client",
                         settle=self.settle,
-                        start_thread=self.start_thread,
+                        receiver=self.receiver,
                     )
         return self._graph
 
@@ -313,7 +315,7 @@ class Context:
         session = meeting.open_peer()
         self._adopt(session, meeting)
         if self._in_class:
-            self._notices = follow_notices(session, self.start_thread)
+            session.declare_subscriber(NOTICE_KEY, self.receiver(log_notice))
         self._check_linked(meeting)
 
     def _open_client(self, meeting: MeetingPoint, *, wait: bool) -> None:
@@ -335,7 +337,7 @@ class Context:
         ending.open_contexts.add(self)
         ending.hook()
         if watch:
-            self._watch = MeetingWatch(session, meeting)
+            self._watch = MeetingWatch(session, meeting, self.receiver)
             self._watch.start()
 
     def _check_linked(self, meeting: MeetingPoint) -> None:
@@ -379,12 +381,33 @@ class Context:
         self._threads[thread] = wake
         thread.start()
 
+    def receiver(self, receive: Callable[[Any], object]) -> Any:
+        """Return what Zenoh calls a function through, in a thread that `shutdown()` waits for.
+
+        That thread is Zenoh's own and sleeps until something comes; one of ours that waits for a
+        channel of Zenoh's is woken ten times a second. It has room for 256 events, and the session
+        stands still while that is full.
+
+        Args:
+            receive: Must be quick.
+        """
+        ended = threading.Event()
+
+        def end() -> None:
+            self._receivers.discard(ended)
+            ended.set()
+
+        self._receivers.add(ended)
+        return zenoh.handlers.Callback(receive, drop=end)
+
     def _join_threads(self) -> None:
         for thread, wake in list(self._threads.items()):
             wake()
             # One whose start was interrupted by a signal has no ident.
             if thread is not threading.current_thread() and thread.ident is not None:
                 thread.join(_JOIN_TIMEOUT_S)
+        for ended in list(self._receivers):
+            ended.wait(_JOIN_TIMEOUT_S)
 
     def _close(self) -> None:
         # The session first: that ends the threads which wait for its data (see docs/wire.md).

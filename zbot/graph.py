@@ -118,15 +118,15 @@ class Announcement:
 class Graph:
     """The live graph of one context.
 
-    Listeners are called in its own thread, or in the one that announces something: they must be
-    quick and not block.
+    Listeners are called in a thread of Zenoh's, or in the one that announces something: they must
+    be quick and not block.
 
     Args:
         session: The session through which tokens are seen.
         dialect: How tokens are written.
         domain: 0 to 232.
         settle: Waits until everybody has answered a question; called at the first look.
-        start_thread: Runs a function under a name until the session is closed.
+        receiver: Makes a function into what Zenoh calls until the session is closed.
         asks_first: Whether to ask who is there before following changes. A client's session answers
             queries by itself, and incompletely, as soon as it follows them.
     """
@@ -139,11 +139,11 @@ class Graph:
         *,
         asks_first: bool = False,
         settle: Callable[[], None],
-        start_thread: Callable[[str, Callable[[], None]], None],
+        receiver: Callable[[Callable[[zenoh.Sample], None]], Any],
     ) -> None:
         self._session = session
         self._settle = settle
-        self._start_thread = start_thread
+        self._receiver = receiver
         self._dialect = dialect
         self._domain = domain
         self._keys = dialect.tokens_keys(domain)
@@ -166,22 +166,8 @@ class Graph:
             self._watching = True
         if self._asks_first:
             self._complete()
-        # A callback would run inside `declare_token` too, where Zenoh swallows a Ctrl-C.
-        self._subscribers = [self._subscribe(key) for key in self._keys]
-
-    def _subscribe(self, key: str) -> Any:
-        subscriber = self._declare_subscriber(key)
-        receive = subscriber.handler.recv
-        self._start_thread("zbot graph", lambda: self._follow(receive))
-        return subscriber
-
-    def _follow(self, receive: Callable[[], zenoh.Sample]) -> None:
-        while True:
-            try:
-                sample = receive()
-            except zenoh.ZError:
-                return  # the session was closed
-            self._on_sample(sample)
+        for key in self._keys:
+            self._declare_subscriber(key, self._receiver(self._on_sample))
 
     def announce(self, token: Token) -> Announcement:
         """Declare a token of this context, which its own graph shows at once."""
@@ -270,7 +256,7 @@ class Graph:
     def _told_by_peers(self) -> Iterable[str]:
         # A peer that follows tokens answers its own questions from what it happens to have heard.
         # Whoever is told that tokens are followed sends theirs, and then answers what comes next.
-        subscribers = [self._declare_subscriber(key) for key in self._keys]
+        subscribers = [self._declare_subscriber(key, census.room()) for key in self._keys]
         self._settle()
         keys: dict[str, None] = {}
         for subscriber in subscribers:
@@ -282,9 +268,8 @@ class Graph:
             subscriber.undeclare()
         return keys
 
-    def _declare_subscriber(self, key: str) -> Any:
-        liveliness = self._session.liveliness()
-        return liveliness.declare_subscriber(key, census.room(), history=True)
+    def _declare_subscriber(self, key: str, handler: Any) -> Any:
+        return self._session.liveliness().declare_subscriber(key, handler, history=True)
 
     def _parse(self, key: str) -> Token | None:
         try:

@@ -8,6 +8,7 @@ starts twenty programs, they would not hear each other for as long as they live.
 from __future__ import annotations
 
 import contextlib
+import queue
 import threading
 import time
 from collections import Counter
@@ -33,49 +34,63 @@ _QUIET_S = 1.0
 _TRIES = 5
 _INTRODUCTION_S = 2.0  # 50 ms are usual
 _INTRODUCTION_PAUSE_S = 0.02
+_END_S = 2.0  # the thread ends within a millisecond of its session
 
 
 class MeetingWatch:
     """Keeps the meeting port open, and the session linked to all others, for as long as it lives.
 
-    One thread waits, without polling, for links to come and go: when the router's link goes, it
-    tries to take the port, and exactly one of the domain's processes succeeds. Another looks, once
-    all is quiet after that, whether the router knows somebody whom this session does not, and sends
-    for an introducer then.
+    One thread waits, without polling, for links to come and go. When the router's link goes, it
+    tries to take the port, and exactly one of the domain's processes succeeds. Once all is quiet
+    after that, it looks whether the router knows somebody whom this session does not, and sends for
+    an introducer then.
+
+    Args:
+        session: The session that is looked after.
+        meeting: Where its domain meets.
+        receiver: Makes a function into what Zenoh calls until the session is closed.
     """
 
-    def __init__(self, session: zenoh.Session, meeting: MeetingPoint) -> None:
+    def __init__(
+        self,
+        session: zenoh.Session,
+        meeting: MeetingPoint,
+        receiver: Callable[[Callable[[Any], None]], Any],
+    ) -> None:
         self._session = session
         self._meeting = meeting
         self._changed = threading.Condition()
-        self._change_count = 0
-        self._minded = 0  # the change after which strangers were last looked for
+        self._events: queue.SimpleQueue[Any] = queue.SimpleQueue()  # `None` ends the thread
         self._tries: Counter[str] = Counter()
         self._closing = threading.Event()
-        events = session.info.declare_transport_events_listener(census.room(), history=True)
-        # The listener must stay referenced; the thread holds only its channel.
-        self._listener = events
+        session.info.declare_transport_events_listener(receiver(self._on_event), history=True)
         # Not all look at the same time, because one introducer serves everybody.
         self._share = int(self._own()[:4], 16) / 0x10000
-        self._threads = [
-            threading.Thread(
-                target=self._run, args=(events.handler,), name="zbot meeting", daemon=True
-            ),
-            threading.Thread(target=self._mind_links, name="zbot introductions", daemon=True),
-        ]
+        self._thread = threading.Thread(target=self._run, name="zbot meeting", daemon=True)
 
     def start(self) -> None:
         """Begin to watch."""
-        for thread in self._threads:
-            thread.start()
+        self._thread.start()
 
-    def _run(self, events: Any) -> None:
-        for event in events:  # ends when the session is closed
-            if event.kind == zenoh.SampleKind.DELETE:
-                self._replace_router(str(event.transport.zid))
-            with self._changed:
-                self._change_count += 1
-                self._changed.notify_all()
+    def _on_event(self, event: Any) -> None:
+        self._events.put(event)
+        with self._changed:
+            self._changed.notify_all()
+
+    def _run(self) -> None:
+        timeout_s: float | None = None
+        while True:
+            try:
+                event = self._events.get(timeout=timeout_s)
+            except queue.Empty:
+                pause_s = self._meet_strangers()
+            else:
+                if event is None:
+                    return
+                if event.kind == zenoh.SampleKind.DELETE:
+                    self._replace_router(str(event.transport.zid))
+                pause_s = _QUIET_S
+            timeout_s = None if pause_s is None else pause_s * (1 + self._share)
 
     def _replace_router(self, gone: str) -> None:
         self._wait(lambda: gone not in self._routers(), _LISTING_TIMEOUT_S)
@@ -147,29 +162,17 @@ class MeetingWatch:
 
     # -- introductions -------------------------------------------------------------------------
 
-    def _mind_links(self) -> None:
-        while not self._closing.is_set():
-            with self._changed:
-                while self._change_count == self._minded and not self._closing.is_set():
-                    self._changed.wait()
-                self._minded = self._change_count
-            # An error: the session was closed, or the router has just gone, which is a change.
-            with contextlib.suppress(zenoh.ZError, SessionError):
-                self._meet_strangers()
-
-    def _meet_strangers(self) -> None:
-        pause_s = _QUIET_S
-        while not self._closing.wait(pause_s * (1 + self._share)):
-            if self._change_count != self._minded:
-                self._minded = self._change_count
-                continue
+    def _meet_strangers(self) -> float | None:
+        """Have those introduced whom this session never met; return when to look again, if ever."""
+        # An error: the session was closed, or the router has just gone, which is an event.
+        with contextlib.suppress(zenoh.ZError, SessionError):
             # A program with a configuration of its own may be out of everybody's reach.
             strangers = [one for one in self._strangers() if self._tries[one] < _TRIES]
-            if not strangers:
-                return
-            self._tries.update(strangers)
-            pause_s = _QUIET_S * 2 ** min(self._tries[one] for one in strangers)
-            self._call_introducer()
+            if strangers:
+                self._tries.update(strangers)
+                self._call_introducer()
+                return _QUIET_S * (1 << min(self._tries[one] for one in strangers))
+        return None
 
     def _strangers(self) -> set[str]:
         """Return the peers that the router knows and this one is not linked to."""
@@ -197,14 +200,14 @@ class MeetingWatch:
         return True
 
     def join(self) -> None:
-        """Wait for the threads to end; call it after the session was closed."""
+        """Wait for the thread to end; call it after the session was closed."""
         self._closing.set()
+        self._events.put(None)
         with self._changed:
             self._changed.notify_all()
-        for thread in self._threads:
-            # One whose start was interrupted by a signal has no ident.
-            if thread is not threading.current_thread() and thread.ident is not None:
-                thread.join(2.0)
+        # One whose start was interrupted by a signal has no ident.
+        if self._thread is not threading.current_thread() and self._thread.ident is not None:
+            self._thread.join(_END_S)
 
 
 def _sessions_in(router_facts: bytes) -> dict[str, str]:

@@ -5,15 +5,12 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING
 
-import zenoh
-
 from zbot.log import get_logger
 from zbot.plain_text import plain
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    import zenoh
 
-_QUEUE = 16
 _LONGEST = 500  # characters
 _MOST_BYTES = 10_000
 
@@ -21,33 +18,11 @@ _MOST_BYTES = 10_000
 NOTICE_KEY = "@class/teacher/notice"
 
 
-def follow_notices(
-    session: zenoh.Session, start_thread: Callable[[str, Callable[[], None]], None]
-) -> zenoh.Subscriber[zenoh.handlers.Handler[zenoh.Sample]]:
-    """Log what the teacher says from now on.
-
-    Args:
-        session: A session of a laptop that takes part in a class.
-        start_thread: Runs a function under a name until the session is closed.
-
-    Returns:
-        What has to be kept for as long.
-    """
-    subscriber = session.declare_subscriber(NOTICE_KEY, zenoh.handlers.FifoChannel(_QUEUE))
-    receive = subscriber.handler.recv
-
-    def follow() -> None:
-        while True:
-            try:
-                sample = receive()
-            except zenoh.ZError:
-                return  # the session was closed
-            text = notice_text(sample.payload.to_bytes())
-            if text:
-                get_logger("class").info(f"the teacher says: {text}")
-
-    start_thread("zbot notices", follow)
-    return subscriber
+def log_notice(sample: zenoh.Sample) -> None:
+    """Log what the teacher says."""
+    text = notice_text(sample.payload.to_bytes())
+    if text:
+        get_logger("class").info(f"the teacher says: {text}")
 
 
 def notice_text(payload: bytes) -> str:

@@ -12,6 +12,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import pytest
+import zenoh
 
 import zbot
 from tests.conftest import allowed, wait_until
@@ -190,7 +191,7 @@ def test_two_who_missed_each_others_calls_are_introduced_again(
 def test_nobody_is_waited_for_once_the_session_is_closed(domain: int) -> None:
     point = MeetingPoint(config.load(), domain, config.discovery_range(), process_facts("0"))
     session = point.open_peer()
-    watch = MeetingWatch(session, point)
+    watch = MeetingWatch(session, point, zenoh.handlers.Callback)
     session.close()
     begin = time.monotonic()
     assert not watch.wait_settled(60)
