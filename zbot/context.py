@@ -157,7 +157,7 @@ class Context:
             for callback in callbacks:
                 callback()
         finally:
-            self._close()
+            self.close()
 
     def try_shutdown(self) -> None:
         """Shut down if that has not been done yet."""
@@ -409,7 +409,8 @@ class Context:
         for ended in list(self._receivers):
             ended.wait(_JOIN_TIMEOUT_S)
 
-    def _close(self) -> None:
+    def close(self) -> None:
+        """Close the session: the last part of `shutdown()`, for when a signal interrupted that."""
         # The session first: that ends the threads which wait for its data (see docs/wire.md).
         if self._session is not None:
             self._session.close()

@@ -84,6 +84,8 @@ def _close_contexts() -> None:
         executors = {node.executor for node in context.nodes if node.executor is not None}
         try:
             context.shutdown()
+            if context in open_contexts:
+                context.close()  # a signal's exception has left an earlier `shutdown()`
         except Exception:  # noqa: BLE001 - the others must be closed too
             traceback.print_exc()
         for executor in executors:

@@ -387,6 +387,27 @@ print("up", node.get_node_names())
     assert program.lines == ["up ['robot']"]
 
 
+def test_what_a_signal_interrupted_is_closed_at_the_end(start: Start) -> None:
+    program = start(
+        source="""
+import zbot
+zbot.init()
+node = zbot.Node("robot")
+context = zbot.get_default_context()
+def interrupt():  # where a Ctrl-C may come, too
+    context.remove_waker(interrupt)
+    raise KeyboardInterrupt
+context.add_waker(interrupt)
+try:
+    zbot.shutdown()
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+    )
+    assert program.wait() == 0
+    assert program.lines == ["interrupted"]
+
+
 def test_a_parent_sees_that_a_child_died_of_sigterm_in_a_sleep(start: Start) -> None:
     program = start(source=HEAD + "Robot()\nprint('asleep', flush=True)\ntime.sleep(60)\n")
     program.wait_for("asleep")
