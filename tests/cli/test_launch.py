@@ -153,7 +153,8 @@ def test_the_default_output_also_reaches_the_log(
     assert "[a-1] seen" in text
     assert "[b-2] hidden" in text
     assert "[b-2]" not in program.output.replace("[INFO] [b-2]", "")
-    assert (log_folder / "latest" / "c-3-stdout.log").read_text() == "own\n"
+    assert (log_folder / "latest" / "c-3-stdout.log").read_text() == "[c-3] own\n"
+    assert (log_folder / "latest" / "c-3.log").read_text() == "[c-3] own\n"
 
 
 def test_a_program_that_dies_is_told_and_counts(launch: Callable[..., Program]) -> None:

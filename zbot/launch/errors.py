@@ -130,6 +130,14 @@ class EntityTypeError(LaunchError, TypeError):
         super().__init__(f"{where} must be {expected}, not {type(value).__name__}: {value!r}")
 
 
+class OutputError(LaunchError, ValueError):
+    """`output` of a program names no place that its lines can go to."""
+
+    def __init__(self, word: object, known: Iterable[str]) -> None:
+        self.word, self.known = word, tuple(known)
+        super().__init__(f"output must be one of {', '.join(self.known)}, not {word!r}")
+
+
 def describe(error: BaseException) -> str:
     """Return one line that says what a Python exception says."""
     text = " ".join(str(error).split())

@@ -1,21 +1,16 @@
-"""Where a launch and its processes write: the screen, and files in a folder of its own."""
+"""What a launch and its processes write: to the screen, and to files in a folder of its own."""
 
 from __future__ import annotations
 
-import os
-import socket
-import sys
-import time
+import logging
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Final
+from pathlib import Path
+from typing import Final
 
+from zbot.launch.log import get_logger, launch_config
+from zbot.launch.log.handlers import is_coloured, show
 from zbot.log.log_file import get_logging_directory
 
-if TYPE_CHECKING:
-    from pathlib import Path
-    from typing import TextIO
-
-_LEVEL_COLOURS: Final = {"WARNING": "\x1b[33m", "ERROR": "\x1b[31m"}
 #: Each process gets the next one for its label.
 _LABEL_COLOURS: Final = ("\x1b[36m", "\x1b[35m", "\x1b[34m", "\x1b[32m", "\x1b[33m")
 _RESET: Final = "\x1b[0m"
@@ -29,40 +24,30 @@ class Journal:
     """
 
     def __init__(self, *, debug: bool = False) -> None:
-        self.shows_debug = debug
-        self._files: dict[str, TextIO] = {}
+        self._is_debug = debug
         self._colours: dict[str, str] = {}
-        self._has_files = True
 
-    @cached_property
+    @property
     def folder(self) -> Path:
         """The folder of the log files, made when it is first asked for."""
-        stamp = time.time()
-        day = time.strftime("%Y-%m-%d-%H-%M-%S", time.localtime(stamp))
-        name = f"{day}-{int(stamp % 1 * 1e6):06}-{socket.gethostname()}-{os.getpid()}"
-        folder = get_logging_directory() / name
         try:
-            folder.mkdir(parents=True, exist_ok=True)
-        except OSError as error:
-            self._has_files = False
-            self._show(f"[WARNING] [launch]: cannot write log files to {folder}: {error.strerror}")
-            return folder
-        self._link_latest(folder)
-        return folder
+            return Path(launch_config.log_dir)
+        except OSError:  # which the first line tells
+            return get_logging_directory()
 
-    def _link_latest(self, folder: Path) -> None:
-        latest = folder.parent / "latest"
-        try:
-            if latest.is_symlink():
-                latest.unlink()
-            latest.symlink_to(folder.name)
-        except OSError:
-            # A convenience: Windows allows no links, and another launch may have made its own.
-            return
+    @property
+    def shows_debug(self) -> bool:
+        """Whether debug lines are shown."""
+        return self._is_debug or launch_config.level <= logging.DEBUG
+
+    @cached_property
+    def is_coloured(self) -> bool:
+        """Whether the screen is a terminal that nobody wants without colour."""
+        return is_coloured()
 
     def debug(self, logger: str, text: str) -> None:
         """Write a line that only `--debug` shows."""
-        self.log("DEBUG", logger, text, to_screen=self.shows_debug)
+        self.log("DEBUG", logger, text)
 
     def info(self, logger: str, text: str) -> None:
         """Write what happens."""
@@ -76,13 +61,14 @@ class Journal:
         """Write what is wrong."""
         self.log("ERROR", logger, text)
 
-    def log(self, level: str, logger: str, text: str, *, to_screen: bool = True) -> None:
-        """Write a line in ROS 2's form."""
-        line = f"[{level}] [{logger}]: {text}"
-        if to_screen:
-            colour = _LEVEL_COLOURS.get(level, "") if self.is_coloured else ""
-            self._show(f"{colour}{line}{_RESET}" if colour else line)
-        self.write("launch.log", f"{time.time():.7f} {line}")
+    def log(self, level: str, name: str, text: str) -> None:
+        """Write a line; a debug line that is not shown goes to the file only."""
+        logger, number = get_logger(name), int(getattr(logging, level))
+        record = logger.makeRecord(name, number, "", 0, text, (), None)
+        if logger.isEnabledFor(number) or (number == logging.DEBUG and self.shows_debug):
+            logger.handle(record)
+        elif number == logging.DEBUG:
+            launch_config.get_log_file_handler(launch_config.log_file_name).handle(record)
 
     def output(self, label: str, line: str) -> None:
         """Show a line of a process."""
@@ -91,46 +77,8 @@ class Journal:
                 label, _LABEL_COLOURS[len(self._colours) % len(_LABEL_COLOURS)]
             )
             line = f"{colour}[{label}]{_RESET}{line[len(label) + 2 :]}"
-        self._show(line)
-
-    def write(self, name: str, line: str) -> None:
-        """Append a line to a file of the folder."""
-        folder = self.folder
-        if not self._has_files:
-            return
-        try:
-            file = self._files.get(name)
-            if file is None:
-                file = self._files[name] = (folder / name).open("a", encoding="utf-8", buffering=1)
-            file.write(f"{line}\n")
-        except OSError as error:  # e.g. the disk is full
-            self._has_files = False
-            self._show(f"[WARNING] [launch]: cannot write to {folder / name}: {error.strerror}")
+        show(line)
 
     def close(self) -> None:
         """Close the files; lines that come later open them again."""
-        while self._files:
-            self._files.popitem()[1].close()
-
-    @cached_property
-    def is_coloured(self) -> bool:
-        """Whether the screen is a terminal that nobody wants without colour."""
-        if os.environ.get("NO_COLOR") or os.environ.get("RCUTILS_COLORIZED_OUTPUT") == "0":
-            return False
-        if os.environ.get("FORCE_COLOR") or os.environ.get("RCUTILS_COLORIZED_OUTPUT") == "1":
-            return True
-        return _is_terminal(sys.stdout)
-
-    def _show(self, line: str) -> None:
-        # The launch goes on when nobody reads any more (`| head`): its end is not the reader's.
-        try:
-            print(line, flush=True)
-        except (OSError, ValueError):
-            return
-
-
-def _is_terminal(stream: Any) -> bool:
-    try:
-        return stream is not None and bool(stream.isatty())
-    except ValueError:  # closed
-        return False
+        launch_config.close()

@@ -1,11 +1,12 @@
-"""Where the lines of a process go: the screen, the common log, files of its own."""
+"""What a process writes, line by line."""
 
 from __future__ import annotations
 
 import codecs
-from typing import TYPE_CHECKING, Any, Final
+import logging
+from typing import TYPE_CHECKING, Final
 
-from zbot.launch.errors import EntityTypeError
+from zbot.launch.log import get_output_loggers
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -13,39 +14,6 @@ if TYPE_CHECKING:
     from zbot.launch.journal import Journal
 
 _STREAMS: Final = {1: "stdout", 2: "stderr"}
-_OUT, _ERR = "stdout", "stderr"
-#: What each word for `output` means. ROS 2 hides stdout by default; here everything is seen.
-_WORDS: Final[Mapping[str, Mapping[str, frozenset[str]]]] = {
-    "screen": {_OUT: frozenset({"screen"}), _ERR: frozenset({"screen"})},
-    "log": {_OUT: frozenset({"log"}), _ERR: frozenset({"log", "screen"})},
-    "both": {_OUT: frozenset({"log", "screen"}), _ERR: frozenset({"log", "screen"})},
-    "own_log": {_OUT: frozenset({"own_log"}), _ERR: frozenset({"own_log"})},
-    "full": {
-        _OUT: frozenset({"log", "own_log", "screen"}),
-        _ERR: frozenset({"log", "own_log", "screen"}),
-    },
-    "none": {_OUT: frozenset(), _ERR: frozenset()},
-}
-DEFAULT: Final = "both"
-
-
-def parse_output(output: str | Mapping[str, Any]) -> dict[str, frozenset[str]]:
-    """Return for stdout and stderr where it goes: `screen`, `log`, `own_log`.
-
-    Raises:
-        EntityTypeError: A word is unknown.
-    """
-    if isinstance(output, str):
-        if output not in _WORDS:
-            raise EntityTypeError("output", f"one of {', '.join(_WORDS)}", output)
-        return dict(_WORDS[output])
-    found: dict[str, frozenset[str]] = {}
-    for stream in (_OUT, _ERR):
-        words = output.get(stream, output.get("both", ()))
-        words = [words] if isinstance(words, str) else words
-        sinks = {sink for word in words for sink in parse_output(word)[stream]}
-        found[stream] = frozenset(sinks)
-    return found
 
 
 class OutputLines:
@@ -54,7 +22,12 @@ class OutputLines:
     def __init__(
         self, label: str, sinks: Mapping[str, frozenset[str]], journal: Journal, form: str
     ) -> None:
-        self._label, self._sinks, self._journal, self._form = label, sinks, journal, form
+        self._label, self._journal, self._form = label, journal, form
+        seen = [fd for fd, stream in _STREAMS.items() if "screen" in sinks[stream] | sinks["both"]]
+        self._on_screen = frozenset(seen)
+        # The screen shows labels in colour, which files do not have.
+        files = {stream: chosen - {"screen"} for stream, chosen in sinks.items()}
+        self._loggers = dict(zip(_STREAMS, get_output_loggers(label, files), strict=True))
         decoder = codecs.getincrementaldecoder("utf-8")
         self._decoders = {fd: decoder("backslashreplace") for fd in _STREAMS}
         self._rest = dict.fromkeys(_STREAMS, "")
@@ -75,12 +48,7 @@ class OutputLines:
                 self._write(fd, rest)
 
     def _write(self, fd: int, line: str) -> None:
-        stream = _STREAMS[fd]
-        sinks = self._sinks[stream]
-        formed = self._form.format(line=line, label=self._label)
-        if "screen" in sinks:
+        logger, formed = self._loggers[fd], self._form.format(line=line, label=self._label)
+        if fd in self._on_screen and logger.isEnabledFor(logging.INFO):
             self._journal.output(self._label, formed)
-        if "log" in sinks:
-            self._journal.write("launch.log", formed)
-        if "own_log" in sinks:
-            self._journal.write(f"{self._label}-{stream}.log", line)
+        logger.info(formed)

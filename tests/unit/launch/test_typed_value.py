@@ -6,7 +6,6 @@ import pytest
 
 from zbot.launch.context import LaunchContext
 from zbot.launch.errors import CoercionError, EntityTypeError
-from zbot.launch.logger import launch_config
 from zbot.launch.substitution import TextSubstitution
 from zbot.launch.substitutions.value import LaunchConfiguration
 from zbot.launch.typed_value import (
@@ -89,12 +88,3 @@ def test_texts_become_values(
 def test_texts_of_several_types_are_refused(texts: Any) -> None:
     with pytest.raises(CoercionError):
         get_typed_value(texts)
-
-
-def test_the_folder_of_logs_can_be_set(
-    monkeypatch: pytest.MonkeyPatch, tmp_path_factory: pytest.TempPathFactory
-) -> None:
-    monkeypatch.setenv("ZBOT_LOG_DIR", "elsewhere")
-    folder = str(tmp_path_factory.getbasetemp())
-    launch_config.log_dir = folder
-    assert launch_config.log_dir == folder

@@ -11,8 +11,8 @@ from zbot.launch.actions.event_action import Shutdown
 from zbot.launch.actions.executable import Executable, Prepared, Variable
 from zbot.launch.errors import EntityTypeError, ProgramError
 from zbot.launch.event_handler import OnProcessExit
-from zbot.launch.output import DEFAULT, parse_output
 from zbot.launch.own_command import find_on_path
+from zbot.launch.sink import DEFAULT, parse_output
 from zbot.launch.substitution import normalize, perform, to_bool
 from zbot.launch.supervisor import Policy, Supervisor
 

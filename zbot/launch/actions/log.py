@@ -31,9 +31,8 @@ class Log(Action):
     def execute(self, context: LaunchContext) -> None:
         """Write it."""
         level = perform(context, self.level).upper()
-        shown = level != "DEBUG" or context.journal.shows_debug
         text = perform(context, self.msg)
-        context.journal.log(_LEVELS.get(level, level), "launch.user", text, to_screen=shown)
+        context.journal.log(_LEVELS.get(level, level), "launch.user", text)
 
     def describe(self) -> str:
         """Return the text."""

@@ -1,0 +1,45 @@
+"""Where lines of a program go: the screen, the log of the launch, files of its own."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Final
+
+from zbot.launch.errors import OutputError
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+_OUT, _ERR, _BOTH = "stdout", "stderr", "both"
+_SINKS: Final = frozenset({"screen", "log", "own_log"})
+_OWN: Final = frozenset({"own_log"})
+#: What each word for `output` means. ROS 2 hides stdout by default; here everything is seen.
+_WORDS: Final[Mapping[str, Mapping[str, frozenset[str]]]] = {
+    "screen": {_BOTH: frozenset({"screen"})},
+    "log": {_BOTH: frozenset({"log"}), _ERR: frozenset({"screen"})},
+    "both": {_BOTH: frozenset({"log", "screen"})},
+    "own_log": {_OUT: _OWN, _ERR: _OWN, _BOTH: _OWN},
+    "full": {_OUT: _OWN, _ERR: _OWN, _BOTH: _SINKS},
+    "none": {},
+}
+DEFAULT: Final = "both"
+
+
+def parse_output(output: str | Mapping[str, Any]) -> dict[str, frozenset[str]]:
+    """Return for stdout, stderr and both where they go: `screen`, `log`, `own_log`.
+
+    Raises:
+        OutputError: A word is unknown.
+    """
+    found: dict[str, frozenset[str]] = dict.fromkeys((_OUT, _ERR, _BOTH), frozenset())
+    if isinstance(output, str):
+        if output not in _WORDS:
+            raise OutputError(output, _WORDS)
+        return {**found, **_WORDS[output]}
+    for stream, words in output.items():
+        if stream not in found:
+            raise OutputError(stream, found)
+        sinks = {words} if isinstance(words, str) else set(words)
+        if unknown := sorted(map(str, sinks - _SINKS)):
+            raise OutputError(unknown[0], sorted(_SINKS))
+        found[stream] = frozenset(sinks)
+    return found
