@@ -9,12 +9,13 @@ import time
 import uuid
 import weakref
 from functools import partial
-from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
+from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from zbot.action.agenda import Agenda
-from zbot.action.client_goal_handle import ClientGoalHandle, FeedbackT, GoalT, ResultT
+from zbot.action.client_goal_handle import ClientGoalHandle
 from zbot.action.errors import ActionMessageError, NotAnActionTypeError
 from zbot.action.feedback import FeedbackSubscription
+from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalState
 from zbot.callback_group import ReentrantCallbackGroup
 from zbot.clock import Clock
@@ -83,7 +84,7 @@ class _Answer(Future[T]):
             executor.create_task(outcome)
 
 
-class ActionClient(Generic[GoalT, ResultT, FeedbackT]):
+class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
     """Sends goals: three clients and two subscriptions of a node, below one name.
 
     All methods may be called from any thread.

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any
+
+from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
 
 if TYPE_CHECKING:
     from zbot.action.client import ActionClient
@@ -12,12 +14,8 @@ if TYPE_CHECKING:
     from builtin_interfaces.msg import Time
     from unique_identifier_msgs.msg import UUID
 
-GoalT = TypeVar("GoalT")
-ResultT = TypeVar("ResultT")
-FeedbackT = TypeVar("FeedbackT")
 
-
-class ClientGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
+class ClientGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
     """A goal that was sent: ask for its result, or for its end.
 
     Made by `ActionClient`; all methods may be called from any thread.

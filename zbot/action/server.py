@@ -7,13 +7,14 @@ import traceback
 from collections import deque
 from enum import Enum
 from functools import partial
-from typing import TYPE_CHECKING, Any, Generic, cast
+from typing import TYPE_CHECKING, Any, cast
 
 from zbot.action.agenda import Agenda
 from zbot.action.cancellation import ERROR_REJECTED, CancelQuery
 from zbot.action.errors import ActionMessageError, ExecuteCallbackError, NotAnActionTypeError
+from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalEvent, GoalState, GoalTransitionError
-from zbot.action.server_goal_handle import FeedbackT, GoalT, ResultT, ServerGoalHandle
+from zbot.action.server_goal_handle import ServerGoalHandle
 from zbot.action.service import Reply, call, create_action_service
 from zbot.callback_group import ReentrantCallbackGroup
 from zbot.errors import InvalidHandleError
@@ -74,7 +75,7 @@ def default_cancel_callback(cancel_request: Any) -> CancelResponse:  # noqa: ARG
     return CancelResponse.REJECT
 
 
-class ActionServer(Generic[GoalT, ResultT, FeedbackT]):
+class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
     """Reaches goals: three services and two topics of a node, below one name.
 
     All callbacks may be coroutine functions. Goals are executed outside of every callback group, as

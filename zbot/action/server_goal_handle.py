@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import TYPE_CHECKING, Any
 
+from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalEvent, GoalState, next_state
 from zbot.task import Future
 from zbot.time import S_TO_NS
@@ -17,12 +18,8 @@ if TYPE_CHECKING:
 
     from unique_identifier_msgs.msg import UUID
 
-GoalT = TypeVar("GoalT")
-ResultT = TypeVar("ResultT")
-FeedbackT = TypeVar("FeedbackT")
 
-
-class ServerGoalHandle(Generic[GoalT, ResultT, FeedbackT]):
+class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
     """What a server does with one goal: run it, tell how it goes, end it.
 
     Made by `ActionServer`; all methods may be called from any thread.

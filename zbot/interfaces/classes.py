@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import PositionalFieldError, UnknownFieldError
 from zbot.interfaces.array_value import elements_text, fixed_default, same_elements
-from zbot.interfaces.message import Action, Message, Service
+from zbot.interfaces.message import Action, Impl, Message, Service
 from zbot.interfaces.slot_type import SlotTypes
 from zbot.interfaces.source import class_source
 
@@ -118,7 +118,7 @@ def _impl(spec: ActionSpec, find: Find) -> type[Any]:
         "GoalStatusMessage": "action_msgs/msg/GoalStatusArray",
     }
     attributes = {part: _Late(functools.partial(find, name)) for part, name in parts.items()}
-    return type("Impl", (), {"__module__": module_name(spec.name), **attributes})
+    return type("Impl", (Impl,), {"__module__": module_name(spec.name), **attributes})
 
 
 def _make_holder(base: type[Any], spec: ServiceSpec | ActionSpec, parts: dict[str, Any]) -> Any:

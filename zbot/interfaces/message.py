@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+from types import GenericAlias
 from typing import TYPE_CHECKING, Any, ClassVar
 
 if TYPE_CHECKING:
@@ -66,6 +67,7 @@ class Service:
 
     SPEC: ClassVar[ServiceSpec]
     TYPE_NAME: ClassVar[str]
+    __class_getitem__: ClassVar[Any] = classmethod(GenericAlias)
 
     def __init__(self) -> None:
         raise NotImplementedError("Service classes can not be instantiated")
@@ -76,9 +78,16 @@ class Action:
 
     SPEC: ClassVar[ActionSpec]
     TYPE_NAME: ClassVar[str]
+    __class_getitem__: ClassVar[Any] = classmethod(GenericAlias)
 
     def __init__(self) -> None:
         raise NotImplementedError("Action classes can not be instantiated")
+
+
+class Impl:
+    """Base of what an action class has beside goal, result and feedback: `Fibonacci.Impl`."""
+
+    __class_getitem__: ClassVar[Any] = classmethod(GenericAlias)
 
 
 def rebuild(key: str | type[Message], values: tuple[Any, ...]) -> Message:

@@ -12,6 +12,10 @@ import pytest
 import zbot
 import zbot.compat
 
+from example_interfaces.action import Fibonacci
+from std_msgs.msg import String
+from std_srvs.srv import SetBool
+
 PACKAGES = Path(zbot.compat.__file__).parent / "packages"
 MODULES = sorted(
     ".".join(path.relative_to(PACKAGES).with_suffix("").parts).removesuffix(".__init__")
@@ -68,6 +72,7 @@ sensor_msgs_py.point_cloud2: read_points read_points_list read_points_numpy crea
 sensor_msgs_py.point_cloud2: create_cloud_xyz32 dtype_from_fields PointCloud2 PointField
 cv_bridge: CvBridge CvBridgeError
 rosidl_parser.definition: NamespacedType BasicType AbstractSequence UnboundedString
+rosidl_pycommon.interface_base_classes: BaseMessage BaseService BaseAction BaseImpl
 rclpy.impl.logging_severity: LoggingSeverity
 rclpy.impl.rcutils_logger: RcutilsLogger
 tf2_ros: Buffer BufferInterface TransformListener TransformBroadcaster StaticTransformBroadcaster
@@ -138,3 +143,20 @@ def test_a_function_keeps_its_name_when_the_submodule_of_that_name_is_imported()
     importlib.import_module("rosidl_runtime_py.get_interfaces")
     function = importlib.import_module("rosidl_runtime_py").get_interfaces
     assert "std_msgs" in function()
+
+
+def test_every_interface_has_the_common_bases() -> None:
+    bases = importlib.import_module("rosidl_pycommon.interface_base_classes")
+    assert issubclass(String, bases.BaseMessage)
+    assert issubclass(SetBool, bases.BaseService)
+    assert issubclass(Fibonacci, bases.BaseAction)
+    assert issubclass(Fibonacci.Impl, bases.BaseImpl)
+    assert bases.BaseService[SetBool.Request, SetBool.Response].__origin__ is bases.BaseService
+
+
+@pytest.mark.parametrize("name", ["client.ActionClient", "server.ServerGoalHandle"])
+def test_annotations_name_an_actions_impl_or_leave_it_out(name: str) -> None:
+    module, _, short = name.partition(".")
+    generic = getattr(importlib.import_module(f"rclpy.action.{module}"), short)
+    messages = (Fibonacci.Goal, Fibonacci.Result, Fibonacci.Feedback)
+    assert generic.__class_getitem__((*messages, Fibonacci.Impl)) == generic[messages]

@@ -1,8 +1,8 @@
 """Checks of types."""
 
-from zbot.action.server_goal_handle import FeedbackT as FeedbackT
-from zbot.action.server_goal_handle import GoalT as GoalT
-from zbot.action.server_goal_handle import ResultT as ResultT
+from zbot.action.generic import FeedbackT as FeedbackT
+from zbot.action.generic import GoalT as GoalT
+from zbot.action.generic import ResultT as ResultT
 from zbot.compat.annotation import CommonMsgSrvMetaClass as CommonMsgSrvMetaClass
 from zbot.compat.annotation import EventMessage as EventMessage
 from zbot.compat.annotation import FeedbackMessage as FeedbackMessage

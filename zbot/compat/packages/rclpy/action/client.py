@@ -2,9 +2,9 @@
 
 from zbot.action.client import ActionClient as ActionClient
 from zbot.action.client_goal_handle import ClientGoalHandle as ClientGoalHandle
-from zbot.action.server_goal_handle import FeedbackT as FeedbackT
-from zbot.action.server_goal_handle import GoalT as GoalT
-from zbot.action.server_goal_handle import ResultT as ResultT
+from zbot.action.generic import FeedbackT as FeedbackT
+from zbot.action.generic import GoalT as GoalT
+from zbot.action.generic import ResultT as ResultT
 from zbot.clock import Clock as Clock
 from zbot.compat.annotation import ClientGoalHandleDict as ClientGoalHandleDict
 from zbot.compat.annotation import FeedbackMessage as FeedbackMessage

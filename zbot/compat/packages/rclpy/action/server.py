@@ -1,5 +1,8 @@
 """Action servers."""
 
+from zbot.action.generic import FeedbackT as FeedbackT
+from zbot.action.generic import GoalT as GoalT
+from zbot.action.generic import ResultT as ResultT
 from zbot.action.goal_state import GoalEvent as GoalEvent
 from zbot.action.server import ActionServer as ActionServer
 from zbot.action.server import CancelResponse as CancelResponse
@@ -7,9 +10,6 @@ from zbot.action.server import GoalResponse as GoalResponse
 from zbot.action.server import default_cancel_callback as default_cancel_callback
 from zbot.action.server import default_goal_callback as default_goal_callback
 from zbot.action.server import default_handle_accepted_callback as default_handle_accepted_callback
-from zbot.action.server_goal_handle import FeedbackT as FeedbackT
-from zbot.action.server_goal_handle import GoalT as GoalT
-from zbot.action.server_goal_handle import ResultT as ResultT
 from zbot.action.server_goal_handle import ServerGoalHandle as ServerGoalHandle
 from zbot.clock import Clock as Clock
 from zbot.compat.annotation import FeedbackMessage as FeedbackMessage

@@ -1,0 +1,1 @@
+"""The common bases of interface classes, by ROS 2's name."""
