@@ -46,18 +46,22 @@ def spinning_in_main_thread() -> bool:
 
 
 class _Step:
-    """A task's next step, as work in the queue."""
+    """A task's next step, as work in the queue: once, for the one after it is scheduled anew."""
 
-    __slots__ = ("callback_group", "task")
+    __slots__ = ("_is_taken", "callback_group", "task")
     due_ns: int | None = None
     mailbox = None
 
     def __init__(self, task: Task[Any]) -> None:
         self.task = task
         self.callback_group: CallbackGroup = _ALWAYS
+        self._is_taken = False
 
     def take(self) -> object | None:
-        return None if self.task.is_over else self
+        if self._is_taken or self.task.is_over:
+            return None
+        self._is_taken = True
+        return self
 
     def execute(self, taken: object) -> None:  # noqa: ARG002 - every entity's signature
         self.task()

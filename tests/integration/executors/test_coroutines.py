@@ -104,6 +104,28 @@ def test_a_task_returns_what_its_coroutine_does(executor: zbot.Executor) -> None
     assert complete(executor, executor.create_task(inner(1))) == 2
 
 
+def test_a_coroutine_that_waits_costs_nothing_until_its_future_is_there(
+    node: zbot.Node, executor: zbot.Executor
+) -> None:
+    class Answer(zbot.Future[None]):
+        looks = 0
+
+        def add_waker(self, waker: Callable[[], object]) -> None:
+            self.looks += 1
+            super().add_waker(waker)
+
+    answers = [Answer(), Answer()]
+
+    async def ask() -> None:
+        for answer in answers:
+            timer = node.create_timer(0.02, lambda: answer.set_result(None))  # noqa: B023
+            await answer
+            node.destroy_timer(timer)
+
+    complete(executor, executor.create_task(ask))
+    assert [answer.looks for answer in answers] == [1, 1]
+
+
 def test_done_callbacks_run_in_the_executor(single: zbot.Executor) -> None:
     future = single.create_future()
     threads: list[threading.Thread] = []
