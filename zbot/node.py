@@ -19,6 +19,7 @@ from zbot.names import (
 )
 from zbot.node_graph import GraphQueries
 from zbot.node_handle import NodeHandle
+from zbot.node_insides import NodeInsides
 from zbot.node_parameters import NodeParameters, overrides_of
 from zbot.parameter_services import ParameterServices
 from zbot.publisher import Publisher
@@ -67,7 +68,7 @@ class _Listing:
         return iter(list(getattr(node.handle, self._attribute)))
 
 
-class Node(GraphQueries, NodeParameters):
+class Node(GraphQueries, NodeInsides, NodeParameters):
     """A participant of the graph, as in rclpy.
 
     Args:
@@ -185,11 +186,6 @@ class Node(GraphQueries, NodeParameters):
         if new_executor is not None and new_executor.add_node(self):
             self._zbot_handle.executor = new_executor
 
-    @property
-    def default_callback_group(self) -> CallbackGroup:
-        """Where callbacks belong that were given no group."""
-        return self._zbot_handle.default_callback_group
-
     def get_name(self) -> str:
         """Return the base name."""
         return self._zbot_handle.token.node
@@ -268,7 +264,7 @@ class Node(GraphQueries, NodeParameters):
             msg_type,
             token,
             logger_name=handle.logger_name,
-            callback_group=callback_group or handle.default_callback_group,
+            callback_group=callback_group or self.default_callback_group,
         )
         publisher.topic = topic
         handle.publishers.append(publisher)
@@ -321,7 +317,7 @@ class Node(GraphQueries, NodeParameters):
             callback,
             handle.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, qos),
             mailbox=handle.mailbox,
-            callback_group=callback_group or handle.default_callback_group,
+            callback_group=callback_group or self.default_callback_group,
             raw=raw,
             logger_name=handle.logger_name,
             content_filter=content_filter_options,
@@ -368,7 +364,7 @@ class Node(GraphQueries, NodeParameters):
             callback,
             handle.endpoint(EntityKind.SERVICE, name, srv_type, as_profile(qos_profile)),
             mailbox=handle.mailbox,
-            callback_group=callback_group or handle.default_callback_group,
+            callback_group=callback_group or self.default_callback_group,
             logger_name=handle.logger_name,
         )
         service.srv_name = srv_name
@@ -406,7 +402,7 @@ class Node(GraphQueries, NodeParameters):
             srv_type,
             handle.endpoint(EntityKind.CLIENT, name, srv_type, as_profile(qos_profile)),
             mailbox=handle.mailbox,
-            callback_group=callback_group or handle.default_callback_group,
+            callback_group=callback_group or self.default_callback_group,
             logger_name=handle.logger_name,
         )
         client.srv_name = srv_name
@@ -440,7 +436,7 @@ class Node(GraphQueries, NodeParameters):
             raise InvalidPeriodError("a timer's period", timer_period_sec)
         timer = Timer(
             callback,
-            callback_group or handle.default_callback_group,
+            callback_group or self.default_callback_group,
             int(float(timer_period_sec) * S_TO_NS),
             clock or handle.clock,
             handle.mailbox,
@@ -455,7 +451,7 @@ class Node(GraphQueries, NodeParameters):
     ) -> GuardCondition:
         """Create a callback that any thread can ask for with `trigger()`."""
         handle = self._zbot_alive()
-        group = callback_group or handle.default_callback_group
+        group = callback_group or self.default_callback_group
         guard = GuardCondition(callback, group, mailbox=handle.mailbox)
         handle.guards.append(guard)
         handle.add(guard)

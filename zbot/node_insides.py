@@ -1,0 +1,45 @@
+"""What rclpy's nodes keep behind names that begin with `_`, and programs use all the same."""
+
+from __future__ import annotations
+
+from operator import attrgetter
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.callback_group import CallbackGroup
+
+
+class _Inside:
+    """Reads something of a node; a program may set an attribute of that name for itself."""
+
+    def __init__(self, path: str) -> None:
+        self._read: Callable[[Any], Any] = attrgetter(path)
+
+    def __get__(self, node: Any, owner: type[Any]) -> Any:
+        return self if node is None else self._read(node)
+
+
+class NodeInsides:
+    """A node's logger, clock and lists, as `self._logger.info(...)` finds them in rclpy.
+
+    The lists are the node's own, so what is taken out of one is not destroyed with the node.
+    """
+
+    _logger: Any = _Inside("_zbot_logger")
+    _clock: Any = _Inside("_zbot_handle.clock")
+    _context: Any = _Inside("_zbot_handle.context")
+    _publishers: Any = _Inside("_zbot_handle.publishers")
+    _subscriptions: Any = _Inside("_zbot_handle.subscriptions")
+    _services: Any = _Inside("_zbot_handle.services")
+    _clients: Any = _Inside("_zbot_handle.clients")
+    _timers: Any = _Inside("_zbot_handle.timers")
+    _guards: Any = _Inside("_zbot_handle.guards")
+    _default_callback_group: Any = _Inside("_zbot_handle.default_callback_group")
+
+    @property
+    def default_callback_group(self) -> CallbackGroup:
+        """Where callbacks belong that were given no group; a subclass may choose another."""
+        group: CallbackGroup = self._default_callback_group
+        return group
