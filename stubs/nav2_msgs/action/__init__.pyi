@@ -9,13 +9,129 @@ from numpy.typing import NDArray
 import action_msgs.msg
 import action_msgs.srv
 import builtin_interfaces.msg
+import geographic_msgs.msg
 import geometry_msgs.msg
 import nav2_msgs.action
 import nav2_msgs.msg
 import nav_msgs.msg
 import service_msgs.msg
+import std_msgs.msg
 import unique_identifier_msgs.msg
 from zbot.interfaces import Action, Message, Service
+
+class AssistedTeleop_Goal(Message):
+    """nav2_msgs/action/AssistedTeleop_Goal
+
+    # Lets a person drive, and keeps the robot off obstacles meanwhile.
+
+    builtin_interfaces/Duration time_allowance
+    """
+    def __init__(self, *, time_allowance: builtin_interfaces.msg.Duration = ...) -> None: ...
+    time_allowance: builtin_interfaces.msg.Duration
+
+class AssistedTeleop_Result(Message):
+    """nav2_msgs/action/AssistedTeleop_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=730
+    uint16 TIMEOUT=731
+    uint16 TF_ERROR=732
+    builtin_interfaces/Duration total_elapsed_time
+    uint16 error_code
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 730
+    TIMEOUT: Final = 731
+    TF_ERROR: Final = 732
+    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    total_elapsed_time: builtin_interfaces.msg.Duration
+    error_code: int
+    error_msg: str
+
+class AssistedTeleop_Feedback(Message):
+    """nav2_msgs/action/AssistedTeleop_Feedback
+
+    builtin_interfaces/Duration current_teleop_duration
+    """
+    def __init__(self, *, current_teleop_duration: builtin_interfaces.msg.Duration = ...) -> None: ...
+    current_teleop_duration: builtin_interfaces.msg.Duration
+
+class AssistedTeleop_FeedbackMessage(Message):
+    """nav2_msgs/action/AssistedTeleop_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.AssistedTeleop_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.AssistedTeleop_Feedback
+
+class AssistedTeleop_SendGoal_Request(Message):
+    """nav2_msgs/action/AssistedTeleop_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.AssistedTeleop_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.AssistedTeleop_Goal
+
+class AssistedTeleop_SendGoal_Response(Message):
+    """nav2_msgs/action/AssistedTeleop_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class AssistedTeleop_SendGoal_Event(Message):
+    """nav2_msgs/action/AssistedTeleop_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.AssistedTeleop_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.AssistedTeleop_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.AssistedTeleop_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.AssistedTeleop_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.AssistedTeleop_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.AssistedTeleop_SendGoal_Response]) -> None: ...
+
+class AssistedTeleop_GetResult_Request(Message):
+    """nav2_msgs/action/AssistedTeleop_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class AssistedTeleop_GetResult_Response(Message):
+    """nav2_msgs/action/AssistedTeleop_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.AssistedTeleop_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.AssistedTeleop_Result
+
+class AssistedTeleop_GetResult_Event(Message):
+    """nav2_msgs/action/AssistedTeleop_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.AssistedTeleop_GetResult_Request] = ..., response: Collection[nav2_msgs.action.AssistedTeleop_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.AssistedTeleop_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.AssistedTeleop_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.AssistedTeleop_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.AssistedTeleop_GetResult_Response]) -> None: ...
+
+class AssistedTeleop_SendGoal(Service):
+    Request: TypeAlias = AssistedTeleop_SendGoal_Request
+    Response: TypeAlias = AssistedTeleop_SendGoal_Response
+    Event: TypeAlias = AssistedTeleop_SendGoal_Event
+
+class AssistedTeleop_GetResult(Service):
+    Request: TypeAlias = AssistedTeleop_GetResult_Request
+    Response: TypeAlias = AssistedTeleop_GetResult_Response
+    Event: TypeAlias = AssistedTeleop_GetResult_Event
+
+class AssistedTeleop(Action):
+    Goal: TypeAlias = AssistedTeleop_Goal
+    Result: TypeAlias = AssistedTeleop_Result
+    Feedback: TypeAlias = AssistedTeleop_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = AssistedTeleop_SendGoal
+        GetResultService: TypeAlias = AssistedTeleop_GetResult
+        FeedbackMessage: TypeAlias = AssistedTeleop_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
 
 class BackUp_Goal(Message):
     """nav2_msgs/action/BackUp_Goal
@@ -138,6 +254,155 @@ class BackUp(Action):
         SendGoalService: TypeAlias = BackUp_SendGoal
         GetResultService: TypeAlias = BackUp_GetResult
         FeedbackMessage: TypeAlias = BackUp_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class ComputeAndTrackRoute_Goal(Message):
+    """nav2_msgs/action/ComputeAndTrackRoute_Goal
+
+    # Looks for a way through a graph of places, and tells how far along it the robot is.
+
+    uint16 start_id
+    geometry_msgs/PoseStamped start
+    uint16 goal_id
+    geometry_msgs/PoseStamped goal
+    bool use_start  # false: from where the robot is
+    bool use_poses  # false: the two ids count
+    """
+    def __init__(self, *, start_id: int = ..., start: geometry_msgs.msg.PoseStamped = ..., goal_id: int = ..., goal: geometry_msgs.msg.PoseStamped = ..., use_start: bool = ..., use_poses: bool = ...) -> None: ...
+    start_id: int
+    start: geometry_msgs.msg.PoseStamped
+    goal_id: int
+    goal: geometry_msgs.msg.PoseStamped
+    use_start: bool
+    use_poses: bool
+
+class ComputeAndTrackRoute_Result(Message):
+    """nav2_msgs/action/ComputeAndTrackRoute_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=400
+    uint16 TF_ERROR=401
+    uint16 NO_VALID_GRAPH=402
+    uint16 INDETERMINANT_NODES_ON_GRAPH=403
+    uint16 TIMEOUT=404
+    uint16 NO_VALID_ROUTE=405
+    uint16 OPERATION_FAILED=406
+    uint16 INVALID_EDGE_SCORER_USE=407
+    builtin_interfaces/Duration execution_duration
+    uint16 error_code 0
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 400
+    TF_ERROR: Final = 401
+    NO_VALID_GRAPH: Final = 402
+    INDETERMINANT_NODES_ON_GRAPH: Final = 403
+    TIMEOUT: Final = 404
+    NO_VALID_ROUTE: Final = 405
+    OPERATION_FAILED: Final = 406
+    INVALID_EDGE_SCORER_USE: Final = 407
+    def __init__(self, *, execution_duration: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    execution_duration: builtin_interfaces.msg.Duration
+    error_code: int
+    error_msg: str
+
+class ComputeAndTrackRoute_Feedback(Message):
+    """nav2_msgs/action/ComputeAndTrackRoute_Feedback
+
+    uint16 last_node_id
+    uint16 next_node_id
+    uint16 current_edge_id
+    Route route
+    nav_msgs/Path path
+    string[] operations_triggered
+    bool rerouted
+    """
+    def __init__(self, *, last_node_id: int = ..., next_node_id: int = ..., current_edge_id: int = ..., route: nav2_msgs.msg.Route = ..., path: nav_msgs.msg.Path = ..., operations_triggered: Collection[str] = ..., rerouted: bool = ...) -> None: ...
+    last_node_id: int
+    next_node_id: int
+    current_edge_id: int
+    route: nav2_msgs.msg.Route
+    path: nav_msgs.msg.Path
+    @property
+    def operations_triggered(self) -> list[str]: ...
+    @operations_triggered.setter
+    def operations_triggered(self, value: Collection[str]) -> None: ...
+    rerouted: bool
+
+class ComputeAndTrackRoute_FeedbackMessage(Message):
+    """nav2_msgs/action/ComputeAndTrackRoute_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.ComputeAndTrackRoute_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.ComputeAndTrackRoute_Feedback
+
+class ComputeAndTrackRoute_SendGoal_Request(Message):
+    """nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.ComputeAndTrackRoute_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.ComputeAndTrackRoute_Goal
+
+class ComputeAndTrackRoute_SendGoal_Response(Message):
+    """nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class ComputeAndTrackRoute_SendGoal_Event(Message):
+    """nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputeAndTrackRoute_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.ComputeAndTrackRoute_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.ComputeAndTrackRoute_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.ComputeAndTrackRoute_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.ComputeAndTrackRoute_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.ComputeAndTrackRoute_SendGoal_Response]) -> None: ...
+
+class ComputeAndTrackRoute_GetResult_Request(Message):
+    """nav2_msgs/action/ComputeAndTrackRoute_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class ComputeAndTrackRoute_GetResult_Response(Message):
+    """nav2_msgs/action/ComputeAndTrackRoute_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.ComputeAndTrackRoute_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.ComputeAndTrackRoute_Result
+
+class ComputeAndTrackRoute_GetResult_Event(Message):
+    """nav2_msgs/action/ComputeAndTrackRoute_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputeAndTrackRoute_GetResult_Request] = ..., response: Collection[nav2_msgs.action.ComputeAndTrackRoute_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.ComputeAndTrackRoute_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.ComputeAndTrackRoute_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.ComputeAndTrackRoute_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.ComputeAndTrackRoute_GetResult_Response]) -> None: ...
+
+class ComputeAndTrackRoute_SendGoal(Service):
+    Request: TypeAlias = ComputeAndTrackRoute_SendGoal_Request
+    Response: TypeAlias = ComputeAndTrackRoute_SendGoal_Response
+    Event: TypeAlias = ComputeAndTrackRoute_SendGoal_Event
+
+class ComputeAndTrackRoute_GetResult(Service):
+    Request: TypeAlias = ComputeAndTrackRoute_GetResult_Request
+    Response: TypeAlias = ComputeAndTrackRoute_GetResult_Response
+    Event: TypeAlias = ComputeAndTrackRoute_GetResult_Event
+
+class ComputeAndTrackRoute(Action):
+    Goal: TypeAlias = ComputeAndTrackRoute_Goal
+    Result: TypeAlias = ComputeAndTrackRoute_Result
+    Feedback: TypeAlias = ComputeAndTrackRoute_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = ComputeAndTrackRoute_SendGoal
+        GetResultService: TypeAlias = ComputeAndTrackRoute_GetResult
+        FeedbackMessage: TypeAlias = ComputeAndTrackRoute_FeedbackMessage
         CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
         GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
 
@@ -406,6 +671,290 @@ class ComputePathToPose(Action):
         CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
         GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
 
+class ComputeRoute_Goal(Message):
+    """nav2_msgs/action/ComputeRoute_Goal
+
+    # Looks for a way through a graph of places.
+
+    uint16 start_id
+    geometry_msgs/PoseStamped start
+    uint16 goal_id
+    geometry_msgs/PoseStamped goal
+    bool use_start  # false: from where the robot is
+    bool use_poses  # false: the two ids count
+    """
+    def __init__(self, *, start_id: int = ..., start: geometry_msgs.msg.PoseStamped = ..., goal_id: int = ..., goal: geometry_msgs.msg.PoseStamped = ..., use_start: bool = ..., use_poses: bool = ...) -> None: ...
+    start_id: int
+    start: geometry_msgs.msg.PoseStamped
+    goal_id: int
+    goal: geometry_msgs.msg.PoseStamped
+    use_start: bool
+    use_poses: bool
+
+class ComputeRoute_Result(Message):
+    """nav2_msgs/action/ComputeRoute_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=400
+    uint16 TF_ERROR=401
+    uint16 NO_VALID_GRAPH=402
+    uint16 INDETERMINANT_NODES_ON_GRAPH=403
+    uint16 TIMEOUT=404
+    uint16 NO_VALID_ROUTE=405
+    uint16 INVALID_EDGE_SCORER_USE=407
+    builtin_interfaces/Duration planning_time
+    nav_msgs/Path path
+    Route route
+    uint16 error_code 0
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 400
+    TF_ERROR: Final = 401
+    NO_VALID_GRAPH: Final = 402
+    INDETERMINANT_NODES_ON_GRAPH: Final = 403
+    TIMEOUT: Final = 404
+    NO_VALID_ROUTE: Final = 405
+    INVALID_EDGE_SCORER_USE: Final = 407
+    def __init__(self, *, planning_time: builtin_interfaces.msg.Duration = ..., path: nav_msgs.msg.Path = ..., route: nav2_msgs.msg.Route = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    planning_time: builtin_interfaces.msg.Duration
+    path: nav_msgs.msg.Path
+    route: nav2_msgs.msg.Route
+    error_code: int
+    error_msg: str
+
+class ComputeRoute_Feedback(Message):
+    """nav2_msgs/action/ComputeRoute_Feedback"""
+    def __init__(self) -> None: ...
+
+class ComputeRoute_FeedbackMessage(Message):
+    """nav2_msgs/action/ComputeRoute_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.ComputeRoute_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.ComputeRoute_Feedback
+
+class ComputeRoute_SendGoal_Request(Message):
+    """nav2_msgs/action/ComputeRoute_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.ComputeRoute_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.ComputeRoute_Goal
+
+class ComputeRoute_SendGoal_Response(Message):
+    """nav2_msgs/action/ComputeRoute_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class ComputeRoute_SendGoal_Event(Message):
+    """nav2_msgs/action/ComputeRoute_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputeRoute_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.ComputeRoute_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.ComputeRoute_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.ComputeRoute_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.ComputeRoute_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.ComputeRoute_SendGoal_Response]) -> None: ...
+
+class ComputeRoute_GetResult_Request(Message):
+    """nav2_msgs/action/ComputeRoute_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class ComputeRoute_GetResult_Response(Message):
+    """nav2_msgs/action/ComputeRoute_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.ComputeRoute_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.ComputeRoute_Result
+
+class ComputeRoute_GetResult_Event(Message):
+    """nav2_msgs/action/ComputeRoute_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputeRoute_GetResult_Request] = ..., response: Collection[nav2_msgs.action.ComputeRoute_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.ComputeRoute_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.ComputeRoute_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.ComputeRoute_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.ComputeRoute_GetResult_Response]) -> None: ...
+
+class ComputeRoute_SendGoal(Service):
+    Request: TypeAlias = ComputeRoute_SendGoal_Request
+    Response: TypeAlias = ComputeRoute_SendGoal_Response
+    Event: TypeAlias = ComputeRoute_SendGoal_Event
+
+class ComputeRoute_GetResult(Service):
+    Request: TypeAlias = ComputeRoute_GetResult_Request
+    Response: TypeAlias = ComputeRoute_GetResult_Response
+    Event: TypeAlias = ComputeRoute_GetResult_Event
+
+class ComputeRoute(Action):
+    Goal: TypeAlias = ComputeRoute_Goal
+    Result: TypeAlias = ComputeRoute_Result
+    Feedback: TypeAlias = ComputeRoute_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = ComputeRoute_SendGoal
+        GetResultService: TypeAlias = ComputeRoute_GetResult
+        FeedbackMessage: TypeAlias = ComputeRoute_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class DockRobot_Goal(Message):
+    """nav2_msgs/action/DockRobot_Goal
+
+    # Drives a robot into its dock.
+
+    bool use_dock_id True  # false: dock_pose and dock_type count
+    string dock_id
+    geometry_msgs/PoseStamped dock_pose
+    string dock_type
+    float32 max_staging_time 1000.0  # s, to get in front of the dock
+    bool navigate_to_staging_pose True  # false: it is there already
+    """
+    def __init__(self, *, use_dock_id: bool = ..., dock_id: str = ..., dock_pose: geometry_msgs.msg.PoseStamped = ..., dock_type: str = ..., max_staging_time: float = ..., navigate_to_staging_pose: bool = ...) -> None: ...
+    use_dock_id: bool
+    dock_id: str
+    dock_pose: geometry_msgs.msg.PoseStamped
+    dock_type: str
+    max_staging_time: float
+    navigate_to_staging_pose: bool
+
+class DockRobot_Result(Message):
+    """nav2_msgs/action/DockRobot_Result
+
+    uint16 NONE=0
+    uint16 DOCK_NOT_IN_DB=901
+    uint16 DOCK_NOT_VALID=902
+    uint16 FAILED_TO_STAGE=903
+    uint16 FAILED_TO_DETECT_DOCK=904
+    uint16 FAILED_TO_CONTROL=905
+    uint16 FAILED_TO_CHARGE=906
+    uint16 TIMEOUT=907
+    uint16 UNKNOWN=999
+    bool success True
+    uint16 error_code 0
+    uint16 num_retries 0
+    string error_msg
+    """
+    NONE: Final = 0
+    DOCK_NOT_IN_DB: Final = 901
+    DOCK_NOT_VALID: Final = 902
+    FAILED_TO_STAGE: Final = 903
+    FAILED_TO_DETECT_DOCK: Final = 904
+    FAILED_TO_CONTROL: Final = 905
+    FAILED_TO_CHARGE: Final = 906
+    TIMEOUT: Final = 907
+    UNKNOWN: Final = 999
+    def __init__(self, *, success: bool = ..., error_code: int = ..., num_retries: int = ..., error_msg: str = ...) -> None: ...
+    success: bool
+    error_code: int
+    num_retries: int
+    error_msg: str
+
+class DockRobot_Feedback(Message):
+    """nav2_msgs/action/DockRobot_Feedback
+
+    uint16 NONE=0
+    uint16 NAV_TO_STAGING_POSE=1
+    uint16 INITIAL_PERCEPTION=2
+    uint16 CONTROLLING=3
+    uint16 WAIT_FOR_CHARGE=4
+    uint16 RETRY=5
+    uint16 state
+    builtin_interfaces/Duration docking_time
+    uint16 num_retries 0
+    """
+    NONE: Final = 0
+    NAV_TO_STAGING_POSE: Final = 1
+    INITIAL_PERCEPTION: Final = 2
+    CONTROLLING: Final = 3
+    WAIT_FOR_CHARGE: Final = 4
+    RETRY: Final = 5
+    def __init__(self, *, state: int = ..., docking_time: builtin_interfaces.msg.Duration = ..., num_retries: int = ...) -> None: ...
+    state: int
+    docking_time: builtin_interfaces.msg.Duration
+    num_retries: int
+
+class DockRobot_FeedbackMessage(Message):
+    """nav2_msgs/action/DockRobot_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.DockRobot_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.DockRobot_Feedback
+
+class DockRobot_SendGoal_Request(Message):
+    """nav2_msgs/action/DockRobot_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.DockRobot_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.DockRobot_Goal
+
+class DockRobot_SendGoal_Response(Message):
+    """nav2_msgs/action/DockRobot_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class DockRobot_SendGoal_Event(Message):
+    """nav2_msgs/action/DockRobot_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DockRobot_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.DockRobot_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.DockRobot_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.DockRobot_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.DockRobot_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.DockRobot_SendGoal_Response]) -> None: ...
+
+class DockRobot_GetResult_Request(Message):
+    """nav2_msgs/action/DockRobot_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class DockRobot_GetResult_Response(Message):
+    """nav2_msgs/action/DockRobot_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.DockRobot_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.DockRobot_Result
+
+class DockRobot_GetResult_Event(Message):
+    """nav2_msgs/action/DockRobot_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DockRobot_GetResult_Request] = ..., response: Collection[nav2_msgs.action.DockRobot_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.DockRobot_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.DockRobot_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.DockRobot_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.DockRobot_GetResult_Response]) -> None: ...
+
+class DockRobot_SendGoal(Service):
+    Request: TypeAlias = DockRobot_SendGoal_Request
+    Response: TypeAlias = DockRobot_SendGoal_Response
+    Event: TypeAlias = DockRobot_SendGoal_Event
+
+class DockRobot_GetResult(Service):
+    Request: TypeAlias = DockRobot_GetResult_Request
+    Response: TypeAlias = DockRobot_GetResult_Response
+    Event: TypeAlias = DockRobot_GetResult_Event
+
+class DockRobot(Action):
+    Goal: TypeAlias = DockRobot_Goal
+    Result: TypeAlias = DockRobot_Result
+    Feedback: TypeAlias = DockRobot_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = DockRobot_SendGoal
+        GetResultService: TypeAlias = DockRobot_GetResult
+        FeedbackMessage: TypeAlias = DockRobot_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
 class DriveOnHeading_Goal(Message):
     """nav2_msgs/action/DriveOnHeading_Goal
 
@@ -527,6 +1076,230 @@ class DriveOnHeading(Action):
         SendGoalService: TypeAlias = DriveOnHeading_SendGoal
         GetResultService: TypeAlias = DriveOnHeading_GetResult
         FeedbackMessage: TypeAlias = DriveOnHeading_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class DummyBehavior_Goal(Message):
+    """nav2_msgs/action/DummyBehavior_Goal
+
+    # Does nothing but what a test of behaviors tells it to.
+
+    std_msgs/String command
+    """
+    def __init__(self, *, command: std_msgs.msg.String = ...) -> None: ...
+    command: std_msgs.msg.String
+
+class DummyBehavior_Result(Message):
+    """nav2_msgs/action/DummyBehavior_Result
+
+    builtin_interfaces/Duration total_elapsed_time
+    uint16 error_code
+    string error_msg
+    """
+    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    total_elapsed_time: builtin_interfaces.msg.Duration
+    error_code: int
+    error_msg: str
+
+class DummyBehavior_Feedback(Message):
+    """nav2_msgs/action/DummyBehavior_Feedback"""
+    def __init__(self) -> None: ...
+
+class DummyBehavior_FeedbackMessage(Message):
+    """nav2_msgs/action/DummyBehavior_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.DummyBehavior_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.DummyBehavior_Feedback
+
+class DummyBehavior_SendGoal_Request(Message):
+    """nav2_msgs/action/DummyBehavior_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.DummyBehavior_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.DummyBehavior_Goal
+
+class DummyBehavior_SendGoal_Response(Message):
+    """nav2_msgs/action/DummyBehavior_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class DummyBehavior_SendGoal_Event(Message):
+    """nav2_msgs/action/DummyBehavior_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DummyBehavior_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.DummyBehavior_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.DummyBehavior_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.DummyBehavior_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.DummyBehavior_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.DummyBehavior_SendGoal_Response]) -> None: ...
+
+class DummyBehavior_GetResult_Request(Message):
+    """nav2_msgs/action/DummyBehavior_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class DummyBehavior_GetResult_Response(Message):
+    """nav2_msgs/action/DummyBehavior_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.DummyBehavior_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.DummyBehavior_Result
+
+class DummyBehavior_GetResult_Event(Message):
+    """nav2_msgs/action/DummyBehavior_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DummyBehavior_GetResult_Request] = ..., response: Collection[nav2_msgs.action.DummyBehavior_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.DummyBehavior_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.DummyBehavior_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.DummyBehavior_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.DummyBehavior_GetResult_Response]) -> None: ...
+
+class DummyBehavior_SendGoal(Service):
+    Request: TypeAlias = DummyBehavior_SendGoal_Request
+    Response: TypeAlias = DummyBehavior_SendGoal_Response
+    Event: TypeAlias = DummyBehavior_SendGoal_Event
+
+class DummyBehavior_GetResult(Service):
+    Request: TypeAlias = DummyBehavior_GetResult_Request
+    Response: TypeAlias = DummyBehavior_GetResult_Response
+    Event: TypeAlias = DummyBehavior_GetResult_Event
+
+class DummyBehavior(Action):
+    Goal: TypeAlias = DummyBehavior_Goal
+    Result: TypeAlias = DummyBehavior_Result
+    Feedback: TypeAlias = DummyBehavior_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = DummyBehavior_SendGoal
+        GetResultService: TypeAlias = DummyBehavior_GetResult
+        FeedbackMessage: TypeAlias = DummyBehavior_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class FollowGPSWaypoints_Goal(Message):
+    """nav2_msgs/action/FollowGPSWaypoints_Goal
+
+    # Drives a robot to one place of the earth after the other, with something to do at each.
+
+    uint32 number_of_loops
+    uint32 goal_index 0  # where to begin
+    geographic_msgs/GeoPose[] gps_poses
+    """
+    def __init__(self, *, number_of_loops: int = ..., goal_index: int = ..., gps_poses: Collection[geographic_msgs.msg.GeoPose] = ...) -> None: ...
+    number_of_loops: int
+    goal_index: int
+    @property
+    def gps_poses(self) -> list[geographic_msgs.msg.GeoPose]: ...
+    @gps_poses.setter
+    def gps_poses(self, value: Collection[geographic_msgs.msg.GeoPose]) -> None: ...
+
+class FollowGPSWaypoints_Result(Message):
+    """nav2_msgs/action/FollowGPSWaypoints_Result
+
+    uint16 NONE=0
+    uint16 UNKNOWN=600
+    uint16 TASK_EXECUTOR_FAILED=601
+    MissedWaypoint[] missed_waypoints
+    int16 error_code
+    string error_msg
+    """
+    NONE: Final = 0
+    UNKNOWN: Final = 600
+    TASK_EXECUTOR_FAILED: Final = 601
+    def __init__(self, *, missed_waypoints: Collection[nav2_msgs.msg.MissedWaypoint] = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    @property
+    def missed_waypoints(self) -> list[nav2_msgs.msg.MissedWaypoint]: ...
+    @missed_waypoints.setter
+    def missed_waypoints(self, value: Collection[nav2_msgs.msg.MissedWaypoint]) -> None: ...
+    error_code: int
+    error_msg: str
+
+class FollowGPSWaypoints_Feedback(Message):
+    """nav2_msgs/action/FollowGPSWaypoints_Feedback
+
+    uint32 current_waypoint
+    """
+    def __init__(self, *, current_waypoint: int = ...) -> None: ...
+    current_waypoint: int
+
+class FollowGPSWaypoints_FeedbackMessage(Message):
+    """nav2_msgs/action/FollowGPSWaypoints_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.FollowGPSWaypoints_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.FollowGPSWaypoints_Feedback
+
+class FollowGPSWaypoints_SendGoal_Request(Message):
+    """nav2_msgs/action/FollowGPSWaypoints_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.FollowGPSWaypoints_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.FollowGPSWaypoints_Goal
+
+class FollowGPSWaypoints_SendGoal_Response(Message):
+    """nav2_msgs/action/FollowGPSWaypoints_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class FollowGPSWaypoints_SendGoal_Event(Message):
+    """nav2_msgs/action/FollowGPSWaypoints_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowGPSWaypoints_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.FollowGPSWaypoints_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.FollowGPSWaypoints_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.FollowGPSWaypoints_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.FollowGPSWaypoints_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.FollowGPSWaypoints_SendGoal_Response]) -> None: ...
+
+class FollowGPSWaypoints_GetResult_Request(Message):
+    """nav2_msgs/action/FollowGPSWaypoints_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class FollowGPSWaypoints_GetResult_Response(Message):
+    """nav2_msgs/action/FollowGPSWaypoints_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.FollowGPSWaypoints_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.FollowGPSWaypoints_Result
+
+class FollowGPSWaypoints_GetResult_Event(Message):
+    """nav2_msgs/action/FollowGPSWaypoints_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowGPSWaypoints_GetResult_Request] = ..., response: Collection[nav2_msgs.action.FollowGPSWaypoints_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.FollowGPSWaypoints_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.FollowGPSWaypoints_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.FollowGPSWaypoints_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.FollowGPSWaypoints_GetResult_Response]) -> None: ...
+
+class FollowGPSWaypoints_SendGoal(Service):
+    Request: TypeAlias = FollowGPSWaypoints_SendGoal_Request
+    Response: TypeAlias = FollowGPSWaypoints_SendGoal_Response
+    Event: TypeAlias = FollowGPSWaypoints_SendGoal_Event
+
+class FollowGPSWaypoints_GetResult(Service):
+    Request: TypeAlias = FollowGPSWaypoints_GetResult_Request
+    Response: TypeAlias = FollowGPSWaypoints_GetResult_Response
+    Event: TypeAlias = FollowGPSWaypoints_GetResult_Event
+
+class FollowGPSWaypoints(Action):
+    Goal: TypeAlias = FollowGPSWaypoints_Goal
+    Result: TypeAlias = FollowGPSWaypoints_Result
+    Feedback: TypeAlias = FollowGPSWaypoints_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = FollowGPSWaypoints_SendGoal
+        GetResultService: TypeAlias = FollowGPSWaypoints_GetResult
+        FeedbackMessage: TypeAlias = FollowGPSWaypoints_FeedbackMessage
         CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
         GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
 
@@ -1278,6 +2051,120 @@ class Spin(Action):
         SendGoalService: TypeAlias = Spin_SendGoal
         GetResultService: TypeAlias = Spin_GetResult
         FeedbackMessage: TypeAlias = Spin_FeedbackMessage
+        CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
+        GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
+
+class UndockRobot_Goal(Message):
+    """nav2_msgs/action/UndockRobot_Goal
+
+    # Drives a robot out of its dock.
+
+    string dock_type  # empty: that of the last docking
+    float32 max_undocking_time 30.0  # s
+    """
+    def __init__(self, *, dock_type: str = ..., max_undocking_time: float = ...) -> None: ...
+    dock_type: str
+    max_undocking_time: float
+
+class UndockRobot_Result(Message):
+    """nav2_msgs/action/UndockRobot_Result
+
+    uint16 NONE=0
+    uint16 DOCK_NOT_VALID=902
+    uint16 FAILED_TO_CONTROL=905
+    uint16 TIMEOUT=907
+    uint16 UNKNOWN=999
+    bool success True
+    uint16 error_code 0
+    string error_msg
+    """
+    NONE: Final = 0
+    DOCK_NOT_VALID: Final = 902
+    FAILED_TO_CONTROL: Final = 905
+    TIMEOUT: Final = 907
+    UNKNOWN: Final = 999
+    def __init__(self, *, success: bool = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    success: bool
+    error_code: int
+    error_msg: str
+
+class UndockRobot_Feedback(Message):
+    """nav2_msgs/action/UndockRobot_Feedback"""
+    def __init__(self) -> None: ...
+
+class UndockRobot_FeedbackMessage(Message):
+    """nav2_msgs/action/UndockRobot_FeedbackMessage"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.UndockRobot_Feedback = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    feedback: nav2_msgs.action.UndockRobot_Feedback
+
+class UndockRobot_SendGoal_Request(Message):
+    """nav2_msgs/action/UndockRobot_SendGoal_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.UndockRobot_Goal = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+    goal: nav2_msgs.action.UndockRobot_Goal
+
+class UndockRobot_SendGoal_Response(Message):
+    """nav2_msgs/action/UndockRobot_SendGoal_Response"""
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    accepted: bool
+    stamp: builtin_interfaces.msg.Time
+
+class UndockRobot_SendGoal_Event(Message):
+    """nav2_msgs/action/UndockRobot_SendGoal_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.UndockRobot_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.UndockRobot_SendGoal_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.UndockRobot_SendGoal_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.UndockRobot_SendGoal_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.UndockRobot_SendGoal_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.UndockRobot_SendGoal_Response]) -> None: ...
+
+class UndockRobot_GetResult_Request(Message):
+    """nav2_msgs/action/UndockRobot_GetResult_Request"""
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    goal_id: unique_identifier_msgs.msg.UUID
+
+class UndockRobot_GetResult_Response(Message):
+    """nav2_msgs/action/UndockRobot_GetResult_Response"""
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.UndockRobot_Result = ...) -> None: ...
+    status: int
+    result: nav2_msgs.action.UndockRobot_Result
+
+class UndockRobot_GetResult_Event(Message):
+    """nav2_msgs/action/UndockRobot_GetResult_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.UndockRobot_GetResult_Request] = ..., response: Collection[nav2_msgs.action.UndockRobot_GetResult_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.action.UndockRobot_GetResult_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.action.UndockRobot_GetResult_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.action.UndockRobot_GetResult_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.action.UndockRobot_GetResult_Response]) -> None: ...
+
+class UndockRobot_SendGoal(Service):
+    Request: TypeAlias = UndockRobot_SendGoal_Request
+    Response: TypeAlias = UndockRobot_SendGoal_Response
+    Event: TypeAlias = UndockRobot_SendGoal_Event
+
+class UndockRobot_GetResult(Service):
+    Request: TypeAlias = UndockRobot_GetResult_Request
+    Response: TypeAlias = UndockRobot_GetResult_Response
+    Event: TypeAlias = UndockRobot_GetResult_Event
+
+class UndockRobot(Action):
+    Goal: TypeAlias = UndockRobot_Goal
+    Result: TypeAlias = UndockRobot_Result
+    Feedback: TypeAlias = UndockRobot_Feedback
+    class Impl:
+        SendGoalService: TypeAlias = UndockRobot_SendGoal
+        GetResultService: TypeAlias = UndockRobot_GetResult
+        FeedbackMessage: TypeAlias = UndockRobot_FeedbackMessage
         CancelGoalService: TypeAlias = action_msgs.srv.CancelGoal
         GoalStatusMessage: TypeAlias = action_msgs.msg.GoalStatusArray
 

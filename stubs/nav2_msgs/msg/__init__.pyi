@@ -45,6 +45,46 @@ class BehaviorTreeStatusChange(Message):
     previous_status: str
     current_status: str
 
+class CollisionDetectorState(Message):
+    """nav2_msgs/msg/CollisionDetectorState
+
+    # In which of a robot's areas something is.
+
+    string[] polygons
+    bool[] detections  # one for each of them
+    """
+    def __init__(self, *, polygons: Collection[str] = ..., detections: Collection[bool] = ...) -> None: ...
+    @property
+    def polygons(self) -> list[str]: ...
+    @polygons.setter
+    def polygons(self, value: Collection[str]) -> None: ...
+    @property
+    def detections(self) -> list[bool]: ...
+    @detections.setter
+    def detections(self, value: Collection[bool]) -> None: ...
+
+class CollisionMonitorState(Message):
+    """nav2_msgs/msg/CollisionMonitorState
+
+    # What a robot's guard against collisions does at the moment, and why.
+
+    uint8 DO_NOTHING=0
+    uint8 STOP=1
+    uint8 SLOWDOWN=2
+    uint8 APPROACH=3
+    uint8 LIMIT=4
+    uint8 action_type
+    string polygon_name  # which of its areas something is in
+    """
+    DO_NOTHING: Final = 0
+    STOP: Final = 1
+    SLOWDOWN: Final = 2
+    APPROACH: Final = 3
+    LIMIT: Final = 4
+    def __init__(self, *, action_type: int = ..., polygon_name: str = ...) -> None: ...
+    action_type: int
+    polygon_name: str
+
 class Costmap(Message):
     """nav2_msgs/msg/Costmap
 
@@ -61,6 +101,24 @@ class Costmap(Message):
     def data(self) -> array[int]: ...
     @data.setter
     def data(self, value: Collection[int]) -> None: ...
+
+class CostmapFilterInfo(Message):
+    """nav2_msgs/msg/CostmapFilterInfo
+
+    # How a mask of a map is to be read: base + multiplier * cell.
+
+    std_msgs/Header header
+    uint8 type
+    string filter_mask_topic
+    float32 base
+    float32 multiplier
+    """
+    def __init__(self, *, header: std_msgs.msg.Header = ..., type: int = ..., filter_mask_topic: str = ..., base: float = ..., multiplier: float = ...) -> None: ...
+    header: std_msgs.msg.Header
+    type: int
+    filter_mask_topic: str
+    base: float
+    multiplier: float
 
 class CostmapMetaData(Message):
     """nav2_msgs/msg/CostmapMetaData
@@ -83,6 +141,41 @@ class CostmapMetaData(Message):
     size_x: int
     size_y: int
     origin: geometry_msgs.msg.Pose
+
+class CostmapUpdate(Message):
+    """nav2_msgs/msg/CostmapUpdate
+
+    # A rectangle of a map of costs that has changed.
+
+    std_msgs/Header header
+    uint32 x  # cells
+    uint32 y
+    uint32 size_x
+    uint32 size_y
+    uint8[] data  # row by row
+    """
+    def __init__(self, *, header: std_msgs.msg.Header = ..., x: int = ..., y: int = ..., size_x: int = ..., size_y: int = ..., data: Collection[int] = ...) -> None: ...
+    header: std_msgs.msg.Header
+    x: int
+    y: int
+    size_x: int
+    size_y: int
+    @property
+    def data(self) -> array[int]: ...
+    @data.setter
+    def data(self, value: Collection[int]) -> None: ...
+
+class EdgeCost(Message):
+    """nav2_msgs/msg/EdgeCost
+
+    # What a way between two places costs from now on.
+
+    uint16 edgeid
+    float32 cost
+    """
+    def __init__(self, *, edgeid: int = ..., cost: float = ...) -> None: ...
+    edgeid: int
+    cost: float
 
 class MissedWaypoint(Message):
     """nav2_msgs/msg/MissedWaypoint
@@ -125,6 +218,54 @@ class ParticleCloud(Message):
     @particles.setter
     def particles(self, value: Collection[nav2_msgs.msg.Particle]) -> None: ...
 
+class Route(Message):
+    """nav2_msgs/msg/Route
+
+    # A way through a graph of places.
+
+    std_msgs/Header header
+    float32 route_cost
+    RouteNode[] nodes  # in order
+    RouteEdge[] edges  # from each node to the next
+    """
+    def __init__(self, *, header: std_msgs.msg.Header = ..., route_cost: float = ..., nodes: Collection[nav2_msgs.msg.RouteNode] = ..., edges: Collection[nav2_msgs.msg.RouteEdge] = ...) -> None: ...
+    header: std_msgs.msg.Header
+    route_cost: float
+    @property
+    def nodes(self) -> list[nav2_msgs.msg.RouteNode]: ...
+    @nodes.setter
+    def nodes(self, value: Collection[nav2_msgs.msg.RouteNode]) -> None: ...
+    @property
+    def edges(self) -> list[nav2_msgs.msg.RouteEdge]: ...
+    @edges.setter
+    def edges(self, value: Collection[nav2_msgs.msg.RouteEdge]) -> None: ...
+
+class RouteEdge(Message):
+    """nav2_msgs/msg/RouteEdge
+
+    # A way between two places of a graph.
+
+    uint16 edgeid
+    geometry_msgs/Point start
+    geometry_msgs/Point end
+    """
+    def __init__(self, *, edgeid: int = ..., start: geometry_msgs.msg.Point = ..., end: geometry_msgs.msg.Point = ...) -> None: ...
+    edgeid: int
+    start: geometry_msgs.msg.Point
+    end: geometry_msgs.msg.Point
+
+class RouteNode(Message):
+    """nav2_msgs/msg/RouteNode
+
+    # A place in a graph of places.
+
+    uint16 nodeid
+    geometry_msgs/Point position
+    """
+    def __init__(self, *, nodeid: int = ..., position: geometry_msgs.msg.Point = ...) -> None: ...
+    nodeid: int
+    position: geometry_msgs.msg.Point
+
 class SpeedLimit(Message):
     """nav2_msgs/msg/SpeedLimit
 
@@ -138,3 +279,28 @@ class SpeedLimit(Message):
     header: std_msgs.msg.Header
     percentage: bool
     speed_limit: float
+
+class VoxelGrid(Message):
+    """nav2_msgs/msg/VoxelGrid
+
+    # A space of little cubes, each free, taken or unknown.
+
+    std_msgs/Header header
+    uint32[] data  # one column of cubes in each
+    geometry_msgs/Point32 origin
+    geometry_msgs/Vector3 resolutions  # m, the sides of a cube
+    uint32 size_x
+    uint32 size_y
+    uint32 size_z
+    """
+    def __init__(self, *, header: std_msgs.msg.Header = ..., data: Collection[int] = ..., origin: geometry_msgs.msg.Point32 = ..., resolutions: geometry_msgs.msg.Vector3 = ..., size_x: int = ..., size_y: int = ..., size_z: int = ...) -> None: ...
+    header: std_msgs.msg.Header
+    @property
+    def data(self) -> array[int]: ...
+    @data.setter
+    def data(self, value: Collection[int]) -> None: ...
+    origin: geometry_msgs.msg.Point32
+    resolutions: geometry_msgs.msg.Vector3
+    size_x: int
+    size_y: int
+    size_z: int

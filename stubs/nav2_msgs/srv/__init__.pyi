@@ -14,6 +14,78 @@ import service_msgs.msg
 import std_msgs.msg
 from zbot.interfaces import Action, Message, Service
 
+class ClearCostmapAroundRobot_Request(Message):
+    """nav2_msgs/srv/ClearCostmapAroundRobot_Request
+
+    # Forgets the obstacles near the robot.
+
+    float32 reset_distance  # m
+    """
+    def __init__(self, *, reset_distance: float = ...) -> None: ...
+    reset_distance: float
+
+class ClearCostmapAroundRobot_Response(Message):
+    """nav2_msgs/srv/ClearCostmapAroundRobot_Response
+
+    std_msgs/Empty response
+    """
+    def __init__(self, *, response: std_msgs.msg.Empty = ...) -> None: ...
+    response: std_msgs.msg.Empty
+
+class ClearCostmapAroundRobot_Event(Message):
+    """nav2_msgs/srv/ClearCostmapAroundRobot_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ClearCostmapAroundRobot_Request] = ..., response: Collection[nav2_msgs.srv.ClearCostmapAroundRobot_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.srv.ClearCostmapAroundRobot_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.srv.ClearCostmapAroundRobot_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.srv.ClearCostmapAroundRobot_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.srv.ClearCostmapAroundRobot_Response]) -> None: ...
+
+class ClearCostmapAroundRobot(Service):
+    Request: TypeAlias = ClearCostmapAroundRobot_Request
+    Response: TypeAlias = ClearCostmapAroundRobot_Response
+    Event: TypeAlias = ClearCostmapAroundRobot_Event
+
+class ClearCostmapExceptRegion_Request(Message):
+    """nav2_msgs/srv/ClearCostmapExceptRegion_Request
+
+    # Forgets all obstacles but those near the robot.
+
+    float32 reset_distance  # m
+    """
+    def __init__(self, *, reset_distance: float = ...) -> None: ...
+    reset_distance: float
+
+class ClearCostmapExceptRegion_Response(Message):
+    """nav2_msgs/srv/ClearCostmapExceptRegion_Response
+
+    std_msgs/Empty response
+    """
+    def __init__(self, *, response: std_msgs.msg.Empty = ...) -> None: ...
+    response: std_msgs.msg.Empty
+
+class ClearCostmapExceptRegion_Event(Message):
+    """nav2_msgs/srv/ClearCostmapExceptRegion_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ClearCostmapExceptRegion_Request] = ..., response: Collection[nav2_msgs.srv.ClearCostmapExceptRegion_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.srv.ClearCostmapExceptRegion_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.srv.ClearCostmapExceptRegion_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.srv.ClearCostmapExceptRegion_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.srv.ClearCostmapExceptRegion_Response]) -> None: ...
+
+class ClearCostmapExceptRegion(Service):
+    Request: TypeAlias = ClearCostmapExceptRegion_Request
+    Response: TypeAlias = ClearCostmapExceptRegion_Response
+    Event: TypeAlias = ClearCostmapExceptRegion_Event
+
 class ClearEntireCostmap_Request(Message):
     """nav2_msgs/srv/ClearEntireCostmap_Request
 
@@ -50,6 +122,55 @@ class ClearEntireCostmap(Service):
     Response: TypeAlias = ClearEntireCostmap_Response
     Event: TypeAlias = ClearEntireCostmap_Event
 
+class DynamicEdges_Request(Message):
+    """nav2_msgs/srv/DynamicEdges_Request
+
+    # Closes and opens ways of a graph of places, or changes what they cost.
+
+    uint16[] closed_edges
+    uint16[] opened_edges
+    EdgeCost[] adjust_edges
+    """
+    def __init__(self, *, closed_edges: Collection[int] = ..., opened_edges: Collection[int] = ..., adjust_edges: Collection[nav2_msgs.msg.EdgeCost] = ...) -> None: ...
+    @property
+    def closed_edges(self) -> array[int]: ...
+    @closed_edges.setter
+    def closed_edges(self, value: Collection[int]) -> None: ...
+    @property
+    def opened_edges(self) -> array[int]: ...
+    @opened_edges.setter
+    def opened_edges(self, value: Collection[int]) -> None: ...
+    @property
+    def adjust_edges(self) -> list[nav2_msgs.msg.EdgeCost]: ...
+    @adjust_edges.setter
+    def adjust_edges(self, value: Collection[nav2_msgs.msg.EdgeCost]) -> None: ...
+
+class DynamicEdges_Response(Message):
+    """nav2_msgs/srv/DynamicEdges_Response
+
+    bool success
+    """
+    def __init__(self, *, success: bool = ...) -> None: ...
+    success: bool
+
+class DynamicEdges_Event(Message):
+    """nav2_msgs/srv/DynamicEdges_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.DynamicEdges_Request] = ..., response: Collection[nav2_msgs.srv.DynamicEdges_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.srv.DynamicEdges_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.srv.DynamicEdges_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.srv.DynamicEdges_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.srv.DynamicEdges_Response]) -> None: ...
+
+class DynamicEdges(Service):
+    Request: TypeAlias = DynamicEdges_Request
+    Response: TypeAlias = DynamicEdges_Response
+    Event: TypeAlias = DynamicEdges_Event
+
 class GetCostmap_Request(Message):
     """nav2_msgs/srv/GetCostmap_Request
 
@@ -85,6 +206,52 @@ class GetCostmap(Service):
     Request: TypeAlias = GetCostmap_Request
     Response: TypeAlias = GetCostmap_Response
     Event: TypeAlias = GetCostmap_Event
+
+class GetCosts_Request(Message):
+    """nav2_msgs/srv/GetCosts_Request
+
+    # Asks what places cost.
+
+    bool use_footprint  # false: that of one cell
+    geometry_msgs/PoseStamped[] poses
+    """
+    def __init__(self, *, use_footprint: bool = ..., poses: Collection[geometry_msgs.msg.PoseStamped] = ...) -> None: ...
+    use_footprint: bool
+    @property
+    def poses(self) -> list[geometry_msgs.msg.PoseStamped]: ...
+    @poses.setter
+    def poses(self, value: Collection[geometry_msgs.msg.PoseStamped]) -> None: ...
+
+class GetCosts_Response(Message):
+    """nav2_msgs/srv/GetCosts_Response
+
+    float32[] costs
+    bool success
+    """
+    def __init__(self, *, costs: Collection[float] = ..., success: bool = ...) -> None: ...
+    @property
+    def costs(self) -> array[float]: ...
+    @costs.setter
+    def costs(self, value: Collection[float]) -> None: ...
+    success: bool
+
+class GetCosts_Event(Message):
+    """nav2_msgs/srv/GetCosts_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.GetCosts_Request] = ..., response: Collection[nav2_msgs.srv.GetCosts_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.srv.GetCosts_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.srv.GetCosts_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.srv.GetCosts_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.srv.GetCosts_Response]) -> None: ...
+
+class GetCosts(Service):
+    Request: TypeAlias = GetCosts_Request
+    Response: TypeAlias = GetCosts_Response
+    Event: TypeAlias = GetCosts_Event
 
 class IsPathValid_Request(Message):
     """nav2_msgs/srv/IsPathValid_Request
@@ -223,6 +390,42 @@ class ManageLifecycleNodes(Service):
     Response: TypeAlias = ManageLifecycleNodes_Response
     Event: TypeAlias = ManageLifecycleNodes_Event
 
+class ReloadDockDatabase_Request(Message):
+    """nav2_msgs/srv/ReloadDockDatabase_Request
+
+    # Has the list of docks read from a file.
+
+    string filepath
+    """
+    def __init__(self, *, filepath: str = ...) -> None: ...
+    filepath: str
+
+class ReloadDockDatabase_Response(Message):
+    """nav2_msgs/srv/ReloadDockDatabase_Response
+
+    bool success
+    """
+    def __init__(self, *, success: bool = ...) -> None: ...
+    success: bool
+
+class ReloadDockDatabase_Event(Message):
+    """nav2_msgs/srv/ReloadDockDatabase_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ReloadDockDatabase_Request] = ..., response: Collection[nav2_msgs.srv.ReloadDockDatabase_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.srv.ReloadDockDatabase_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.srv.ReloadDockDatabase_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.srv.ReloadDockDatabase_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.srv.ReloadDockDatabase_Response]) -> None: ...
+
+class ReloadDockDatabase(Service):
+    Request: TypeAlias = ReloadDockDatabase_Request
+    Response: TypeAlias = ReloadDockDatabase_Response
+    Event: TypeAlias = ReloadDockDatabase_Event
+
 class SaveMap_Request(Message):
     """nav2_msgs/srv/SaveMap_Request
 
@@ -300,3 +503,77 @@ class SetInitialPose(Service):
     Request: TypeAlias = SetInitialPose_Request
     Response: TypeAlias = SetInitialPose_Response
     Event: TypeAlias = SetInitialPose_Event
+
+class SetRouteGraph_Request(Message):
+    """nav2_msgs/srv/SetRouteGraph_Request
+
+    # Has a graph of places read from a file.
+
+    string graph_filepath
+    """
+    def __init__(self, *, graph_filepath: str = ...) -> None: ...
+    graph_filepath: str
+
+class SetRouteGraph_Response(Message):
+    """nav2_msgs/srv/SetRouteGraph_Response
+
+    bool success
+    """
+    def __init__(self, *, success: bool = ...) -> None: ...
+    success: bool
+
+class SetRouteGraph_Event(Message):
+    """nav2_msgs/srv/SetRouteGraph_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.SetRouteGraph_Request] = ..., response: Collection[nav2_msgs.srv.SetRouteGraph_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.srv.SetRouteGraph_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.srv.SetRouteGraph_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.srv.SetRouteGraph_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.srv.SetRouteGraph_Response]) -> None: ...
+
+class SetRouteGraph(Service):
+    Request: TypeAlias = SetRouteGraph_Request
+    Response: TypeAlias = SetRouteGraph_Response
+    Event: TypeAlias = SetRouteGraph_Event
+
+class Toggle_Request(Message):
+    """nav2_msgs/srv/Toggle_Request
+
+    # Turns something on or off.
+
+    bool enable
+    """
+    def __init__(self, *, enable: bool = ...) -> None: ...
+    enable: bool
+
+class Toggle_Response(Message):
+    """nav2_msgs/srv/Toggle_Response
+
+    bool success
+    string message
+    """
+    def __init__(self, *, success: bool = ..., message: str = ...) -> None: ...
+    success: bool
+    message: str
+
+class Toggle_Event(Message):
+    """nav2_msgs/srv/Toggle_Event"""
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.Toggle_Request] = ..., response: Collection[nav2_msgs.srv.Toggle_Response] = ...) -> None: ...
+    info: service_msgs.msg.ServiceEventInfo
+    @property
+    def request(self) -> list[nav2_msgs.srv.Toggle_Request]: ...
+    @request.setter
+    def request(self, value: Collection[nav2_msgs.srv.Toggle_Request]) -> None: ...
+    @property
+    def response(self) -> list[nav2_msgs.srv.Toggle_Response]: ...
+    @response.setter
+    def response(self, value: Collection[nav2_msgs.srv.Toggle_Response]) -> None: ...
+
+class Toggle(Service):
+    Request: TypeAlias = Toggle_Request
+    Response: TypeAlias = Toggle_Response
+    Event: TypeAlias = Toggle_Event
