@@ -230,7 +230,8 @@ class Executor:
                     return work
                 continue
             if not self._context.ok():
-                raise ExternalShutdownException
+                self._tell_shutdown()
+                return None
             if not self._sleep(deadline_ns):
                 return None
         return None
@@ -399,7 +400,8 @@ class Executor:
                 if self._serve_in_turn(entity):
                     return
             elif not self._context.ok():
-                raise ExternalShutdownException
+                self._tell_shutdown()
+                return
             elif not self._sleep(deadline_ns):
                 return
 
@@ -440,6 +442,11 @@ class Executor:
         while self._context.ok() and not self._is_shutdown:
             self.spin_once()
         self._tell_interruption()
+
+    def _tell_shutdown(self) -> None:
+        # Whoever shuts both down begins with the executor: that is a quiet end.
+        if not self._is_shutdown:
+            raise ExternalShutdownException
 
     def _tell_interruption(self) -> None:
         # The handler's own exception may have been caught on its way, by a callback say.

@@ -101,9 +101,9 @@ def try_shutdown(*, context: Context | None = None, uninstall_handlers: bool | N
     """Do what `shutdown()` does if that has not been done yet."""
     chosen = get_default_context() if context is None else context
     executor = _executors.pop(id(chosen), None)
-    chosen.shutdown()
     if executor is not None:
-        executor.shutdown(0)
+        executor.shutdown(0)  # first, so that whoever is in `spin()` returns without an exception
+    chosen.shutdown()
     if uninstall_handlers or (uninstall_handlers is None and context is None):
         signals.uninstall()
 
@@ -147,9 +147,11 @@ def _executor_of(node: Node) -> Executor:
 def spin(node: Node, executor: Executor | None = None) -> None:
     """Run a node's callbacks until its context is shut down.
 
+    Returns when a callback or another thread calls `shutdown()`.
+
     Raises:
         KeyboardInterrupt: Ctrl-C; nothing is printed when nobody catches it.
-        ExternalShutdownException: The context was shut down by a signal or another thread.
+        ExternalShutdownException: The context was shut down by a signal, or by its own method.
     """
     with _holding(node, executor) as chosen:
         chosen.spin()

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 import zbot
+from tests.conftest import wait_until
 from tests.integration.executors.conftest import settle
 from zbot.errors import NotInitializedError, ShutdownError
 
@@ -127,6 +128,29 @@ def test_shutdown_in_another_thread_ends_the_modules_spin(node: zbot.Node) -> No
     with pytest.raises(zbot.ExternalShutdownException):
         zbot.spin(node)
     assert node.executor is None
+
+
+@pytest.mark.parametrize("spin_for_ever", [True, False])
+def test_shutdown_of_the_module_lets_its_spin_return_in_another_thread(
+    node: zbot.Node, spin_for_ever: bool
+) -> None:
+    ended: list[str] = []
+
+    def run() -> None:
+        try:
+            while node.context.ok():
+                zbot.spin(node) if spin_for_ever else zbot.spin_once(node)
+        except zbot.ExternalShutdownException:
+            ended.append("by an exception")
+        else:
+            ended.append("quietly")
+
+    thread = threading.Thread(target=run)
+    thread.start()
+    assert wait_until(lambda: node.executor is not None)
+    zbot.shutdown(context=node.context)
+    thread.join(5)
+    assert ended == ["quietly"]
 
 
 def test_executor_shutdown_waits_for_a_running_callback(
