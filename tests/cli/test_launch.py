@@ -414,7 +414,7 @@ def test_arguments_and_description_are_shown(tmp_path: Path) -> None:
     printed = zbot("launch", "-p", str(file))
     assert printed.out.splitlines()[:2] == [
         "<launch.LaunchDescription>",
-        "    DeclareLaunchArgument('speed')",
+        "    DeclareLaunchArgument('speed', default_value='1', description='how fast')",
     ]
     assert zbot("launch", "-s", "temperature").out.endswith("No arguments.\n")
 

@@ -37,6 +37,10 @@ class Action(LaunchDescriptionEntity):
         """
         return cls, {}
 
+    def describe(self) -> str:
+        """Return one line about it."""
+        return f"{type(self).__name__}()"
+
     def visit(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         """Do it if the condition holds."""
         if self.condition is not None and not self.condition.evaluate(context):

@@ -39,5 +39,10 @@ def is_a(obj: object, entity_type: type[Any]) -> bool:
 
 
 def is_a_subclass(obj: object, entity_type: type[Any]) -> bool:
-    """Return whether an object is a class, and derived from another or the same."""
-    return isinstance(obj, type) and issubclass(obj, entity_type)
+    """Return whether an object, or what it is an object of, is derived from a type."""
+    return issubclass(obj if isinstance(obj, type) else type(obj), entity_type)
+
+
+def isclassinstance(obj: object) -> bool:
+    """Return whether an object is one of a class, which all are."""
+    return isinstance(obj, object)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import os
+import queue
 import threading
 import traceback
 from collections import deque
@@ -11,7 +12,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.launch.errors import SubstitutionError, describe
+from zbot.launch.errors import (
+    SubstitutionError,
+    UnbalancedPopError,
+    UnknownHandlerError,
+    describe,
+)
 from zbot.launch.event import Shutdown
 from zbot.launch.family import Family
 from zbot.launch.journal import Journal
@@ -27,8 +33,10 @@ if TYPE_CHECKING:
 class _Locals:
     """Names that hold only while one event, or one included file, is worked on."""
 
+    _values: Mapping[str, Any]
+
     def __init__(self, values: Mapping[str, Any]) -> None:
-        self._values = values
+        self.__dict__["_values"] = values
 
     def __getattr__(self, name: str) -> Any:
         try:
@@ -36,6 +44,9 @@ class _Locals:
         except KeyError:
             known = ", ".join(self._values) or "none"
             raise AttributeError(f"no local '{name}' here; there are: {known}") from None
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        raise AttributeError(f"local '{name}' cannot be set here: use extend_locals()")
 
 
 class LaunchContext:
@@ -69,9 +80,10 @@ class LaunchContext:
         self._saved: list[tuple[str, dict[str, Any]]] = []
         self._locals: list[dict[str, Any]] = []
         self._globals: dict[str, Any] = {}
-        self._handlers: deque[BaseEventHandler] = deque()
+        self._marks: list[int] = []
+        self._event_handlers: deque[BaseEventHandler] = deque()
         self._locals_of: dict[BaseEventHandler, dict[str, Any]] = {}
-        self._queue: deque[Event] = deque()
+        self._event_queue: queue.SimpleQueue[Event] = queue.SimpleQueue()
         self._pending: set[asyncio.Future[Any]] = set()
         self._loop: asyncio.AbstractEventLoop | None = None
         self._wake: asyncio.Event | None = None
@@ -150,15 +162,20 @@ class LaunchContext:
         """
         self._locals_of[event_handler] = self._inner_locals()
         if append:
-            self._handlers.append(event_handler)
+            self._event_handlers.append(event_handler)
         else:
-            self._handlers.appendleft(event_handler)
+            self._event_handlers.appendleft(event_handler)
 
     def unregister_event_handler(self, event_handler: BaseEventHandler) -> None:
-        """Let a handler see no more events; one that sees none is no error."""
-        if event_handler in self._handlers:
-            self._handlers.remove(event_handler)
-            self._locals_of.pop(event_handler, None)
+        """Let a handler see no more events.
+
+        Raises:
+            UnknownHandlerError: It saw none.
+        """
+        if event_handler not in self._event_handlers:
+            raise UnknownHandlerError(event_handler)
+        self._event_handlers.remove(event_handler)
+        self._locals_of.pop(event_handler, None)
 
     def locals_of(self, event_handler: BaseEventHandler) -> dict[str, Any]:
         """Return the locals that held when a handler was registered."""
@@ -167,11 +184,11 @@ class LaunchContext:
     @property
     def event_handlers(self) -> tuple[BaseEventHandler, ...]:
         """Those registered, in the order in which they see an event."""
-        return tuple(self._handlers)
+        return tuple(self._event_handlers)
 
     def would_handle_event(self, event: Event) -> bool:
         """Return whether anybody waits for such an event."""
-        return any(handler.matches(event) for handler in self._handlers)
+        return any(handler.matches(event) for handler in self._event_handlers)
 
     def emit_event_sync(self, event: Event) -> None:
         """Put an event at the end of the queue; from any thread."""
@@ -185,7 +202,7 @@ class LaunchContext:
         self._emit(event)
 
     def _emit(self, event: Event) -> None:
-        self._queue.append(event)
+        self._event_queue.put(event)
         self.wake()
 
     def fail(self, error: BaseException) -> None:
@@ -196,7 +213,8 @@ class LaunchContext:
         trace = traceback.format_exception(type(error), error, error.__traceback__)
         self.journal.debug("launch", "".join(trace))
         self.failed = True
-        self.emit_event_sync(Shutdown(reason=text))
+        if not self.is_shutdown:
+            self.emit_event_sync(Shutdown(reason=text))
 
     # For the service that runs this launch
 
@@ -204,8 +222,7 @@ class LaunchContext:
         """Work on events in this loop from now on."""
         self._loop, self._wake = loop, asyncio.Event()
         self._thread = threading.current_thread()
-        if self._queue:
-            self._wake.set()
+        self.is_shutdown = self.failed = False
 
     def wake(self) -> None:
         """Let the service look at what changed."""
@@ -214,12 +231,12 @@ class LaunchContext:
 
     async def next_event(self) -> Event | None:
         """Return the next event; None if none can come any more."""
-        while not self._queue:
+        while self._event_queue.empty():
             if self._wake is None or not self._pending:
                 return None
             self._wake.clear()
             await self._wake.wait()
-        return self._queue.popleft()
+        return self._event_queue.get_nowait()
 
     def add_completion_future(self, future: asyncio.Future[Any]) -> None:
         """Keep the launch running until a future is done."""
@@ -240,13 +257,22 @@ class LaunchContext:
 
     def create_task(self, coroutine: Coroutine[Any, Any, Any]) -> asyncio.Task[Any]:
         """Run a coroutine, and keep the launch running until it ends."""
-        task = self.asyncio_loop.create_task(coroutine)
+        task = self.running_loop.create_task(coroutine)
         self.add_completion_future(task)
         return task
 
     @property
-    def asyncio_loop(self) -> asyncio.AbstractEventLoop:
-        """The loop that the launch runs in."""
+    def asyncio_loop(self) -> asyncio.AbstractEventLoop | None:
+        """The loop that the launch runs in; None while it does not run."""
+        return self._loop
+
+    @property
+    def running_loop(self) -> asyncio.AbstractEventLoop:
+        """The loop that the launch runs in.
+
+        Raises:
+            SubstitutionError: It does not run.
+        """
         if self._loop is None:
             raise SubstitutionError("this launch is not running yet")
         return self._loop
@@ -278,3 +304,40 @@ class LaunchContext:
         """Give back what the launch holds; may be called twice."""
         while self._closers:
             self._closers.pop()()
+        self._loop = self._wake = self._thread = None
+        for held in ("journal", "family"):  # made anew if it is run again
+            self.__dict__.pop(held, None)
+
+    # What launch calls these: its tests, and actions of other packages, use the names
+
+    def _set_asyncio_loop(self, loop: asyncio.AbstractEventLoop | None) -> None:
+        self._loop = loop
+        self._thread = threading.current_thread()
+
+    def _set_is_shutdown(self, state: bool) -> None:
+        self.is_shutdown = state
+
+    def _push_locals(self) -> None:
+        self._marks.append(len(self._locals))
+
+    def _pop_locals(self) -> None:
+        if not self._marks:
+            raise UnbalancedPopError("locals")
+        self.cut(self._marks.pop())
+
+    def _push_launch_configurations(self) -> None:
+        self.push("launch_configurations")
+
+    def _pop_launch_configurations(self) -> None:
+        self._pop_pushed("launch_configurations")
+
+    def _push_environment(self) -> None:
+        self.push("environment")
+
+    def _pop_environment(self) -> None:
+        self._pop_pushed("environment")
+
+    def _pop_pushed(self, kind: str) -> None:
+        if not any(saved == kind for saved, _ in self._saved):
+            raise UnbalancedPopError(kind)
+        self.pop(kind)

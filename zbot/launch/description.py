@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from zbot.launch.entity import LaunchDescriptionEntity
 from zbot.launch.errors import EntityTypeError
+from zbot.launch.log import get_logger
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -51,11 +52,15 @@ class LaunchDescription(LaunchDescriptionEntity):
 
     add_action = add_entity
 
-    def visit(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
+    def visit(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:  # noqa: ARG002
         """Return the entities."""
         if self.deprecated_reason is not None:
-            context.journal.warning("launch", f"deprecated: {self.deprecated_reason}")
+            get_logger("launch").warning(f"deprecated: {self.deprecated_reason}")
         return self.entities
+
+    def describe(self) -> str:
+        """Return its class."""
+        return f"{type(self).__name__}()"
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return the entities."""

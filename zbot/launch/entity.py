@@ -32,11 +32,16 @@ class LaunchDescriptionEntity:
 
     def visit(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         """Do what the entity is for; return what is to be visited next."""
-        raise NotImplementedError
+        del context
+        return None
 
     def describe(self) -> str:
-        """Return one line about it."""
-        return f"{type(self).__name__}()"
+        """Return one line about it.
+
+        Raises:
+            NotImplementedError: Its class has none to return.
+        """
+        raise NotImplementedError
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
         """Return what is visited with it for certain."""

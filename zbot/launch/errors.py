@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError, nearest
@@ -16,7 +17,22 @@ class LaunchError(ZbotError):
     """Root of what can go wrong while launching."""
 
 
-class LaunchFileError(LaunchError):
+class InvalidLaunchFileError(LaunchError):
+    """A launch file makes no sense.
+
+    Attributes:
+        extension: What its name ends in.
+        likely_errors: What reading it in one way and another led to.
+    """
+
+    def __init__(self, extension: str = "", *, likely_errors: Iterable[BaseException] = ()) -> None:
+        self.extension, self.likely_errors = extension, list(likely_errors)
+        found = "; ".join(describe(error) for error in self.likely_errors)
+        kind = f"launch file in '{extension}'" if extension else "launch file"
+        super().__init__(f"{kind} makes no sense: {found or 'nothing reads it'}")
+
+
+class LaunchFileError(InvalidLaunchFileError):
     """A launch file, or one line of it, makes no sense.
 
     Attributes:
@@ -26,8 +42,9 @@ class LaunchFileError(LaunchError):
     """
 
     def __init__(self, path: str, line: int, reason: str, hint: str = "") -> None:
+        super().__init__(os.path.splitext(path)[1])  # noqa: PTH122 - "<text>" is no path
         self.path, self.line, self.reason, self.hint = path, line, reason, hint
-        super().__init__(f"{path}:{line}: {reason}" if line else f"{path}: {reason}")
+        self.args = (f"{path}:{line}: {reason}" if line else f"{path}: {reason}",)
 
     @classmethod
     def at(cls, origin: Origin, error: BaseException) -> LaunchFileError:
@@ -50,6 +67,13 @@ class LaunchFileNotFoundError(LaunchError, FileNotFoundError):
     def __init__(self, message: str, hint: str = "") -> None:
         self.hint = hint
         super().__init__(message)
+
+
+class NoSourceError(LaunchError, RuntimeError):
+    """A launch description is to come from nowhere."""
+
+    def __init__(self) -> None:
+        super().__init__("this source has neither a launch description nor the path of a file")
 
 
 class LaunchArgumentError(LaunchError, RuntimeError, ValueError):
@@ -78,7 +102,16 @@ class LaunchArgumentError(LaunchError, RuntimeError, ValueError):
         near = nearest(value, known, 1)
         hint = f"did you mean {name}:={near[0]}?" if near else ""
         told = ", ".join(f"'{choice}'" for choice in known)
-        return cls(f"launch argument '{name}' is '{value}', but must be one of {told}", hint)
+        text = f"launch argument '{name}' must be one of {told}: '{value}' is not valid."
+        return cls(f"{text} Valid options are: {known}", hint)
+
+    @classmethod
+    def no_default(cls, name: str, value: str, choices: Iterable[str]) -> LaunchArgumentError:
+        """Return the error for a default that is none of the choices."""
+        told = ", ".join(f"'{choice}'" for choice in choices)
+        return cls(
+            f"the default '{value}' of launch argument '{name}' is not in provided choices {told}"
+        )
 
 
 class IncludeArgumentError(LaunchArgumentError):
@@ -122,12 +155,60 @@ class ProgramError(LaunchError):
         super().__init__(message)
 
 
-class EntityTypeError(LaunchError, TypeError):
-    """Something is in a launch description, or given to an action, that does not belong there."""
+class EntityTypeError(LaunchError, TypeError, ValueError):
+    """Something is in a launch description, or given to an action, that does not belong there.
+
+    launch raises a TypeError in some places, a ValueError in others.
+    """
 
     def __init__(self, where: str, expected: str, value: object) -> None:
         self.where, self.expected, self.value = where, expected, value
         super().__init__(f"{where} must be {expected}, not {type(value).__name__}: {value!r}")
+
+
+class UnknownHandlerError(LaunchError, ValueError):
+    """An event handler is to see no more events, but sees none."""
+
+    def __init__(self, handler: object) -> None:
+        self.handler = handler
+        super().__init__(f"this event handler is not registered: {handler!r}")
+
+
+class UnbalancedPopError(LaunchError, RuntimeError):
+    """Something is to be returned to that was not remembered."""
+
+    def __init__(self, kind: str) -> None:
+        self.kind = kind
+        super().__init__(f"no {kind.replace('_', ' ')} were pushed that could be popped")
+
+
+class ArgumentCountError(LaunchError, TypeError):
+    """A substitution was given too few arguments, or too many."""
+
+    def __init__(self, name: str, expected: int, given: int) -> None:
+        self.name, self.expected, self.given = name, expected, given
+        plural = "" if expected == 1 else "s"
+        super().__init__(f"{name} expects {expected} argument{plural}, not {given}")
+
+
+class LogLevelError(LaunchError, KeyError):
+    """A line is to be logged at a level that there is not."""
+
+    def __init__(self, level: str, known: Iterable[str]) -> None:
+        self.level, self.known = level, tuple(known)
+        super().__init__(f"Invalid log level '{level}': it is one of {', '.join(self.known)}")
+
+    def __str__(self) -> str:
+        return str(self.args[0])  # KeyError would show its repr
+
+
+class ExposeError(LaunchError, RuntimeError):
+    """Something is to make the actions of a tag, or the substitutions of a name, that cannot."""
+
+    def __init__(self, kind: str, name: str) -> None:
+        self.kind, self.name = kind, name
+        text = f"Exposed {kind} parser for {name} is not a callable or a class"
+        super().__init__(f"{text} containing a parse method")
 
 
 class OutputError(LaunchError, ValueError):

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
     from zbot.launch.event import Event
 
 Entities: TypeAlias = LaunchDescriptionEntity | Iterable[LaunchDescriptionEntity] | None
+#: The same for `isinstance`.
+Entities_types_tuple = (LaunchDescriptionEntity, Iterable)
 #: What an event leads to: entities, or a function of the event and the context that returns some.
 Reaction: TypeAlias = Entities | Callable[..., Any]
 
@@ -90,8 +92,9 @@ def react(
 def _listed(reaction: Any) -> Sequence[LaunchDescriptionEntity]:
     if reaction is None:
         return []
-    is_one = isinstance(reaction, LaunchDescriptionEntity)
-    return [reaction] if is_one else cast("Sequence[LaunchDescriptionEntity]", reaction)
+    if isinstance(reaction, LaunchDescriptionEntity) or not isinstance(reaction, Iterable):
+        return [cast("LaunchDescriptionEntity", reaction)]
+    return cast("Sequence[LaunchDescriptionEntity]", reaction)
 
 
 class OnActionEventBase(EventHandler):
@@ -104,7 +107,7 @@ class OnActionEventBase(EventHandler):
         handle_once: Whether to act only on the first.
 
     Raises:
-        EntityTypeError: The matcher is something else.
+        EntityTypeError: The matcher is something else, or what to do is.
     """
 
     def __init__(
@@ -121,6 +124,11 @@ class OnActionEventBase(EventHandler):
             raise EntityTypeError("target_action", "an action or a function", given)
         self.target = action_matcher
         self.event_class = target_event_cls
+        if not callable(on_event):
+            on_event = _listed(on_event)
+            for number, one in enumerate(on_event):
+                if not isinstance(one, LaunchDescriptionEntity):
+                    raise EntityTypeError(f"reaction {number} to an event", "an action", one)
         super().__init__(matcher=self._is_meant, entities=on_event, handle_once=handle_once)
 
     def _is_meant(self, event: Any) -> bool:
@@ -205,10 +213,6 @@ class OnProcessIO(OnActionEventBase):
             target_event_cls=ProcessIO,
             **options,
         )
-
-    def matches(self, event: Event) -> bool:
-        """Return whether it is about the process, and from a stream that matters here."""
-        return super().matches(event) and self._reactions[cast("ProcessIO", event).fd] is not None
 
     def _react(self, event: Any, context: LaunchContext) -> Any:
         reaction = self._reactions[event.fd]

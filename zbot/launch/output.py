@@ -6,7 +6,7 @@ import codecs
 import logging
 from typing import TYPE_CHECKING, Final
 
-from zbot.launch.log import get_output_loggers
+from zbot.launch.log import get_output_loggers, launch_config
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -27,7 +27,8 @@ class OutputLines:
         self._on_screen = frozenset(seen)
         # The screen shows labels in colour, which files do not have.
         files = {stream: chosen - {"screen"} for stream, chosen in sinks.items()}
-        self._loggers = dict(zip(_STREAMS, get_output_loggers(label, files), strict=True))
+        loggers = get_output_loggers(label, files, launch_config.log_file_name)
+        self._loggers = dict(zip(_STREAMS, loggers, strict=True))
         decoder = codecs.getincrementaldecoder("utf-8")
         self._decoders = {fd: decoder("backslashreplace") for fd in _STREAMS}
         self._rest = dict.fromkeys(_STREAMS, "")

@@ -153,7 +153,7 @@ def matches_action(target_action: ExecuteLocal) -> ProcessMatcher:
 
 def matches_pid(pid: int) -> ProcessMatcher:
     """Return a matcher that picks the process with a number."""
-    return lambda action: bool(action.process_details) and action.process_details["pid"] == pid
+    return lambda action: action.process_details.get("pid") == pid
 
 
 def matches_name(name: str) -> ProcessMatcher:

@@ -25,14 +25,9 @@ def load(path: Path) -> LaunchDescription:
     Raises:
         LaunchFileError: The file cannot be read or fails, or describes nothing.
     """
-    module = ModuleType("launch_file")
-    module.__file__ = str(path)
-    _import_from_workspace()
     returned: Any = None
     try:
-        with io.open_code(str(path)) as file:
-            code = compile(file.read(), str(path), "exec")
-        exec(code, module.__dict__)  # noqa: S102 - running the user's file is the whole point
+        module = load_module(path)
         function = getattr(module, _FUNCTION, None)
         if callable(function):
             returned = function()
@@ -47,6 +42,22 @@ def load(path: Path) -> LaunchDescription:
         line = getattr(getattr(function, "__code__", None), "co_firstlineno", 0)
         raise LaunchFileError(str(path), line, _complaint(returned))
     return returned
+
+
+def load_module(path: str | Path) -> ModuleType:
+    """Return a launch file as a module, which is not to be imported by others.
+
+    Raises:
+        OSError: It cannot be read.
+        Exception: What it raises.
+    """
+    module = ModuleType("launch_file")
+    module.__file__ = str(path)
+    _import_from_workspace()
+    with io.open_code(str(path)) as file:
+        code = compile(file.read(), str(path), "exec")
+    exec(code, module.__dict__)  # noqa: S102 - running the user's file is the whole point
+    return module
 
 
 def _complaint(returned: object) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import logging
 import signal
 import threading
 from typing import TYPE_CHECKING, Any
@@ -12,6 +13,8 @@ from zbot.launch.context import LaunchContext
 from zbot.launch.errors import LaunchFileError
 from zbot.launch.event import HurryUp, IncludeLaunchDescriptionEvent, Shutdown
 from zbot.launch.event_handler import OnIncludeLaunchDescription
+from zbot.launch.log import launch_config
+from zbot.launch.signal_manager import AsyncSafeSignalManager
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
@@ -28,6 +31,8 @@ class LaunchService:
         argv: Arguments of the launch, for those that ask for them.
         noninteractive: Whether processes get no terminal to read from.
         debug: Whether debug lines are shown.
+        log_file_name: The file that the launch writes to, in the folder of its log; its own lines
+            are told apart by the name, too.
         find_program: Called with a package and an executable before a node is started; raises
             where there is none.
     """
@@ -38,13 +43,34 @@ class LaunchService:
         argv: Sequence[str] | None = None,
         noninteractive: bool = False,
         debug: bool = False,
+        log_file_name: str | None = None,
         find_program: Callable[[str, str], object] | None = None,
     ) -> None:
-        self.context = LaunchContext(
+        self._logger_name = (log_file_name or "launch").removesuffix(".log")
+        self._log_file_name = f"{self._logger_name}.log"
+        if log_file_name is not None:
+            launch_config.log_file_name = self._log_file_name
+        self.__context = LaunchContext(
             argv=argv, noninteractive=noninteractive, find_program=find_program, debug=debug
         )
-        self.context.register_event_handler(OnIncludeLaunchDescription())
+        self.__context.register_event_handler(OnIncludeLaunchDescription())
+        self.__task: asyncio.Task[Any] | None = None
         self._interrupts = 0
+
+    @property
+    def context(self) -> LaunchContext:
+        """What the launch knows."""
+        return self.__context
+
+    @property
+    def event_loop(self) -> asyncio.AbstractEventLoop | None:
+        """The loop that the launch runs in; None while it does not run."""
+        return self.__context.asyncio_loop
+
+    @property
+    def task(self) -> asyncio.Task[Any] | None:
+        """The task that the launch ran in last."""
+        return self.__task
 
     def include_launch_description(self, launch_description: LaunchDescription) -> None:
         """Launch a description, now or as soon as the service runs; from any thread."""
@@ -57,7 +83,8 @@ class LaunchService:
     def shutdown(self, force_sync: bool = False) -> None:
         """End the launch and its processes; from any thread."""
         del force_sync  # the event is worked on at once, either way
-        self.emit_event(Shutdown(reason="LaunchService.shutdown() called"))
+        if not self.context.is_shutdown:
+            self.emit_event(Shutdown(reason="LaunchService.shutdown() called"))
 
     def run(self, *, shutdown_when_idle: bool = True) -> int:
         """Run until the launch has ended.
@@ -69,16 +96,23 @@ class LaunchService:
             The exit code: 1 if the launch failed, else 0. Of programs that died by themselves tells
             `context.program_failed`, as for launch they are no failure.
         """
-        return asyncio.run(self.run_async(shutdown_when_idle=shutdown_when_idle))
+        # asyncio.run() would take the thread's own loop away, which programs have plans for.
+        loop = asyncio.new_event_loop()
+        try:
+            return loop.run_until_complete(self.run_async(shutdown_when_idle=shutdown_when_idle))
+        finally:
+            _close(loop)
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
         """Run until the launch has ended; see `run`."""
         context, loop = self.context, asyncio.get_running_loop()
         journal = context.journal
         context.begin(loop)
-        journal.info("launch", f"All log files can be found below {journal.folder}")
-        level = "DEBUG" if context.debug else "INFO"
-        journal.info("launch", f"Default logging verbosity is set to {level}")
+        self.__task = asyncio.current_task(loop)
+        self._interrupts = 0
+        journal.info(self._logger_name, f"All log files can be found below {journal.folder}")
+        level = "DEBUG" if journal.shows_debug else logging.getLevelName(launch_config.level)
+        journal.info(self._logger_name, f"Default logging verbosity is set to {level}")
         stay = None if shutdown_when_idle else loop.create_future()
         if stay is not None:
             context.add_completion_future(stay)
@@ -101,10 +135,8 @@ class LaunchService:
     def _process(self, event: Event) -> None:
         context = self.context
         if isinstance(event, Shutdown):
-            if context.is_shutdown:
-                return
             context.is_shutdown = True
-            context.journal.debug("launch", f"shutdown: {event.reason}")
+            context.journal.debug(self._logger_name, f"shutdown: {event.reason}")
         for handler in context.event_handlers:
             if handler.matches(event):
                 depth = context.depth
@@ -145,30 +177,37 @@ class LaunchService:
         if threading.current_thread() is not threading.main_thread():
             yield  # Python lets no other thread handle signals
             return
-
-        def on_signal(number: int, _: Any) -> None:
-            loop.call_soon_threadsafe(self._interrupt, number)
-
-        numbers = [signal.SIGINT, signal.SIGTERM]
-        numbers += [
-            getattr(signal, name) for name in ("SIGHUP", "SIGQUIT") if hasattr(signal, name)
-        ]
-        previous = {number: signal.signal(number, on_signal) for number in numbers}
-        try:
+        names = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT")
+        with AsyncSafeSignalManager(loop) as manager:
+            for number in [getattr(signal, name) for name in names if hasattr(signal, name)]:
+                manager.handle(number, self._interrupt)
             yield
-        finally:
-            for number, handler in previous.items():
-                signal.signal(number, handler)
 
     def _interrupt(self, number: int) -> None:
         self._interrupts += 1
         warn, name = self.context.journal.warning, signal.Signals(number).name
         if self._interrupts > 1:
-            warn("launch", f"user interrupted again ({name}): processes get the next signal now")
+            warn(
+                self._logger_name,
+                f"user interrupted again ({name}): processes get the next signal now",
+            )
             self.emit_event(HurryUp())
         elif number == signal.SIGINT:
-            warn("launch", "user interrupted with ctrl-c (SIGINT)")
+            warn(self._logger_name, "user interrupted with ctrl-c (SIGINT)")
             self.emit_event(Shutdown(reason="ctrl-c (SIGINT)", due_to_sigint=True))
         else:
-            warn("launch", f"the launch was told to end ({name})")
+            warn(self._logger_name, f"the launch was told to end ({name})")
             self.emit_event(Shutdown(reason=name))
+
+
+def _close(loop: asyncio.AbstractEventLoop) -> None:
+    """Close a loop after what still runs in it."""
+    tasks = asyncio.all_tasks(loop)
+    for task in tasks:
+        task.cancel()
+    try:
+        loop.run_until_complete(asyncio.wait(tasks) if tasks else asyncio.sleep(0))
+        loop.run_until_complete(loop.shutdown_asyncgens())
+        loop.run_until_complete(loop.shutdown_default_executor())
+    finally:
+        loop.close()

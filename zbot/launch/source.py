@@ -11,6 +11,7 @@ from zbot.launch.errors import (
     EntityTypeError,
     LaunchFileError,
     LaunchFileNotFoundError,
+    NoSourceError,
 )
 from zbot.launch.substitution import describe, normalize, perform
 
@@ -49,7 +50,7 @@ class LaunchDescriptionSource:
         if launch_description is not None and not isinstance(launch_description, LaunchDescription):
             raise EntityTypeError("launch_description", "a LaunchDescription", launch_description)
         self._description = launch_description
-        self._location = normalize(location)
+        self._location = normalize(location) if location else []
         self.method = method
 
     def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
@@ -59,6 +60,8 @@ class LaunchDescriptionSource:
             LaunchError: The file is not there, or makes no sense.
         """
         if self._description is None:
+            if not self._location:
+                raise NoSourceError
             self._description = load_launch_file(perform(context, self._location), self.format)
         return self._description
 
@@ -144,7 +147,7 @@ class AnyLaunchDescriptionSource(LaunchDescriptionSource):
     """A launch file of any format."""
 
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
-        super().__init__(None, launch_file_path, f"interpreted {self.format or 'launch'} file")
+        super().__init__(None, launch_file_path, f"interpreted {self.format or 'any'} launch file")
 
 
 class PythonLaunchDescriptionSource(AnyLaunchDescriptionSource):

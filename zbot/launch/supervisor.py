@@ -138,7 +138,7 @@ class Supervisor:
         journal.info(self.label, f"process started with pid [{child.pid}]")
         if self._policy.shows_command:
             journal.info(self.label, f"process details: cmd='{shlex.join(prepared.words)}'")
-        self._action.process_details = self._details()
+        self._action.process_details = self.details()
         self._emit(ProcessStarted)
         is_told = True
         for fd, data in early:
@@ -155,19 +155,21 @@ class Supervisor:
         has_keys = not self._context.noninteractive and sys.stdin is not None and sys.stdin.isatty()
         return None if has_keys else subprocess.PIPE
 
-    def _details(self) -> dict[str, Any]:
+    def details(self) -> dict[str, Any]:
+        """Return what events tell of the process; its `pid` only once it has started."""
         prepared = self._prepared
+        pid = {} if self._process is None else {"pid": self._process.pid}
         return {
             "action": self._action,
             "name": self.label,
             "cmd": prepared.words,
             "cwd": prepared.cwd,
             "env": prepared.env,
-            "pid": self._process.pid if self._process is not None else 0,
+            **pid,
         }
 
     def _emit(self, kind: type[Any], **attributes: Any) -> None:
-        self._context.emit_event_sync(kind(**self._details(), **attributes))
+        self._context.emit_event_sync(kind(**self.details(), **attributes))
 
     def _on_data(self, lines: OutputLines, fd: int, data: bytes) -> None:
         lines.feed(fd, data)

@@ -209,7 +209,7 @@ def wait_for_start_sync(
 ) -> bool:
     """Wait until a process was started; return whether it was in time."""
     process = execute_process_action
-    return _wait(launch_context, process, lambda: process.process_details, timeout)
+    return _wait(launch_context, process, lambda: "pid" in process.process_details, timeout)
 
 
 def wait_for_exit_sync(

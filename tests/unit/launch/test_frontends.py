@@ -88,7 +88,7 @@ launch:
 """
 _TREE = """\
 <launch.LaunchDescription>
-    DeclareLaunchArgument('robot')
+    DeclareLaunchArgument('robot', default_value='r2', description='its name')
     SetLaunchConfiguration('both', LaunchConfig('robot') + '_x')
     SetEnvironmentVariable('A', 'b')
     UnsetEnvironmentVariable()

@@ -17,11 +17,15 @@ from zbot.launch.actions.configuration import SetEnvironmentVariable as SetEnvir
 from zbot.launch.actions.configuration import SetLaunchConfiguration as SetLaunchConfiguration
 from zbot.launch.actions.configuration import UnsetEnvironmentVariable as UnsetEnvironmentVariable
 from zbot.launch.actions.configuration import UnsetLaunchConfiguration as UnsetLaunchConfiguration
+from zbot.launch.actions.declare_argument import (
+    DeclareBooleanLaunchArgument as DeclareBooleanLaunchArgument,
+)
 from zbot.launch.actions.declare_argument import DeclareLaunchArgument as DeclareLaunchArgument
 from zbot.launch.actions.event_action import EmitEvent as EmitEvent
 from zbot.launch.actions.event_action import RegisterEventHandler as RegisterEventHandler
 from zbot.launch.actions.event_action import Shutdown as Shutdown
 from zbot.launch.actions.event_action import UnregisterEventHandler as UnregisterEventHandler
+from zbot.launch.actions.event_action import shutdown_on_process_exit as shutdown_on_process_exit
 from zbot.launch.actions.execute import ExecuteLocal as ExecuteLocal
 from zbot.launch.actions.execute import ExecuteProcess as ExecuteProcess
 from zbot.launch.actions.group import GroupAction as GroupAction

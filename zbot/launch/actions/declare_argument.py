@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.launch.action import Action
 from zbot.launch.errors import LaunchArgumentError
-from zbot.launch.substitution import normalize, perform
+from zbot.launch.substitution import describe, normalize, perform
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -47,7 +47,7 @@ class DeclareLaunchArgument(Action):
         if self.choices is not None and not self.choices:
             raise LaunchArgumentError(f"launch argument '{name}' has no choices: leave them out")
         if self.choices is not None and isinstance(given, str) and given not in self.choices:
-            raise LaunchArgumentError.no_choice(name, given, self.choices)
+            raise LaunchArgumentError.no_default(name, given, self.choices)
         self.default_value = None if given is None else normalize(given)
         self._told = description or ""
 
@@ -68,4 +68,20 @@ class DeclareLaunchArgument(Action):
 
     def describe(self) -> str:
         """Return its name."""
-        return f"DeclareLaunchArgument('{self.name}')"
+        told = f", default_value={describe(self.default_value)}" if self.default_value else ""
+        if self._told:
+            told += f", description={self._told!r}"
+        return f"{type(self).__name__}('{self.name}'{told})"
+
+
+class DeclareBooleanLaunchArgument(DeclareLaunchArgument):
+    """An argument that is true or false.
+
+    Args:
+        name: Its name.
+        options: As for `DeclareLaunchArgument`, without `choices`.
+    """
+
+    def __init__(self, name: str, **options: Any) -> None:
+        choices = ["True", "true", "TRUE", "False", "false", "FALSE"]
+        super().__init__(name, choices=choices, **options)

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.launch.action import Action
 from zbot.launch.event import Shutdown as ShutdownEvent
+from zbot.launch.event_handler import OnProcessExit
 from zbot.launch.substitution import normalize, perform
 
 if TYPE_CHECKING:
@@ -93,3 +94,9 @@ class Shutdown(Action):
     def describe(self) -> str:
         """Return the kind of event."""
         return "Shutdown()"
+
+
+def shutdown_on_process_exit(process_action: Action) -> RegisterEventHandler:
+    """Return an action that ends the launch when a process of it ends."""
+    end = EmitEvent(event=ShutdownEvent(reason="process exited"))
+    return RegisterEventHandler(OnProcessExit(target_action=process_action, on_exit=end))

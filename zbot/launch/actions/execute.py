@@ -143,6 +143,7 @@ class ExecuteLocal(Action):
         if self.on_exit is not None:
             handler = OnProcessExit(target_action=self, on_exit=self.on_exit)
             context.register_event_handler(handler)
+        self.process_details = supervisor.details()
         self._task = supervisor.start()
         return None
 

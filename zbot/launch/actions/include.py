@@ -28,19 +28,8 @@ if TYPE_CHECKING:
 _MAX_DEPTH = 60
 
 
-class _EnterFile(Action):
-    """Let `ThisLaunchFile` and its like mean the included file."""
-
-    def __init__(self, extensions: Mapping[str, Any]) -> None:
-        super().__init__()
-        self._extensions = extensions
-
-    def execute(self, context: LaunchContext) -> None:
-        context.extend_locals(self._extensions)
-
-
 class _LeaveFile(Action):
-    """Let them mean the including file again."""
+    """Let `ThisLaunchFile` and its like mean the including file again."""
 
     def execute(self, context: LaunchContext) -> None:
         context.pop_locals()
@@ -76,7 +65,9 @@ class IncludeLaunchDescription(Action):
         self.launch_arguments: list[tuple[Any, Any]] = list(pairs)
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
-        """Return the entities of the file, between what sets its arguments and its path.
+        """Return what sets the arguments of the file, and its entities.
+
+        From now on `ThisLaunchFile` and its like mean that file, up to the last of them.
 
         Raises:
             IncludeLoopError: The file includes itself, without end.
@@ -98,7 +89,8 @@ class IncludeLaunchDescription(Action):
             **file_locals(path),
             "include_chain": self._chain(context, str(path), given),
         }
-        return [*sets, _EnterFile(extensions), description, _LeaveFile()]
+        context.extend_locals(extensions)
+        return [*sets, description, _LeaveFile()]
 
     def _chain(
         self, context: LaunchContext, path: str, given: Mapping[str, str]

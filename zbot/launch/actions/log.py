@@ -5,13 +5,26 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch.action import Action
+from zbot.launch.errors import LogLevelError
 from zbot.launch.substitution import describe, normalize, perform
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
     from zbot.launch.substitution import SomeSubstitutionsType
 
-_LEVELS = {"WARN": "WARNING", "FATAL": "ERROR", "CRITICAL": "ERROR"}
+_LEVELS = {
+    **{level: level for level in ("DEBUG", "INFO", "WARNING", "ERROR")},
+    "WARN": "WARNING",
+    "FATAL": "ERROR",
+    "CRITICAL": "ERROR",
+}
+
+
+def _known(level: str) -> str:
+    """Return the name by which Python knows a level."""
+    if level.upper() not in _LEVELS:
+        raise LogLevelError(level, _LEVELS)
+    return _LEVELS[level.upper()]
 
 
 class Log(Action):
@@ -20,6 +33,9 @@ class Log(Action):
     Args:
         msg: The text.
         level: `debug`, `info`, `warning` or `error`.
+
+    Raises:
+        LogLevelError: There is no such level.
     """
 
     def __init__(
@@ -27,12 +43,13 @@ class Log(Action):
     ) -> None:
         super().__init__(**options)
         self.msg, self.level = normalize(msg), normalize(level)
+        if isinstance(level, str):
+            _known(level)
 
     def execute(self, context: LaunchContext) -> None:
         """Write it."""
-        level = perform(context, self.level).upper()
-        text = perform(context, self.msg)
-        context.journal.log(_LEVELS.get(level, level), "launch.user", text)
+        level = _known(perform(context, self.level))
+        context.journal.log(level, "launch.user", perform(context, self.msg))
 
     def describe(self) -> str:
         """Return the text."""

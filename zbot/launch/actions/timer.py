@@ -46,7 +46,7 @@ class TimerAction(Action):
     def execute(self, context: LaunchContext) -> None:
         """Start to wait."""
         seconds = _seconds(self.period, context)
-        self._done = context.asyncio_loop.create_future()
+        self._done = context.running_loop.create_future()
         context.add_completion_future(self._done)
         context.register_event_handler(
             EventHandler(
@@ -57,7 +57,7 @@ class TimerAction(Action):
         )
         if self.cancel_on_shutdown:
             context.register_event_handler(OnShutdown(on_shutdown=lambda *_: self.cancel()))
-        self._task = context.asyncio_loop.create_task(self._wait(seconds, context))
+        self._task = context.running_loop.create_task(self._wait(seconds, context))
 
     async def _wait(self, seconds: float, context: LaunchContext) -> None:
         await self._sleep(seconds, context)

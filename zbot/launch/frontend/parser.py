@@ -30,6 +30,8 @@ _ROOT = "launch"
 class Parser:
     """Makes actions of entities."""
 
+    extensions_loaded = False  #: whether packages were asked for tags of their own
+
     @classmethod
     def load(cls, file: str | PathLike[str] | TextIO) -> tuple[Entity, Parser]:
         """Return the tree of a launch file in XML or YAML, and a parser for it.

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from zbot.errors import nearest
 from zbot.launch import substitutions as subs
+from zbot.launch.errors import ExposeError
 from zbot.launch.frontend.errors import SubstitutionSyntaxError
 from zbot.launch.substitution import TextSubstitution
 
@@ -32,6 +33,25 @@ def action(*names: str) -> Callable[[Builder], Builder]:
     def register(builder: Builder) -> Builder:
         ACTIONS.update(dict.fromkeys(names, builder))
         return builder
+
+    return register
+
+
+def expose(
+    name: str, exposed_parsers: dict[str, Callable[..., Any]], exposed_type: str
+) -> Callable[[Exposed], Exposed]:
+    """Let a function, or the `parse` of a class, stand in a table under a name.
+
+    Raises:
+        ExposeError: It is neither.
+    """
+
+    def register(exposed: Exposed) -> Exposed:
+        parse = getattr(exposed, "parse", exposed)
+        if not callable(parse):
+            raise ExposeError(exposed_type, name)
+        exposed_parsers[name] = parse
+        return exposed
 
     return register
 
@@ -139,6 +159,9 @@ _MAKERS: dict[str, tuple[Callable[..., Substitution], int, int]] = {
     "any": (subs.AnySubstitution, 1, 999),
     "equals": (subs.EqualsSubstitution, 2, 2),
     "not-equals": (subs.NotEqualsSubstitution, 2, 2),
+    "is-empty": (subs.IsEmptySubstitution, 1, 1),
+    "not-empty": (subs.NotEmptySubstitution, 1, 1),
+    "string-strip": (subs.StringStripSubstitution, 1, 1),
     "if": (subs.IfElseSubstitution, 2, 3),
     "file-content": (subs.FileContent, 1, 1),
     "path-join": (lambda *parts: subs.PathJoinSubstitution(parts), 1, 999),

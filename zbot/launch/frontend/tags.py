@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Final
 
 from zbot.launch import actions
 from zbot.launch.actions.loop import in_a_round
@@ -246,10 +246,18 @@ def _log(entity: Entity, parser: Parser) -> Action:
     return actions.Log(msg=needed(entity, parser, "message"), level=level)
 
 
+_LOG_ACTIONS: Final[dict[str, type[actions.LogInfo]]] = {
+    "debug": actions.LogDebug,
+    "info": actions.LogInfo,
+    "warning": actions.LogWarning,
+    "error": actions.LogError,
+}
+
+
 @action("log_debug", "log_info", "log_warning", "log_error")
 def _log_of_level(entity: Entity, parser: Parser) -> Action:
     level = entity.type_name.replace("-", "_").removeprefix("log_")
-    return actions.Log(msg=needed(entity, parser, "message"), level=level)
+    return _LOG_ACTIONS[level](msg=needed(entity, parser, "message"))
 
 
 @action("timer")

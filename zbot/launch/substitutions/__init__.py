@@ -8,9 +8,12 @@ from zbot.launch.substitutions.logic import AndSubstitution as AndSubstitution
 from zbot.launch.substitutions.logic import AnySubstitution as AnySubstitution
 from zbot.launch.substitutions.logic import EqualsSubstitution as EqualsSubstitution
 from zbot.launch.substitutions.logic import IfElseSubstitution as IfElseSubstitution
+from zbot.launch.substitutions.logic import IsEmptySubstitution as IsEmptySubstitution
+from zbot.launch.substitutions.logic import NotEmptySubstitution as NotEmptySubstitution
 from zbot.launch.substitutions.logic import NotEqualsSubstitution as NotEqualsSubstitution
 from zbot.launch.substitutions.logic import NotSubstitution as NotSubstitution
 from zbot.launch.substitutions.logic import OrSubstitution as OrSubstitution
+from zbot.launch.substitutions.logic import StringStripSubstitution as StringStripSubstitution
 from zbot.launch.substitutions.package import ExecutableInPackage as ExecutableInPackage
 from zbot.launch.substitutions.package import FindPackage as FindPackage
 from zbot.launch.substitutions.package import FindPackagePrefix as FindPackagePrefix

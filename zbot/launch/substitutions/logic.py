@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from zbot.launch.errors import SubstitutionError
+from zbot.launch.errors import ArgumentCountError, SubstitutionError
 from zbot.launch.substitution import (
     Substitution,
     describe_list,
@@ -16,7 +16,9 @@ from zbot.launch.substitution import (
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
+
+    from typing_extensions import Self
 
     from zbot.launch.context import LaunchContext
     from zbot.launch.substitution import SomeSubstitutionsType
@@ -87,6 +89,53 @@ class AnySubstitution(_Operation):
     def perform(self, context: LaunchContext) -> str:
         """Return `true` or `false`."""
         return str(any(list(self._truths(context)))).lower()
+
+
+class _Question(_Operation):
+    """Asks something of one text."""
+
+    def __init__(self, value: SomeSubstitutionsType) -> None:
+        super().__init__(value)
+
+    @property
+    def value(self) -> list[Substitution]:
+        """The text."""
+        return self.operands[0]
+
+    @classmethod
+    def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Self], dict[str, Any]]:
+        """Return the class and the options that `$(name value)` stands for.
+
+        Raises:
+            ArgumentCountError: There is not one argument.
+        """
+        if len(data) != 1:
+            raise ArgumentCountError(cls.__name__, 1, len(data))
+        return cls, {"value": data[0]}
+
+
+class IsEmptySubstitution(_Question):
+    """`true` if a text is empty; blanks are text."""
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return `true` or `false`."""
+        return str(not self._texts(context)[0]).lower()
+
+
+class NotEmptySubstitution(_Question):
+    """`true` if a text is not empty; blanks are text."""
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return `true` or `false`."""
+        return str(bool(self._texts(context)[0])).lower()
+
+
+class StringStripSubstitution(_Question):
+    """A text without the blanks at its ends."""
+
+    def perform(self, context: LaunchContext) -> str:
+        """Return what is left."""
+        return self._texts(context)[0].strip()
 
 
 def _as_number(text: str) -> float | None:

@@ -15,8 +15,11 @@ from zbot.launch import (
     SomeSubstitutionsType,
     Substitution,
 )
+from zbot.launch.errors import InvalidLaunchFileError
 from zbot.launch.event_handler import Entities as SomeActionsType
 from zbot.launch.event_handler import Entities as SomeEntitiesType
+from zbot.launch.event_handler import Entities_types_tuple as SomeActionsType_types_tuple
+from zbot.launch.event_handler import Entities_types_tuple as SomeEntitiesType_types_tuple
 from zbot.launch.substitution import SomeSubstitutionsType_types_tuple
 
 __all__ = [
@@ -24,6 +27,7 @@ __all__ = [
     "Condition",
     "Event",
     "EventHandler",
+    "InvalidLaunchFileError",
     "LaunchContext",
     "LaunchDescription",
     "LaunchDescriptionEntity",
@@ -31,7 +35,9 @@ __all__ = [
     "LaunchIntrospector",
     "LaunchService",
     "SomeActionsType",
+    "SomeActionsType_types_tuple",
     "SomeEntitiesType",
+    "SomeEntitiesType_types_tuple",
     "SomeSubstitutionsType",
     "SomeSubstitutionsType_types_tuple",
     "Substitution",

@@ -1,3 +1,3 @@
 """What a launch file that makes no sense raises."""
 
-from zbot.launch.errors import LaunchFileError as InvalidLaunchFileError
+from zbot.launch.errors import InvalidLaunchFileError as InvalidLaunchFileError

@@ -1,5 +1,6 @@
 """What may be given where actions are wanted."""
 
 from zbot.launch.event_handler import Entities as SomeActionsType
+from zbot.launch.event_handler import Entities_types_tuple as SomeActionsType_types_tuple
 
-__all__ = ["SomeActionsType"]
+__all__ = ["SomeActionsType", "SomeActionsType_types_tuple"]

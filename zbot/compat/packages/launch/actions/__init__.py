@@ -2,6 +2,7 @@
 
 from zbot.launch.actions import Action as Action
 from zbot.launch.actions import AppendEnvironmentVariable as AppendEnvironmentVariable
+from zbot.launch.actions import DeclareBooleanLaunchArgument as DeclareBooleanLaunchArgument
 from zbot.launch.actions import DeclareLaunchArgument as DeclareLaunchArgument
 from zbot.launch.actions import EmitEvent as EmitEvent
 from zbot.launch.actions import ExecuteLocal as ExecuteLocal

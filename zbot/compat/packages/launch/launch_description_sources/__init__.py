@@ -1,5 +1,6 @@
 """Where launch descriptions come from."""
 
+from zbot.compat.submodules import submodules
 from zbot.launch.errors import LaunchFileError as InvalidPythonLaunchFileError
 from zbot.launch.source import AnyLaunchDescriptionSource as AnyLaunchDescriptionSource
 from zbot.launch.source import FrontendLaunchDescriptionSource as FrontendLaunchDescriptionSource
@@ -9,3 +10,5 @@ from zbot.launch.source import load_launch_file as get_launch_description_from_f
 from zbot.launch.source import (
     load_python_launch_file as get_launch_description_from_python_launch_file,
 )
+
+__getattr__ = submodules(__name__, "any_launch_file_utilities", "python_launch_file_utilities")

@@ -1,0 +1,3 @@
+"""What `launch.utilities` has, under its own module's name."""
+
+from zbot.launch.visit import create_future as create_future

@@ -1,0 +1,78 @@
+"""Signals that are handled inside an event loop."""
+
+from __future__ import annotations
+
+import signal
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    import asyncio
+    from collections.abc import Callable
+    from types import TracebackType
+
+
+class AsyncSafeSignalManager:
+    """Calls functions in an event loop when signals come, while it is entered.
+
+    Managers may be inside one another, and whoever handled a signal before is called, too; only
+    Python's own KeyboardInterrupt is not raised.
+
+    Args:
+        loop: Where the functions are called.
+    """
+
+    def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
+        self._loop = loop
+        self._handlers: dict[int, Callable[[int], Any]] = {}
+        self._previous: dict[int, Any] = {}
+        self._is_entered = False
+
+    def handle(
+        self, signum: signal.Signals | int, handler: Callable[[int], Any] | None
+    ) -> Callable[[int], Any] | None:
+        """Have a function called with the signal's number; None for no function any more.
+
+        Returns:
+            The function that was called before.
+
+        Raises:
+            ValueError: It is no function, or this is not the main thread.
+        """
+        if handler is not None and not callable(handler):
+            raise ValueError(f"a signal's handler must be callable, not {handler!r}")
+        number = signal.Signals(signum)
+        previous = self._handlers.pop(number, None)
+        if handler is not None:
+            self._handlers[number] = handler
+        if self._is_entered:
+            self._install(number)
+        return previous
+
+    def _install(self, number: int) -> None:
+        if number in self._handlers and number not in self._previous:
+            self._previous[number] = signal.signal(number, self._on_signal)
+        elif number not in self._handlers and number in self._previous:
+            signal.signal(number, self._previous.pop(number))
+
+    def _on_signal(self, number: int, frame: Any) -> None:
+        handler, previous = self._handlers.get(number), self._previous.get(number)
+        if handler is not None:
+            self._loop.call_soon_threadsafe(handler, number)
+        if callable(previous) and previous is not signal.default_int_handler:
+            previous(number, frame)
+
+    def __enter__(self) -> AsyncSafeSignalManager:
+        self._is_entered = True
+        for number in self._handlers:
+            self._install(number)
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._is_entered = False
+        while self._previous:
+            signal.signal(*self._previous.popitem())
