@@ -65,6 +65,16 @@ rclpy.expand_topic_name: expand_topic_name
 rosidl_runtime_py: message_to_csv message_to_ordereddict message_to_yaml set_message_fields
 rosidl_runtime_py.convert: message_to_ordereddict message_to_yaml get_message_slot_types
 rosidl_runtime_py.set_message: set_message_fields
+rosidl_runtime_py: import_message_from_namespaced_type get_interface_path
+ros2topic.api: get_msg_class get_topic_names get_topic_names_and_types
+ros2node.api: get_node_names get_absolute_node_name get_publisher_info get_subscriber_info
+ros2node.api: get_service_server_info get_action_server_info _is_hidden_name NodeName
+ros2service.api: get_service_names get_service_names_and_types
+ros2action.api: get_action_names get_action_names_and_types
+ros2param.api: call_get_parameters call_set_parameters call_list_parameters get_value
+ros2param.api: call_describe_parameters get_parameter_value
+ros2cli.node.direct: DirectNode add_arguments
+ros2cli.node.strategy: NodeStrategy add_arguments
 rosidl_runtime_py.utilities: get_message get_service get_action get_interface
 rosidl_runtime_py.get_interfaces: get_interfaces get_message_interfaces get_interface_path
 message_filters: Subscriber TimeSynchronizer ApproximateTimeSynchronizer Cache Chain SimpleFilter

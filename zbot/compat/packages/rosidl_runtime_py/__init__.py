@@ -8,6 +8,9 @@ from zbot.interface_lookup import get_interface_packages as get_interface_packag
 from zbot.interface_lookup import get_interface_path as get_interface_path
 from zbot.interface_lookup import get_message_interfaces as get_message_interfaces
 from zbot.interface_lookup import get_service_interfaces as get_service_interfaces
+from zbot.interface_lookup import (
+    import_message_from_namespaced_type as import_message_from_namespaced_type,
+)
 from zbot.message_conversion import get_message_slot_types as get_message_slot_types
 from zbot.message_conversion import message_to_csv as message_to_csv
 from zbot.message_conversion import message_to_ordereddict as message_to_ordereddict

@@ -1,0 +1,1 @@
+"""Nodes for a look at the graph."""

@@ -1,0 +1,122 @@
+"""Other nodes' parameters in one call each: the functions of ros2cli's `ros2param`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot import parameter
+from zbot.errors import ZbotError
+
+from rcl_interfaces.msg import ParameterType
+from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters, SetParameters
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from zbot.node import Node
+
+    from rcl_interfaces.msg import Parameter, ParameterValue
+
+_PATIENCE_S = 5.0  # as long as ros2cli waits for a node's services
+
+_TYPE_NAMES = {
+    ParameterType.PARAMETER_NOT_SET: "not set",
+    ParameterType.PARAMETER_BOOL: "boolean",
+    ParameterType.PARAMETER_INTEGER: "integer",
+    ParameterType.PARAMETER_DOUBLE: "double",
+    ParameterType.PARAMETER_STRING: "string",
+    ParameterType.PARAMETER_BYTE_ARRAY: "byte array",
+    ParameterType.PARAMETER_BOOL_ARRAY: "boolean array",
+    ParameterType.PARAMETER_INTEGER_ARRAY: "integer array",
+    ParameterType.PARAMETER_DOUBLE_ARRAY: "double array",
+    ParameterType.PARAMETER_STRING_ARRAY: "string array",
+}
+
+
+class NoParameterServiceError(ZbotError, RuntimeError):
+    """A node's parameters were asked for, and it did not offer them in time."""
+
+    def __init__(self, node_name: str) -> None:
+        self.node_name = node_name
+        super().__init__(f"{node_name} offered no parameter services within {_PATIENCE_S:.0f} s")
+
+
+def get_value(*, parameter_value: ParameterValue) -> Any:
+    """Return the value of a message; None if it is not set."""
+    return parameter.parameter_value_to_python(parameter_value)
+
+
+def get_parameter_value(*, string_value: str) -> ParameterValue:
+    """Return what a text on the command line means, as a message."""
+    return parameter.get_parameter_value(string_value)
+
+
+def get_parameter_type_string(parameter_type: int) -> str:
+    """Return the name of a type of parameters, as `ros2 param describe` prints it."""
+    return _TYPE_NAMES[parameter_type]
+
+
+def call_get_parameters(
+    *, node: Node, node_name: str, parameter_names: Sequence[str]
+) -> GetParameters.Response:
+    """Ask a node for parameters; `values` has one for each name, of type "not set" if it has none.
+
+    May be called anywhere, also in a callback.
+
+    Args:
+        node: Asks.
+        node_name: Who is asked, with its namespace.
+        parameter_names: Whose values are asked for.
+
+    Raises:
+        NoParameterServiceError: The node offers no parameter services within 5 s.
+        ServiceError: The node ended meanwhile.
+    """
+    request = GetParameters.Request(names=list(parameter_names))
+    response: GetParameters.Response = _answer(node, GetParameters, node_name, request)
+    return response
+
+
+def call_set_parameters(
+    *, node: Node, node_name: str, parameters: Sequence[Parameter]
+) -> SetParameters.Response:
+    """Set parameters of a node; `results` tells of each whether it did. See the function above."""
+    request = SetParameters.Request(parameters=list(parameters))
+    response: SetParameters.Response = _answer(node, SetParameters, node_name, request)
+    return response
+
+
+def call_describe_parameters(
+    *, node: Node, node_name: str, parameter_names: Sequence[str] | None = None
+) -> DescribeParameters.Response:
+    """Ask a node for descriptions of parameters. See `call_get_parameters`."""
+    request = DescribeParameters.Request(names=list(parameter_names or []))
+    response: DescribeParameters.Response = _answer(node, DescribeParameters, node_name, request)
+    return response
+
+
+def call_list_parameters(
+    *, node: Node, node_name: str, prefixes: Sequence[str] | None = None
+) -> list[str]:
+    """Return the names of a node's parameters. See `call_get_parameters`."""
+    request = ListParameters.Request(prefixes=list(prefixes or []))
+    response: ListParameters.Response = _answer(node, ListParameters, node_name, request)
+    return list(response.result.names)
+
+
+_SERVICES: dict[type[Any], str] = {
+    GetParameters: "get_parameters",
+    SetParameters: "set_parameters",
+    DescribeParameters: "describe_parameters",
+    ListParameters: "list_parameters",
+}
+
+
+def _answer(node: Node, srv_type: type[Any], node_name: str, request: Any) -> Any:
+    client: Any = node.create_client(srv_type, f"{node_name}/{_SERVICES[srv_type]}")
+    try:
+        if not client.wait_for_service(_PATIENCE_S):
+            raise NoParameterServiceError(node_name)
+        return client.call(request)
+    finally:
+        node.destroy_client(client)
