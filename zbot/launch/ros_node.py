@@ -85,4 +85,5 @@ def launch_node(context: LaunchContext) -> LaunchNode:
         node = LaunchNode()
         context.extend_globals({_KEY: node})
         context.on_close(node.close)
+        context.on_close(lambda: context.extend_globals({_KEY: None}))  # another run makes its own
     return node

@@ -109,9 +109,19 @@ class SequentialTextChecker:
         """
         found = self._text.find(msg, self._place)
         if found < 0:
-            near = self._text[max(self._place - 200, 0) : self._place + 200]
+            near = self.get_nearby_lines()
             raise AssertionError(f"{msg!r} does not come behind what was found before:\n{near}")
         self._place = found + len(msg)
+
+    def get_nearby_lines(self) -> str:
+        """Return the line that was come to, with two lines before it and two behind."""
+        lines = self._text.splitlines()
+        reached = self._text[: self._place].count("\n")
+        # Behind a whole line the next one is come to, unless there is none.
+        if self._text[self._place : self._place + 1] == "\n":
+            reached += 1
+        reached = min(reached, len(lines) - 1)
+        return "\n".join(lines[max(reached - 2, 0) : reached + 3])
 
     assertInText = assertInStdout  # noqa: N815 - as above
 

@@ -15,8 +15,8 @@ class NoMatchingProcessError(ZbotError, LookupError):
 
     def __init__(self, process: str, known: Iterable[str]) -> None:
         self.process, self.known = process, sorted(known)
-        what = f"no process matches {process}" if process else "no process has started"
-        super().__init__(f"{what}; known are: {', '.join(self.known) or 'none'}")
+        what = f"Did not find any process matching {process}" if process else "No process started"
+        super().__init__(f"{what}. Known are: {', '.join(self.known) or 'none'}")
 
 
 class SeveralProcessesError(ZbotError, LookupError):
@@ -24,7 +24,7 @@ class SeveralProcessesError(ZbotError, LookupError):
 
     def __init__(self, process: str, found: Iterable[str]) -> None:
         self.process, self.found = process, sorted(found)
-        super().__init__(f"several processes match {process}: {', '.join(self.found)}")
+        super().__init__(f"Found multiple processes matching {process}: {', '.join(self.found)}")
 
 
 class LaunchTestError(ZbotError):

@@ -59,20 +59,24 @@ def expect_output(
     return _has_lines(expected_lines, found, strict=strict)
 
 
-def expected_output_from_file(path: str) -> list[Any]:
+def expected_output_from_file(path: str, encoding: str | None = None) -> list[Any]:
     """Return the expected lines that a file holds.
 
     Args:
         path: The file without its suffix: `.txt` holds lines, `.regex` patterns.
+        encoding: Of the file, e.g. `unicode_escape` where characters are written as escapes.
 
     Raises:
         LaunchTestError: There is neither.
     """
     texts, patterns = Path(f"{path}.txt"), Path(f"{path}.regex")
     if texts.is_file():
-        return list(texts.read_text(encoding="utf-8").splitlines())
+        return list(texts.read_text(encoding=encoding or "utf-8").splitlines())
     if patterns.is_file():
-        return [re.compile(line) for line in patterns.read_text(encoding="utf-8").splitlines()]
+        return [
+            re.compile(line)
+            for line in patterns.read_text(encoding=encoding or "utf-8").splitlines()
+        ]
     raise LaunchTestError(f"there is neither {texts} nor {patterns}")
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from zbot.errors import ArgumentTypeError
 from zbot.launch.actions.execute import ExecuteLocal
+from zbot.launch.substitution import TextSubstitution
 from zbot.launch_test.error import NoMatchingProcessError, SeveralProcessesError
 
 if TYPE_CHECKING:
@@ -61,7 +62,12 @@ def resolve_processes(
 
 def name_of(process: ExecuteLocal) -> str:
     """Return the name of a process, `talker-1`; what it is to run if it has not started."""
-    return process.name or process.describe()
+    told = process.process_details.get("name")
+    if told:
+        return str(told)
+    if all(isinstance(part, TextSubstitution) for word in process.cmd for part in word):
+        return " ".join(part.text for word in process.cmd for part in word)
+    return "Unknown"  # what substitutions become is known when it starts
 
 
 def _said(process: ExecuteLocal | str | None) -> str:

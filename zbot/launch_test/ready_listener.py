@@ -34,6 +34,11 @@ class StdoutReadyListener(EventHandler):
         self._seen = b""
         super().__init__(matcher=self._is_ready, entities=list(actions or ()), handle_once=True)
 
+    def describe(self) -> tuple[str, list[LaunchDescriptionEntity]]:  # type: ignore[override]
+        """Return one line about it, and what it leads to, as launch_testing does."""
+        actions = self.entities if isinstance(self.entities, list) else []
+        return f"StdoutReadyListener(ready_txt={self._wanted.decode()!r})", actions
+
     def _is_ready(self, event: Any) -> bool:
         if not isinstance(event, ProcessIO) or not event.from_stdout:
             return False

@@ -5,7 +5,7 @@ from __future__ import annotations
 import threading
 from typing import TYPE_CHECKING, Any
 
-from zbot.launch.process_event import ProcessExited, ProcessIO
+from zbot.launch.process_event import ProcessExited, ProcessIO, RunningProcessEvent
 from zbot.launch_test.error import NoMatchingProcessError
 from zbot.launch_test.output_text import has_expected, without_escapes
 from zbot.launch_test.process_lookup import name_of, resolve_processes
@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from zbot.launch.actions.execute import ExecuteLocal
-    from zbot.launch.process_event import RunningProcessEvent
 
 _PATIENCE_S = 10.0  # launch_testing's
 
@@ -34,10 +33,11 @@ class OutputRecord:
             self._events.append(process_io)
             self.io_event.notify_all()
 
-    def track(self, started: RunningProcessEvent) -> None:
-        """Note a process, which may never write anything."""
-        with self.io_event:
-            self._processes[started.action] = started.process_name
+    def track(self, started: object) -> None:
+        """Note a process, which may never write anything; its name alone tells nothing new."""
+        if isinstance(started, RunningProcessEvent):
+            with self.io_event:
+                self._processes[started.action] = started.process_name
 
     def __iter__(self) -> Iterator[ProcessIO]:
         with self.io_event:
@@ -218,4 +218,4 @@ class ExitRecord:
         with self.proc_event:
             if not self.proc_event.wait_for(is_it, timeout):
                 name = process if isinstance(process, str) else name_of(process)
-                raise AssertionError(f"waited in vain for the process {name!r} to {what}")
+                raise AssertionError(f"Timed out waiting for process {name!r} to {what}")

@@ -80,9 +80,9 @@ def test_processes_are_found_by_action_name_and_arguments(
 def test_what_is_unclear_or_unknown_is_refused(output: OutputRecord) -> None:
     with pytest.raises(SeveralProcessesError, match="talker-1, talker-2"):
         resolve_processes(output, process="talker")
-    with pytest.raises(NoMatchingProcessError, match="known are: talker-1, talker-2"):
+    with pytest.raises(NoMatchingProcessError, match="Known are: talker-1, talker-2"):
         resolve_processes(output, process="listener")
-    with pytest.raises(NoMatchingProcessError, match="no process has started"):
+    with pytest.raises(NoMatchingProcessError, match="No process started"):
         resolve_processes(OutputRecord())
     wrong: Any = 5
     with pytest.raises(ArgumentTypeError):

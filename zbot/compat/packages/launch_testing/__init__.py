@@ -4,6 +4,20 @@ from zbot.compat.submodules import submodules as submodules
 from zbot.launch_test.marker import parametrize as parametrize
 from zbot.launch_test.marker import post_shutdown_test as post_shutdown_test
 from zbot.launch_test.marker import ready_to_test_action_timeout as ready_to_test_action_timeout
+from zbot.launch_test.record import ExitRecord as ActiveProcInfoHandler
+from zbot.launch_test.record import ExitRecord as ProcInfoHandler
+from zbot.launch_test.record import OutputRecord as ActiveIoHandler
+from zbot.launch_test.record import OutputRecord as IoHandler
+
+__all__ = [
+    "ActiveIoHandler",
+    "ActiveProcInfoHandler",
+    "IoHandler",
+    "ProcInfoHandler",
+    "parametrize",
+    "post_shutdown_test",
+    "ready_to_test_action_timeout",
+]
 
 __getattr__ = submodules(
     __name__,
