@@ -14,6 +14,7 @@ import zenoh
 from zbot import config, ending, membership
 from zbot.arguments import Arguments
 from zbot.errors import ArgumentTypeError, ContextInitializedError, NotInitializedError
+from zbot.foreign_call import uninterrupted
 from zbot.graph import Graph
 from zbot.handle import Handle
 from zbot.log import configure, get_logger, get_logging_severity_from_string
@@ -188,6 +189,7 @@ class Context:
             if waker in self._wakers:
                 self._wakers.remove(waker)
 
+    @uninterrupted
     def _wake(self) -> None:
         for waker in list(self._wakers):
             waker()
@@ -409,6 +411,7 @@ class Context:
         for ended in list(self._receivers):
             ended.wait(_JOIN_TIMEOUT_S)
 
+    @uninterrupted
     def close(self) -> None:
         """Close the session: the last part of `shutdown()`, for when a signal interrupted that."""
         # The session first: that ends the threads which wait for its data (see docs/wire.md).

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import atexit
 import contextlib
+import signal
 import sys
 import threading
 import traceback
@@ -75,6 +76,9 @@ def _end() -> None:
     # A signal ends whatever spins; Python waits for the rest.
     with contextlib.suppress(KeyboardInterrupt, SystemExit, ExternalShutdownException):
         wait_for_threads()
+    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+        # All is done: nobody needs to hear where in Python's own end a Ctrl-C came.
+        signal.signal(signal.SIGINT, signal.SIG_DFL)
     _close_contexts()
 
 

@@ -1,7 +1,7 @@
-"""Functions that Zenoh calls, which no exception may leave: Rust would drop it.
+"""Functions in which a Ctrl-C has to wait: its exception would be lost, or leave locks taken.
 
-They run in Zenoh's threads, but for a service of one's own process in the caller's, which may be
-the main one. A Ctrl-C that arrives there has to be raised later.
+What Zenoh calls runs in its own threads, but for a service of one's own process in the caller's,
+which may be the main one: no exception may leave it, for Rust would drop that.
 """
 
 from __future__ import annotations
@@ -19,13 +19,18 @@ _codes: set[CodeType] = set()
 _known = threading.local()
 
 
-def called_by_zenoh(function: FunctionT) -> FunctionT:
-    """Mark a function."""
+def uninterrupted(function: FunctionT) -> FunctionT:
+    """Mark a function that a signal's exception must not leave half done."""
     _codes.add(function.__code__)
     return function
 
 
-def is_foreign(frame: FrameType | None) -> bool:
+def called_by_zenoh(function: FunctionT) -> FunctionT:
+    """Mark a function that Zenoh calls."""
+    return uninterrupted(function)
+
+
+def is_uninterrupted(frame: FrameType | None) -> bool:
     """Return whether a frame is inside of a marked function."""
     while frame is not None:
         if frame.f_code in _codes:

@@ -29,7 +29,7 @@ from zbot.errors import (
     SetupError,
 )
 from zbot.executor import spinning_in_main_thread
-from zbot.foreign_call import is_foreign
+from zbot.foreign_call import is_uninterrupted
 from zbot.guard_condition import GuardCondition
 
 if TYPE_CHECKING:
@@ -138,8 +138,8 @@ def _trigger_guards() -> None:
 
 
 def _is_postponed(number: int, frame: FrameType | None) -> bool:
-    """Return whether an exception would be lost here; the signal comes again in a moment then."""
-    if not is_foreign(frame):
+    """Return whether no exception may come here; the signal comes again in a moment then."""
+    if not is_uninterrupted(frame):
         return False
     again = threading.Timer(_MOMENT_S, signal.raise_signal, [number])
     again.daemon = True
@@ -150,9 +150,9 @@ def _is_postponed(number: int, frame: FrameType | None) -> bool:
 def _on_sigint(number: int, frame: FrameType | None) -> None:
     if ending.is_ending():
         return
-    _interrupt_contexts()
     if _is_postponed(number, frame):
         return
+    _interrupt_contexts()
     previous = _Process.previous.get(number)
     if callable(previous) and previous is not signal.default_int_handler:
         previous(number, frame)
@@ -163,9 +163,9 @@ def _on_sigint(number: int, frame: FrameType | None) -> None:
 def _on_sigterm(number: int, frame: FrameType | None) -> None:
     if ending.is_ending():
         return
-    _interrupt_contexts()
     if _is_postponed(number, frame):
         return
+    _interrupt_contexts()
     previous = _Process.previous.get(number)
     if callable(previous):
         previous(number, frame)

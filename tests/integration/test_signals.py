@@ -251,6 +251,38 @@ time.sleep(0.2)
     assert "Exception" not in program.output
 
 
+INTERRUPTED_END = (
+    HEAD
+    + """
+import signal
+robot = Robot()
+chosen = {call}
+def trace(frame, event, arg):
+    global chosen
+    chosen -= frame.f_code.co_filename.endswith(("threading.py", "context.py", "publisher.py"))
+    if not chosen:
+        sys.settrace(None)
+        signal.raise_signal(signal.SIGINT)
+try:
+    robot.create_timer(0.05, lambda: signal.raise_signal(signal.SIGINT))
+    zbot.spin(robot)
+finally:
+    sys.settrace(trace)
+    robot.destroy_node()
+    zbot.shutdown()
+"""
+)
+
+
+@pytest.mark.parametrize("turn", range(6))
+def test_a_second_ctrl_c_at_any_call_of_the_end_is_quiet(start: Start, turn: int) -> None:
+    # Python may raise at the begin of each function: between a lock and who gives it back, say.
+    call = random.Random(f"{SEED}.{turn}").randint(1, 120)
+    program = start(source=INTERRUPTED_END.replace("{call}", str(call)))
+    assert program.wait() in {0, -signal.SIGINT}, f"call {call}"
+    assert program.output == "up", f"call {call}"
+
+
 def test_a_handler_of_the_programs_own_is_respected(start: Start) -> None:
     program = start(
         source="""

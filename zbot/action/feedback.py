@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import zenoh
 
+from zbot.foreign_call import called_by_zenoh
 from zbot.log import get_logger
 from zbot.wire.codec import CodecError
 from zbot.wire.tokens import EntityKind
@@ -89,6 +90,7 @@ class FeedbackSubscription:
         """The quality of service it was made with."""
         return self.token.qos
 
+    @called_by_zenoh
     def _receive(self, sample: zenoh.Sample) -> None:
         if len(self._queue) >= self.token.qos.depth * max(1, self._goal_count()):
             self._queue.popleft()
