@@ -33,8 +33,6 @@ class ClockType(Enum):
 class Duration:
     """A span of time, possibly negative."""
 
-    __slots__ = ("_nanoseconds",)
-
     def __init__(self, *, seconds: float = 0, nanoseconds: float = 0) -> None:
         """Add up seconds and nanoseconds; fractions of a nanosecond are cut off.
 
@@ -123,8 +121,6 @@ class Duration:
 
 class Time:
     """A point in time of one kind of clock, never before that clock's zero."""
-
-    __slots__ = ("_clock_type", "_nanoseconds")
 
     def __init__(
         self,

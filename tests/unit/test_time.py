@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import sys
 from types import ModuleType, SimpleNamespace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import pytest
 
@@ -169,3 +169,11 @@ def test_infinite_survives_a_message_and_any_factor() -> None:
     assert Duration(seconds=1) * float("inf") == Infinite
     assert str(Infinite) == "Infinite"
     assert str(Duration(nanoseconds=5)) == "5 nanoseconds"
+
+
+@pytest.mark.parametrize("kind", [Time, Duration])
+def test_programs_may_attach_attributes_of_their_own(kind: type[Time | Duration]) -> None:
+    moment: Any = kind(seconds=3.5)
+    moment.secs = moment.nanoseconds // 10**9  # as programs moved from ROS 1 do
+    assert moment.secs == 3
+    assert moment == kind(seconds=3.5)
