@@ -13,7 +13,7 @@ class Problem:
     path: Path
     line: int  #: counted from 1; 0 if it is the whole file
     text: str
-    is_error: bool = True  #: False: it works here, and would not in ROS 2
+    is_error: bool = True  #: False: it works here, whether or not it would in ROS 2
 
     def __str__(self) -> str:
         try:
