@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import zbot.compat
+from zbot.errors import ExternalShutdownException
 from zbot.launch import LaunchDescription, LaunchService
 from zbot.launch.actions import (
     DeclareLaunchArgument,
@@ -41,6 +42,7 @@ from zbot.launch.event_handler import (
 )
 from zbot.launch.lifecycle_event import ChangeState, OnStateTransition
 from zbot.launch.process_event import ProcessStdin, ShutdownProcess, matches_action, matches_name
+from zbot.launch.ros_node import LaunchNode
 from zbot.launch.substitutions import EnvironmentVariable, LaunchConfiguration
 
 if TYPE_CHECKING:
@@ -290,3 +292,20 @@ def _origin(name: str) -> Path:
     assert spec is not None
     assert spec.origin is not None
     return Path(spec.origin)
+
+
+@pytest.mark.usefixtures("domain")
+def test_the_launchs_own_node_can_be_started_again() -> None:
+    adapter = LaunchNode()
+    first, fired = adapter.ros_node, threading.Event()
+    assert first is not None
+    first.create_timer(0.001, fired.set)
+    assert fired.wait(5)
+    adapter.shutdown()
+    adapter.shutdown()
+    assert adapter.ros_node is None
+    with pytest.raises(ExternalShutdownException):
+        adapter.node.get_name()
+    adapter.start()
+    assert adapter.ros_node not in {None, first}
+    adapter.shutdown()

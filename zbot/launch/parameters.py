@@ -70,24 +70,32 @@ class ParameterFile:
         *,
         allow_substs: bool | SomeSubstitutionsType = False,
     ) -> None:
-        self.param_file = normalize(param_file)
-        self.allow_substs: Any = (
-            str(allow_substs) if isinstance(allow_substs, bool) else allow_substs
-        )
+        self._given = normalize(param_file)
+        self._path: Path | None = None
+        self.allow_substs = allow_substs
+
+    @property
+    def param_file(self) -> Any:
+        """The path as it was given, as a list; after the evaluation the path that came of it."""
+        return self._given if self._path is None else self._path
 
     def evaluate(self, context: LaunchContext) -> Path:
         """Return the path of a file without substitutions."""
-        path = Path(perform(context, self.param_file))
-        if not to_bool(perform(context, self.allow_substs)) or not path.is_file():
-            return path
-        from zbot.launch.frontend.substitution_text import parse  # noqa: PLC0415 - few files have any
+        self._path = Path(perform(context, self._given))
+        allow: Any = self.allow_substs
+        if not isinstance(allow, bool):
+            allow = to_bool(perform(context, allow))
+        if allow and self._path.is_file():
+            # few files have any
+            from zbot.launch.frontend.substitution_text import parse  # noqa: PLC0415
 
-        text = perform(context, parse(path.read_text(encoding="utf-8")))
-        return _temporary_file(context, text)
+            text = perform(context, parse(self._path.read_text(encoding="utf-8")))
+            self._path = _temporary_file(context, text)
+        return self._path
 
     def describe(self) -> str:
         """Return the path."""
-        return f"ParameterFile({describe(self.param_file)})"
+        return f"ParameterFile({describe(self._given)})"
 
 
 class Parameter(ParameterValue):
@@ -97,7 +105,22 @@ class Parameter(ParameterValue):
         self, name: SomeSubstitutionsType, value: Any, *, value_type: Any | None = None
     ) -> None:
         super().__init__(value, value_type=value_type)
-        self.name = normalize(name)
+        self._given = normalize(name)
+        self._name: str | None = None
+
+    @property
+    def name(self) -> Any:
+        """The name as it was given, as a list; after the evaluation the text that came of it."""
+        return self._given if self._name is None else self._name
+
+    def evaluate(self, context: LaunchContext) -> tuple[str, Any]:
+        """Return name and value.
+
+        Raises:
+            EntityTypeError: The value cannot be of the type.
+        """
+        self._name = perform(context, self._given)
+        return self._name, super().evaluate(context)
 
 
 #: One item of a node's `parameters`.
@@ -155,7 +178,7 @@ def to_words(context: LaunchContext, parameters: Iterable[Any]) -> list[str]:
             for name, value in flatten(context, item):
                 words += _word(context, name, value)
         elif isinstance(item, Parameter):
-            words += _word(context, perform(context, item.name), item.evaluate(context))
+            words += _word(context, *item.evaluate(context))
         elif isinstance(item, tuple) and len(item) == 2 and not _is_text_of_parts(item):
             words += _word(context, str(item[0]), evaluate(context, item[1]))
         else:
@@ -178,7 +201,8 @@ def _evaluated(context: LaunchContext, item: Any) -> dict[str, Any] | Path:
     if isinstance(item, Mapping):
         return {name: _as_tuple(value) for name, value in flatten(context, item)}
     if isinstance(item, Parameter):
-        return {perform(context, item.name): _as_tuple(item.evaluate(context))}
+        name, value = item.evaluate(context)
+        return {name: _as_tuple(value)}
     return _as_file(item).evaluate(context)
 
 
@@ -284,7 +308,8 @@ def _same_kind(items: list[Any]) -> list[Any]:
 def _read(text: str) -> Any:
     """Return the value that a text is as YAML."""
     try:
-        return parse_value(text) if text.strip() else text
+        value = parse_value(text) if text.strip() else text
+        return _same_kind(value) if isinstance(value, list) else value
     except ZbotError as error:
         raise EntityTypeError("a parameter", _VALUES, text) from error
 

@@ -21,20 +21,53 @@ _SERVER_TIMEOUT_S = 20.0
 
 
 class LaunchNode:
-    """A node that spins in a thread of its own until the launch has ended."""
+    """A node that spins in a thread of its own until it is shut down.
+
+    Attributes:
+        ros_context: The context of the node.
+        ros_executor: What spins it.
+    """
+
+    ros_context: Context
+    ros_executor: SingleThreadedExecutor
 
     def __init__(self) -> None:
-        self._context = Context()
-        self._context.init([])
-        self.node = Node(f"launch_ros_{os.getpid()}", context=self._context, enable_rosout=False)
-        self._executor = SingleThreadedExecutor(context=self._context)
-        self._executor.add_node(self.node)
+        self._node: Node | None = None
+        self.start()
+
+    def start(self) -> None:
+        """Make the node and spin it, unless it is there."""
+        if self._node is not None:
+            return
+        self.ros_context = Context()
+        self.ros_context.init([])
+        self._node = Node(
+            f"launch_ros_{os.getpid()}", context=self.ros_context, enable_rosout=False
+        )
+        self.ros_executor = SingleThreadedExecutor(context=self.ros_context)
+        self.ros_executor.add_node(self._node)
         self._thread = threading.Thread(target=self._spin, name="launch node")
         self._thread.start()
 
+    @property
+    def ros_node(self) -> Node | None:
+        """The node; None when it was shut down."""
+        return self._node
+
+    @property
+    def node(self) -> Node:
+        """The node.
+
+        Raises:
+            ExternalShutdownException: It was shut down.
+        """
+        if self._node is None:
+            raise ExternalShutdownException
+        return self._node
+
     def _spin(self) -> None:
         try:
-            self._executor.spin()
+            self.ros_executor.spin()
         except ExternalShutdownException:
             return  # the launch ended
 
@@ -67,10 +100,13 @@ class LaunchNode:
         future = client.call_async(request)
         future.add_done_callback(lambda done: on_answer(_success(done)))
 
-    def close(self) -> None:
-        """Stop; the session is closed."""
-        self._executor.shutdown(0)
-        self._context.shutdown()
+    def shutdown(self) -> None:
+        """Stop; the session is closed. May be called twice."""
+        if self._node is None:
+            return
+        self._node = None
+        self.ros_executor.shutdown(0)
+        self.ros_context.shutdown()
         self._thread.join()
 
 
@@ -84,6 +120,11 @@ def launch_node(context: LaunchContext) -> LaunchNode:
     if node is None:
         node = LaunchNode()
         context.extend_globals({_KEY: node})
-        context.on_close(node.close)
+        context.on_close(node.shutdown)
         context.on_close(lambda: context.extend_globals({_KEY: None}))  # another run makes its own
     return node
+
+
+def get_ros_node(context: LaunchContext) -> Node:
+    """Return the node of a launch itself; see above."""
+    return launch_node(context).node

@@ -48,6 +48,7 @@ from zbot.launch.actions.ros_names import SetParameter as SetParameter
 from zbot.launch.actions.ros_names import SetParametersFromFile as SetParametersFromFile
 from zbot.launch.actions.ros_names import SetRemap as SetRemap
 from zbot.launch.actions.ros_names import SetROSLogDir as SetROSLogDir
+from zbot.launch.actions.ros_names import SetRosLogDir as SetRosLogDir
 from zbot.launch.actions.ros_names import SetUseSimTime as SetUseSimTime
 from zbot.launch.actions.ros_timer import ROSTimer as ROSTimer
 from zbot.launch.actions.ros_timer import RosTimer as RosTimer

@@ -102,6 +102,9 @@ class LifecycleTransition(Action):
     Args:
         lifecycle_node_names: The nodes, or their full names.
         transition_ids: Labels or numbers of the transitions.
+
+    Raises:
+        EntityTypeError: There is no node or no transition, or one of that name.
     """
 
     def __init__(
@@ -113,6 +116,9 @@ class LifecycleTransition(Action):
         super().__init__(**options)
         self._nodes = list(lifecycle_node_names)
         self._labels = [_label(one) for one in transition_ids]
+        for what, given in (("nodes", self._nodes), ("transitions", self._labels)):
+            if not given:
+                raise EntityTypeError(f"the {what} of a LifecycleTransition", "at least one", given)
 
     def execute(self, context: LaunchContext) -> None:
         """Begin with the first transition of each node."""
@@ -149,7 +155,8 @@ def _by_name(name: str) -> Any:
 
 
 def _label(transition: int | str) -> str:
-    label = _LABELS.get(transition, "") if isinstance(transition, int) else transition
+    is_number = isinstance(transition, int) or transition.isdecimal()
+    label = _LABELS.get(int(transition), "") if is_number else str(transition)
     if label not in _GOALS:
         raise EntityTypeError("a transition", f"one of {', '.join(_GOALS)}", transition)
     return label

@@ -14,17 +14,19 @@ from zbot.launch.actions.ros_names import (
     join_namespace,
 )
 from zbot.launch.errors import EntityTypeError
+from zbot.launch.node_names import add_node_name
 from zbot.launch.own_command import own_command
 from zbot.launch.parameters import normalize_parameters, to_words
 from zbot.launch.substitution import describe, normalize, perform
 from zbot.package.workspace import search_roots
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from zbot.launch.action import Action
     from zbot.launch.actions.executable import Prepared
     from zbot.launch.context import LaunchContext
+    from zbot.launch.entity import LaunchDescriptionEntity
     from zbot.launch.frontend.entity import Entity
     from zbot.launch.frontend.parser import Parser
     from zbot.launch.parameters import SomeParameters
@@ -67,8 +69,9 @@ class Node(ExecuteProcess):
         self.package = None if package is None else normalize(package)
         self.executable = normalize(executable)
         super().__init__(cmd=[self.executable], name=exec_name, **options)
-        self.parameters = normalize_parameters(parameters or ())
-        self.remappings = [_pair(one) for one in remappings or ()]
+        # Tests of launch_ros look at both under its own names, `_Node__parameters`.
+        self.__parameters = normalize_parameters(parameters or ())
+        self.__remappings = [_pair(one) for one in remappings or ()]
         self.arguments = [normalize(word) for word in _listed(arguments)]
         self.ros_arguments = [normalize(word) for word in _listed(ros_arguments)]
         self._name = _optional(name)
@@ -83,6 +86,16 @@ class Node(ExecuteProcess):
         from zbot.launch.frontend.ros_tags import node_options  # noqa: PLC0415 - cycle
 
         return cls, node_options(entity, parser)
+
+    @property
+    def parameters(self) -> list[Any]:
+        """Dictionaries and files; later ones win."""
+        return self.__parameters
+
+    @property
+    def remappings(self) -> list[tuple[list[Substitution], list[Substitution]]]:
+        """Pairs of a name and the name to use instead."""
+        return self.__remappings
 
     @property
     def node_package(self) -> list[Substitution] | None:
@@ -103,6 +116,18 @@ class Node(ExecuteProcess):
         """Return whether the launch gave it a name and a namespace."""
         unknown = (self.UNSPECIFIED_NODE_NAME, self.UNSPECIFIED_NODE_NAMESPACE)
         return not any(text in self.node_name for text in unknown)
+
+    def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
+        """Start the node, unless the launch is ending; a name that was there before is told.
+
+        Raises:
+            ZbotError: There is no such package or executable.
+        """
+        following = super().execute(context)
+        if self._name is not None and not context.is_shutdown:
+            name = self.node_name.removeprefix(self.UNSPECIFIED_NODE_NAMESPACE)
+            add_node_name(context, name)
+        return following
 
     def prepare(self, context: LaunchContext) -> Prepared:
         """Return the command line.

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch.action import Action
 from zbot.launch.parameters import ParameterFile, evaluate
 from zbot.launch.substitution import normalize, perform, to_bool
+from zbot.log.log_file import get_logging_directory
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
@@ -28,6 +30,25 @@ def join_namespace(base: str, name: str) -> str:
 def absolute(namespace: str) -> str:
     """Return a namespace with its first slash and without a last one."""
     return "/" + namespace.strip("/")
+
+
+def prefix_namespace(base_ns: str | None = None, ns: str | None = None) -> str | None:
+    """Return a namespace inside another, either of which may be missing; see above."""
+    if base_ns is None or ns is None:
+        joined = base_ns if ns is None else ns
+    else:
+        joined = join_namespace(base_ns, ns)
+    return joined if joined in {None, "/"} else str(joined).rstrip("/")
+
+
+def is_namespace_absolute(ns: str) -> bool:
+    """Return whether a namespace stands for itself."""
+    return ns.startswith("/")
+
+
+def is_root_namespace(ns: str) -> bool:
+    """Return whether a namespace is that of all others."""
+    return ns == "/"
 
 
 class PushROSNamespace(Action):
@@ -107,7 +128,12 @@ class SetUseSimTime(Action):
 
 
 class SetROSLogDir(Action):
-    """Let the processes that follow write their log files to a folder."""
+    """Let the processes that follow write their log files to a folder.
+
+    Args:
+        new_log_dir: The folder; a relative one stands in the one that holds.
+        options: As for `Action`.
+    """
 
     def __init__(self, new_log_dir: SomeSubstitutionsType, **options: Any) -> None:
         super().__init__(**options)
@@ -115,7 +141,12 @@ class SetROSLogDir(Action):
 
     def execute(self, context: LaunchContext) -> None:
         """Set the variable."""
-        context.environment["ROS_LOG_DIR"] = perform(context, self.log_dir)
+        present = context.environment.get("ROS_LOG_DIR") or str(get_logging_directory())
+        folder = Path(present) / perform(context, self.log_dir)
+        context.environment["ROS_LOG_DIR"] = str(folder)
+
+
+SetRosLogDir = SetROSLogDir
 
 
 def _add(context: LaunchContext, parameter: Any) -> None:

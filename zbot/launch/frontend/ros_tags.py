@@ -5,11 +5,14 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
+from zbot.errors import ZbotError
 from zbot.launch import actions
 from zbot.launch.actions.composable import ComposableNode
 from zbot.launch.frontend.registry import action, expose_action
 from zbot.launch.frontend.tags import needed, process_options, text, truth, words
 from zbot.launch.parameters import ParameterFile, ParameterValue
+from zbot.launch.substitution import TextSubstitution
+from zbot.parameter_file import parse_value
 
 if TYPE_CHECKING:
     from zbot.launch.action import Action
@@ -60,16 +63,40 @@ def _value(entity: Entity, parser: Parser) -> Any:
     if value is None:
         raise entity.error("`param` needs the attribute 'value', or `param` inside it")
     separator, kind = entity.text("value-sep"), entity.text("type")
+    parse = _scalar if kind is None else _text_parts
     if separator is not None and isinstance(value, str):
         pattern = re.escape(separator)
-        value = [parser.parse_substitution(part.strip()) for part in re.split(pattern, value)]
+        value = [parse(part.strip(), parser) for part in re.split(pattern, value)]
     elif isinstance(value, str):
-        value = parser.parse_substitution(value)
+        value = parse(value, parser)
     if kind is None:
         return value
     if kind not in _TYPES:
         raise entity.error(f"'type' must be one of {', '.join(_TYPES)}, not '{kind}'")
     return ParameterValue(value, value_type=_TYPES[kind])
+
+
+def _text_parts(value: str, parser: Parser) -> Any:
+    return parser.parse_substitution(value)
+
+
+def _scalar(value: str, parser: Parser) -> Any:
+    """Return a text's substitutions; of one without any, what it is as YAML.
+
+    What YAML quotes is a text; an escaped quote is part of it.
+    """
+    parts = parser.parse_substitution(value)
+    if not all(isinstance(part, TextSubstitution) for part in parts):
+        return parts
+    try:
+        read = parse_value(value) if value.strip() else value
+    except ZbotError:  # `''2''`
+        is_quoted = len(value) > 1 and value[0] == value[-1] == "'"
+        read = value[1:-1] if is_quoted else value
+    if not isinstance(read, str):
+        return read
+    texts = [part for part in parser.parse_substitution(read) if isinstance(part, TextSubstitution)]
+    return "".join(part.text for part in texts)
 
 
 def _remaps(entity: Entity, parser: Parser) -> list[Any]:

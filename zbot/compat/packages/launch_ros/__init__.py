@@ -9,6 +9,7 @@ __getattr__ = submodules(
     "event_handlers",
     "events",
     "parameter_descriptions",
+    "ros_adapters",
     "substitutions",
     "utilities",
 )

@@ -13,4 +13,5 @@ from zbot.launch.actions import SetParameter as SetParameter
 from zbot.launch.actions import SetParametersFromFile as SetParametersFromFile
 from zbot.launch.actions import SetRemap as SetRemap
 from zbot.launch.actions import SetROSLogDir as SetROSLogDir
+from zbot.launch.actions import SetRosLogDir as SetRosLogDir
 from zbot.launch.actions import SetUseSimTime as SetUseSimTime
