@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import PositionalFieldError, UnknownFieldError
 from zbot.interfaces.array_value import elements_text, fixed_default, same_elements
 from zbot.interfaces.message import Action, Impl, Message, Service
-from zbot.interfaces.slot_type import SlotTypes
 from zbot.interfaces.source import class_source
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from zbot.interfaces.slot_type import AbstractType
     from zbot.interfaces.spec import ActionSpec, Field, MessageSpec, ServiceSpec
 
     Find = Callable[[str], type[Any]]  #: the class of a type name
@@ -45,12 +45,23 @@ class _Late:
         return made
 
 
+class _SlotTypes:
+    """The attribute `SLOT_TYPES` of a message class: made at the first look, then kept."""
+
+    def __get__(self, instance: object, owner: type[Message]) -> tuple[AbstractType, ...]:
+        from zbot.interfaces.slot_type import slot_type  # noqa: PLC0415 - 4 ms; few programs look
+
+        types = tuple(slot_type(field.type) for field in owner.SPEC.fields)
+        setattr(owner, "SLOT_TYPES", types)  # noqa: B010 - a class variable that checkers see fixed
+        return types
+
+
 _COMMON: dict[str, Any] = {
     "DEFAULT": _Default(),
     "INF": math.inf,
     "NAN": math.nan,
     "_Message": Message,
-    "_SlotTypes": SlotTypes,
+    "_SlotTypes": _SlotTypes,
     "_array": array,
     "_bool": bool,
     "_bytes": bytes,

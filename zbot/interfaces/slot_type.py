@@ -13,8 +13,6 @@ from zbot.interfaces.spec import FieldType
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from zbot.interfaces.message import Message
-
 
 class AbstractType:
     """Base of all types of fields."""
@@ -130,15 +128,6 @@ class BoundedSequence(AbstractSequence):
 @dataclass(frozen=True)
 class UnboundedSequence(AbstractSequence):
     """Any number of elements."""
-
-
-class SlotTypes:
-    """The attribute `SLOT_TYPES` of a message class: made at the first look, then kept."""
-
-    def __get__(self, instance: object, owner: type[Message]) -> tuple[AbstractType, ...]:
-        types = tuple(slot_type(field.type) for field in owner.SPEC.fields)
-        setattr(owner, "SLOT_TYPES", types)  # noqa: B010 - a class variable that checkers see fixed
-        return types
 
 
 def slot_type(kind: FieldType) -> AbstractType:

@@ -152,6 +152,6 @@ def test_texts_that_define_nothing_are_refused(name: str, texts: dict[str, str])
 
 
 def test_a_hash_needs_all_that_is_inside() -> None:
-    specs = specs_from_sources("far_msgs/msg/Half", {"far_msgs/msg/Half": "Unheard part\n"})
+    specs = specs_from_sources("std_msgs/msg/Half", {"std_msgs/msg/Half": "Unheard part\n"})
     with pytest.raises(UnknownInterfaceError):
-        hash_among("far_msgs/msg/Half", specs)
+        hash_among("std_msgs/msg/Half", specs)
