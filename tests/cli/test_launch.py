@@ -349,7 +349,7 @@ def test_containers_of_components_are_left_out_with_a_sentence(
         ("ExecuteProcess(cmd=['no-such-program'])", [], "'no-such-program' not found on the PATH"),
         ("ExecuteProcess(cmd=['ls', LaunchConfiguration('x')])", [], "'x' does not exist"),
         ("DeclareLaunchArgument('must')", [], '16: Required launch argument "must" was not'),
-        ("DeclareLaunchArgument('c', choices=['a'])", ["c:=b"], "must be one of 'a'"),
+        ("DeclareLaunchArgument('c', choices=['a'])", ["c:=b"], "Valid options are: ['a']"),
         ("LogInfo(msg='a'), 5", [], "must be an action, not int"),
         ("IncludeLaunchDescription('/no/such.launch.py')", [], "'/no/such.launch.py' not found"),
         ("IncludeLaunchDescription(__file__)", [], "include each other without end"),

@@ -101,8 +101,7 @@ class LaunchArgumentError(LaunchError, RuntimeError, ValueError):
         known = list(choices)
         near = nearest(value, known, 1)
         hint = f"did you mean {name}:={near[0]}?" if near else ""
-        told = ", ".join(f"'{choice}'" for choice in known)
-        text = f"launch argument '{name}' must be one of {told}: '{value}' is not valid."
+        text = f"launch argument '{name}': the value '{value}' is not valid."
         return cls(f"{text} Valid options are: {known}", hint)
 
     @classmethod

@@ -136,3 +136,19 @@ def test_transitions_have_labels_or_numbers() -> None:
         LifecycleTransition([], [1])
     with pytest.raises(EntityTypeError):
         LifecycleTransition(["talker"], [])
+
+
+def test_a_shell_reads_parameters_as_they_are(capfd: pytest.CaptureFixture[str]) -> None:
+    service = LaunchService()
+    node = Node(
+        executable=f"{sys.executable} -c 'import sys; print(sys.argv[1:])'",
+        arguments=["$((1 + 1))"],
+        shell=True,
+        name="a",
+        parameters=[{"text": "two <words> 'of' \"$HOME\"", "list": ["a", "b c"]}],
+    )
+    service.include_launch_description(LaunchDescription([node]))
+    assert service.run() == 0
+    said = capfd.readouterr().out
+    assert "['2', '--ros-args', '-r', '__node:=a', '-p', " in said
+    assert "'text:=two <words> \\'of\\' \"$HOME\"', '-p', 'list:=[\"a\", \"b c\"]']" in said

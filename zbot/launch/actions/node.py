@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import os
+from shlex import quote
+from subprocess import list2cmdline
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch.actions.execute import ExecuteProcess
@@ -141,7 +143,7 @@ class Node(ExecuteProcess):
             package = perform(context, self.package)
             if context.find_program is not None:
                 context.find_program(package, executable)
-            words = [*own_command(), "run", package, executable]
+            words = self._quoted([*own_command(), "run", package, executable])
         words += [perform(context, word) for word in self.arguments]
         description = self.process_description
         name = perform(context, description.name) if description.name else ""
@@ -152,9 +154,16 @@ class Node(ExecuteProcess):
             prepared.env.setdefault("ZBOT_WORKSPACE", roots)
         return prepared
 
+    def _quoted(self, words: list[str]) -> list[str]:
+        """Return words as a shell reads them, if there is one; what the user wrote is its line."""
+        if not self.shell:
+            return words
+        return [list2cmdline([word]) if os.name == "nt" else quote(word) for word in words]
+
     def _ros_words(self, context: LaunchContext) -> list[str]:
         self._perform_substitutions(context)
-        words = [perform(context, word) for word in self.ros_arguments]
+        given = [perform(context, word) for word in self.ros_arguments]
+        words: list[str] = []
         if self._name is not None:
             words += ["-r", f"__node:={perform(context, self._name)}"]
         if self.expanded_node_namespace != self.UNSPECIFIED_NODE_NAMESPACE:
@@ -163,6 +172,7 @@ class Node(ExecuteProcess):
         words += to_words(context, [*shared, *self.parameters])
         for source, target in self.expanded_remapping_rules:
             words += ["-r", f"{source}:={target}"]
+        words = [*given, *self._quoted(words)]
         return ["--ros-args", *words] if words else []
 
     def _perform_substitutions(self, context: LaunchContext) -> None:
