@@ -67,7 +67,7 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
         super().__init__()
         self._lock = threading.Lock()
         self._active: Any = None
-        self._waiting: list[Any] = []
+        self._waiting: dict[Any, None] = {}  # in the order in which they came
 
     def can_execute(self, entity: Any) -> bool:  # noqa: ARG002 - rclpy's signature
         """Return whether nothing of the group is running."""
@@ -79,16 +79,24 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
             if self._active is None:
                 self._active = entity
                 return True
-            if entity not in self._waiting:
-                self._waiting.append(entity)
+            self._waiting[entity] = None
             return False
 
     def ending_execution(self, entity: Any) -> list[Any]:  # noqa: ARG002 - rclpy's signature
-        """Free the group and return the entities that waited for it."""
+        """Free the group and return who has waited longest; the next is returned after that one."""
         with self._lock:
             self._active = None
-            waiting, self._waiting = self._waiting, []
-            return waiting
+            first = next(iter(self._waiting), None)
+            if first is None:
+                return []
+            del self._waiting[first]
+            return [first]
+
+    def dismiss(self) -> list[Any]:
+        """Return all that wait, where the one that was to go before them does not come."""
+        with self._lock:
+            waiting, self._waiting = self._waiting, {}
+            return list(waiting)
 
 
 _TELL_WHO_WAITED = {ReentrantCallbackGroup, MutuallyExclusiveCallbackGroup}
@@ -116,6 +124,11 @@ class Refused:
     def ends(self, entity: Any) -> list[Any]:
         """Give an entity's group back; return those that are to be asked for again."""
         return [*(entity.callback_group.ending_execution(entity) or ()), *self.drain()]
+
+    def skipped(self, entity: Any) -> list[Any]:
+        """Return those that are to be asked again because an entity, in front of them, is not."""
+        group: CallbackGroup = entity.callback_group
+        return group.dismiss() if isinstance(group, MutuallyExclusiveCallbackGroup) else []
 
     def drain(self) -> Iterator[Any]:
         """Yield what was refused until now, each thing to one thread only."""

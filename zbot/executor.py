@@ -14,7 +14,7 @@ from collections import deque
 from typing import TYPE_CHECKING, Any
 
 from zbot.agenda import Agenda
-from zbot.callback_group import CallbackGroup, ReentrantCallbackGroup, Refused
+from zbot.callback_group import ReentrantCallbackGroup, Refused
 from zbot.callback_stack import callbacks
 from zbot.errors import (
     ConditionReachedException,
@@ -24,6 +24,7 @@ from zbot.errors import (
     ShutdownError,
 )
 from zbot.semaphore import BinarySemaphore
+from zbot.step import Step
 from zbot.task import Future, Task
 from zbot.time import TimeoutObject
 
@@ -34,7 +35,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.context import Context
-    from zbot.mailbox import Entity
+    from zbot.mailbox import Entity, Mailbox
     from zbot.node import Node
 
 _main_spins = 0
@@ -43,33 +44,6 @@ _main_spins = 0
 def spinning_in_main_thread() -> bool:
     """Return whether the main thread is inside an executor right now."""
     return _main_spins > 0
-
-
-class _Step:
-    """A task's next step, as work in the queue: once, for the one after it is scheduled anew."""
-
-    __slots__ = ("_is_taken", "callback_group", "task")
-    due_ns: int | None = None
-    mailbox = None
-
-    def __init__(self, task: Task[Any]) -> None:
-        self.task = task
-        self.callback_group: CallbackGroup = _ALWAYS
-        self._is_taken = False
-
-    def take(self) -> object | None:
-        if self._is_taken or self.task.is_over:
-            return None
-        self._is_taken = True
-        return self
-
-    def execute(self, taken: object) -> None:  # noqa: ARG002 - every entity's signature
-        self.task()
-        if self.task.done():
-            self.task.result()  # what it raised ends spin(), as in rclpy
-
-
-_ALWAYS = ReentrantCallbackGroup()
 
 
 def _deadline_ns(timeout_sec: float | None) -> int | None:
@@ -153,8 +127,9 @@ class Executor:
         # Other threads post and take meanwhile: turn the queue once, in atomic steps.
         for _ in range(len(self._ready)):
             entity = Executor._pop_ready(self)
-            if entity is not None and entity not in entities:
-                self._post(entity)
+            if entity is not None:
+                for kept in self._refused.skipped(entity) if entity in entities else [entity]:
+                    self._post(kept)
 
     # -- tasks ---------------------------------------------------------------------------------
 
@@ -175,7 +150,7 @@ class Executor:
 
     def schedule(self, task: Task[Any]) -> None:
         """Queue a task's next step; from any thread."""
-        self._post(_Step(task))
+        self._post(Step(task))
 
     def wake(self) -> None:
         """Let a waiting `spin_once` look for work, and ask all waitables; from any thread."""
@@ -239,7 +214,7 @@ class Executor:
     def _take(self, entity: Entity) -> tuple[Entity, Any] | None:
         mailbox = entity.mailbox
         if mailbox is not None and mailbox.executor is not self:
-            mailbox.post(entity)  # its node went to another executor meanwhile
+            self._send_on(entity, mailbox)
             return None
         if not self._refused.begins(entity):
             return None  # it is posted again when the group is free
@@ -252,6 +227,11 @@ class Executor:
         if due is not None:
             self._agenda.put(entity, due)
         return None
+
+    def _send_on(self, entity: Entity, mailbox: Mailbox) -> None:
+        mailbox.post(entity)  # its node is, or went, to another executor
+        for waiting in self._refused.skipped(entity):
+            self._queue(waiting)
 
     def _sleep(self, deadline_ns: int | None) -> bool:
         wakes = [due for due in (deadline_ns, self._agenda.earliest_ns()) if due is not None]
@@ -408,7 +388,7 @@ class Executor:
     def _serve_in_turn(self, entity: Entity) -> bool:
         mailbox = entity.mailbox
         if mailbox is not None and mailbox.executor is not self:
-            mailbox.post(entity)
+            self._send_on(entity, mailbox)
             return False
         if any(outer is entity for _, outer in callbacks.stack):
             return False  # a callback never begins inside itself; it is asked again at its end

@@ -24,7 +24,7 @@ def test_a_reentrant_group_lets_everything_begin() -> None:
     assert group.ending_execution(entity) == []
 
 
-def test_an_exclusive_group_lets_one_begin_and_names_who_waited() -> None:
+def test_an_exclusive_group_lets_one_begin_and_names_who_waits_in_turn() -> None:
     group, first, second, third = MutuallyExclusiveCallbackGroup(), Entity(), Entity(), Entity()
     assert group.beginning_execution(first)
     assert not group.can_execute(second)
@@ -32,10 +32,12 @@ def test_an_exclusive_group_lets_one_begin_and_names_who_waited() -> None:
     assert not group.beginning_execution(third)
     assert not group.beginning_execution(second)
     assert not group.beginning_execution(first)
-    assert group.ending_execution(first) == [second, third, first]
+    assert group.ending_execution(first) == [second]
     assert group.can_execute(second)
     assert group.beginning_execution(second)
-    assert group.ending_execution(second) == []
+    assert group.ending_execution(second) == [third]
+    assert group.dismiss() == [first]
+    assert group.dismiss() == []
 
 
 def test_only_one_of_many_threads_enters_an_exclusive_group() -> None:

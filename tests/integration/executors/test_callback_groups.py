@@ -10,7 +10,7 @@ import pytest
 
 import zbot
 from tests.conftest import allowed, wait_until
-from tests.integration.executors.conftest import Overlap
+from tests.integration.executors.conftest import Overlap, settle
 
 from std_msgs.msg import Int64
 
@@ -47,6 +47,55 @@ def test_a_nodes_callbacks_are_exclusive_by_default(
     spin(node, executor=multi)
     assert wait_until(lambda: overlap.calls > 50)
     assert overlap.most == 1
+
+
+class Queue:
+    """Holds a group by a coroutine while guards of two nodes wait for it, in this order."""
+
+    def __init__(self, node: zbot.Node, group: zbot.CallbackGroup, executor: zbot.Executor) -> None:
+        self.node, self.group, self.executor = node, group, executor
+        self.free: zbot.Future[None] = zbot.Future()
+        self.ran: list[str] = []
+        self.other = zbot.Node("other", context=node.context)
+
+        async def hold() -> None:
+            await self.free
+
+        node.create_guard_condition(hold, group).trigger()
+        settle(executor)
+
+    def wait_as(self, name: str, node: zbot.Node) -> None:
+        node.create_guard_condition(lambda: self.ran.append(name), self.group).trigger()
+
+
+def test_who_leaves_lets_those_behind_it_in(node: zbot.Node, executor: zbot.Executor) -> None:
+    queue = Queue(node, zbot.MutuallyExclusiveCallbackGroup(), executor)
+    executor.add_node(queue.other)
+    queue.wait_as("one that leaves", queue.other)
+    queue.wait_as("the next", node)
+    settle(executor)
+    queue.free.set_result(None)
+    executor.spin_once(0)  # the coroutine's end, which sends for the one that leaves
+    executor.remove_node(queue.other)
+    settle(executor)
+    assert wait_until(lambda: "the next" in queue.ran)
+
+
+def test_who_belongs_to_an_idle_executor_lets_those_behind_it_in(
+    node: zbot.Node, executor: zbot.Executor
+) -> None:
+    queue = Queue(node, zbot.MutuallyExclusiveCallbackGroup(), executor)
+    with zbot.SingleThreadedExecutor(context=node.context) as idle:
+        idle.add_node(queue.other)
+        queue.wait_as("of the idle one", queue.other)
+        idle.spin_once(0)
+        queue.wait_as("the next", node)
+        settle(executor)
+        queue.free.set_result(None)
+        settle(executor)
+        assert wait_until(lambda: queue.ran == ["the next"])
+        idle.spin_once(1)
+        assert queue.ran == ["the next", "of the idle one"]
 
 
 def test_callbacks_of_two_groups_overlap(
