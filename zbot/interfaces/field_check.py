@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
+import operator
 from array import array
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import FieldTypeError, FieldValueError
@@ -15,6 +16,10 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.interfaces.spec import FieldType
+
+
+#: What can be iterated over, but whoever gives it for numbers means something else.
+_NO_NUMBERS = (str, bytes, bytearray, Mapping)
 
 
 class _ListCheck:
@@ -31,7 +36,8 @@ class _ListCheck:
             raise FieldValueError(self.type_name, label, self.expected, value)
         if self.element.fits(values):
             return values
-        return [self.element(f"{label}[{i}]", each) for i, each in enumerate(values)]
+        checked = [self.element(f"{label}[{i}]", each) for i, each in enumerate(values)]
+        return values if all(map(operator.is_, checked, values)) else checked
 
     def _as_list(self, label: str, value: Any) -> list[Any]:
         if not _is_collection(value):
@@ -58,11 +64,11 @@ class _NumberSequenceCheck:
     def _as_array(self, label: str, value: Any) -> array[Any]:
         if isinstance(value, array) and value.typecode == self.typecode:
             return value
-        if self.typecode == "B" and isinstance(value, (bytes, bytearray, memoryview)):
-            return _from_bytes("B", value)
+        if self.typecode in "bB" and isinstance(value, (bytes, bytearray, memoryview)):
+            return _from_bytes(self.typecode, value)
         if is_ndarray(value):
             return self._from_ndarray(label, value)
-        if not _is_collection(value):
+        if isinstance(value, _NO_NUMBERS) or not isinstance(value, Iterable):
             raise FieldTypeError(self.type_name, label, self.expected, value)
         return self._from_values(label, list(value))
 

@@ -55,14 +55,14 @@ class _BoolCheck(ScalarCheck):
 
 
 class _IntegerCheck(ScalarCheck):
-    """Whole numbers in range, also enum members and numpy's; a bool is refused."""
+    """Whole numbers in range, also enum members and numpy's; True is 1, as anywhere in Python."""
 
     def __init__(self, type_name: str, base: str) -> None:
         self.low, self.high = INTEGER_RANGES[base]
         super().__init__(type_name, f"an int from {self.low} to {self.high}")
 
     def __call__(self, label: str, value: Any) -> int:
-        if isinstance(value, bool) or not isinstance(value, numbers.Integral):
+        if not isinstance(value, numbers.Integral):
             raise self.wrong_type(label, value)
         number = int(operator.index(value))
         if not self.low <= number <= self.high:
