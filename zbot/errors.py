@@ -370,8 +370,8 @@ class UnknownInterfaceError(ZbotError, AttributeError, LookupError):
         super().__init__(f"Unknown interface {name!r}{_did_you_mean(suggestions)}")
 
 
-class FieldTypeError(ZbotError, TypeError):
-    """A message's field was given a value of the wrong Python type.
+class FieldTypeError(ZbotError, TypeError, AssertionError):
+    """A message's field was given a value of the wrong Python type; ROS 2's classes assert it.
 
     Attributes:
         type_name: The message, e.g. `geometry_msgs/msg/Vector3`.
@@ -386,7 +386,7 @@ class FieldTypeError(ZbotError, TypeError):
         super().__init__(f"field {field!r} of {type_name} must be {expected}, not {given}")
 
 
-class FieldValueError(ZbotError, ValueError):
+class FieldValueError(ZbotError, ValueError, AssertionError):
     """A message's field was given a value of the right type that it cannot hold.
 
     The attributes are those of `FieldTypeError`.
@@ -398,7 +398,7 @@ class FieldValueError(ZbotError, ValueError):
         super().__init__(f"field {field!r} of {type_name} must be {expected}, not {given}")
 
 
-class UnknownFieldError(ZbotError, TypeError):
+class UnknownFieldError(ZbotError, TypeError, AssertionError):
     """A message was constructed with a field that its type does not have."""
 
     def __init__(self, type_name: str, field: str, fields: tuple[str, ...]) -> None:

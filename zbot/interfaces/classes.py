@@ -11,7 +11,14 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import PositionalFieldError, UnknownFieldError
 from zbot.interfaces.array_value import elements_text, fixed_default, same_elements
-from zbot.interfaces.message import Action, Impl, Message, Service
+from zbot.interfaces.message import (
+    Action,
+    Impl,
+    Message,
+    Service,
+    WithConstants,
+    shown_name,
+)
 from zbot.interfaces.source import class_source
 
 if TYPE_CHECKING:
@@ -62,6 +69,7 @@ _COMMON: dict[str, Any] = {
     "NAN": math.nan,
     "_Message": Message,
     "_SlotTypes": _SlotTypes,
+    "_WithConstants": WithConstants,
     "_array": array,
     "_bool": bool,
     "_bytes": bytes,
@@ -72,6 +80,7 @@ _COMMON: dict[str, Any] = {
     "_property": property,
     "_range": range,
     "_same_elements": same_elements,
+    "_shown_name": shown_name,
     "_str": str,
 }
 
@@ -149,7 +158,7 @@ def _namespace(spec: MessageSpec, nested: dict[str, type[Any]]) -> dict[str, Any
         "__name__": module_name(spec.name),
         "_DOC": _doc(spec.name, spec.text),
         "_SPEC": spec,
-        "_bad_call": functools.partial(_bad_call, spec),
+        "_check_call": functools.partial(_check_call, spec),
     }
     for field in spec.fields:
         names.update(_field_names(spec.name, field, nested.get(field.name)))
@@ -185,13 +194,14 @@ class _Check:
         return self._check(self._field.name, value)
 
 
-def _bad_call(
-    spec: MessageSpec, _message: Message, args: tuple[Any, ...], unknown: dict[str, Any]
-) -> PositionalFieldError | UnknownFieldError:
+def _check_call(spec: MessageSpec, args: tuple[Any, ...], unknown: dict[str, Any]) -> None:
+    """Refuse arguments that are for no field; `check_fields` says what zbot does anyway."""
     fields = tuple(field.name for field in spec.fields)
     if args:
-        return PositionalFieldError(spec.name, fields)
-    return UnknownFieldError(spec.name, next(iter(unknown)), fields)
+        raise PositionalFieldError(spec.name, fields)
+    for name in unknown:
+        if name != "check_fields":
+            raise UnknownFieldError(spec.name, name, fields)
 
 
 def _doc(name: str, text: str) -> str:

@@ -17,6 +17,28 @@ if TYPE_CHECKING:
 _IMMUTABLE = {bool, int, float, str, bytes}
 
 
+class WithConstants(type):
+    """Class of the message classes that have constants: none can be assigned, as in ROS 2.
+
+    The others do without: Python makes instances faster where the class is a plain `type`.
+    """
+
+    SPEC: MessageSpec
+
+    def __setattr__(cls, name: str, value: object) -> None:
+        cls._refuse_constant(name)
+        super().__setattr__(name, value)
+
+    def __delattr__(cls, name: str) -> None:
+        cls._refuse_constant(name)
+        super().__delattr__(name)
+
+    def _refuse_constant(cls, name: str) -> None:
+        constants = {constant.name for constant in cls.SPEC.constants}
+        if name in constants or name.endswith("__DEFAULT"):
+            raise AttributeError(f"{name!r} of {cls.SPEC.name} is a constant")
+
+
 class Message:
     """Base of the generated message classes: one slot `_name` behind each property `name`."""
 
@@ -88,6 +110,13 @@ class Impl:
     """Base of what an action class has beside goal, result and feedback: `Fibonacci.Impl`."""
 
     __class_getitem__: ClassVar[Any] = classmethod(GenericAlias)
+
+
+def shown_name(message: Message) -> str:
+    """What a message's text begins with, as in ROS 2: `std_msgs.msg.String`, or a subclass's."""
+    cls = type(message)
+    package = cls.__module__.rpartition(".")[0]
+    return f"{package}.{cls.__name__}" if package else cls.__name__
 
 
 def rebuild(key: str | type[Message], values: tuple[Any, ...]) -> Message:

@@ -20,11 +20,10 @@ _ZEROS: dict[str, Scalar] = {"bool": False, "byte": b"\x00", "string": "", "wstr
 
 def class_source(spec: MessageSpec) -> str:
     """The class statement for a message; `classes.namespace` has the names that it uses."""
-    package, kind, short = spec.name.split("/")
     lines = [
-        f"class {short}(_Message):",
+        _class_line(spec),
         "    __doc__ = _DOC",
-        f"    __slots__ = {tuple(f'_{field.name}' for field in spec.fields)!r}",
+        f"    __slots__ = {[f'_{field.name}' for field in spec.fields]!r}",
         *(f"    {constant.name} = {constant.value!r}" for constant in spec.constants),
         *_default_constants(spec),
         "    SPEC = _SPEC",
@@ -35,7 +34,7 @@ def class_source(spec: MessageSpec) -> str:
         *_init(spec),
         "",
         "    def __repr__(self):",
-        f'        return f"{package}.{kind}.{short}({_repr_fields(spec)})"',
+        f'        return f"{{_shown_name(self)}}({_repr_fields(spec)})"',
         "",
         *_eq(spec),
     ]
@@ -44,12 +43,22 @@ def class_source(spec: MessageSpec) -> str:
     return "\n".join(lines) + "\n"
 
 
+def _class_line(spec: MessageSpec) -> str:
+    has_constants = spec.constants or any(field.default is not None for field in spec.fields)
+    metaclass = ", metaclass=_WithConstants" if has_constants else ""
+    return f"class {spec.name.rpartition('/')[2]}(_Message{metaclass}):"
+
+
 def _default_constants(spec: MessageSpec) -> list[str]:
     return [
-        f"    {field.name.upper()}__DEFAULT = {_literal(field.default)}"
+        f"    {field.name.upper()}__DEFAULT = {_default_constant(field)}"
         for field in spec.fields
         if field.default is not None
     ]
+
+
+def _default_constant(field: Field) -> str:
+    return _new(field) if isinstance(field.default, tuple) else _literal(field.default)
 
 
 def _init(spec: MessageSpec) -> list[str]:
@@ -58,7 +67,7 @@ def _init(spec: MessageSpec) -> list[str]:
     return [
         f"    def __init__({signature}):",
         "        if _args or _unknown:",
-        "            raise _bad_call(self, _args, _unknown)",
+        "            _check_call(_args, _unknown)",
         *(f"        self._{field.name} = {_initial(field)}" for field in spec.fields),
     ]
 

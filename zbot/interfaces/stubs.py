@@ -132,9 +132,10 @@ def _message(spec: MessageSpec) -> Iterator[str]:
     yield from _docstring(spec)
     for constant in spec.constants:
         yield f"    {constant.name}: Final = {constant.value!r}"
-    parameters = [f"{field.name}: {_accepted(field.type)} = ..." for field in spec.fields]
-    keyword_only = ", *, " if parameters else ""
-    yield f"    def __init__(self{keyword_only}{', '.join(parameters)}) -> None: ..."
+    accepted = {field.name: _accepted(field.type) for field in spec.fields}
+    accepted.setdefault("check_fields", "bool")
+    parameters = ", ".join(f"{name}: {kind} = ..." for name, kind in accepted.items())
+    yield f"    def __init__(self, *, {parameters}) -> None: ..."
     for field in spec.fields:
         yield from _field(field)
 

@@ -24,7 +24,7 @@ class AckermannDrive(Message):
     float32 acceleration  # m/s^2, its amount; 0: as strongly as it can
     float32 jerk          # m/s^3, its amount; 0: as hard as it can
     """
-    def __init__(self, *, steering_angle: float = ..., steering_angle_velocity: float = ..., speed: float = ..., acceleration: float = ..., jerk: float = ...) -> None: ...
+    def __init__(self, *, steering_angle: float = ..., steering_angle_velocity: float = ..., speed: float = ..., acceleration: float = ..., jerk: float = ..., check_fields: bool = ...) -> None: ...
     steering_angle: float
     steering_angle_velocity: float
     speed: float
@@ -39,6 +39,6 @@ class AckermannDriveStamped(Message):
     std_msgs/Header header
     AckermannDrive drive
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., drive: ackermann_msgs.msg.AckermannDrive = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., drive: ackermann_msgs.msg.AckermannDrive = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     drive: ackermann_msgs.msg.AckermannDrive

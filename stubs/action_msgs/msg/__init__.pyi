@@ -22,7 +22,7 @@ class GoalInfo(Message):
     # When the server accepted the goal.
     builtin_interfaces/Time stamp
     """
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     stamp: builtin_interfaces.msg.Time
 
@@ -65,7 +65,7 @@ class GoalStatus(Message):
     STATUS_SUCCEEDED: Final = 4
     STATUS_CANCELED: Final = 5
     STATUS_ABORTED: Final = 6
-    def __init__(self, *, goal_info: action_msgs.msg.GoalInfo = ..., status: int = ...) -> None: ...
+    def __init__(self, *, goal_info: action_msgs.msg.GoalInfo = ..., status: int = ..., check_fields: bool = ...) -> None: ...
     goal_info: action_msgs.msg.GoalInfo
     status: int
 
@@ -76,7 +76,7 @@ class GoalStatusArray(Message):
 
     GoalStatus[] status_list
     """
-    def __init__(self, *, status_list: Collection[action_msgs.msg.GoalStatus] = ...) -> None: ...
+    def __init__(self, *, status_list: Collection[action_msgs.msg.GoalStatus] = ..., check_fields: bool = ...) -> None: ...
     @property
     def status_list(self) -> list[action_msgs.msg.GoalStatus]: ...
     @status_list.setter

@@ -24,7 +24,7 @@ class CancelGoal_Request(Message):
     # Which goals, as above.
     GoalInfo goal_info
     """
-    def __init__(self, *, goal_info: action_msgs.msg.GoalInfo = ...) -> None: ...
+    def __init__(self, *, goal_info: action_msgs.msg.GoalInfo = ..., check_fields: bool = ...) -> None: ...
     goal_info: action_msgs.msg.GoalInfo
 
 class CancelGoal_Response(Message):
@@ -52,7 +52,7 @@ class CancelGoal_Response(Message):
     ERROR_REJECTED: Final = 1
     ERROR_UNKNOWN_GOAL_ID: Final = 2
     ERROR_GOAL_TERMINATED: Final = 3
-    def __init__(self, *, return_code: int = ..., goals_canceling: Collection[action_msgs.msg.GoalInfo] = ...) -> None: ...
+    def __init__(self, *, return_code: int = ..., goals_canceling: Collection[action_msgs.msg.GoalInfo] = ..., check_fields: bool = ...) -> None: ...
     return_code: int
     @property
     def goals_canceling(self) -> list[action_msgs.msg.GoalInfo]: ...
@@ -61,7 +61,7 @@ class CancelGoal_Response(Message):
 
 class CancelGoal_Event(Message):
     """action_msgs/srv/CancelGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[action_msgs.srv.CancelGoal_Request] = ..., response: Collection[action_msgs.srv.CancelGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[action_msgs.srv.CancelGoal_Request] = ..., response: Collection[action_msgs.srv.CancelGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[action_msgs.srv.CancelGoal_Request]: ...

@@ -22,7 +22,7 @@ class GoalID(Message):
     # A text that no other goal has.
     string id
     """
-    def __init__(self, *, stamp: builtin_interfaces.msg.Time = ..., id: str = ...) -> None: ...
+    def __init__(self, *, stamp: builtin_interfaces.msg.Time = ..., id: str = ..., check_fields: bool = ...) -> None: ...
     stamp: builtin_interfaces.msg.Time
     id: str
 
@@ -57,7 +57,7 @@ class GoalStatus(Message):
     RECALLING: Final = 7
     RECALLED: Final = 8
     LOST: Final = 9
-    def __init__(self, *, goal_id: actionlib_msgs.msg.GoalID = ..., status: int = ..., text: str = ...) -> None: ...
+    def __init__(self, *, goal_id: actionlib_msgs.msg.GoalID = ..., status: int = ..., text: str = ..., check_fields: bool = ...) -> None: ...
     goal_id: actionlib_msgs.msg.GoalID
     status: int
     text: str
@@ -70,7 +70,7 @@ class GoalStatusArray(Message):
     std_msgs/Header header
     GoalStatus[] status_list
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., status_list: Collection[actionlib_msgs.msg.GoalStatus] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., status_list: Collection[actionlib_msgs.msg.GoalStatus] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def status_list(self) -> list[actionlib_msgs.msg.GoalStatus]: ...

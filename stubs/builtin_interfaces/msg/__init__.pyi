@@ -19,7 +19,7 @@ class Duration(Message):
     # Rest of the second in ns, from 0 to 999999999; always counts forward from sec.
     uint32 nanosec
     """
-    def __init__(self, *, sec: int = ..., nanosec: int = ...) -> None: ...
+    def __init__(self, *, sec: int = ..., nanosec: int = ..., check_fields: bool = ...) -> None: ...
     sec: int
     nanosec: int
 
@@ -34,6 +34,6 @@ class Time(Message):
     # Rest of the second in ns, from 0 to 999999999; always counts forward from sec.
     uint32 nanosec
     """
-    def __init__(self, *, sec: int = ..., nanosec: int = ...) -> None: ...
+    def __init__(self, *, sec: int = ..., nanosec: int = ..., check_fields: bool = ...) -> None: ...
     sec: int
     nanosec: int

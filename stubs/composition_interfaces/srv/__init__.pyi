@@ -16,7 +16,7 @@ class ListNodes_Request(Message):
 
     # Asks a container which nodes run inside it.
     """
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class ListNodes_Response(Message):
     """composition_interfaces/srv/ListNodes_Response
@@ -26,7 +26,7 @@ class ListNodes_Response(Message):
     # Their numbers, in the same order.
     uint64[] unique_ids
     """
-    def __init__(self, *, full_node_names: Collection[str] = ..., unique_ids: Collection[int] = ...) -> None: ...
+    def __init__(self, *, full_node_names: Collection[str] = ..., unique_ids: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     @property
     def full_node_names(self) -> list[str]: ...
     @full_node_names.setter
@@ -38,7 +38,7 @@ class ListNodes_Response(Message):
 
 class ListNodes_Event(Message):
     """composition_interfaces/srv/ListNodes_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[composition_interfaces.srv.ListNodes_Request] = ..., response: Collection[composition_interfaces.srv.ListNodes_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[composition_interfaces.srv.ListNodes_Request] = ..., response: Collection[composition_interfaces.srv.ListNodes_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[composition_interfaces.srv.ListNodes_Request]: ...
@@ -78,7 +78,7 @@ class LoadNode_Request(Message):
     # Further settings that this kind of container understands.
     rcl_interfaces/Parameter[] extra_arguments
     """
-    def __init__(self, *, package_name: str = ..., plugin_name: str = ..., node_name: str = ..., node_namespace: str = ..., log_level: int = ..., remap_rules: Collection[str] = ..., parameters: Collection[rcl_interfaces.msg.Parameter] = ..., extra_arguments: Collection[rcl_interfaces.msg.Parameter] = ...) -> None: ...
+    def __init__(self, *, package_name: str = ..., plugin_name: str = ..., node_name: str = ..., node_namespace: str = ..., log_level: int = ..., remap_rules: Collection[str] = ..., parameters: Collection[rcl_interfaces.msg.Parameter] = ..., extra_arguments: Collection[rcl_interfaces.msg.Parameter] = ..., check_fields: bool = ...) -> None: ...
     package_name: str
     plugin_name: str
     node_name: str
@@ -109,7 +109,7 @@ class LoadNode_Response(Message):
     # Its number, needed to unload it.
     uint64 unique_id
     """
-    def __init__(self, *, success: bool = ..., error_message: str = ..., full_node_name: str = ..., unique_id: int = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., error_message: str = ..., full_node_name: str = ..., unique_id: int = ..., check_fields: bool = ...) -> None: ...
     success: bool
     error_message: str
     full_node_name: str
@@ -117,7 +117,7 @@ class LoadNode_Response(Message):
 
 class LoadNode_Event(Message):
     """composition_interfaces/srv/LoadNode_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[composition_interfaces.srv.LoadNode_Request] = ..., response: Collection[composition_interfaces.srv.LoadNode_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[composition_interfaces.srv.LoadNode_Request] = ..., response: Collection[composition_interfaces.srv.LoadNode_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[composition_interfaces.srv.LoadNode_Request]: ...
@@ -141,7 +141,7 @@ class UnloadNode_Request(Message):
     # Its number, from LoadNode or ListNodes.
     uint64 unique_id
     """
-    def __init__(self, *, unique_id: int = ...) -> None: ...
+    def __init__(self, *, unique_id: int = ..., check_fields: bool = ...) -> None: ...
     unique_id: int
 
 class UnloadNode_Response(Message):
@@ -152,13 +152,13 @@ class UnloadNode_Response(Message):
     # Why not; empty on success.
     string error_message
     """
-    def __init__(self, *, success: bool = ..., error_message: str = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., error_message: str = ..., check_fields: bool = ...) -> None: ...
     success: bool
     error_message: str
 
 class UnloadNode_Event(Message):
     """composition_interfaces/srv/UnloadNode_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[composition_interfaces.srv.UnloadNode_Request] = ..., response: Collection[composition_interfaces.srv.UnloadNode_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[composition_interfaces.srv.UnloadNode_Request] = ..., response: Collection[composition_interfaces.srv.UnloadNode_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[composition_interfaces.srv.UnloadNode_Request]: ...

@@ -36,7 +36,7 @@ class FollowJointTrajectory_Goal(Message):
     JointComponentTolerance[] component_goal_tolerance
     builtin_interfaces/Duration goal_time_tolerance
     """
-    def __init__(self, *, trajectory: trajectory_msgs.msg.JointTrajectory = ..., multi_dof_trajectory: trajectory_msgs.msg.MultiDOFJointTrajectory = ..., path_tolerance: Collection[control_msgs.msg.JointTolerance] = ..., component_path_tolerance: Collection[control_msgs.msg.JointComponentTolerance] = ..., goal_tolerance: Collection[control_msgs.msg.JointTolerance] = ..., component_goal_tolerance: Collection[control_msgs.msg.JointComponentTolerance] = ..., goal_time_tolerance: builtin_interfaces.msg.Duration = ...) -> None: ...
+    def __init__(self, *, trajectory: trajectory_msgs.msg.JointTrajectory = ..., multi_dof_trajectory: trajectory_msgs.msg.MultiDOFJointTrajectory = ..., path_tolerance: Collection[control_msgs.msg.JointTolerance] = ..., component_path_tolerance: Collection[control_msgs.msg.JointComponentTolerance] = ..., goal_tolerance: Collection[control_msgs.msg.JointTolerance] = ..., component_goal_tolerance: Collection[control_msgs.msg.JointComponentTolerance] = ..., goal_time_tolerance: builtin_interfaces.msg.Duration = ..., check_fields: bool = ...) -> None: ...
     trajectory: trajectory_msgs.msg.JointTrajectory
     multi_dof_trajectory: trajectory_msgs.msg.MultiDOFJointTrajectory
     @property
@@ -76,7 +76,7 @@ class FollowJointTrajectory_Result(Message):
     OLD_HEADER_TIMESTAMP: Final = -3
     PATH_TOLERANCE_VIOLATED: Final = -4
     GOAL_TOLERANCE_VIOLATED: Final = -5
-    def __init__(self, *, error_code: int = ..., error_string: str = ...) -> None: ...
+    def __init__(self, *, error_code: int = ..., error_string: str = ..., check_fields: bool = ...) -> None: ...
     error_code: int
     error_string: str
 
@@ -94,7 +94,7 @@ class FollowJointTrajectory_Feedback(Message):
     trajectory_msgs/MultiDOFJointTrajectoryPoint multi_dof_actual
     trajectory_msgs/MultiDOFJointTrajectoryPoint multi_dof_error
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., joint_names: Collection[str] = ..., desired: trajectory_msgs.msg.JointTrajectoryPoint = ..., actual: trajectory_msgs.msg.JointTrajectoryPoint = ..., error: trajectory_msgs.msg.JointTrajectoryPoint = ..., multi_dof_joint_names: Collection[str] = ..., multi_dof_desired: trajectory_msgs.msg.MultiDOFJointTrajectoryPoint = ..., multi_dof_actual: trajectory_msgs.msg.MultiDOFJointTrajectoryPoint = ..., multi_dof_error: trajectory_msgs.msg.MultiDOFJointTrajectoryPoint = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., joint_names: Collection[str] = ..., desired: trajectory_msgs.msg.JointTrajectoryPoint = ..., actual: trajectory_msgs.msg.JointTrajectoryPoint = ..., error: trajectory_msgs.msg.JointTrajectoryPoint = ..., multi_dof_joint_names: Collection[str] = ..., multi_dof_desired: trajectory_msgs.msg.MultiDOFJointTrajectoryPoint = ..., multi_dof_actual: trajectory_msgs.msg.MultiDOFJointTrajectoryPoint = ..., multi_dof_error: trajectory_msgs.msg.MultiDOFJointTrajectoryPoint = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def joint_names(self) -> list[str]: ...
@@ -113,25 +113,25 @@ class FollowJointTrajectory_Feedback(Message):
 
 class FollowJointTrajectory_FeedbackMessage(Message):
     """control_msgs/action/FollowJointTrajectory_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: control_msgs.action.FollowJointTrajectory_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: control_msgs.action.FollowJointTrajectory_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: control_msgs.action.FollowJointTrajectory_Feedback
 
 class FollowJointTrajectory_SendGoal_Request(Message):
     """control_msgs/action/FollowJointTrajectory_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: control_msgs.action.FollowJointTrajectory_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: control_msgs.action.FollowJointTrajectory_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: control_msgs.action.FollowJointTrajectory_Goal
 
 class FollowJointTrajectory_SendGoal_Response(Message):
     """control_msgs/action/FollowJointTrajectory_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class FollowJointTrajectory_SendGoal_Event(Message):
     """control_msgs/action/FollowJointTrajectory_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.FollowJointTrajectory_SendGoal_Request] = ..., response: Collection[control_msgs.action.FollowJointTrajectory_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.FollowJointTrajectory_SendGoal_Request] = ..., response: Collection[control_msgs.action.FollowJointTrajectory_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.action.FollowJointTrajectory_SendGoal_Request]: ...
@@ -144,18 +144,18 @@ class FollowJointTrajectory_SendGoal_Event(Message):
 
 class FollowJointTrajectory_GetResult_Request(Message):
     """control_msgs/action/FollowJointTrajectory_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class FollowJointTrajectory_GetResult_Response(Message):
     """control_msgs/action/FollowJointTrajectory_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: control_msgs.action.FollowJointTrajectory_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: control_msgs.action.FollowJointTrajectory_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: control_msgs.action.FollowJointTrajectory_Result
 
 class FollowJointTrajectory_GetResult_Event(Message):
     """control_msgs/action/FollowJointTrajectory_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.FollowJointTrajectory_GetResult_Request] = ..., response: Collection[control_msgs.action.FollowJointTrajectory_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.FollowJointTrajectory_GetResult_Request] = ..., response: Collection[control_msgs.action.FollowJointTrajectory_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.action.FollowJointTrajectory_GetResult_Request]: ...
@@ -194,7 +194,7 @@ class GripperCommand_Goal(Message):
 
     GripperCommand command
     """
-    def __init__(self, *, command: control_msgs.msg.GripperCommand = ...) -> None: ...
+    def __init__(self, *, command: control_msgs.msg.GripperCommand = ..., check_fields: bool = ...) -> None: ...
     command: control_msgs.msg.GripperCommand
 
 class GripperCommand_Result(Message):
@@ -205,7 +205,7 @@ class GripperCommand_Result(Message):
     bool stalled        # it pushes as strongly as it may, and does not move
     bool reached_goal
     """
-    def __init__(self, *, position: float = ..., effort: float = ..., stalled: bool = ..., reached_goal: bool = ...) -> None: ...
+    def __init__(self, *, position: float = ..., effort: float = ..., stalled: bool = ..., reached_goal: bool = ..., check_fields: bool = ...) -> None: ...
     position: float
     effort: float
     stalled: bool
@@ -219,7 +219,7 @@ class GripperCommand_Feedback(Message):
     bool stalled        # it pushes as strongly as it may, and does not move
     bool reached_goal
     """
-    def __init__(self, *, position: float = ..., effort: float = ..., stalled: bool = ..., reached_goal: bool = ...) -> None: ...
+    def __init__(self, *, position: float = ..., effort: float = ..., stalled: bool = ..., reached_goal: bool = ..., check_fields: bool = ...) -> None: ...
     position: float
     effort: float
     stalled: bool
@@ -227,25 +227,25 @@ class GripperCommand_Feedback(Message):
 
 class GripperCommand_FeedbackMessage(Message):
     """control_msgs/action/GripperCommand_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: control_msgs.action.GripperCommand_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: control_msgs.action.GripperCommand_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: control_msgs.action.GripperCommand_Feedback
 
 class GripperCommand_SendGoal_Request(Message):
     """control_msgs/action/GripperCommand_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: control_msgs.action.GripperCommand_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: control_msgs.action.GripperCommand_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: control_msgs.action.GripperCommand_Goal
 
 class GripperCommand_SendGoal_Response(Message):
     """control_msgs/action/GripperCommand_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class GripperCommand_SendGoal_Event(Message):
     """control_msgs/action/GripperCommand_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.GripperCommand_SendGoal_Request] = ..., response: Collection[control_msgs.action.GripperCommand_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.GripperCommand_SendGoal_Request] = ..., response: Collection[control_msgs.action.GripperCommand_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.action.GripperCommand_SendGoal_Request]: ...
@@ -258,18 +258,18 @@ class GripperCommand_SendGoal_Event(Message):
 
 class GripperCommand_GetResult_Request(Message):
     """control_msgs/action/GripperCommand_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class GripperCommand_GetResult_Response(Message):
     """control_msgs/action/GripperCommand_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: control_msgs.action.GripperCommand_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: control_msgs.action.GripperCommand_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: control_msgs.action.GripperCommand_Result
 
 class GripperCommand_GetResult_Event(Message):
     """control_msgs/action/GripperCommand_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.GripperCommand_GetResult_Request] = ..., response: Collection[control_msgs.action.GripperCommand_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.GripperCommand_GetResult_Request] = ..., response: Collection[control_msgs.action.GripperCommand_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.action.GripperCommand_GetResult_Request]: ...
@@ -308,38 +308,38 @@ class JointTrajectory_Goal(Message):
 
     trajectory_msgs/JointTrajectory trajectory
     """
-    def __init__(self, *, trajectory: trajectory_msgs.msg.JointTrajectory = ...) -> None: ...
+    def __init__(self, *, trajectory: trajectory_msgs.msg.JointTrajectory = ..., check_fields: bool = ...) -> None: ...
     trajectory: trajectory_msgs.msg.JointTrajectory
 
 class JointTrajectory_Result(Message):
     """control_msgs/action/JointTrajectory_Result"""
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class JointTrajectory_Feedback(Message):
     """control_msgs/action/JointTrajectory_Feedback"""
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class JointTrajectory_FeedbackMessage(Message):
     """control_msgs/action/JointTrajectory_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: control_msgs.action.JointTrajectory_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: control_msgs.action.JointTrajectory_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: control_msgs.action.JointTrajectory_Feedback
 
 class JointTrajectory_SendGoal_Request(Message):
     """control_msgs/action/JointTrajectory_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: control_msgs.action.JointTrajectory_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: control_msgs.action.JointTrajectory_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: control_msgs.action.JointTrajectory_Goal
 
 class JointTrajectory_SendGoal_Response(Message):
     """control_msgs/action/JointTrajectory_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class JointTrajectory_SendGoal_Event(Message):
     """control_msgs/action/JointTrajectory_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.JointTrajectory_SendGoal_Request] = ..., response: Collection[control_msgs.action.JointTrajectory_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.JointTrajectory_SendGoal_Request] = ..., response: Collection[control_msgs.action.JointTrajectory_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.action.JointTrajectory_SendGoal_Request]: ...
@@ -352,18 +352,18 @@ class JointTrajectory_SendGoal_Event(Message):
 
 class JointTrajectory_GetResult_Request(Message):
     """control_msgs/action/JointTrajectory_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class JointTrajectory_GetResult_Response(Message):
     """control_msgs/action/JointTrajectory_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: control_msgs.action.JointTrajectory_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: control_msgs.action.JointTrajectory_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: control_msgs.action.JointTrajectory_Result
 
 class JointTrajectory_GetResult_Event(Message):
     """control_msgs/action/JointTrajectory_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.JointTrajectory_GetResult_Request] = ..., response: Collection[control_msgs.action.JointTrajectory_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.JointTrajectory_GetResult_Request] = ..., response: Collection[control_msgs.action.JointTrajectory_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.action.JointTrajectory_GetResult_Request]: ...
@@ -402,7 +402,7 @@ class ParallelGripperCommand_Goal(Message):
 
     sensor_msgs/JointState command
     """
-    def __init__(self, *, command: sensor_msgs.msg.JointState = ...) -> None: ...
+    def __init__(self, *, command: sensor_msgs.msg.JointState = ..., check_fields: bool = ...) -> None: ...
     command: sensor_msgs.msg.JointState
 
 class ParallelGripperCommand_Result(Message):
@@ -412,7 +412,7 @@ class ParallelGripperCommand_Result(Message):
     bool stalled       # it pushes as strongly as it may, and does not move
     bool reached_goal
     """
-    def __init__(self, *, state: sensor_msgs.msg.JointState = ..., stalled: bool = ..., reached_goal: bool = ...) -> None: ...
+    def __init__(self, *, state: sensor_msgs.msg.JointState = ..., stalled: bool = ..., reached_goal: bool = ..., check_fields: bool = ...) -> None: ...
     state: sensor_msgs.msg.JointState
     stalled: bool
     reached_goal: bool
@@ -422,30 +422,30 @@ class ParallelGripperCommand_Feedback(Message):
 
     sensor_msgs/JointState state
     """
-    def __init__(self, *, state: sensor_msgs.msg.JointState = ...) -> None: ...
+    def __init__(self, *, state: sensor_msgs.msg.JointState = ..., check_fields: bool = ...) -> None: ...
     state: sensor_msgs.msg.JointState
 
 class ParallelGripperCommand_FeedbackMessage(Message):
     """control_msgs/action/ParallelGripperCommand_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: control_msgs.action.ParallelGripperCommand_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: control_msgs.action.ParallelGripperCommand_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: control_msgs.action.ParallelGripperCommand_Feedback
 
 class ParallelGripperCommand_SendGoal_Request(Message):
     """control_msgs/action/ParallelGripperCommand_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: control_msgs.action.ParallelGripperCommand_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: control_msgs.action.ParallelGripperCommand_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: control_msgs.action.ParallelGripperCommand_Goal
 
 class ParallelGripperCommand_SendGoal_Response(Message):
     """control_msgs/action/ParallelGripperCommand_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class ParallelGripperCommand_SendGoal_Event(Message):
     """control_msgs/action/ParallelGripperCommand_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.ParallelGripperCommand_SendGoal_Request] = ..., response: Collection[control_msgs.action.ParallelGripperCommand_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.ParallelGripperCommand_SendGoal_Request] = ..., response: Collection[control_msgs.action.ParallelGripperCommand_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.action.ParallelGripperCommand_SendGoal_Request]: ...
@@ -458,18 +458,18 @@ class ParallelGripperCommand_SendGoal_Event(Message):
 
 class ParallelGripperCommand_GetResult_Request(Message):
     """control_msgs/action/ParallelGripperCommand_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class ParallelGripperCommand_GetResult_Response(Message):
     """control_msgs/action/ParallelGripperCommand_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: control_msgs.action.ParallelGripperCommand_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: control_msgs.action.ParallelGripperCommand_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: control_msgs.action.ParallelGripperCommand_Result
 
 class ParallelGripperCommand_GetResult_Event(Message):
     """control_msgs/action/ParallelGripperCommand_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.ParallelGripperCommand_GetResult_Request] = ..., response: Collection[control_msgs.action.ParallelGripperCommand_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.ParallelGripperCommand_GetResult_Request] = ..., response: Collection[control_msgs.action.ParallelGripperCommand_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.action.ParallelGripperCommand_GetResult_Request]: ...
@@ -512,7 +512,7 @@ class PointHead_Goal(Message):
     builtin_interfaces/Duration min_duration
     float64 max_velocity  # rad/s
     """
-    def __init__(self, *, target: geometry_msgs.msg.PointStamped = ..., pointing_axis: geometry_msgs.msg.Vector3 = ..., pointing_frame: str = ..., min_duration: builtin_interfaces.msg.Duration = ..., max_velocity: float = ...) -> None: ...
+    def __init__(self, *, target: geometry_msgs.msg.PointStamped = ..., pointing_axis: geometry_msgs.msg.Vector3 = ..., pointing_frame: str = ..., min_duration: builtin_interfaces.msg.Duration = ..., max_velocity: float = ..., check_fields: bool = ...) -> None: ...
     target: geometry_msgs.msg.PointStamped
     pointing_axis: geometry_msgs.msg.Vector3
     pointing_frame: str
@@ -521,37 +521,37 @@ class PointHead_Goal(Message):
 
 class PointHead_Result(Message):
     """control_msgs/action/PointHead_Result"""
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class PointHead_Feedback(Message):
     """control_msgs/action/PointHead_Feedback
 
     float64 pointing_angle_error  # rad
     """
-    def __init__(self, *, pointing_angle_error: float = ...) -> None: ...
+    def __init__(self, *, pointing_angle_error: float = ..., check_fields: bool = ...) -> None: ...
     pointing_angle_error: float
 
 class PointHead_FeedbackMessage(Message):
     """control_msgs/action/PointHead_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: control_msgs.action.PointHead_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: control_msgs.action.PointHead_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: control_msgs.action.PointHead_Feedback
 
 class PointHead_SendGoal_Request(Message):
     """control_msgs/action/PointHead_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: control_msgs.action.PointHead_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: control_msgs.action.PointHead_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: control_msgs.action.PointHead_Goal
 
 class PointHead_SendGoal_Response(Message):
     """control_msgs/action/PointHead_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class PointHead_SendGoal_Event(Message):
     """control_msgs/action/PointHead_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.PointHead_SendGoal_Request] = ..., response: Collection[control_msgs.action.PointHead_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.PointHead_SendGoal_Request] = ..., response: Collection[control_msgs.action.PointHead_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.action.PointHead_SendGoal_Request]: ...
@@ -564,18 +564,18 @@ class PointHead_SendGoal_Event(Message):
 
 class PointHead_GetResult_Request(Message):
     """control_msgs/action/PointHead_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class PointHead_GetResult_Response(Message):
     """control_msgs/action/PointHead_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: control_msgs.action.PointHead_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: control_msgs.action.PointHead_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: control_msgs.action.PointHead_Result
 
 class PointHead_GetResult_Event(Message):
     """control_msgs/action/PointHead_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.PointHead_GetResult_Request] = ..., response: Collection[control_msgs.action.PointHead_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.PointHead_GetResult_Request] = ..., response: Collection[control_msgs.action.PointHead_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.action.PointHead_GetResult_Request]: ...
@@ -616,14 +616,14 @@ class SingleJointPosition_Goal(Message):
     builtin_interfaces/Duration min_duration
     float64 max_velocity
     """
-    def __init__(self, *, position: float = ..., min_duration: builtin_interfaces.msg.Duration = ..., max_velocity: float = ...) -> None: ...
+    def __init__(self, *, position: float = ..., min_duration: builtin_interfaces.msg.Duration = ..., max_velocity: float = ..., check_fields: bool = ...) -> None: ...
     position: float
     min_duration: builtin_interfaces.msg.Duration
     max_velocity: float
 
 class SingleJointPosition_Result(Message):
     """control_msgs/action/SingleJointPosition_Result"""
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class SingleJointPosition_Feedback(Message):
     """control_msgs/action/SingleJointPosition_Feedback
@@ -633,7 +633,7 @@ class SingleJointPosition_Feedback(Message):
     float64 velocity
     float64 error
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., position: float = ..., velocity: float = ..., error: float = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., position: float = ..., velocity: float = ..., error: float = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     position: float
     velocity: float
@@ -641,25 +641,25 @@ class SingleJointPosition_Feedback(Message):
 
 class SingleJointPosition_FeedbackMessage(Message):
     """control_msgs/action/SingleJointPosition_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: control_msgs.action.SingleJointPosition_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: control_msgs.action.SingleJointPosition_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: control_msgs.action.SingleJointPosition_Feedback
 
 class SingleJointPosition_SendGoal_Request(Message):
     """control_msgs/action/SingleJointPosition_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: control_msgs.action.SingleJointPosition_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: control_msgs.action.SingleJointPosition_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: control_msgs.action.SingleJointPosition_Goal
 
 class SingleJointPosition_SendGoal_Response(Message):
     """control_msgs/action/SingleJointPosition_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class SingleJointPosition_SendGoal_Event(Message):
     """control_msgs/action/SingleJointPosition_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.SingleJointPosition_SendGoal_Request] = ..., response: Collection[control_msgs.action.SingleJointPosition_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.SingleJointPosition_SendGoal_Request] = ..., response: Collection[control_msgs.action.SingleJointPosition_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.action.SingleJointPosition_SendGoal_Request]: ...
@@ -672,18 +672,18 @@ class SingleJointPosition_SendGoal_Event(Message):
 
 class SingleJointPosition_GetResult_Request(Message):
     """control_msgs/action/SingleJointPosition_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class SingleJointPosition_GetResult_Response(Message):
     """control_msgs/action/SingleJointPosition_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: control_msgs.action.SingleJointPosition_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: control_msgs.action.SingleJointPosition_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: control_msgs.action.SingleJointPosition_Result
 
 class SingleJointPosition_GetResult_Event(Message):
     """control_msgs/action/SingleJointPosition_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.SingleJointPosition_GetResult_Request] = ..., response: Collection[control_msgs.action.SingleJointPosition_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.action.SingleJointPosition_GetResult_Request] = ..., response: Collection[control_msgs.action.SingleJointPosition_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.action.SingleJointPosition_GetResult_Request]: ...

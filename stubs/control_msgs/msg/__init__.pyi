@@ -19,7 +19,7 @@ class DynamicJointState(Message):
     string[] joint_names
     InterfaceValue[] interface_values
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., joint_names: Collection[str] = ..., interface_values: Collection[control_msgs.msg.InterfaceValue] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., joint_names: Collection[str] = ..., interface_values: Collection[control_msgs.msg.InterfaceValue] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def joint_names(self) -> list[str]: ...
@@ -38,7 +38,7 @@ class GripperCommand(Message):
     float64 position    # m between the fingers
     float64 max_effort  # N
     """
-    def __init__(self, *, position: float = ..., max_effort: float = ...) -> None: ...
+    def __init__(self, *, position: float = ..., max_effort: float = ..., check_fields: bool = ...) -> None: ...
     position: float
     max_effort: float
 
@@ -50,7 +50,7 @@ class InterfaceValue(Message):
     string[] interface_names
     float64[] values
     """
-    def __init__(self, *, interface_names: Collection[str] = ..., values: Collection[float] = ...) -> None: ...
+    def __init__(self, *, interface_names: Collection[str] = ..., values: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     @property
     def interface_names(self) -> list[str]: ...
     @interface_names.setter
@@ -82,7 +82,7 @@ class JointComponentTolerance(Message):
     Z_AXIS: Final = 3
     TRANSLATION: Final = 4
     ROTATION: Final = 5
-    def __init__(self, *, joint_name: str = ..., component: int = ..., position: float = ..., velocity: float = ..., acceleration: float = ...) -> None: ...
+    def __init__(self, *, joint_name: str = ..., component: int = ..., position: float = ..., velocity: float = ..., acceleration: float = ..., check_fields: bool = ...) -> None: ...
     joint_name: str
     component: int
     position: float
@@ -100,7 +100,7 @@ class JointJog(Message):
     float64[] velocities     # rad/s or m/s
     float64 duration         # s
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., joint_names: Collection[str] = ..., displacements: Collection[float] = ..., velocities: Collection[float] = ..., duration: float = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., joint_names: Collection[str] = ..., displacements: Collection[float] = ..., velocities: Collection[float] = ..., duration: float = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def joint_names(self) -> list[str]: ...
@@ -126,7 +126,7 @@ class JointTolerance(Message):
     float64 velocity      # rad/s or m/s
     float64 acceleration  # rad/s^2 or m/s^2
     """
-    def __init__(self, *, name: str = ..., position: float = ..., velocity: float = ..., acceleration: float = ...) -> None: ...
+    def __init__(self, *, name: str = ..., position: float = ..., velocity: float = ..., acceleration: float = ..., check_fields: bool = ...) -> None: ...
     name: str
     position: float
     velocity: float

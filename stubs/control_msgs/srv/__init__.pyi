@@ -16,19 +16,19 @@ class QueryCalibrationState_Request(Message):
 
     # Asks whether a robot knows where its joints are.
     """
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class QueryCalibrationState_Response(Message):
     """control_msgs/srv/QueryCalibrationState_Response
 
     bool is_calibrated
     """
-    def __init__(self, *, is_calibrated: bool = ...) -> None: ...
+    def __init__(self, *, is_calibrated: bool = ..., check_fields: bool = ...) -> None: ...
     is_calibrated: bool
 
 class QueryCalibrationState_Event(Message):
     """control_msgs/srv/QueryCalibrationState_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.srv.QueryCalibrationState_Request] = ..., response: Collection[control_msgs.srv.QueryCalibrationState_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.srv.QueryCalibrationState_Request] = ..., response: Collection[control_msgs.srv.QueryCalibrationState_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.srv.QueryCalibrationState_Request]: ...
@@ -51,7 +51,7 @@ class QueryTrajectoryState_Request(Message):
 
     builtin_interfaces/Time time
     """
-    def __init__(self, *, time: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, time: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     time: builtin_interfaces.msg.Time
 
 class QueryTrajectoryState_Response(Message):
@@ -64,7 +64,7 @@ class QueryTrajectoryState_Response(Message):
     float64[] velocity
     float64[] acceleration
     """
-    def __init__(self, *, success: bool = ..., message: str = ..., name: Collection[str] = ..., position: Collection[float] = ..., velocity: Collection[float] = ..., acceleration: Collection[float] = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., message: str = ..., name: Collection[str] = ..., position: Collection[float] = ..., velocity: Collection[float] = ..., acceleration: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     success: bool
     message: str
     @property
@@ -86,7 +86,7 @@ class QueryTrajectoryState_Response(Message):
 
 class QueryTrajectoryState_Event(Message):
     """control_msgs/srv/QueryTrajectoryState_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.srv.QueryTrajectoryState_Request] = ..., response: Collection[control_msgs.srv.QueryTrajectoryState_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[control_msgs.srv.QueryTrajectoryState_Request] = ..., response: Collection[control_msgs.srv.QueryTrajectoryState_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[control_msgs.srv.QueryTrajectoryState_Request]: ...

@@ -18,7 +18,7 @@ class DiagnosticArray(Message):
     std_msgs/Header header # when
     DiagnosticStatus[] status # one report per part
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., status: Collection[diagnostic_msgs.msg.DiagnosticStatus] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., status: Collection[diagnostic_msgs.msg.DiagnosticStatus] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def status(self) -> list[diagnostic_msgs.msg.DiagnosticStatus]: ...
@@ -51,7 +51,7 @@ class DiagnosticStatus(Message):
     WARN: Final = b'\x01'
     ERROR: Final = b'\x02'
     STALE: Final = b'\x03'
-    def __init__(self, *, level: bytes = ..., name: str = ..., message: str = ..., hardware_id: str = ..., values: Collection[diagnostic_msgs.msg.KeyValue] = ...) -> None: ...
+    def __init__(self, *, level: bytes = ..., name: str = ..., message: str = ..., hardware_id: str = ..., values: Collection[diagnostic_msgs.msg.KeyValue] = ..., check_fields: bool = ...) -> None: ...
     level: bytes
     name: str
     message: str
@@ -71,6 +71,6 @@ class KeyValue(Message):
     # Its value, as text.
     string value
     """
-    def __init__(self, *, key: str = ..., value: str = ...) -> None: ...
+    def __init__(self, *, key: str = ..., value: str = ..., check_fields: bool = ...) -> None: ...
     key: str
     value: str

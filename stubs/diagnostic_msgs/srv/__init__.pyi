@@ -19,7 +19,7 @@ class AddDiagnostics_Request(Message):
     # Where the analyzers' parameters have been loaded: a full name such as '/robot/arm'.
     string load_namespace
     """
-    def __init__(self, *, load_namespace: str = ...) -> None: ...
+    def __init__(self, *, load_namespace: str = ..., check_fields: bool = ...) -> None: ...
     load_namespace: str
 
 class AddDiagnostics_Response(Message):
@@ -32,13 +32,13 @@ class AddDiagnostics_Response(Message):
     # Details for people.
     string message
     """
-    def __init__(self, *, success: bool = ..., message: str = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., message: str = ..., check_fields: bool = ...) -> None: ...
     success: bool
     message: str
 
 class AddDiagnostics_Event(Message):
     """diagnostic_msgs/srv/AddDiagnostics_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[diagnostic_msgs.srv.AddDiagnostics_Request] = ..., response: Collection[diagnostic_msgs.srv.AddDiagnostics_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[diagnostic_msgs.srv.AddDiagnostics_Request] = ..., response: Collection[diagnostic_msgs.srv.AddDiagnostics_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[diagnostic_msgs.srv.AddDiagnostics_Request]: ...
@@ -59,7 +59,7 @@ class SelfTest_Request(Message):
 
     # Makes a device test itself.
     """
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class SelfTest_Response(Message):
     """diagnostic_msgs/srv/SelfTest_Response
@@ -68,7 +68,7 @@ class SelfTest_Response(Message):
     byte passed # 1 if every test passed
     DiagnosticStatus[] status # one report per test
     """
-    def __init__(self, *, id: str = ..., passed: bytes = ..., status: Collection[diagnostic_msgs.msg.DiagnosticStatus] = ...) -> None: ...
+    def __init__(self, *, id: str = ..., passed: bytes = ..., status: Collection[diagnostic_msgs.msg.DiagnosticStatus] = ..., check_fields: bool = ...) -> None: ...
     id: str
     passed: bytes
     @property
@@ -78,7 +78,7 @@ class SelfTest_Response(Message):
 
 class SelfTest_Event(Message):
     """diagnostic_msgs/srv/SelfTest_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[diagnostic_msgs.srv.SelfTest_Request] = ..., response: Collection[diagnostic_msgs.srv.SelfTest_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[diagnostic_msgs.srv.SelfTest_Request] = ..., response: Collection[diagnostic_msgs.srv.SelfTest_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[diagnostic_msgs.srv.SelfTest_Request]: ...

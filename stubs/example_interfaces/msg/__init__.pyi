@@ -16,7 +16,7 @@ class Bool(Message):
 
     bool data
     """
-    def __init__(self, *, data: bool = ...) -> None: ...
+    def __init__(self, *, data: bool = ..., check_fields: bool = ...) -> None: ...
     data: bool
 
 class Byte(Message):
@@ -26,7 +26,7 @@ class Byte(Message):
 
     byte data
     """
-    def __init__(self, *, data: bytes = ...) -> None: ...
+    def __init__(self, *, data: bytes = ..., check_fields: bool = ...) -> None: ...
     data: bytes
 
 class ByteMultiArray(Message):
@@ -37,7 +37,7 @@ class ByteMultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     byte[]            data          # all elements, one after the other
     """
-    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[bytes] = ...) -> None: ...
+    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[bytes] = ..., check_fields: bool = ...) -> None: ...
     layout: example_interfaces.msg.MultiArrayLayout
     @property
     def data(self) -> list[bytes]: ...
@@ -51,7 +51,7 @@ class Char(Message):
 
     char data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class Empty(Message):
@@ -59,7 +59,7 @@ class Empty(Message):
 
     # Carries nothing: the arrival itself is the signal.
     """
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class Float32(Message):
     """example_interfaces/msg/Float32
@@ -68,7 +68,7 @@ class Float32(Message):
 
     float32 data
     """
-    def __init__(self, *, data: float = ...) -> None: ...
+    def __init__(self, *, data: float = ..., check_fields: bool = ...) -> None: ...
     data: float
 
 class Float32MultiArray(Message):
@@ -79,7 +79,7 @@ class Float32MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     float32[]         data          # all elements, one after the other
     """
-    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[float] = ...) -> None: ...
+    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     layout: example_interfaces.msg.MultiArrayLayout
     @property
     def data(self) -> array[float]: ...
@@ -93,7 +93,7 @@ class Float64(Message):
 
     float64 data
     """
-    def __init__(self, *, data: float = ...) -> None: ...
+    def __init__(self, *, data: float = ..., check_fields: bool = ...) -> None: ...
     data: float
 
 class Float64MultiArray(Message):
@@ -104,7 +104,7 @@ class Float64MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     float64[]         data          # all elements, one after the other
     """
-    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[float] = ...) -> None: ...
+    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     layout: example_interfaces.msg.MultiArrayLayout
     @property
     def data(self) -> array[float]: ...
@@ -118,7 +118,7 @@ class Int16(Message):
 
     int16 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class Int16MultiArray(Message):
@@ -129,7 +129,7 @@ class Int16MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     int16[]           data          # all elements, one after the other
     """
-    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: example_interfaces.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -143,7 +143,7 @@ class Int32(Message):
 
     int32 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class Int32MultiArray(Message):
@@ -154,7 +154,7 @@ class Int32MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     int32[]           data          # all elements, one after the other
     """
-    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: example_interfaces.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -168,7 +168,7 @@ class Int64(Message):
 
     int64 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class Int64MultiArray(Message):
@@ -179,7 +179,7 @@ class Int64MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     int64[]           data          # all elements, one after the other
     """
-    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: example_interfaces.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -193,7 +193,7 @@ class Int8(Message):
 
     int8 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class Int8MultiArray(Message):
@@ -204,7 +204,7 @@ class Int8MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     int8[]            data          # all elements, one after the other
     """
-    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: example_interfaces.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -220,7 +220,7 @@ class MultiArrayDimension(Message):
     uint32 size    # number of entries along this axis
     uint32 stride  # elements covered by this axis and all axes inside it
     """
-    def __init__(self, *, label: str = ..., size: int = ..., stride: int = ...) -> None: ...
+    def __init__(self, *, label: str = ..., size: int = ..., stride: int = ..., check_fields: bool = ...) -> None: ...
     label: str
     size: int
     stride: int
@@ -242,7 +242,7 @@ class MultiArrayLayout(Message):
     MultiArrayDimension[] dim # the axes, outermost first
     uint32 data_offset        # elements to skip at the start of data
     """
-    def __init__(self, *, dim: Collection[example_interfaces.msg.MultiArrayDimension] = ..., data_offset: int = ...) -> None: ...
+    def __init__(self, *, dim: Collection[example_interfaces.msg.MultiArrayDimension] = ..., data_offset: int = ..., check_fields: bool = ...) -> None: ...
     @property
     def dim(self) -> list[example_interfaces.msg.MultiArrayDimension]: ...
     @dim.setter
@@ -256,7 +256,7 @@ class String(Message):
 
     string data
     """
-    def __init__(self, *, data: str = ...) -> None: ...
+    def __init__(self, *, data: str = ..., check_fields: bool = ...) -> None: ...
     data: str
 
 class UInt16(Message):
@@ -266,7 +266,7 @@ class UInt16(Message):
 
     uint16 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class UInt16MultiArray(Message):
@@ -277,7 +277,7 @@ class UInt16MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     uint16[]            data        # all elements, one after the other
     """
-    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: example_interfaces.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -291,7 +291,7 @@ class UInt32(Message):
 
     uint32 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class UInt32MultiArray(Message):
@@ -302,7 +302,7 @@ class UInt32MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     uint32[]          data          # all elements, one after the other
     """
-    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: example_interfaces.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -316,7 +316,7 @@ class UInt64(Message):
 
     uint64 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class UInt64MultiArray(Message):
@@ -327,7 +327,7 @@ class UInt64MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     uint64[]          data          # all elements, one after the other
     """
-    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: example_interfaces.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -341,7 +341,7 @@ class UInt8(Message):
 
     uint8 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class UInt8MultiArray(Message):
@@ -352,7 +352,7 @@ class UInt8MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     uint8[]           data          # all elements, one after the other
     """
-    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: example_interfaces.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: example_interfaces.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -366,5 +366,5 @@ class WString(Message):
 
     wstring data
     """
-    def __init__(self, *, data: str = ...) -> None: ...
+    def __init__(self, *, data: str = ..., check_fields: bool = ...) -> None: ...
     data: str

@@ -18,7 +18,7 @@ class AddTwoInts_Request(Message):
     int64 a
     int64 b
     """
-    def __init__(self, *, a: int = ..., b: int = ...) -> None: ...
+    def __init__(self, *, a: int = ..., b: int = ..., check_fields: bool = ...) -> None: ...
     a: int
     b: int
 
@@ -27,12 +27,12 @@ class AddTwoInts_Response(Message):
 
     int64 sum
     """
-    def __init__(self, *, sum: int = ...) -> None: ...
+    def __init__(self, *, sum: int = ..., check_fields: bool = ...) -> None: ...
     sum: int
 
 class AddTwoInts_Event(Message):
     """example_interfaces/srv/AddTwoInts_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[example_interfaces.srv.AddTwoInts_Request] = ..., response: Collection[example_interfaces.srv.AddTwoInts_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[example_interfaces.srv.AddTwoInts_Request] = ..., response: Collection[example_interfaces.srv.AddTwoInts_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[example_interfaces.srv.AddTwoInts_Request]: ...
@@ -55,7 +55,7 @@ class SetBool_Request(Message):
 
     bool data # the wanted state
     """
-    def __init__(self, *, data: bool = ...) -> None: ...
+    def __init__(self, *, data: bool = ..., check_fields: bool = ...) -> None: ...
     data: bool
 
 class SetBool_Response(Message):
@@ -64,13 +64,13 @@ class SetBool_Response(Message):
     bool success # did it work?
     string message # details for people, such as the reason of a failure
     """
-    def __init__(self, *, success: bool = ..., message: str = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., message: str = ..., check_fields: bool = ...) -> None: ...
     success: bool
     message: str
 
 class SetBool_Event(Message):
     """example_interfaces/srv/SetBool_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[example_interfaces.srv.SetBool_Request] = ..., response: Collection[example_interfaces.srv.SetBool_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[example_interfaces.srv.SetBool_Request] = ..., response: Collection[example_interfaces.srv.SetBool_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[example_interfaces.srv.SetBool_Request]: ...
@@ -91,7 +91,7 @@ class Trigger_Request(Message):
 
     # Asks for an action and hears how it went; an example to copy into a package of your own.
     """
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class Trigger_Response(Message):
     """example_interfaces/srv/Trigger_Response
@@ -99,13 +99,13 @@ class Trigger_Response(Message):
     bool success # did it work?
     string message # details for people, such as the reason of a failure
     """
-    def __init__(self, *, success: bool = ..., message: str = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., message: str = ..., check_fields: bool = ...) -> None: ...
     success: bool
     message: str
 
 class Trigger_Event(Message):
     """example_interfaces/srv/Trigger_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[example_interfaces.srv.Trigger_Request] = ..., response: Collection[example_interfaces.srv.Trigger_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[example_interfaces.srv.Trigger_Request] = ..., response: Collection[example_interfaces.srv.Trigger_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[example_interfaces.srv.Trigger_Request]: ...

@@ -19,7 +19,7 @@ class GeoPath(Message):
     std_msgs/Header header
     GeoPoseStamped[] poses
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., poses: Collection[geographic_msgs.msg.GeoPoseStamped] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., poses: Collection[geographic_msgs.msg.GeoPoseStamped] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def poses(self) -> list[geographic_msgs.msg.GeoPoseStamped]: ...
@@ -35,7 +35,7 @@ class GeoPoint(Message):
     float64 longitude  # degrees, east is positive
     float64 altitude   # m above the ellipsoid; NaN: not known
     """
-    def __init__(self, *, latitude: float = ..., longitude: float = ..., altitude: float = ...) -> None: ...
+    def __init__(self, *, latitude: float = ..., longitude: float = ..., altitude: float = ..., check_fields: bool = ...) -> None: ...
     latitude: float
     longitude: float
     altitude: float
@@ -48,7 +48,7 @@ class GeoPointStamped(Message):
     std_msgs/Header header
     GeoPoint position
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., position: geographic_msgs.msg.GeoPoint = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., position: geographic_msgs.msg.GeoPoint = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     position: geographic_msgs.msg.GeoPoint
 
@@ -60,7 +60,7 @@ class GeoPose(Message):
     GeoPoint position
     geometry_msgs/Quaternion orientation  # from east, north and up
     """
-    def __init__(self, *, position: geographic_msgs.msg.GeoPoint = ..., orientation: geometry_msgs.msg.Quaternion = ...) -> None: ...
+    def __init__(self, *, position: geographic_msgs.msg.GeoPoint = ..., orientation: geometry_msgs.msg.Quaternion = ..., check_fields: bool = ...) -> None: ...
     position: geographic_msgs.msg.GeoPoint
     orientation: geometry_msgs.msg.Quaternion
 
@@ -72,7 +72,7 @@ class GeoPoseStamped(Message):
     std_msgs/Header header
     GeoPose pose
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., pose: geographic_msgs.msg.GeoPose = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., pose: geographic_msgs.msg.GeoPose = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     pose: geographic_msgs.msg.GeoPose
 
@@ -84,7 +84,7 @@ class GeoPoseWithCovariance(Message):
     GeoPose pose
     float64[36] covariance  # rows of: latitude, longitude, altitude, about east, north and up
     """
-    def __init__(self, *, pose: geographic_msgs.msg.GeoPose = ..., covariance: Collection[float] = ...) -> None: ...
+    def __init__(self, *, pose: geographic_msgs.msg.GeoPose = ..., covariance: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     pose: geographic_msgs.msg.GeoPose
     @property
     def covariance(self) -> NDArray[numpy.float64]: ...
@@ -99,6 +99,6 @@ class GeoPoseWithCovarianceStamped(Message):
     std_msgs/Header header
     GeoPoseWithCovariance pose
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., pose: geographic_msgs.msg.GeoPoseWithCovariance = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., pose: geographic_msgs.msg.GeoPoseWithCovariance = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     pose: geographic_msgs.msg.GeoPoseWithCovariance

@@ -18,7 +18,7 @@ class Accel(Message):
     Vector3  linear
     Vector3  angular
     """
-    def __init__(self, *, linear: geometry_msgs.msg.Vector3 = ..., angular: geometry_msgs.msg.Vector3 = ...) -> None: ...
+    def __init__(self, *, linear: geometry_msgs.msg.Vector3 = ..., angular: geometry_msgs.msg.Vector3 = ..., check_fields: bool = ...) -> None: ...
     linear: geometry_msgs.msg.Vector3
     angular: geometry_msgs.msg.Vector3
 
@@ -30,7 +30,7 @@ class AccelStamped(Message):
     std_msgs/Header header
     Accel accel
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., accel: geometry_msgs.msg.Accel = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., accel: geometry_msgs.msg.Accel = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     accel: geometry_msgs.msg.Accel
 
@@ -44,7 +44,7 @@ class AccelWithCovariance(Message):
     # 6x6 covariance, row by row. Rows and columns: linear x, y, z, then angular about x, y, z.
     float64[36] covariance
     """
-    def __init__(self, *, accel: geometry_msgs.msg.Accel = ..., covariance: Collection[float] = ...) -> None: ...
+    def __init__(self, *, accel: geometry_msgs.msg.Accel = ..., covariance: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     accel: geometry_msgs.msg.Accel
     @property
     def covariance(self) -> NDArray[numpy.float64]: ...
@@ -59,7 +59,7 @@ class AccelWithCovarianceStamped(Message):
     std_msgs/Header header
     AccelWithCovariance accel
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., accel: geometry_msgs.msg.AccelWithCovariance = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., accel: geometry_msgs.msg.AccelWithCovariance = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     accel: geometry_msgs.msg.AccelWithCovariance
 
@@ -85,7 +85,7 @@ class Inertia(Message):
     float64 iyz
     float64 izz
     """
-    def __init__(self, *, m: float = ..., com: geometry_msgs.msg.Vector3 = ..., ixx: float = ..., ixy: float = ..., ixz: float = ..., iyy: float = ..., iyz: float = ..., izz: float = ...) -> None: ...
+    def __init__(self, *, m: float = ..., com: geometry_msgs.msg.Vector3 = ..., ixx: float = ..., ixy: float = ..., ixz: float = ..., iyy: float = ..., iyz: float = ..., izz: float = ..., check_fields: bool = ...) -> None: ...
     m: float
     com: geometry_msgs.msg.Vector3
     ixx: float
@@ -103,7 +103,7 @@ class InertiaStamped(Message):
     std_msgs/Header header
     Inertia inertia
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., inertia: geometry_msgs.msg.Inertia = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., inertia: geometry_msgs.msg.Inertia = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     inertia: geometry_msgs.msg.Inertia
 
@@ -116,7 +116,7 @@ class Point(Message):
     float64 y
     float64 z
     """
-    def __init__(self, *, x: float = ..., y: float = ..., z: float = ...) -> None: ...
+    def __init__(self, *, x: float = ..., y: float = ..., z: float = ..., check_fields: bool = ...) -> None: ...
     x: float
     y: float
     z: float
@@ -130,7 +130,7 @@ class Point32(Message):
     float32 y
     float32 z
     """
-    def __init__(self, *, x: float = ..., y: float = ..., z: float = ...) -> None: ...
+    def __init__(self, *, x: float = ..., y: float = ..., z: float = ..., check_fields: bool = ...) -> None: ...
     x: float
     y: float
     z: float
@@ -143,7 +143,7 @@ class PointStamped(Message):
     std_msgs/Header header
     Point point
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., point: geometry_msgs.msg.Point = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., point: geometry_msgs.msg.Point = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     point: geometry_msgs.msg.Point
 
@@ -154,7 +154,7 @@ class Polygon(Message):
 
     Point32[] points
     """
-    def __init__(self, *, points: Collection[geometry_msgs.msg.Point32] = ...) -> None: ...
+    def __init__(self, *, points: Collection[geometry_msgs.msg.Point32] = ..., check_fields: bool = ...) -> None: ...
     @property
     def points(self) -> list[geometry_msgs.msg.Point32]: ...
     @points.setter
@@ -168,7 +168,7 @@ class PolygonInstance(Message):
     geometry_msgs/Polygon polygon
     int64 id
     """
-    def __init__(self, *, polygon: geometry_msgs.msg.Polygon = ..., id: int = ...) -> None: ...
+    def __init__(self, *, polygon: geometry_msgs.msg.Polygon = ..., id: int = ..., check_fields: bool = ...) -> None: ...
     polygon: geometry_msgs.msg.Polygon
     id: int
 
@@ -180,7 +180,7 @@ class PolygonInstanceStamped(Message):
     std_msgs/Header header
     geometry_msgs/PolygonInstance polygon
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., polygon: geometry_msgs.msg.PolygonInstance = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., polygon: geometry_msgs.msg.PolygonInstance = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     polygon: geometry_msgs.msg.PolygonInstance
 
@@ -192,7 +192,7 @@ class PolygonStamped(Message):
     std_msgs/Header header
     Polygon polygon
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., polygon: geometry_msgs.msg.Polygon = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., polygon: geometry_msgs.msg.Polygon = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     polygon: geometry_msgs.msg.Polygon
 
@@ -204,7 +204,7 @@ class Pose(Message):
     Point position
     Quaternion orientation
     """
-    def __init__(self, *, position: geometry_msgs.msg.Point = ..., orientation: geometry_msgs.msg.Quaternion = ...) -> None: ...
+    def __init__(self, *, position: geometry_msgs.msg.Point = ..., orientation: geometry_msgs.msg.Quaternion = ..., check_fields: bool = ...) -> None: ...
     position: geometry_msgs.msg.Point
     orientation: geometry_msgs.msg.Quaternion
 
@@ -217,7 +217,7 @@ class Pose2D(Message):
     float64 y # m
     float64 theta # heading in rad, counterclockwise from the x axis
     """
-    def __init__(self, *, x: float = ..., y: float = ..., theta: float = ...) -> None: ...
+    def __init__(self, *, x: float = ..., y: float = ..., theta: float = ..., check_fields: bool = ...) -> None: ...
     x: float
     y: float
     theta: float
@@ -231,7 +231,7 @@ class PoseArray(Message):
 
     Pose[] poses
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., poses: Collection[geometry_msgs.msg.Pose] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., poses: Collection[geometry_msgs.msg.Pose] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def poses(self) -> list[geometry_msgs.msg.Pose]: ...
@@ -246,7 +246,7 @@ class PoseStamped(Message):
     std_msgs/Header header
     Pose pose
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., pose: geometry_msgs.msg.Pose = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., pose: geometry_msgs.msg.Pose = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     pose: geometry_msgs.msg.Pose
 
@@ -260,7 +260,7 @@ class PoseWithCovariance(Message):
     # 6x6 covariance, row by row. Rows and columns: position x, y, z, then rotation about x, y, z.
     float64[36] covariance
     """
-    def __init__(self, *, pose: geometry_msgs.msg.Pose = ..., covariance: Collection[float] = ...) -> None: ...
+    def __init__(self, *, pose: geometry_msgs.msg.Pose = ..., covariance: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     pose: geometry_msgs.msg.Pose
     @property
     def covariance(self) -> NDArray[numpy.float64]: ...
@@ -275,7 +275,7 @@ class PoseWithCovarianceStamped(Message):
     std_msgs/Header header
     PoseWithCovariance pose
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., pose: geometry_msgs.msg.PoseWithCovariance = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., pose: geometry_msgs.msg.PoseWithCovariance = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     pose: geometry_msgs.msg.PoseWithCovariance
 
@@ -289,7 +289,7 @@ class Quaternion(Message):
     float64 z 0
     float64 w 1
     """
-    def __init__(self, *, x: float = ..., y: float = ..., z: float = ..., w: float = ...) -> None: ...
+    def __init__(self, *, x: float = ..., y: float = ..., z: float = ..., w: float = ..., check_fields: bool = ...) -> None: ...
     x: float
     y: float
     z: float
@@ -303,7 +303,7 @@ class QuaternionStamped(Message):
     std_msgs/Header header
     Quaternion quaternion
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., quaternion: geometry_msgs.msg.Quaternion = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., quaternion: geometry_msgs.msg.Quaternion = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     quaternion: geometry_msgs.msg.Quaternion
 
@@ -315,7 +315,7 @@ class Transform(Message):
     Vector3 translation
     Quaternion rotation
     """
-    def __init__(self, *, translation: geometry_msgs.msg.Vector3 = ..., rotation: geometry_msgs.msg.Quaternion = ...) -> None: ...
+    def __init__(self, *, translation: geometry_msgs.msg.Vector3 = ..., rotation: geometry_msgs.msg.Quaternion = ..., check_fields: bool = ...) -> None: ...
     translation: geometry_msgs.msg.Vector3
     rotation: geometry_msgs.msg.Quaternion
 
@@ -334,7 +334,7 @@ class TransformStamped(Message):
     # Position and orientation of the child, measured in the parent.
     Transform transform
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., child_frame_id: str = ..., transform: geometry_msgs.msg.Transform = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., child_frame_id: str = ..., transform: geometry_msgs.msg.Transform = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     child_frame_id: str
     transform: geometry_msgs.msg.Transform
@@ -347,7 +347,7 @@ class Twist(Message):
     Vector3  linear
     Vector3  angular
     """
-    def __init__(self, *, linear: geometry_msgs.msg.Vector3 = ..., angular: geometry_msgs.msg.Vector3 = ...) -> None: ...
+    def __init__(self, *, linear: geometry_msgs.msg.Vector3 = ..., angular: geometry_msgs.msg.Vector3 = ..., check_fields: bool = ...) -> None: ...
     linear: geometry_msgs.msg.Vector3
     angular: geometry_msgs.msg.Vector3
 
@@ -359,7 +359,7 @@ class TwistStamped(Message):
     std_msgs/Header header
     Twist twist
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., twist: geometry_msgs.msg.Twist = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., twist: geometry_msgs.msg.Twist = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     twist: geometry_msgs.msg.Twist
 
@@ -373,7 +373,7 @@ class TwistWithCovariance(Message):
     # 6x6 covariance, row by row. Rows and columns: linear x, y, z, then angular about x, y, z.
     float64[36] covariance
     """
-    def __init__(self, *, twist: geometry_msgs.msg.Twist = ..., covariance: Collection[float] = ...) -> None: ...
+    def __init__(self, *, twist: geometry_msgs.msg.Twist = ..., covariance: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     twist: geometry_msgs.msg.Twist
     @property
     def covariance(self) -> NDArray[numpy.float64]: ...
@@ -388,7 +388,7 @@ class TwistWithCovarianceStamped(Message):
     std_msgs/Header header
     TwistWithCovariance twist
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., twist: geometry_msgs.msg.TwistWithCovariance = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., twist: geometry_msgs.msg.TwistWithCovariance = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     twist: geometry_msgs.msg.TwistWithCovariance
 
@@ -402,7 +402,7 @@ class Vector3(Message):
     float64 y
     float64 z
     """
-    def __init__(self, *, x: float = ..., y: float = ..., z: float = ...) -> None: ...
+    def __init__(self, *, x: float = ..., y: float = ..., z: float = ..., check_fields: bool = ...) -> None: ...
     x: float
     y: float
     z: float
@@ -415,7 +415,7 @@ class Vector3Stamped(Message):
     std_msgs/Header header
     Vector3 vector
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., vector: geometry_msgs.msg.Vector3 = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., vector: geometry_msgs.msg.Vector3 = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     vector: geometry_msgs.msg.Vector3
 
@@ -430,7 +430,7 @@ class VelocityStamped(Message):
     string reference_frame_id # the frame it moves in
     Twist velocity # m/s and rad/s
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., body_frame_id: str = ..., reference_frame_id: str = ..., velocity: geometry_msgs.msg.Twist = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., body_frame_id: str = ..., reference_frame_id: str = ..., velocity: geometry_msgs.msg.Twist = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     body_frame_id: str
     reference_frame_id: str
@@ -444,7 +444,7 @@ class Wrench(Message):
     Vector3  force
     Vector3  torque
     """
-    def __init__(self, *, force: geometry_msgs.msg.Vector3 = ..., torque: geometry_msgs.msg.Vector3 = ...) -> None: ...
+    def __init__(self, *, force: geometry_msgs.msg.Vector3 = ..., torque: geometry_msgs.msg.Vector3 = ..., check_fields: bool = ...) -> None: ...
     force: geometry_msgs.msg.Vector3
     torque: geometry_msgs.msg.Vector3
 
@@ -456,6 +456,6 @@ class WrenchStamped(Message):
     std_msgs/Header header
     Wrench wrench
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., wrench: geometry_msgs.msg.Wrench = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., wrench: geometry_msgs.msg.Wrench = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     wrench: geometry_msgs.msg.Wrench

@@ -68,7 +68,7 @@ class State(Message):
     TRANSITION_STATE_ACTIVATING: Final = 13
     TRANSITION_STATE_DEACTIVATING: Final = 14
     TRANSITION_STATE_ERRORPROCESSING: Final = 15
-    def __init__(self, *, id: int = ..., label: str = ...) -> None: ...
+    def __init__(self, *, id: int = ..., label: str = ..., check_fields: bool = ...) -> None: ...
     id: int
     label: str
 
@@ -178,7 +178,7 @@ class Transition(Message):
     TRANSITION_CALLBACK_SUCCESS: Final = 97
     TRANSITION_CALLBACK_FAILURE: Final = 98
     TRANSITION_CALLBACK_ERROR: Final = 99
-    def __init__(self, *, id: int = ..., label: str = ...) -> None: ...
+    def __init__(self, *, id: int = ..., label: str = ..., check_fields: bool = ...) -> None: ...
     id: int
     label: str
 
@@ -196,7 +196,7 @@ class TransitionDescription(Message):
     # State after it.
     State goal_state
     """
-    def __init__(self, *, transition: lifecycle_msgs.msg.Transition = ..., start_state: lifecycle_msgs.msg.State = ..., goal_state: lifecycle_msgs.msg.State = ...) -> None: ...
+    def __init__(self, *, transition: lifecycle_msgs.msg.Transition = ..., start_state: lifecycle_msgs.msg.State = ..., goal_state: lifecycle_msgs.msg.State = ..., check_fields: bool = ...) -> None: ...
     transition: lifecycle_msgs.msg.Transition
     start_state: lifecycle_msgs.msg.State
     goal_state: lifecycle_msgs.msg.State
@@ -218,7 +218,7 @@ class TransitionEvent(Message):
     # State after it.
     State goal_state
     """
-    def __init__(self, *, timestamp: int = ..., transition: lifecycle_msgs.msg.Transition = ..., start_state: lifecycle_msgs.msg.State = ..., goal_state: lifecycle_msgs.msg.State = ...) -> None: ...
+    def __init__(self, *, timestamp: int = ..., transition: lifecycle_msgs.msg.Transition = ..., start_state: lifecycle_msgs.msg.State = ..., goal_state: lifecycle_msgs.msg.State = ..., check_fields: bool = ...) -> None: ...
     timestamp: int
     transition: lifecycle_msgs.msg.Transition
     start_state: lifecycle_msgs.msg.State

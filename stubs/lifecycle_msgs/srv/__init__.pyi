@@ -19,7 +19,7 @@ class ChangeState_Request(Message):
     # Which one: by its label if that is filled in, else by its id.
     Transition transition
     """
-    def __init__(self, *, transition: lifecycle_msgs.msg.Transition = ...) -> None: ...
+    def __init__(self, *, transition: lifecycle_msgs.msg.Transition = ..., check_fields: bool = ...) -> None: ...
     transition: lifecycle_msgs.msg.Transition
 
 class ChangeState_Response(Message):
@@ -29,12 +29,12 @@ class ChangeState_Response(Message):
     # False if the node refused or the transition failed.
     bool success
     """
-    def __init__(self, *, success: bool = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., check_fields: bool = ...) -> None: ...
     success: bool
 
 class ChangeState_Event(Message):
     """lifecycle_msgs/srv/ChangeState_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[lifecycle_msgs.srv.ChangeState_Request] = ..., response: Collection[lifecycle_msgs.srv.ChangeState_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[lifecycle_msgs.srv.ChangeState_Request] = ..., response: Collection[lifecycle_msgs.srv.ChangeState_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[lifecycle_msgs.srv.ChangeState_Request]: ...
@@ -55,7 +55,7 @@ class GetAvailableStates_Request(Message):
 
     # Asks a managed node for all states it knows.
     """
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class GetAvailableStates_Response(Message):
     """lifecycle_msgs/srv/GetAvailableStates_Response
@@ -63,7 +63,7 @@ class GetAvailableStates_Response(Message):
     # Those states.
     State[] available_states
     """
-    def __init__(self, *, available_states: Collection[lifecycle_msgs.msg.State] = ...) -> None: ...
+    def __init__(self, *, available_states: Collection[lifecycle_msgs.msg.State] = ..., check_fields: bool = ...) -> None: ...
     @property
     def available_states(self) -> list[lifecycle_msgs.msg.State]: ...
     @available_states.setter
@@ -71,7 +71,7 @@ class GetAvailableStates_Response(Message):
 
 class GetAvailableStates_Event(Message):
     """lifecycle_msgs/srv/GetAvailableStates_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[lifecycle_msgs.srv.GetAvailableStates_Request] = ..., response: Collection[lifecycle_msgs.srv.GetAvailableStates_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[lifecycle_msgs.srv.GetAvailableStates_Request] = ..., response: Collection[lifecycle_msgs.srv.GetAvailableStates_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[lifecycle_msgs.srv.GetAvailableStates_Request]: ...
@@ -92,7 +92,7 @@ class GetAvailableTransitions_Request(Message):
 
     # Asks a managed node for transitions with the states they connect.
     """
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class GetAvailableTransitions_Response(Message):
     """lifecycle_msgs/srv/GetAvailableTransitions_Response
@@ -100,7 +100,7 @@ class GetAvailableTransitions_Response(Message):
     # Those transitions.
     TransitionDescription[] available_transitions
     """
-    def __init__(self, *, available_transitions: Collection[lifecycle_msgs.msg.TransitionDescription] = ...) -> None: ...
+    def __init__(self, *, available_transitions: Collection[lifecycle_msgs.msg.TransitionDescription] = ..., check_fields: bool = ...) -> None: ...
     @property
     def available_transitions(self) -> list[lifecycle_msgs.msg.TransitionDescription]: ...
     @available_transitions.setter
@@ -108,7 +108,7 @@ class GetAvailableTransitions_Response(Message):
 
 class GetAvailableTransitions_Event(Message):
     """lifecycle_msgs/srv/GetAvailableTransitions_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[lifecycle_msgs.srv.GetAvailableTransitions_Request] = ..., response: Collection[lifecycle_msgs.srv.GetAvailableTransitions_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[lifecycle_msgs.srv.GetAvailableTransitions_Request] = ..., response: Collection[lifecycle_msgs.srv.GetAvailableTransitions_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[lifecycle_msgs.srv.GetAvailableTransitions_Request]: ...
@@ -129,7 +129,7 @@ class GetState_Request(Message):
 
     # Asks a managed node for the state it is in.
     """
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class GetState_Response(Message):
     """lifecycle_msgs/srv/GetState_Response
@@ -137,12 +137,12 @@ class GetState_Response(Message):
     # That state.
     State current_state
     """
-    def __init__(self, *, current_state: lifecycle_msgs.msg.State = ...) -> None: ...
+    def __init__(self, *, current_state: lifecycle_msgs.msg.State = ..., check_fields: bool = ...) -> None: ...
     current_state: lifecycle_msgs.msg.State
 
 class GetState_Event(Message):
     """lifecycle_msgs/srv/GetState_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[lifecycle_msgs.srv.GetState_Request] = ..., response: Collection[lifecycle_msgs.srv.GetState_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[lifecycle_msgs.srv.GetState_Request] = ..., response: Collection[lifecycle_msgs.srv.GetState_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[lifecycle_msgs.srv.GetState_Request]: ...

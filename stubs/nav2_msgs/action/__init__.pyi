@@ -26,7 +26,7 @@ class AssistedTeleop_Goal(Message):
 
     builtin_interfaces/Duration time_allowance
     """
-    def __init__(self, *, time_allowance: builtin_interfaces.msg.Duration = ...) -> None: ...
+    def __init__(self, *, time_allowance: builtin_interfaces.msg.Duration = ..., check_fields: bool = ...) -> None: ...
     time_allowance: builtin_interfaces.msg.Duration
 
 class AssistedTeleop_Result(Message):
@@ -44,7 +44,7 @@ class AssistedTeleop_Result(Message):
     UNKNOWN: Final = 730
     TIMEOUT: Final = 731
     TF_ERROR: Final = 732
-    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     total_elapsed_time: builtin_interfaces.msg.Duration
     error_code: int
     error_msg: str
@@ -54,30 +54,30 @@ class AssistedTeleop_Feedback(Message):
 
     builtin_interfaces/Duration current_teleop_duration
     """
-    def __init__(self, *, current_teleop_duration: builtin_interfaces.msg.Duration = ...) -> None: ...
+    def __init__(self, *, current_teleop_duration: builtin_interfaces.msg.Duration = ..., check_fields: bool = ...) -> None: ...
     current_teleop_duration: builtin_interfaces.msg.Duration
 
 class AssistedTeleop_FeedbackMessage(Message):
     """nav2_msgs/action/AssistedTeleop_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.AssistedTeleop_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.AssistedTeleop_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.AssistedTeleop_Feedback
 
 class AssistedTeleop_SendGoal_Request(Message):
     """nav2_msgs/action/AssistedTeleop_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.AssistedTeleop_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.AssistedTeleop_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.AssistedTeleop_Goal
 
 class AssistedTeleop_SendGoal_Response(Message):
     """nav2_msgs/action/AssistedTeleop_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class AssistedTeleop_SendGoal_Event(Message):
     """nav2_msgs/action/AssistedTeleop_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.AssistedTeleop_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.AssistedTeleop_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.AssistedTeleop_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.AssistedTeleop_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.AssistedTeleop_SendGoal_Request]: ...
@@ -90,18 +90,18 @@ class AssistedTeleop_SendGoal_Event(Message):
 
 class AssistedTeleop_GetResult_Request(Message):
     """nav2_msgs/action/AssistedTeleop_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class AssistedTeleop_GetResult_Response(Message):
     """nav2_msgs/action/AssistedTeleop_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.AssistedTeleop_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.AssistedTeleop_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.AssistedTeleop_Result
 
 class AssistedTeleop_GetResult_Event(Message):
     """nav2_msgs/action/AssistedTeleop_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.AssistedTeleop_GetResult_Request] = ..., response: Collection[nav2_msgs.action.AssistedTeleop_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.AssistedTeleop_GetResult_Request] = ..., response: Collection[nav2_msgs.action.AssistedTeleop_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.AssistedTeleop_GetResult_Request]: ...
@@ -143,7 +143,7 @@ class BackUp_Goal(Message):
     builtin_interfaces/Duration time_allowance
     bool disable_collision_checks False
     """
-    def __init__(self, *, target: geometry_msgs.msg.Point = ..., speed: float = ..., time_allowance: builtin_interfaces.msg.Duration = ..., disable_collision_checks: bool = ...) -> None: ...
+    def __init__(self, *, target: geometry_msgs.msg.Point = ..., speed: float = ..., time_allowance: builtin_interfaces.msg.Duration = ..., disable_collision_checks: bool = ..., check_fields: bool = ...) -> None: ...
     target: geometry_msgs.msg.Point
     speed: float
     time_allowance: builtin_interfaces.msg.Duration
@@ -168,7 +168,7 @@ class BackUp_Result(Message):
     TF_ERROR: Final = 712
     COLLISION_AHEAD: Final = 713
     INVALID_INPUT: Final = 714
-    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     total_elapsed_time: builtin_interfaces.msg.Duration
     error_code: int
     error_msg: str
@@ -178,30 +178,30 @@ class BackUp_Feedback(Message):
 
     float32 distance_traveled  # m
     """
-    def __init__(self, *, distance_traveled: float = ...) -> None: ...
+    def __init__(self, *, distance_traveled: float = ..., check_fields: bool = ...) -> None: ...
     distance_traveled: float
 
 class BackUp_FeedbackMessage(Message):
     """nav2_msgs/action/BackUp_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.BackUp_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.BackUp_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.BackUp_Feedback
 
 class BackUp_SendGoal_Request(Message):
     """nav2_msgs/action/BackUp_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.BackUp_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.BackUp_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.BackUp_Goal
 
 class BackUp_SendGoal_Response(Message):
     """nav2_msgs/action/BackUp_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class BackUp_SendGoal_Event(Message):
     """nav2_msgs/action/BackUp_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.BackUp_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.BackUp_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.BackUp_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.BackUp_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.BackUp_SendGoal_Request]: ...
@@ -214,18 +214,18 @@ class BackUp_SendGoal_Event(Message):
 
 class BackUp_GetResult_Request(Message):
     """nav2_msgs/action/BackUp_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class BackUp_GetResult_Response(Message):
     """nav2_msgs/action/BackUp_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.BackUp_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.BackUp_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.BackUp_Result
 
 class BackUp_GetResult_Event(Message):
     """nav2_msgs/action/BackUp_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.BackUp_GetResult_Request] = ..., response: Collection[nav2_msgs.action.BackUp_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.BackUp_GetResult_Request] = ..., response: Collection[nav2_msgs.action.BackUp_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.BackUp_GetResult_Request]: ...
@@ -269,7 +269,7 @@ class ComputeAndTrackRoute_Goal(Message):
     bool use_start  # false: from where the robot is
     bool use_poses  # false: the two ids count
     """
-    def __init__(self, *, start_id: int = ..., start: geometry_msgs.msg.PoseStamped = ..., goal_id: int = ..., goal: geometry_msgs.msg.PoseStamped = ..., use_start: bool = ..., use_poses: bool = ...) -> None: ...
+    def __init__(self, *, start_id: int = ..., start: geometry_msgs.msg.PoseStamped = ..., goal_id: int = ..., goal: geometry_msgs.msg.PoseStamped = ..., use_start: bool = ..., use_poses: bool = ..., check_fields: bool = ...) -> None: ...
     start_id: int
     start: geometry_msgs.msg.PoseStamped
     goal_id: int
@@ -302,7 +302,7 @@ class ComputeAndTrackRoute_Result(Message):
     NO_VALID_ROUTE: Final = 405
     OPERATION_FAILED: Final = 406
     INVALID_EDGE_SCORER_USE: Final = 407
-    def __init__(self, *, execution_duration: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, execution_duration: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     execution_duration: builtin_interfaces.msg.Duration
     error_code: int
     error_msg: str
@@ -318,7 +318,7 @@ class ComputeAndTrackRoute_Feedback(Message):
     string[] operations_triggered
     bool rerouted
     """
-    def __init__(self, *, last_node_id: int = ..., next_node_id: int = ..., current_edge_id: int = ..., route: nav2_msgs.msg.Route = ..., path: nav_msgs.msg.Path = ..., operations_triggered: Collection[str] = ..., rerouted: bool = ...) -> None: ...
+    def __init__(self, *, last_node_id: int = ..., next_node_id: int = ..., current_edge_id: int = ..., route: nav2_msgs.msg.Route = ..., path: nav_msgs.msg.Path = ..., operations_triggered: Collection[str] = ..., rerouted: bool = ..., check_fields: bool = ...) -> None: ...
     last_node_id: int
     next_node_id: int
     current_edge_id: int
@@ -332,25 +332,25 @@ class ComputeAndTrackRoute_Feedback(Message):
 
 class ComputeAndTrackRoute_FeedbackMessage(Message):
     """nav2_msgs/action/ComputeAndTrackRoute_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.ComputeAndTrackRoute_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.ComputeAndTrackRoute_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.ComputeAndTrackRoute_Feedback
 
 class ComputeAndTrackRoute_SendGoal_Request(Message):
     """nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.ComputeAndTrackRoute_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.ComputeAndTrackRoute_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.ComputeAndTrackRoute_Goal
 
 class ComputeAndTrackRoute_SendGoal_Response(Message):
     """nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class ComputeAndTrackRoute_SendGoal_Event(Message):
     """nav2_msgs/action/ComputeAndTrackRoute_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputeAndTrackRoute_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.ComputeAndTrackRoute_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputeAndTrackRoute_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.ComputeAndTrackRoute_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.ComputeAndTrackRoute_SendGoal_Request]: ...
@@ -363,18 +363,18 @@ class ComputeAndTrackRoute_SendGoal_Event(Message):
 
 class ComputeAndTrackRoute_GetResult_Request(Message):
     """nav2_msgs/action/ComputeAndTrackRoute_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class ComputeAndTrackRoute_GetResult_Response(Message):
     """nav2_msgs/action/ComputeAndTrackRoute_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.ComputeAndTrackRoute_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.ComputeAndTrackRoute_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.ComputeAndTrackRoute_Result
 
 class ComputeAndTrackRoute_GetResult_Event(Message):
     """nav2_msgs/action/ComputeAndTrackRoute_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputeAndTrackRoute_GetResult_Request] = ..., response: Collection[nav2_msgs.action.ComputeAndTrackRoute_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputeAndTrackRoute_GetResult_Request] = ..., response: Collection[nav2_msgs.action.ComputeAndTrackRoute_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.ComputeAndTrackRoute_GetResult_Request]: ...
@@ -416,7 +416,7 @@ class ComputePathThroughPoses_Goal(Message):
     string planner_id
     bool use_start
     """
-    def __init__(self, *, goals: Collection[geometry_msgs.msg.PoseStamped] = ..., start: geometry_msgs.msg.PoseStamped = ..., planner_id: str = ..., use_start: bool = ...) -> None: ...
+    def __init__(self, *, goals: Collection[geometry_msgs.msg.PoseStamped] = ..., start: geometry_msgs.msg.PoseStamped = ..., planner_id: str = ..., use_start: bool = ..., check_fields: bool = ...) -> None: ...
     @property
     def goals(self) -> list[geometry_msgs.msg.PoseStamped]: ...
     @goals.setter
@@ -455,7 +455,7 @@ class ComputePathThroughPoses_Result(Message):
     TIMEOUT: Final = 308
     NO_VALID_PATH: Final = 309
     NO_VIAPOINTS_GIVEN: Final = 310
-    def __init__(self, *, path: nav_msgs.msg.Path = ..., planning_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., planning_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     path: nav_msgs.msg.Path
     planning_time: builtin_interfaces.msg.Duration
     error_code: int
@@ -463,29 +463,29 @@ class ComputePathThroughPoses_Result(Message):
 
 class ComputePathThroughPoses_Feedback(Message):
     """nav2_msgs/action/ComputePathThroughPoses_Feedback"""
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class ComputePathThroughPoses_FeedbackMessage(Message):
     """nav2_msgs/action/ComputePathThroughPoses_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.ComputePathThroughPoses_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.ComputePathThroughPoses_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.ComputePathThroughPoses_Feedback
 
 class ComputePathThroughPoses_SendGoal_Request(Message):
     """nav2_msgs/action/ComputePathThroughPoses_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.ComputePathThroughPoses_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.ComputePathThroughPoses_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.ComputePathThroughPoses_Goal
 
 class ComputePathThroughPoses_SendGoal_Response(Message):
     """nav2_msgs/action/ComputePathThroughPoses_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class ComputePathThroughPoses_SendGoal_Event(Message):
     """nav2_msgs/action/ComputePathThroughPoses_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputePathThroughPoses_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.ComputePathThroughPoses_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputePathThroughPoses_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.ComputePathThroughPoses_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.ComputePathThroughPoses_SendGoal_Request]: ...
@@ -498,18 +498,18 @@ class ComputePathThroughPoses_SendGoal_Event(Message):
 
 class ComputePathThroughPoses_GetResult_Request(Message):
     """nav2_msgs/action/ComputePathThroughPoses_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class ComputePathThroughPoses_GetResult_Response(Message):
     """nav2_msgs/action/ComputePathThroughPoses_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.ComputePathThroughPoses_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.ComputePathThroughPoses_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.ComputePathThroughPoses_Result
 
 class ComputePathThroughPoses_GetResult_Event(Message):
     """nav2_msgs/action/ComputePathThroughPoses_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputePathThroughPoses_GetResult_Request] = ..., response: Collection[nav2_msgs.action.ComputePathThroughPoses_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputePathThroughPoses_GetResult_Request] = ..., response: Collection[nav2_msgs.action.ComputePathThroughPoses_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.ComputePathThroughPoses_GetResult_Request]: ...
@@ -551,7 +551,7 @@ class ComputePathToPose_Goal(Message):
     string planner_id
     bool use_start
     """
-    def __init__(self, *, goal: geometry_msgs.msg.PoseStamped = ..., start: geometry_msgs.msg.PoseStamped = ..., planner_id: str = ..., use_start: bool = ...) -> None: ...
+    def __init__(self, *, goal: geometry_msgs.msg.PoseStamped = ..., start: geometry_msgs.msg.PoseStamped = ..., planner_id: str = ..., use_start: bool = ..., check_fields: bool = ...) -> None: ...
     goal: geometry_msgs.msg.PoseStamped
     start: geometry_msgs.msg.PoseStamped
     planner_id: str
@@ -585,7 +585,7 @@ class ComputePathToPose_Result(Message):
     GOAL_OCCUPIED: Final = 207
     TIMEOUT: Final = 208
     NO_VALID_PATH: Final = 209
-    def __init__(self, *, path: nav_msgs.msg.Path = ..., planning_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., planning_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     path: nav_msgs.msg.Path
     planning_time: builtin_interfaces.msg.Duration
     error_code: int
@@ -593,29 +593,29 @@ class ComputePathToPose_Result(Message):
 
 class ComputePathToPose_Feedback(Message):
     """nav2_msgs/action/ComputePathToPose_Feedback"""
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class ComputePathToPose_FeedbackMessage(Message):
     """nav2_msgs/action/ComputePathToPose_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.ComputePathToPose_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.ComputePathToPose_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.ComputePathToPose_Feedback
 
 class ComputePathToPose_SendGoal_Request(Message):
     """nav2_msgs/action/ComputePathToPose_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.ComputePathToPose_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.ComputePathToPose_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.ComputePathToPose_Goal
 
 class ComputePathToPose_SendGoal_Response(Message):
     """nav2_msgs/action/ComputePathToPose_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class ComputePathToPose_SendGoal_Event(Message):
     """nav2_msgs/action/ComputePathToPose_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputePathToPose_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.ComputePathToPose_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputePathToPose_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.ComputePathToPose_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.ComputePathToPose_SendGoal_Request]: ...
@@ -628,18 +628,18 @@ class ComputePathToPose_SendGoal_Event(Message):
 
 class ComputePathToPose_GetResult_Request(Message):
     """nav2_msgs/action/ComputePathToPose_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class ComputePathToPose_GetResult_Response(Message):
     """nav2_msgs/action/ComputePathToPose_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.ComputePathToPose_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.ComputePathToPose_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.ComputePathToPose_Result
 
 class ComputePathToPose_GetResult_Event(Message):
     """nav2_msgs/action/ComputePathToPose_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputePathToPose_GetResult_Request] = ..., response: Collection[nav2_msgs.action.ComputePathToPose_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputePathToPose_GetResult_Request] = ..., response: Collection[nav2_msgs.action.ComputePathToPose_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.ComputePathToPose_GetResult_Request]: ...
@@ -683,7 +683,7 @@ class ComputeRoute_Goal(Message):
     bool use_start  # false: from where the robot is
     bool use_poses  # false: the two ids count
     """
-    def __init__(self, *, start_id: int = ..., start: geometry_msgs.msg.PoseStamped = ..., goal_id: int = ..., goal: geometry_msgs.msg.PoseStamped = ..., use_start: bool = ..., use_poses: bool = ...) -> None: ...
+    def __init__(self, *, start_id: int = ..., start: geometry_msgs.msg.PoseStamped = ..., goal_id: int = ..., goal: geometry_msgs.msg.PoseStamped = ..., use_start: bool = ..., use_poses: bool = ..., check_fields: bool = ...) -> None: ...
     start_id: int
     start: geometry_msgs.msg.PoseStamped
     goal_id: int
@@ -716,7 +716,7 @@ class ComputeRoute_Result(Message):
     TIMEOUT: Final = 404
     NO_VALID_ROUTE: Final = 405
     INVALID_EDGE_SCORER_USE: Final = 407
-    def __init__(self, *, planning_time: builtin_interfaces.msg.Duration = ..., path: nav_msgs.msg.Path = ..., route: nav2_msgs.msg.Route = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, planning_time: builtin_interfaces.msg.Duration = ..., path: nav_msgs.msg.Path = ..., route: nav2_msgs.msg.Route = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     planning_time: builtin_interfaces.msg.Duration
     path: nav_msgs.msg.Path
     route: nav2_msgs.msg.Route
@@ -725,29 +725,29 @@ class ComputeRoute_Result(Message):
 
 class ComputeRoute_Feedback(Message):
     """nav2_msgs/action/ComputeRoute_Feedback"""
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class ComputeRoute_FeedbackMessage(Message):
     """nav2_msgs/action/ComputeRoute_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.ComputeRoute_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.ComputeRoute_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.ComputeRoute_Feedback
 
 class ComputeRoute_SendGoal_Request(Message):
     """nav2_msgs/action/ComputeRoute_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.ComputeRoute_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.ComputeRoute_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.ComputeRoute_Goal
 
 class ComputeRoute_SendGoal_Response(Message):
     """nav2_msgs/action/ComputeRoute_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class ComputeRoute_SendGoal_Event(Message):
     """nav2_msgs/action/ComputeRoute_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputeRoute_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.ComputeRoute_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputeRoute_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.ComputeRoute_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.ComputeRoute_SendGoal_Request]: ...
@@ -760,18 +760,18 @@ class ComputeRoute_SendGoal_Event(Message):
 
 class ComputeRoute_GetResult_Request(Message):
     """nav2_msgs/action/ComputeRoute_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class ComputeRoute_GetResult_Response(Message):
     """nav2_msgs/action/ComputeRoute_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.ComputeRoute_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.ComputeRoute_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.ComputeRoute_Result
 
 class ComputeRoute_GetResult_Event(Message):
     """nav2_msgs/action/ComputeRoute_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputeRoute_GetResult_Request] = ..., response: Collection[nav2_msgs.action.ComputeRoute_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.ComputeRoute_GetResult_Request] = ..., response: Collection[nav2_msgs.action.ComputeRoute_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.ComputeRoute_GetResult_Request]: ...
@@ -815,7 +815,7 @@ class DockRobot_Goal(Message):
     float32 max_staging_time 1000.0  # s, to get in front of the dock
     bool navigate_to_staging_pose True  # false: it is there already
     """
-    def __init__(self, *, use_dock_id: bool = ..., dock_id: str = ..., dock_pose: geometry_msgs.msg.PoseStamped = ..., dock_type: str = ..., max_staging_time: float = ..., navigate_to_staging_pose: bool = ...) -> None: ...
+    def __init__(self, *, use_dock_id: bool = ..., dock_id: str = ..., dock_pose: geometry_msgs.msg.PoseStamped = ..., dock_type: str = ..., max_staging_time: float = ..., navigate_to_staging_pose: bool = ..., check_fields: bool = ...) -> None: ...
     use_dock_id: bool
     dock_id: str
     dock_pose: geometry_msgs.msg.PoseStamped
@@ -849,7 +849,7 @@ class DockRobot_Result(Message):
     FAILED_TO_CHARGE: Final = 906
     TIMEOUT: Final = 907
     UNKNOWN: Final = 999
-    def __init__(self, *, success: bool = ..., error_code: int = ..., num_retries: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., error_code: int = ..., num_retries: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     success: bool
     error_code: int
     num_retries: int
@@ -874,32 +874,32 @@ class DockRobot_Feedback(Message):
     CONTROLLING: Final = 3
     WAIT_FOR_CHARGE: Final = 4
     RETRY: Final = 5
-    def __init__(self, *, state: int = ..., docking_time: builtin_interfaces.msg.Duration = ..., num_retries: int = ...) -> None: ...
+    def __init__(self, *, state: int = ..., docking_time: builtin_interfaces.msg.Duration = ..., num_retries: int = ..., check_fields: bool = ...) -> None: ...
     state: int
     docking_time: builtin_interfaces.msg.Duration
     num_retries: int
 
 class DockRobot_FeedbackMessage(Message):
     """nav2_msgs/action/DockRobot_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.DockRobot_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.DockRobot_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.DockRobot_Feedback
 
 class DockRobot_SendGoal_Request(Message):
     """nav2_msgs/action/DockRobot_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.DockRobot_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.DockRobot_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.DockRobot_Goal
 
 class DockRobot_SendGoal_Response(Message):
     """nav2_msgs/action/DockRobot_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class DockRobot_SendGoal_Event(Message):
     """nav2_msgs/action/DockRobot_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DockRobot_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.DockRobot_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DockRobot_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.DockRobot_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.DockRobot_SendGoal_Request]: ...
@@ -912,18 +912,18 @@ class DockRobot_SendGoal_Event(Message):
 
 class DockRobot_GetResult_Request(Message):
     """nav2_msgs/action/DockRobot_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class DockRobot_GetResult_Response(Message):
     """nav2_msgs/action/DockRobot_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.DockRobot_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.DockRobot_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.DockRobot_Result
 
 class DockRobot_GetResult_Event(Message):
     """nav2_msgs/action/DockRobot_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DockRobot_GetResult_Request] = ..., response: Collection[nav2_msgs.action.DockRobot_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DockRobot_GetResult_Request] = ..., response: Collection[nav2_msgs.action.DockRobot_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.DockRobot_GetResult_Request]: ...
@@ -965,7 +965,7 @@ class DriveOnHeading_Goal(Message):
     builtin_interfaces/Duration time_allowance
     bool disable_collision_checks False
     """
-    def __init__(self, *, target: geometry_msgs.msg.Point = ..., speed: float = ..., time_allowance: builtin_interfaces.msg.Duration = ..., disable_collision_checks: bool = ...) -> None: ...
+    def __init__(self, *, target: geometry_msgs.msg.Point = ..., speed: float = ..., time_allowance: builtin_interfaces.msg.Duration = ..., disable_collision_checks: bool = ..., check_fields: bool = ...) -> None: ...
     target: geometry_msgs.msg.Point
     speed: float
     time_allowance: builtin_interfaces.msg.Duration
@@ -990,7 +990,7 @@ class DriveOnHeading_Result(Message):
     TF_ERROR: Final = 722
     COLLISION_AHEAD: Final = 723
     INVALID_INPUT: Final = 724
-    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     total_elapsed_time: builtin_interfaces.msg.Duration
     error_code: int
     error_msg: str
@@ -1000,30 +1000,30 @@ class DriveOnHeading_Feedback(Message):
 
     float32 distance_traveled  # m
     """
-    def __init__(self, *, distance_traveled: float = ...) -> None: ...
+    def __init__(self, *, distance_traveled: float = ..., check_fields: bool = ...) -> None: ...
     distance_traveled: float
 
 class DriveOnHeading_FeedbackMessage(Message):
     """nav2_msgs/action/DriveOnHeading_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.DriveOnHeading_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.DriveOnHeading_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.DriveOnHeading_Feedback
 
 class DriveOnHeading_SendGoal_Request(Message):
     """nav2_msgs/action/DriveOnHeading_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.DriveOnHeading_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.DriveOnHeading_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.DriveOnHeading_Goal
 
 class DriveOnHeading_SendGoal_Response(Message):
     """nav2_msgs/action/DriveOnHeading_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class DriveOnHeading_SendGoal_Event(Message):
     """nav2_msgs/action/DriveOnHeading_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DriveOnHeading_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.DriveOnHeading_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DriveOnHeading_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.DriveOnHeading_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.DriveOnHeading_SendGoal_Request]: ...
@@ -1036,18 +1036,18 @@ class DriveOnHeading_SendGoal_Event(Message):
 
 class DriveOnHeading_GetResult_Request(Message):
     """nav2_msgs/action/DriveOnHeading_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class DriveOnHeading_GetResult_Response(Message):
     """nav2_msgs/action/DriveOnHeading_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.DriveOnHeading_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.DriveOnHeading_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.DriveOnHeading_Result
 
 class DriveOnHeading_GetResult_Event(Message):
     """nav2_msgs/action/DriveOnHeading_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DriveOnHeading_GetResult_Request] = ..., response: Collection[nav2_msgs.action.DriveOnHeading_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DriveOnHeading_GetResult_Request] = ..., response: Collection[nav2_msgs.action.DriveOnHeading_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.DriveOnHeading_GetResult_Request]: ...
@@ -1086,7 +1086,7 @@ class DummyBehavior_Goal(Message):
 
     std_msgs/String command
     """
-    def __init__(self, *, command: std_msgs.msg.String = ...) -> None: ...
+    def __init__(self, *, command: std_msgs.msg.String = ..., check_fields: bool = ...) -> None: ...
     command: std_msgs.msg.String
 
 class DummyBehavior_Result(Message):
@@ -1096,36 +1096,36 @@ class DummyBehavior_Result(Message):
     uint16 error_code
     string error_msg
     """
-    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     total_elapsed_time: builtin_interfaces.msg.Duration
     error_code: int
     error_msg: str
 
 class DummyBehavior_Feedback(Message):
     """nav2_msgs/action/DummyBehavior_Feedback"""
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class DummyBehavior_FeedbackMessage(Message):
     """nav2_msgs/action/DummyBehavior_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.DummyBehavior_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.DummyBehavior_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.DummyBehavior_Feedback
 
 class DummyBehavior_SendGoal_Request(Message):
     """nav2_msgs/action/DummyBehavior_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.DummyBehavior_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.DummyBehavior_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.DummyBehavior_Goal
 
 class DummyBehavior_SendGoal_Response(Message):
     """nav2_msgs/action/DummyBehavior_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class DummyBehavior_SendGoal_Event(Message):
     """nav2_msgs/action/DummyBehavior_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DummyBehavior_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.DummyBehavior_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DummyBehavior_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.DummyBehavior_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.DummyBehavior_SendGoal_Request]: ...
@@ -1138,18 +1138,18 @@ class DummyBehavior_SendGoal_Event(Message):
 
 class DummyBehavior_GetResult_Request(Message):
     """nav2_msgs/action/DummyBehavior_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class DummyBehavior_GetResult_Response(Message):
     """nav2_msgs/action/DummyBehavior_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.DummyBehavior_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.DummyBehavior_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.DummyBehavior_Result
 
 class DummyBehavior_GetResult_Event(Message):
     """nav2_msgs/action/DummyBehavior_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DummyBehavior_GetResult_Request] = ..., response: Collection[nav2_msgs.action.DummyBehavior_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.DummyBehavior_GetResult_Request] = ..., response: Collection[nav2_msgs.action.DummyBehavior_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.DummyBehavior_GetResult_Request]: ...
@@ -1190,7 +1190,7 @@ class FollowGPSWaypoints_Goal(Message):
     uint32 goal_index 0  # where to begin
     geographic_msgs/GeoPose[] gps_poses
     """
-    def __init__(self, *, number_of_loops: int = ..., goal_index: int = ..., gps_poses: Collection[geographic_msgs.msg.GeoPose] = ...) -> None: ...
+    def __init__(self, *, number_of_loops: int = ..., goal_index: int = ..., gps_poses: Collection[geographic_msgs.msg.GeoPose] = ..., check_fields: bool = ...) -> None: ...
     number_of_loops: int
     goal_index: int
     @property
@@ -1211,7 +1211,7 @@ class FollowGPSWaypoints_Result(Message):
     NONE: Final = 0
     UNKNOWN: Final = 600
     TASK_EXECUTOR_FAILED: Final = 601
-    def __init__(self, *, missed_waypoints: Collection[nav2_msgs.msg.MissedWaypoint] = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, missed_waypoints: Collection[nav2_msgs.msg.MissedWaypoint] = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     @property
     def missed_waypoints(self) -> list[nav2_msgs.msg.MissedWaypoint]: ...
     @missed_waypoints.setter
@@ -1224,30 +1224,30 @@ class FollowGPSWaypoints_Feedback(Message):
 
     uint32 current_waypoint
     """
-    def __init__(self, *, current_waypoint: int = ...) -> None: ...
+    def __init__(self, *, current_waypoint: int = ..., check_fields: bool = ...) -> None: ...
     current_waypoint: int
 
 class FollowGPSWaypoints_FeedbackMessage(Message):
     """nav2_msgs/action/FollowGPSWaypoints_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.FollowGPSWaypoints_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.FollowGPSWaypoints_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.FollowGPSWaypoints_Feedback
 
 class FollowGPSWaypoints_SendGoal_Request(Message):
     """nav2_msgs/action/FollowGPSWaypoints_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.FollowGPSWaypoints_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.FollowGPSWaypoints_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.FollowGPSWaypoints_Goal
 
 class FollowGPSWaypoints_SendGoal_Response(Message):
     """nav2_msgs/action/FollowGPSWaypoints_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class FollowGPSWaypoints_SendGoal_Event(Message):
     """nav2_msgs/action/FollowGPSWaypoints_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowGPSWaypoints_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.FollowGPSWaypoints_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowGPSWaypoints_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.FollowGPSWaypoints_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.FollowGPSWaypoints_SendGoal_Request]: ...
@@ -1260,18 +1260,18 @@ class FollowGPSWaypoints_SendGoal_Event(Message):
 
 class FollowGPSWaypoints_GetResult_Request(Message):
     """nav2_msgs/action/FollowGPSWaypoints_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class FollowGPSWaypoints_GetResult_Response(Message):
     """nav2_msgs/action/FollowGPSWaypoints_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.FollowGPSWaypoints_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.FollowGPSWaypoints_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.FollowGPSWaypoints_Result
 
 class FollowGPSWaypoints_GetResult_Event(Message):
     """nav2_msgs/action/FollowGPSWaypoints_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowGPSWaypoints_GetResult_Request] = ..., response: Collection[nav2_msgs.action.FollowGPSWaypoints_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowGPSWaypoints_GetResult_Request] = ..., response: Collection[nav2_msgs.action.FollowGPSWaypoints_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.FollowGPSWaypoints_GetResult_Request]: ...
@@ -1313,7 +1313,7 @@ class FollowPath_Goal(Message):
     string goal_checker_id
     string progress_checker_id
     """
-    def __init__(self, *, path: nav_msgs.msg.Path = ..., controller_id: str = ..., goal_checker_id: str = ..., progress_checker_id: str = ...) -> None: ...
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., controller_id: str = ..., goal_checker_id: str = ..., progress_checker_id: str = ..., check_fields: bool = ...) -> None: ...
     path: nav_msgs.msg.Path
     controller_id: str
     goal_checker_id: str
@@ -1343,7 +1343,7 @@ class FollowPath_Result(Message):
     FAILED_TO_MAKE_PROGRESS: Final = 105
     NO_VALID_CONTROL: Final = 106
     CONTROLLER_TIMED_OUT: Final = 107
-    def __init__(self, *, error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     error_code: int
     error_msg: str
 
@@ -1353,31 +1353,31 @@ class FollowPath_Feedback(Message):
     float32 distance_to_goal  # m
     float32 speed  # m/s
     """
-    def __init__(self, *, distance_to_goal: float = ..., speed: float = ...) -> None: ...
+    def __init__(self, *, distance_to_goal: float = ..., speed: float = ..., check_fields: bool = ...) -> None: ...
     distance_to_goal: float
     speed: float
 
 class FollowPath_FeedbackMessage(Message):
     """nav2_msgs/action/FollowPath_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.FollowPath_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.FollowPath_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.FollowPath_Feedback
 
 class FollowPath_SendGoal_Request(Message):
     """nav2_msgs/action/FollowPath_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.FollowPath_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.FollowPath_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.FollowPath_Goal
 
 class FollowPath_SendGoal_Response(Message):
     """nav2_msgs/action/FollowPath_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class FollowPath_SendGoal_Event(Message):
     """nav2_msgs/action/FollowPath_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowPath_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.FollowPath_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowPath_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.FollowPath_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.FollowPath_SendGoal_Request]: ...
@@ -1390,18 +1390,18 @@ class FollowPath_SendGoal_Event(Message):
 
 class FollowPath_GetResult_Request(Message):
     """nav2_msgs/action/FollowPath_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class FollowPath_GetResult_Response(Message):
     """nav2_msgs/action/FollowPath_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.FollowPath_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.FollowPath_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.FollowPath_Result
 
 class FollowPath_GetResult_Event(Message):
     """nav2_msgs/action/FollowPath_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowPath_GetResult_Request] = ..., response: Collection[nav2_msgs.action.FollowPath_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowPath_GetResult_Request] = ..., response: Collection[nav2_msgs.action.FollowPath_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.FollowPath_GetResult_Request]: ...
@@ -1442,7 +1442,7 @@ class FollowWaypoints_Goal(Message):
     uint32 goal_index 0  # where to begin
     geometry_msgs/PoseStamped[] poses
     """
-    def __init__(self, *, number_of_loops: int = ..., goal_index: int = ..., poses: Collection[geometry_msgs.msg.PoseStamped] = ...) -> None: ...
+    def __init__(self, *, number_of_loops: int = ..., goal_index: int = ..., poses: Collection[geometry_msgs.msg.PoseStamped] = ..., check_fields: bool = ...) -> None: ...
     number_of_loops: int
     goal_index: int
     @property
@@ -1463,7 +1463,7 @@ class FollowWaypoints_Result(Message):
     NONE: Final = 0
     UNKNOWN: Final = 600
     TASK_EXECUTOR_FAILED: Final = 601
-    def __init__(self, *, missed_waypoints: Collection[nav2_msgs.msg.MissedWaypoint] = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, missed_waypoints: Collection[nav2_msgs.msg.MissedWaypoint] = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     @property
     def missed_waypoints(self) -> list[nav2_msgs.msg.MissedWaypoint]: ...
     @missed_waypoints.setter
@@ -1476,30 +1476,30 @@ class FollowWaypoints_Feedback(Message):
 
     uint32 current_waypoint
     """
-    def __init__(self, *, current_waypoint: int = ...) -> None: ...
+    def __init__(self, *, current_waypoint: int = ..., check_fields: bool = ...) -> None: ...
     current_waypoint: int
 
 class FollowWaypoints_FeedbackMessage(Message):
     """nav2_msgs/action/FollowWaypoints_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.FollowWaypoints_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.FollowWaypoints_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.FollowWaypoints_Feedback
 
 class FollowWaypoints_SendGoal_Request(Message):
     """nav2_msgs/action/FollowWaypoints_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.FollowWaypoints_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.FollowWaypoints_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.FollowWaypoints_Goal
 
 class FollowWaypoints_SendGoal_Response(Message):
     """nav2_msgs/action/FollowWaypoints_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class FollowWaypoints_SendGoal_Event(Message):
     """nav2_msgs/action/FollowWaypoints_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowWaypoints_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.FollowWaypoints_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowWaypoints_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.FollowWaypoints_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.FollowWaypoints_SendGoal_Request]: ...
@@ -1512,18 +1512,18 @@ class FollowWaypoints_SendGoal_Event(Message):
 
 class FollowWaypoints_GetResult_Request(Message):
     """nav2_msgs/action/FollowWaypoints_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class FollowWaypoints_GetResult_Response(Message):
     """nav2_msgs/action/FollowWaypoints_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.FollowWaypoints_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.FollowWaypoints_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.FollowWaypoints_Result
 
 class FollowWaypoints_GetResult_Event(Message):
     """nav2_msgs/action/FollowWaypoints_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowWaypoints_GetResult_Request] = ..., response: Collection[nav2_msgs.action.FollowWaypoints_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.FollowWaypoints_GetResult_Request] = ..., response: Collection[nav2_msgs.action.FollowWaypoints_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.FollowWaypoints_GetResult_Request]: ...
@@ -1563,7 +1563,7 @@ class NavigateThroughPoses_Goal(Message):
     geometry_msgs/PoseStamped[] poses
     string behavior_tree  # a file; empty: the default
     """
-    def __init__(self, *, poses: Collection[geometry_msgs.msg.PoseStamped] = ..., behavior_tree: str = ...) -> None: ...
+    def __init__(self, *, poses: Collection[geometry_msgs.msg.PoseStamped] = ..., behavior_tree: str = ..., check_fields: bool = ...) -> None: ...
     @property
     def poses(self) -> list[geometry_msgs.msg.PoseStamped]: ...
     @poses.setter
@@ -1586,7 +1586,7 @@ class NavigateThroughPoses_Result(Message):
     FAILED_TO_LOAD_BEHAVIOR_TREE: Final = 9101
     TF_ERROR: Final = 9102
     TIMEOUT: Final = 9103
-    def __init__(self, *, error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     error_code: int
     error_msg: str
 
@@ -1600,7 +1600,7 @@ class NavigateThroughPoses_Feedback(Message):
     float32 distance_remaining  # m
     int16 number_of_poses_remaining
     """
-    def __init__(self, *, current_pose: geometry_msgs.msg.PoseStamped = ..., navigation_time: builtin_interfaces.msg.Duration = ..., estimated_time_remaining: builtin_interfaces.msg.Duration = ..., number_of_recoveries: int = ..., distance_remaining: float = ..., number_of_poses_remaining: int = ...) -> None: ...
+    def __init__(self, *, current_pose: geometry_msgs.msg.PoseStamped = ..., navigation_time: builtin_interfaces.msg.Duration = ..., estimated_time_remaining: builtin_interfaces.msg.Duration = ..., number_of_recoveries: int = ..., distance_remaining: float = ..., number_of_poses_remaining: int = ..., check_fields: bool = ...) -> None: ...
     current_pose: geometry_msgs.msg.PoseStamped
     navigation_time: builtin_interfaces.msg.Duration
     estimated_time_remaining: builtin_interfaces.msg.Duration
@@ -1610,25 +1610,25 @@ class NavigateThroughPoses_Feedback(Message):
 
 class NavigateThroughPoses_FeedbackMessage(Message):
     """nav2_msgs/action/NavigateThroughPoses_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.NavigateThroughPoses_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.NavigateThroughPoses_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.NavigateThroughPoses_Feedback
 
 class NavigateThroughPoses_SendGoal_Request(Message):
     """nav2_msgs/action/NavigateThroughPoses_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.NavigateThroughPoses_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.NavigateThroughPoses_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.NavigateThroughPoses_Goal
 
 class NavigateThroughPoses_SendGoal_Response(Message):
     """nav2_msgs/action/NavigateThroughPoses_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class NavigateThroughPoses_SendGoal_Event(Message):
     """nav2_msgs/action/NavigateThroughPoses_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.NavigateThroughPoses_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.NavigateThroughPoses_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.NavigateThroughPoses_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.NavigateThroughPoses_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.NavigateThroughPoses_SendGoal_Request]: ...
@@ -1641,18 +1641,18 @@ class NavigateThroughPoses_SendGoal_Event(Message):
 
 class NavigateThroughPoses_GetResult_Request(Message):
     """nav2_msgs/action/NavigateThroughPoses_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class NavigateThroughPoses_GetResult_Response(Message):
     """nav2_msgs/action/NavigateThroughPoses_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.NavigateThroughPoses_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.NavigateThroughPoses_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.NavigateThroughPoses_Result
 
 class NavigateThroughPoses_GetResult_Event(Message):
     """nav2_msgs/action/NavigateThroughPoses_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.NavigateThroughPoses_GetResult_Request] = ..., response: Collection[nav2_msgs.action.NavigateThroughPoses_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.NavigateThroughPoses_GetResult_Request] = ..., response: Collection[nav2_msgs.action.NavigateThroughPoses_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.NavigateThroughPoses_GetResult_Request]: ...
@@ -1692,7 +1692,7 @@ class NavigateToPose_Goal(Message):
     geometry_msgs/PoseStamped pose
     string behavior_tree  # a file; empty: the default
     """
-    def __init__(self, *, pose: geometry_msgs.msg.PoseStamped = ..., behavior_tree: str = ...) -> None: ...
+    def __init__(self, *, pose: geometry_msgs.msg.PoseStamped = ..., behavior_tree: str = ..., check_fields: bool = ...) -> None: ...
     pose: geometry_msgs.msg.PoseStamped
     behavior_tree: str
 
@@ -1712,7 +1712,7 @@ class NavigateToPose_Result(Message):
     FAILED_TO_LOAD_BEHAVIOR_TREE: Final = 9001
     TF_ERROR: Final = 9002
     TIMEOUT: Final = 9003
-    def __init__(self, *, error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     error_code: int
     error_msg: str
 
@@ -1725,7 +1725,7 @@ class NavigateToPose_Feedback(Message):
     int16 number_of_recoveries
     float32 distance_remaining  # m
     """
-    def __init__(self, *, current_pose: geometry_msgs.msg.PoseStamped = ..., navigation_time: builtin_interfaces.msg.Duration = ..., estimated_time_remaining: builtin_interfaces.msg.Duration = ..., number_of_recoveries: int = ..., distance_remaining: float = ...) -> None: ...
+    def __init__(self, *, current_pose: geometry_msgs.msg.PoseStamped = ..., navigation_time: builtin_interfaces.msg.Duration = ..., estimated_time_remaining: builtin_interfaces.msg.Duration = ..., number_of_recoveries: int = ..., distance_remaining: float = ..., check_fields: bool = ...) -> None: ...
     current_pose: geometry_msgs.msg.PoseStamped
     navigation_time: builtin_interfaces.msg.Duration
     estimated_time_remaining: builtin_interfaces.msg.Duration
@@ -1734,25 +1734,25 @@ class NavigateToPose_Feedback(Message):
 
 class NavigateToPose_FeedbackMessage(Message):
     """nav2_msgs/action/NavigateToPose_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.NavigateToPose_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.NavigateToPose_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.NavigateToPose_Feedback
 
 class NavigateToPose_SendGoal_Request(Message):
     """nav2_msgs/action/NavigateToPose_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.NavigateToPose_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.NavigateToPose_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.NavigateToPose_Goal
 
 class NavigateToPose_SendGoal_Response(Message):
     """nav2_msgs/action/NavigateToPose_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class NavigateToPose_SendGoal_Event(Message):
     """nav2_msgs/action/NavigateToPose_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.NavigateToPose_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.NavigateToPose_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.NavigateToPose_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.NavigateToPose_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.NavigateToPose_SendGoal_Request]: ...
@@ -1765,18 +1765,18 @@ class NavigateToPose_SendGoal_Event(Message):
 
 class NavigateToPose_GetResult_Request(Message):
     """nav2_msgs/action/NavigateToPose_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class NavigateToPose_GetResult_Response(Message):
     """nav2_msgs/action/NavigateToPose_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.NavigateToPose_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.NavigateToPose_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.NavigateToPose_Result
 
 class NavigateToPose_GetResult_Event(Message):
     """nav2_msgs/action/NavigateToPose_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.NavigateToPose_GetResult_Request] = ..., response: Collection[nav2_msgs.action.NavigateToPose_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.NavigateToPose_GetResult_Request] = ..., response: Collection[nav2_msgs.action.NavigateToPose_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.NavigateToPose_GetResult_Request]: ...
@@ -1818,7 +1818,7 @@ class SmoothPath_Goal(Message):
     builtin_interfaces/Duration max_smoothing_duration
     bool check_for_collisions
     """
-    def __init__(self, *, path: nav_msgs.msg.Path = ..., smoother_id: str = ..., max_smoothing_duration: builtin_interfaces.msg.Duration = ..., check_for_collisions: bool = ...) -> None: ...
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., smoother_id: str = ..., max_smoothing_duration: builtin_interfaces.msg.Duration = ..., check_for_collisions: bool = ..., check_fields: bool = ...) -> None: ...
     path: nav_msgs.msg.Path
     smoother_id: str
     max_smoothing_duration: builtin_interfaces.msg.Duration
@@ -1847,7 +1847,7 @@ class SmoothPath_Result(Message):
     SMOOTHED_PATH_IN_COLLISION: Final = 504
     FAILED_TO_SMOOTH_PATH: Final = 505
     INVALID_PATH: Final = 506
-    def __init__(self, *, path: nav_msgs.msg.Path = ..., smoothing_duration: builtin_interfaces.msg.Duration = ..., was_completed: bool = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., smoothing_duration: builtin_interfaces.msg.Duration = ..., was_completed: bool = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     path: nav_msgs.msg.Path
     smoothing_duration: builtin_interfaces.msg.Duration
     was_completed: bool
@@ -1856,29 +1856,29 @@ class SmoothPath_Result(Message):
 
 class SmoothPath_Feedback(Message):
     """nav2_msgs/action/SmoothPath_Feedback"""
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class SmoothPath_FeedbackMessage(Message):
     """nav2_msgs/action/SmoothPath_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.SmoothPath_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.SmoothPath_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.SmoothPath_Feedback
 
 class SmoothPath_SendGoal_Request(Message):
     """nav2_msgs/action/SmoothPath_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.SmoothPath_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.SmoothPath_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.SmoothPath_Goal
 
 class SmoothPath_SendGoal_Response(Message):
     """nav2_msgs/action/SmoothPath_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class SmoothPath_SendGoal_Event(Message):
     """nav2_msgs/action/SmoothPath_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.SmoothPath_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.SmoothPath_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.SmoothPath_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.SmoothPath_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.SmoothPath_SendGoal_Request]: ...
@@ -1891,18 +1891,18 @@ class SmoothPath_SendGoal_Event(Message):
 
 class SmoothPath_GetResult_Request(Message):
     """nav2_msgs/action/SmoothPath_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class SmoothPath_GetResult_Response(Message):
     """nav2_msgs/action/SmoothPath_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.SmoothPath_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.SmoothPath_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.SmoothPath_Result
 
 class SmoothPath_GetResult_Event(Message):
     """nav2_msgs/action/SmoothPath_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.SmoothPath_GetResult_Request] = ..., response: Collection[nav2_msgs.action.SmoothPath_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.SmoothPath_GetResult_Request] = ..., response: Collection[nav2_msgs.action.SmoothPath_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.SmoothPath_GetResult_Request]: ...
@@ -1943,7 +1943,7 @@ class Spin_Goal(Message):
     builtin_interfaces/Duration time_allowance
     bool disable_collision_checks False
     """
-    def __init__(self, *, target_yaw: float = ..., time_allowance: builtin_interfaces.msg.Duration = ..., disable_collision_checks: bool = ...) -> None: ...
+    def __init__(self, *, target_yaw: float = ..., time_allowance: builtin_interfaces.msg.Duration = ..., disable_collision_checks: bool = ..., check_fields: bool = ...) -> None: ...
     target_yaw: float
     time_allowance: builtin_interfaces.msg.Duration
     disable_collision_checks: bool
@@ -1965,7 +1965,7 @@ class Spin_Result(Message):
     TIMEOUT: Final = 702
     TF_ERROR: Final = 703
     COLLISION_AHEAD: Final = 704
-    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     total_elapsed_time: builtin_interfaces.msg.Duration
     error_code: int
     error_msg: str
@@ -1975,30 +1975,30 @@ class Spin_Feedback(Message):
 
     float32 angular_distance_traveled  # rad
     """
-    def __init__(self, *, angular_distance_traveled: float = ...) -> None: ...
+    def __init__(self, *, angular_distance_traveled: float = ..., check_fields: bool = ...) -> None: ...
     angular_distance_traveled: float
 
 class Spin_FeedbackMessage(Message):
     """nav2_msgs/action/Spin_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.Spin_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.Spin_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.Spin_Feedback
 
 class Spin_SendGoal_Request(Message):
     """nav2_msgs/action/Spin_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.Spin_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.Spin_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.Spin_Goal
 
 class Spin_SendGoal_Response(Message):
     """nav2_msgs/action/Spin_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class Spin_SendGoal_Event(Message):
     """nav2_msgs/action/Spin_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.Spin_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.Spin_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.Spin_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.Spin_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.Spin_SendGoal_Request]: ...
@@ -2011,18 +2011,18 @@ class Spin_SendGoal_Event(Message):
 
 class Spin_GetResult_Request(Message):
     """nav2_msgs/action/Spin_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class Spin_GetResult_Response(Message):
     """nav2_msgs/action/Spin_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.Spin_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.Spin_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.Spin_Result
 
 class Spin_GetResult_Event(Message):
     """nav2_msgs/action/Spin_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.Spin_GetResult_Request] = ..., response: Collection[nav2_msgs.action.Spin_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.Spin_GetResult_Request] = ..., response: Collection[nav2_msgs.action.Spin_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.Spin_GetResult_Request]: ...
@@ -2062,7 +2062,7 @@ class UndockRobot_Goal(Message):
     string dock_type  # empty: that of the last docking
     float32 max_undocking_time 30.0  # s
     """
-    def __init__(self, *, dock_type: str = ..., max_undocking_time: float = ...) -> None: ...
+    def __init__(self, *, dock_type: str = ..., max_undocking_time: float = ..., check_fields: bool = ...) -> None: ...
     dock_type: str
     max_undocking_time: float
 
@@ -2083,36 +2083,36 @@ class UndockRobot_Result(Message):
     FAILED_TO_CONTROL: Final = 905
     TIMEOUT: Final = 907
     UNKNOWN: Final = 999
-    def __init__(self, *, success: bool = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     success: bool
     error_code: int
     error_msg: str
 
 class UndockRobot_Feedback(Message):
     """nav2_msgs/action/UndockRobot_Feedback"""
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class UndockRobot_FeedbackMessage(Message):
     """nav2_msgs/action/UndockRobot_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.UndockRobot_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.UndockRobot_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.UndockRobot_Feedback
 
 class UndockRobot_SendGoal_Request(Message):
     """nav2_msgs/action/UndockRobot_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.UndockRobot_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.UndockRobot_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.UndockRobot_Goal
 
 class UndockRobot_SendGoal_Response(Message):
     """nav2_msgs/action/UndockRobot_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class UndockRobot_SendGoal_Event(Message):
     """nav2_msgs/action/UndockRobot_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.UndockRobot_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.UndockRobot_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.UndockRobot_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.UndockRobot_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.UndockRobot_SendGoal_Request]: ...
@@ -2125,18 +2125,18 @@ class UndockRobot_SendGoal_Event(Message):
 
 class UndockRobot_GetResult_Request(Message):
     """nav2_msgs/action/UndockRobot_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class UndockRobot_GetResult_Response(Message):
     """nav2_msgs/action/UndockRobot_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.UndockRobot_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.UndockRobot_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.UndockRobot_Result
 
 class UndockRobot_GetResult_Event(Message):
     """nav2_msgs/action/UndockRobot_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.UndockRobot_GetResult_Request] = ..., response: Collection[nav2_msgs.action.UndockRobot_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.UndockRobot_GetResult_Request] = ..., response: Collection[nav2_msgs.action.UndockRobot_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.UndockRobot_GetResult_Request]: ...
@@ -2175,7 +2175,7 @@ class Wait_Goal(Message):
 
     builtin_interfaces/Duration time
     """
-    def __init__(self, *, time: builtin_interfaces.msg.Duration = ...) -> None: ...
+    def __init__(self, *, time: builtin_interfaces.msg.Duration = ..., check_fields: bool = ...) -> None: ...
     time: builtin_interfaces.msg.Duration
 
 class Wait_Result(Message):
@@ -2191,7 +2191,7 @@ class Wait_Result(Message):
     NONE: Final = 0
     UNKNOWN: Final = 740
     TIMEOUT: Final = 741
-    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ...) -> None: ...
+    def __init__(self, *, total_elapsed_time: builtin_interfaces.msg.Duration = ..., error_code: int = ..., error_msg: str = ..., check_fields: bool = ...) -> None: ...
     total_elapsed_time: builtin_interfaces.msg.Duration
     error_code: int
     error_msg: str
@@ -2201,30 +2201,30 @@ class Wait_Feedback(Message):
 
     builtin_interfaces/Duration time_left
     """
-    def __init__(self, *, time_left: builtin_interfaces.msg.Duration = ...) -> None: ...
+    def __init__(self, *, time_left: builtin_interfaces.msg.Duration = ..., check_fields: bool = ...) -> None: ...
     time_left: builtin_interfaces.msg.Duration
 
 class Wait_FeedbackMessage(Message):
     """nav2_msgs/action/Wait_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.Wait_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: nav2_msgs.action.Wait_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: nav2_msgs.action.Wait_Feedback
 
 class Wait_SendGoal_Request(Message):
     """nav2_msgs/action/Wait_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.Wait_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: nav2_msgs.action.Wait_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: nav2_msgs.action.Wait_Goal
 
 class Wait_SendGoal_Response(Message):
     """nav2_msgs/action/Wait_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class Wait_SendGoal_Event(Message):
     """nav2_msgs/action/Wait_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.Wait_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.Wait_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.Wait_SendGoal_Request] = ..., response: Collection[nav2_msgs.action.Wait_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.Wait_SendGoal_Request]: ...
@@ -2237,18 +2237,18 @@ class Wait_SendGoal_Event(Message):
 
 class Wait_GetResult_Request(Message):
     """nav2_msgs/action/Wait_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class Wait_GetResult_Response(Message):
     """nav2_msgs/action/Wait_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: nav2_msgs.action.Wait_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: nav2_msgs.action.Wait_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: nav2_msgs.action.Wait_Result
 
 class Wait_GetResult_Event(Message):
     """nav2_msgs/action/Wait_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.Wait_GetResult_Request] = ..., response: Collection[nav2_msgs.action.Wait_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.action.Wait_GetResult_Request] = ..., response: Collection[nav2_msgs.action.Wait_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.action.Wait_GetResult_Request]: ...

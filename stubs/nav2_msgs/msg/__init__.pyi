@@ -20,7 +20,7 @@ class BehaviorTreeLog(Message):
     builtin_interfaces/Time timestamp
     BehaviorTreeStatusChange[] event_log
     """
-    def __init__(self, *, timestamp: builtin_interfaces.msg.Time = ..., event_log: Collection[nav2_msgs.msg.BehaviorTreeStatusChange] = ...) -> None: ...
+    def __init__(self, *, timestamp: builtin_interfaces.msg.Time = ..., event_log: Collection[nav2_msgs.msg.BehaviorTreeStatusChange] = ..., check_fields: bool = ...) -> None: ...
     timestamp: builtin_interfaces.msg.Time
     @property
     def event_log(self) -> list[nav2_msgs.msg.BehaviorTreeStatusChange]: ...
@@ -38,7 +38,7 @@ class BehaviorTreeStatusChange(Message):
     string previous_status  # IDLE, RUNNING, SUCCESS or FAILURE
     string current_status
     """
-    def __init__(self, *, timestamp: builtin_interfaces.msg.Time = ..., node_name: str = ..., uid: int = ..., previous_status: str = ..., current_status: str = ...) -> None: ...
+    def __init__(self, *, timestamp: builtin_interfaces.msg.Time = ..., node_name: str = ..., uid: int = ..., previous_status: str = ..., current_status: str = ..., check_fields: bool = ...) -> None: ...
     timestamp: builtin_interfaces.msg.Time
     node_name: str
     uid: int
@@ -53,7 +53,7 @@ class CollisionDetectorState(Message):
     string[] polygons
     bool[] detections  # one for each of them
     """
-    def __init__(self, *, polygons: Collection[str] = ..., detections: Collection[bool] = ...) -> None: ...
+    def __init__(self, *, polygons: Collection[str] = ..., detections: Collection[bool] = ..., check_fields: bool = ...) -> None: ...
     @property
     def polygons(self) -> list[str]: ...
     @polygons.setter
@@ -81,7 +81,7 @@ class CollisionMonitorState(Message):
     SLOWDOWN: Final = 2
     APPROACH: Final = 3
     LIMIT: Final = 4
-    def __init__(self, *, action_type: int = ..., polygon_name: str = ...) -> None: ...
+    def __init__(self, *, action_type: int = ..., polygon_name: str = ..., check_fields: bool = ...) -> None: ...
     action_type: int
     polygon_name: str
 
@@ -94,7 +94,7 @@ class Costmap(Message):
     CostmapMetaData metadata
     uint8[] data
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., metadata: nav2_msgs.msg.CostmapMetaData = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., metadata: nav2_msgs.msg.CostmapMetaData = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     metadata: nav2_msgs.msg.CostmapMetaData
     @property
@@ -113,7 +113,7 @@ class CostmapFilterInfo(Message):
     float32 base
     float32 multiplier
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., type: int = ..., filter_mask_topic: str = ..., base: float = ..., multiplier: float = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., type: int = ..., filter_mask_topic: str = ..., base: float = ..., multiplier: float = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     type: int
     filter_mask_topic: str
@@ -133,7 +133,7 @@ class CostmapMetaData(Message):
     uint32 size_y       # cells
     geometry_msgs/Pose origin  # of the first cell
     """
-    def __init__(self, *, map_load_time: builtin_interfaces.msg.Time = ..., update_time: builtin_interfaces.msg.Time = ..., layer: str = ..., resolution: float = ..., size_x: int = ..., size_y: int = ..., origin: geometry_msgs.msg.Pose = ...) -> None: ...
+    def __init__(self, *, map_load_time: builtin_interfaces.msg.Time = ..., update_time: builtin_interfaces.msg.Time = ..., layer: str = ..., resolution: float = ..., size_x: int = ..., size_y: int = ..., origin: geometry_msgs.msg.Pose = ..., check_fields: bool = ...) -> None: ...
     map_load_time: builtin_interfaces.msg.Time
     update_time: builtin_interfaces.msg.Time
     layer: str
@@ -154,7 +154,7 @@ class CostmapUpdate(Message):
     uint32 size_y
     uint8[] data  # row by row
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., x: int = ..., y: int = ..., size_x: int = ..., size_y: int = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., x: int = ..., y: int = ..., size_x: int = ..., size_y: int = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     x: int
     y: int
@@ -173,7 +173,7 @@ class EdgeCost(Message):
     uint16 edgeid
     float32 cost
     """
-    def __init__(self, *, edgeid: int = ..., cost: float = ...) -> None: ...
+    def __init__(self, *, edgeid: int = ..., cost: float = ..., check_fields: bool = ...) -> None: ...
     edgeid: int
     cost: float
 
@@ -186,7 +186,7 @@ class MissedWaypoint(Message):
     geometry_msgs/PoseStamped goal
     uint16 error_code
     """
-    def __init__(self, *, index: int = ..., goal: geometry_msgs.msg.PoseStamped = ..., error_code: int = ...) -> None: ...
+    def __init__(self, *, index: int = ..., goal: geometry_msgs.msg.PoseStamped = ..., error_code: int = ..., check_fields: bool = ...) -> None: ...
     index: int
     goal: geometry_msgs.msg.PoseStamped
     error_code: int
@@ -199,7 +199,7 @@ class Particle(Message):
     geometry_msgs/Pose pose
     float64 weight
     """
-    def __init__(self, *, pose: geometry_msgs.msg.Pose = ..., weight: float = ...) -> None: ...
+    def __init__(self, *, pose: geometry_msgs.msg.Pose = ..., weight: float = ..., check_fields: bool = ...) -> None: ...
     pose: geometry_msgs.msg.Pose
     weight: float
 
@@ -211,7 +211,7 @@ class ParticleCloud(Message):
     std_msgs/Header header
     Particle[] particles
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., particles: Collection[nav2_msgs.msg.Particle] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., particles: Collection[nav2_msgs.msg.Particle] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def particles(self) -> list[nav2_msgs.msg.Particle]: ...
@@ -228,7 +228,7 @@ class Route(Message):
     RouteNode[] nodes  # in order
     RouteEdge[] edges  # from each node to the next
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., route_cost: float = ..., nodes: Collection[nav2_msgs.msg.RouteNode] = ..., edges: Collection[nav2_msgs.msg.RouteEdge] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., route_cost: float = ..., nodes: Collection[nav2_msgs.msg.RouteNode] = ..., edges: Collection[nav2_msgs.msg.RouteEdge] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     route_cost: float
     @property
@@ -249,7 +249,7 @@ class RouteEdge(Message):
     geometry_msgs/Point start
     geometry_msgs/Point end
     """
-    def __init__(self, *, edgeid: int = ..., start: geometry_msgs.msg.Point = ..., end: geometry_msgs.msg.Point = ...) -> None: ...
+    def __init__(self, *, edgeid: int = ..., start: geometry_msgs.msg.Point = ..., end: geometry_msgs.msg.Point = ..., check_fields: bool = ...) -> None: ...
     edgeid: int
     start: geometry_msgs.msg.Point
     end: geometry_msgs.msg.Point
@@ -262,7 +262,7 @@ class RouteNode(Message):
     uint16 nodeid
     geometry_msgs/Point position
     """
-    def __init__(self, *, nodeid: int = ..., position: geometry_msgs.msg.Point = ...) -> None: ...
+    def __init__(self, *, nodeid: int = ..., position: geometry_msgs.msg.Point = ..., check_fields: bool = ...) -> None: ...
     nodeid: int
     position: geometry_msgs.msg.Point
 
@@ -275,7 +275,7 @@ class SpeedLimit(Message):
     bool percentage      # of its own top speed; else m/s
     float64 speed_limit  # 0: no limit
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., percentage: bool = ..., speed_limit: float = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., percentage: bool = ..., speed_limit: float = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     percentage: bool
     speed_limit: float
@@ -293,7 +293,7 @@ class VoxelGrid(Message):
     uint32 size_y
     uint32 size_z
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., data: Collection[int] = ..., origin: geometry_msgs.msg.Point32 = ..., resolutions: geometry_msgs.msg.Vector3 = ..., size_x: int = ..., size_y: int = ..., size_z: int = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., data: Collection[int] = ..., origin: geometry_msgs.msg.Point32 = ..., resolutions: geometry_msgs.msg.Vector3 = ..., size_x: int = ..., size_y: int = ..., size_z: int = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def data(self) -> array[int]: ...

@@ -21,7 +21,7 @@ class ClearCostmapAroundRobot_Request(Message):
 
     float32 reset_distance  # m
     """
-    def __init__(self, *, reset_distance: float = ...) -> None: ...
+    def __init__(self, *, reset_distance: float = ..., check_fields: bool = ...) -> None: ...
     reset_distance: float
 
 class ClearCostmapAroundRobot_Response(Message):
@@ -29,12 +29,12 @@ class ClearCostmapAroundRobot_Response(Message):
 
     std_msgs/Empty response
     """
-    def __init__(self, *, response: std_msgs.msg.Empty = ...) -> None: ...
+    def __init__(self, *, response: std_msgs.msg.Empty = ..., check_fields: bool = ...) -> None: ...
     response: std_msgs.msg.Empty
 
 class ClearCostmapAroundRobot_Event(Message):
     """nav2_msgs/srv/ClearCostmapAroundRobot_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ClearCostmapAroundRobot_Request] = ..., response: Collection[nav2_msgs.srv.ClearCostmapAroundRobot_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ClearCostmapAroundRobot_Request] = ..., response: Collection[nav2_msgs.srv.ClearCostmapAroundRobot_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.ClearCostmapAroundRobot_Request]: ...
@@ -57,7 +57,7 @@ class ClearCostmapExceptRegion_Request(Message):
 
     float32 reset_distance  # m
     """
-    def __init__(self, *, reset_distance: float = ...) -> None: ...
+    def __init__(self, *, reset_distance: float = ..., check_fields: bool = ...) -> None: ...
     reset_distance: float
 
 class ClearCostmapExceptRegion_Response(Message):
@@ -65,12 +65,12 @@ class ClearCostmapExceptRegion_Response(Message):
 
     std_msgs/Empty response
     """
-    def __init__(self, *, response: std_msgs.msg.Empty = ...) -> None: ...
+    def __init__(self, *, response: std_msgs.msg.Empty = ..., check_fields: bool = ...) -> None: ...
     response: std_msgs.msg.Empty
 
 class ClearCostmapExceptRegion_Event(Message):
     """nav2_msgs/srv/ClearCostmapExceptRegion_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ClearCostmapExceptRegion_Request] = ..., response: Collection[nav2_msgs.srv.ClearCostmapExceptRegion_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ClearCostmapExceptRegion_Request] = ..., response: Collection[nav2_msgs.srv.ClearCostmapExceptRegion_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.ClearCostmapExceptRegion_Request]: ...
@@ -93,7 +93,7 @@ class ClearEntireCostmap_Request(Message):
 
     std_msgs/Empty request
     """
-    def __init__(self, *, request: std_msgs.msg.Empty = ...) -> None: ...
+    def __init__(self, *, request: std_msgs.msg.Empty = ..., check_fields: bool = ...) -> None: ...
     request: std_msgs.msg.Empty
 
 class ClearEntireCostmap_Response(Message):
@@ -101,12 +101,12 @@ class ClearEntireCostmap_Response(Message):
 
     std_msgs/Empty response
     """
-    def __init__(self, *, response: std_msgs.msg.Empty = ...) -> None: ...
+    def __init__(self, *, response: std_msgs.msg.Empty = ..., check_fields: bool = ...) -> None: ...
     response: std_msgs.msg.Empty
 
 class ClearEntireCostmap_Event(Message):
     """nav2_msgs/srv/ClearEntireCostmap_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ClearEntireCostmap_Request] = ..., response: Collection[nav2_msgs.srv.ClearEntireCostmap_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ClearEntireCostmap_Request] = ..., response: Collection[nav2_msgs.srv.ClearEntireCostmap_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.ClearEntireCostmap_Request]: ...
@@ -131,7 +131,7 @@ class DynamicEdges_Request(Message):
     uint16[] opened_edges
     EdgeCost[] adjust_edges
     """
-    def __init__(self, *, closed_edges: Collection[int] = ..., opened_edges: Collection[int] = ..., adjust_edges: Collection[nav2_msgs.msg.EdgeCost] = ...) -> None: ...
+    def __init__(self, *, closed_edges: Collection[int] = ..., opened_edges: Collection[int] = ..., adjust_edges: Collection[nav2_msgs.msg.EdgeCost] = ..., check_fields: bool = ...) -> None: ...
     @property
     def closed_edges(self) -> array[int]: ...
     @closed_edges.setter
@@ -150,12 +150,12 @@ class DynamicEdges_Response(Message):
 
     bool success
     """
-    def __init__(self, *, success: bool = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., check_fields: bool = ...) -> None: ...
     success: bool
 
 class DynamicEdges_Event(Message):
     """nav2_msgs/srv/DynamicEdges_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.DynamicEdges_Request] = ..., response: Collection[nav2_msgs.srv.DynamicEdges_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.DynamicEdges_Request] = ..., response: Collection[nav2_msgs.srv.DynamicEdges_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.DynamicEdges_Request]: ...
@@ -178,7 +178,7 @@ class GetCostmap_Request(Message):
 
     CostmapMetaData specs  # not looked at
     """
-    def __init__(self, *, specs: nav2_msgs.msg.CostmapMetaData = ...) -> None: ...
+    def __init__(self, *, specs: nav2_msgs.msg.CostmapMetaData = ..., check_fields: bool = ...) -> None: ...
     specs: nav2_msgs.msg.CostmapMetaData
 
 class GetCostmap_Response(Message):
@@ -186,12 +186,12 @@ class GetCostmap_Response(Message):
 
     Costmap map
     """
-    def __init__(self, *, map: nav2_msgs.msg.Costmap = ...) -> None: ...
+    def __init__(self, *, map: nav2_msgs.msg.Costmap = ..., check_fields: bool = ...) -> None: ...
     map: nav2_msgs.msg.Costmap
 
 class GetCostmap_Event(Message):
     """nav2_msgs/srv/GetCostmap_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.GetCostmap_Request] = ..., response: Collection[nav2_msgs.srv.GetCostmap_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.GetCostmap_Request] = ..., response: Collection[nav2_msgs.srv.GetCostmap_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.GetCostmap_Request]: ...
@@ -215,7 +215,7 @@ class GetCosts_Request(Message):
     bool use_footprint  # false: that of one cell
     geometry_msgs/PoseStamped[] poses
     """
-    def __init__(self, *, use_footprint: bool = ..., poses: Collection[geometry_msgs.msg.PoseStamped] = ...) -> None: ...
+    def __init__(self, *, use_footprint: bool = ..., poses: Collection[geometry_msgs.msg.PoseStamped] = ..., check_fields: bool = ...) -> None: ...
     use_footprint: bool
     @property
     def poses(self) -> list[geometry_msgs.msg.PoseStamped]: ...
@@ -228,7 +228,7 @@ class GetCosts_Response(Message):
     float32[] costs
     bool success
     """
-    def __init__(self, *, costs: Collection[float] = ..., success: bool = ...) -> None: ...
+    def __init__(self, *, costs: Collection[float] = ..., success: bool = ..., check_fields: bool = ...) -> None: ...
     @property
     def costs(self) -> array[float]: ...
     @costs.setter
@@ -237,7 +237,7 @@ class GetCosts_Response(Message):
 
 class GetCosts_Event(Message):
     """nav2_msgs/srv/GetCosts_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.GetCosts_Request] = ..., response: Collection[nav2_msgs.srv.GetCosts_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.GetCosts_Request] = ..., response: Collection[nav2_msgs.srv.GetCosts_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.GetCosts_Request]: ...
@@ -260,7 +260,7 @@ class IsPathValid_Request(Message):
 
     nav_msgs/Path path
     """
-    def __init__(self, *, path: nav_msgs.msg.Path = ...) -> None: ...
+    def __init__(self, *, path: nav_msgs.msg.Path = ..., check_fields: bool = ...) -> None: ...
     path: nav_msgs.msg.Path
 
 class IsPathValid_Response(Message):
@@ -269,7 +269,7 @@ class IsPathValid_Response(Message):
     bool is_valid
     int32[] invalid_pose_indices
     """
-    def __init__(self, *, is_valid: bool = ..., invalid_pose_indices: Collection[int] = ...) -> None: ...
+    def __init__(self, *, is_valid: bool = ..., invalid_pose_indices: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     is_valid: bool
     @property
     def invalid_pose_indices(self) -> array[int]: ...
@@ -278,7 +278,7 @@ class IsPathValid_Response(Message):
 
 class IsPathValid_Event(Message):
     """nav2_msgs/srv/IsPathValid_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.IsPathValid_Request] = ..., response: Collection[nav2_msgs.srv.IsPathValid_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.IsPathValid_Request] = ..., response: Collection[nav2_msgs.srv.IsPathValid_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.IsPathValid_Request]: ...
@@ -301,7 +301,7 @@ class LoadMap_Request(Message):
 
     string map_url
     """
-    def __init__(self, *, map_url: str = ...) -> None: ...
+    def __init__(self, *, map_url: str = ..., check_fields: bool = ...) -> None: ...
     map_url: str
 
 class LoadMap_Response(Message):
@@ -321,13 +321,13 @@ class LoadMap_Response(Message):
     RESULT_INVALID_MAP_DATA: Final = 2
     RESULT_INVALID_MAP_METADATA: Final = 3
     RESULT_UNDEFINED_FAILURE: Final = 255
-    def __init__(self, *, map: nav_msgs.msg.OccupancyGrid = ..., result: int = ...) -> None: ...
+    def __init__(self, *, map: nav_msgs.msg.OccupancyGrid = ..., result: int = ..., check_fields: bool = ...) -> None: ...
     map: nav_msgs.msg.OccupancyGrid
     result: int
 
 class LoadMap_Event(Message):
     """nav2_msgs/srv/LoadMap_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.LoadMap_Request] = ..., response: Collection[nav2_msgs.srv.LoadMap_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.LoadMap_Request] = ..., response: Collection[nav2_msgs.srv.LoadMap_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.LoadMap_Request]: ...
@@ -361,7 +361,7 @@ class ManageLifecycleNodes_Request(Message):
     RESUME: Final = 2
     RESET: Final = 3
     SHUTDOWN: Final = 4
-    def __init__(self, *, command: int = ...) -> None: ...
+    def __init__(self, *, command: int = ..., check_fields: bool = ...) -> None: ...
     command: int
 
 class ManageLifecycleNodes_Response(Message):
@@ -369,12 +369,12 @@ class ManageLifecycleNodes_Response(Message):
 
     bool success
     """
-    def __init__(self, *, success: bool = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., check_fields: bool = ...) -> None: ...
     success: bool
 
 class ManageLifecycleNodes_Event(Message):
     """nav2_msgs/srv/ManageLifecycleNodes_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ManageLifecycleNodes_Request] = ..., response: Collection[nav2_msgs.srv.ManageLifecycleNodes_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ManageLifecycleNodes_Request] = ..., response: Collection[nav2_msgs.srv.ManageLifecycleNodes_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.ManageLifecycleNodes_Request]: ...
@@ -397,7 +397,7 @@ class ReloadDockDatabase_Request(Message):
 
     string filepath
     """
-    def __init__(self, *, filepath: str = ...) -> None: ...
+    def __init__(self, *, filepath: str = ..., check_fields: bool = ...) -> None: ...
     filepath: str
 
 class ReloadDockDatabase_Response(Message):
@@ -405,12 +405,12 @@ class ReloadDockDatabase_Response(Message):
 
     bool success
     """
-    def __init__(self, *, success: bool = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., check_fields: bool = ...) -> None: ...
     success: bool
 
 class ReloadDockDatabase_Event(Message):
     """nav2_msgs/srv/ReloadDockDatabase_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ReloadDockDatabase_Request] = ..., response: Collection[nav2_msgs.srv.ReloadDockDatabase_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.ReloadDockDatabase_Request] = ..., response: Collection[nav2_msgs.srv.ReloadDockDatabase_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.ReloadDockDatabase_Request]: ...
@@ -438,7 +438,7 @@ class SaveMap_Request(Message):
     float32 free_thresh
     float32 occupied_thresh
     """
-    def __init__(self, *, map_topic: str = ..., map_url: str = ..., image_format: str = ..., map_mode: str = ..., free_thresh: float = ..., occupied_thresh: float = ...) -> None: ...
+    def __init__(self, *, map_topic: str = ..., map_url: str = ..., image_format: str = ..., map_mode: str = ..., free_thresh: float = ..., occupied_thresh: float = ..., check_fields: bool = ...) -> None: ...
     map_topic: str
     map_url: str
     image_format: str
@@ -451,12 +451,12 @@ class SaveMap_Response(Message):
 
     bool result
     """
-    def __init__(self, *, result: bool = ...) -> None: ...
+    def __init__(self, *, result: bool = ..., check_fields: bool = ...) -> None: ...
     result: bool
 
 class SaveMap_Event(Message):
     """nav2_msgs/srv/SaveMap_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.SaveMap_Request] = ..., response: Collection[nav2_msgs.srv.SaveMap_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.SaveMap_Request] = ..., response: Collection[nav2_msgs.srv.SaveMap_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.SaveMap_Request]: ...
@@ -479,16 +479,16 @@ class SetInitialPose_Request(Message):
 
     geometry_msgs/PoseWithCovarianceStamped pose
     """
-    def __init__(self, *, pose: geometry_msgs.msg.PoseWithCovarianceStamped = ...) -> None: ...
+    def __init__(self, *, pose: geometry_msgs.msg.PoseWithCovarianceStamped = ..., check_fields: bool = ...) -> None: ...
     pose: geometry_msgs.msg.PoseWithCovarianceStamped
 
 class SetInitialPose_Response(Message):
     """nav2_msgs/srv/SetInitialPose_Response"""
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class SetInitialPose_Event(Message):
     """nav2_msgs/srv/SetInitialPose_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.SetInitialPose_Request] = ..., response: Collection[nav2_msgs.srv.SetInitialPose_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.SetInitialPose_Request] = ..., response: Collection[nav2_msgs.srv.SetInitialPose_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.SetInitialPose_Request]: ...
@@ -511,7 +511,7 @@ class SetRouteGraph_Request(Message):
 
     string graph_filepath
     """
-    def __init__(self, *, graph_filepath: str = ...) -> None: ...
+    def __init__(self, *, graph_filepath: str = ..., check_fields: bool = ...) -> None: ...
     graph_filepath: str
 
 class SetRouteGraph_Response(Message):
@@ -519,12 +519,12 @@ class SetRouteGraph_Response(Message):
 
     bool success
     """
-    def __init__(self, *, success: bool = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., check_fields: bool = ...) -> None: ...
     success: bool
 
 class SetRouteGraph_Event(Message):
     """nav2_msgs/srv/SetRouteGraph_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.SetRouteGraph_Request] = ..., response: Collection[nav2_msgs.srv.SetRouteGraph_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.SetRouteGraph_Request] = ..., response: Collection[nav2_msgs.srv.SetRouteGraph_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.SetRouteGraph_Request]: ...
@@ -547,7 +547,7 @@ class Toggle_Request(Message):
 
     bool enable
     """
-    def __init__(self, *, enable: bool = ...) -> None: ...
+    def __init__(self, *, enable: bool = ..., check_fields: bool = ...) -> None: ...
     enable: bool
 
 class Toggle_Response(Message):
@@ -556,13 +556,13 @@ class Toggle_Response(Message):
     bool success
     string message
     """
-    def __init__(self, *, success: bool = ..., message: str = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., message: str = ..., check_fields: bool = ...) -> None: ...
     success: bool
     message: str
 
 class Toggle_Event(Message):
     """nav2_msgs/srv/Toggle_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.Toggle_Request] = ..., response: Collection[nav2_msgs.srv.Toggle_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav2_msgs.srv.Toggle_Request] = ..., response: Collection[nav2_msgs.srv.Toggle_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav2_msgs.srv.Toggle_Request]: ...

@@ -23,7 +23,7 @@ class Goals(Message):
     # The places. Each has its own time and frame, so a goal may ride on something that moves.
     geometry_msgs/PoseStamped[] goals
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., goals: Collection[geometry_msgs.msg.PoseStamped] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., goals: Collection[geometry_msgs.msg.PoseStamped] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def goals(self) -> list[geometry_msgs.msg.PoseStamped]: ...
@@ -46,7 +46,7 @@ class GridCells(Message):
     # Centre of each cell.
     geometry_msgs/Point[] cells
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., cell_width: float = ..., cell_height: float = ..., cells: Collection[geometry_msgs.msg.Point] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., cell_width: float = ..., cell_height: float = ..., cells: Collection[geometry_msgs.msg.Point] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     cell_width: float
     cell_height: float
@@ -75,7 +75,7 @@ class MapMetaData(Message):
     # Where in the world the outer corner of cell (0, 0) is, and which way the x axis of the grid points.
     geometry_msgs/Pose origin
     """
-    def __init__(self, *, map_load_time: builtin_interfaces.msg.Time = ..., resolution: float = ..., width: int = ..., height: int = ..., origin: geometry_msgs.msg.Pose = ...) -> None: ...
+    def __init__(self, *, map_load_time: builtin_interfaces.msg.Time = ..., resolution: float = ..., width: int = ..., height: int = ..., origin: geometry_msgs.msg.Pose = ..., check_fields: bool = ...) -> None: ...
     map_load_time: builtin_interfaces.msg.Time
     resolution: float
     width: int
@@ -95,7 +95,7 @@ class OccupancyGrid(Message):
     # Cell (x, y) is data[y * info.width + x]: 0 is surely free, 100 surely occupied, -1 not known.
     int8[] data
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., info: nav_msgs.msg.MapMetaData = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., info: nav_msgs.msg.MapMetaData = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     info: nav_msgs.msg.MapMetaData
     @property
@@ -120,7 +120,7 @@ class Odometry(Message):
     # Speed of the robot as seen from itself: linear.x is forward.
     geometry_msgs/TwistWithCovariance twist
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., child_frame_id: str = ..., pose: geometry_msgs.msg.PoseWithCovariance = ..., twist: geometry_msgs.msg.TwistWithCovariance = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., child_frame_id: str = ..., pose: geometry_msgs.msg.PoseWithCovariance = ..., twist: geometry_msgs.msg.TwistWithCovariance = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     child_frame_id: str
     pose: geometry_msgs.msg.PoseWithCovariance
@@ -137,7 +137,7 @@ class Path(Message):
     # The poses along the way.
     geometry_msgs/PoseStamped[] poses
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., poses: Collection[geometry_msgs.msg.PoseStamped] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., poses: Collection[geometry_msgs.msg.PoseStamped] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def poses(self) -> list[geometry_msgs.msg.PoseStamped]: ...

@@ -17,7 +17,7 @@ class GetMap_Request(Message):
 
     # Asks for the map that a server holds.
     """
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class GetMap_Response(Message):
     """nav_msgs/srv/GetMap_Response
@@ -25,12 +25,12 @@ class GetMap_Response(Message):
     # That map.
     OccupancyGrid map
     """
-    def __init__(self, *, map: nav_msgs.msg.OccupancyGrid = ...) -> None: ...
+    def __init__(self, *, map: nav_msgs.msg.OccupancyGrid = ..., check_fields: bool = ...) -> None: ...
     map: nav_msgs.msg.OccupancyGrid
 
 class GetMap_Event(Message):
     """nav_msgs/srv/GetMap_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav_msgs.srv.GetMap_Request] = ..., response: Collection[nav_msgs.srv.GetMap_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav_msgs.srv.GetMap_Request] = ..., response: Collection[nav_msgs.srv.GetMap_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav_msgs.srv.GetMap_Request]: ...
@@ -60,7 +60,7 @@ class GetPlan_Request(Message):
     # How far from a blocked goal it may end instead, in m along x and y.
     float32 tolerance
     """
-    def __init__(self, *, start: geometry_msgs.msg.PoseStamped = ..., goal: geometry_msgs.msg.PoseStamped = ..., tolerance: float = ...) -> None: ...
+    def __init__(self, *, start: geometry_msgs.msg.PoseStamped = ..., goal: geometry_msgs.msg.PoseStamped = ..., tolerance: float = ..., check_fields: bool = ...) -> None: ...
     start: geometry_msgs.msg.PoseStamped
     goal: geometry_msgs.msg.PoseStamped
     tolerance: float
@@ -71,12 +71,12 @@ class GetPlan_Response(Message):
     # The way; empty if there is none.
     Path plan
     """
-    def __init__(self, *, plan: nav_msgs.msg.Path = ...) -> None: ...
+    def __init__(self, *, plan: nav_msgs.msg.Path = ..., check_fields: bool = ...) -> None: ...
     plan: nav_msgs.msg.Path
 
 class GetPlan_Event(Message):
     """nav_msgs/srv/GetPlan_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav_msgs.srv.GetPlan_Request] = ..., response: Collection[nav_msgs.srv.GetPlan_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav_msgs.srv.GetPlan_Request] = ..., response: Collection[nav_msgs.srv.GetPlan_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav_msgs.srv.GetPlan_Request]: ...
@@ -100,7 +100,7 @@ class LoadMap_Request(Message):
     # Where the map is: 'file:///home/me/maps/lab.yaml' or 'package://my_maps/lab.yaml'.
     string map_url
     """
-    def __init__(self, *, map_url: str = ...) -> None: ...
+    def __init__(self, *, map_url: str = ..., check_fields: bool = ...) -> None: ...
     map_url: str
 
 class LoadMap_Response(Message):
@@ -122,13 +122,13 @@ class LoadMap_Response(Message):
     RESULT_INVALID_MAP_DATA: Final = 2
     RESULT_INVALID_MAP_METADATA: Final = 3
     RESULT_UNDEFINED_FAILURE: Final = 255
-    def __init__(self, *, map: nav_msgs.msg.OccupancyGrid = ..., result: int = ...) -> None: ...
+    def __init__(self, *, map: nav_msgs.msg.OccupancyGrid = ..., result: int = ..., check_fields: bool = ...) -> None: ...
     map: nav_msgs.msg.OccupancyGrid
     result: int
 
 class LoadMap_Event(Message):
     """nav_msgs/srv/LoadMap_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav_msgs.srv.LoadMap_Request] = ..., response: Collection[nav_msgs.srv.LoadMap_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav_msgs.srv.LoadMap_Request] = ..., response: Collection[nav_msgs.srv.LoadMap_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav_msgs.srv.LoadMap_Request]: ...
@@ -155,7 +155,7 @@ class SetMap_Request(Message):
     # First guess of the robot's place.
     geometry_msgs/PoseWithCovarianceStamped initial_pose
     """
-    def __init__(self, *, map: nav_msgs.msg.OccupancyGrid = ..., initial_pose: geometry_msgs.msg.PoseWithCovarianceStamped = ...) -> None: ...
+    def __init__(self, *, map: nav_msgs.msg.OccupancyGrid = ..., initial_pose: geometry_msgs.msg.PoseWithCovarianceStamped = ..., check_fields: bool = ...) -> None: ...
     map: nav_msgs.msg.OccupancyGrid
     initial_pose: geometry_msgs.msg.PoseWithCovarianceStamped
 
@@ -166,12 +166,12 @@ class SetMap_Response(Message):
     # Did the server take the map?
     bool success
     """
-    def __init__(self, *, success: bool = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., check_fields: bool = ...) -> None: ...
     success: bool
 
 class SetMap_Event(Message):
     """nav_msgs/srv/SetMap_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav_msgs.srv.SetMap_Request] = ..., response: Collection[nav_msgs.srv.SetMap_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[nav_msgs.srv.SetMap_Request] = ..., response: Collection[nav_msgs.srv.SetMap_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[nav_msgs.srv.SetMap_Request]: ...

@@ -26,7 +26,7 @@ class FloatingPointRange(Message):
     # from 0.5 to 1.5 in steps of 0.4 means 0.5, 0.9, 1.3 and 1.5.
     float64 step
     """
-    def __init__(self, *, from_value: float = ..., to_value: float = ..., step: float = ...) -> None: ...
+    def __init__(self, *, from_value: float = ..., to_value: float = ..., step: float = ..., check_fields: bool = ...) -> None: ...
     from_value: float
     to_value: float
     step: float
@@ -47,7 +47,7 @@ class IntegerRange(Message):
     # steps of 4 means 0, 4, 8 and 10.
     uint64 step
     """
-    def __init__(self, *, from_value: int = ..., to_value: int = ..., step: int = ...) -> None: ...
+    def __init__(self, *, from_value: int = ..., to_value: int = ..., step: int = ..., check_fields: bool = ...) -> None: ...
     from_value: int
     to_value: int
     step: int
@@ -63,7 +63,7 @@ class ListParametersResult(Message):
     # Groups (the part of a name before its last dot) in which they were found.
     string[] prefixes
     """
-    def __init__(self, *, names: Collection[str] = ..., prefixes: Collection[str] = ...) -> None: ...
+    def __init__(self, *, names: Collection[str] = ..., prefixes: Collection[str] = ..., check_fields: bool = ...) -> None: ...
     @property
     def names(self) -> list[str]: ...
     @names.setter
@@ -117,7 +117,7 @@ class Log(Message):
     WARN: Final = 30
     ERROR: Final = 40
     FATAL: Final = 50
-    def __init__(self, *, stamp: builtin_interfaces.msg.Time = ..., level: int = ..., name: str = ..., msg: str = ..., file: str = ..., function: str = ..., line: int = ...) -> None: ...
+    def __init__(self, *, stamp: builtin_interfaces.msg.Time = ..., level: int = ..., name: str = ..., msg: str = ..., file: str = ..., function: str = ..., line: int = ..., check_fields: bool = ...) -> None: ...
     stamp: builtin_interfaces.msg.Time
     level: int
     name: str
@@ -150,7 +150,7 @@ class LoggerLevel(Message):
     LOG_LEVEL_WARN: Final = 30
     LOG_LEVEL_ERROR: Final = 40
     LOG_LEVEL_FATAL: Final = 50
-    def __init__(self, *, name: str = ..., level: int = ...) -> None: ...
+    def __init__(self, *, name: str = ..., level: int = ..., check_fields: bool = ...) -> None: ...
     name: str
     level: int
 
@@ -165,7 +165,7 @@ class Parameter(Message):
     # Its value, together with the kind of value.
     ParameterValue value
     """
-    def __init__(self, *, name: str = ..., value: rcl_interfaces.msg.ParameterValue = ...) -> None: ...
+    def __init__(self, *, name: str = ..., value: rcl_interfaces.msg.ParameterValue = ..., check_fields: bool = ...) -> None: ...
     name: str
     value: rcl_interfaces.msg.ParameterValue
 
@@ -196,7 +196,7 @@ class ParameterDescriptor(Message):
     FloatingPointRange[<=1] floating_point_range
     IntegerRange[<=1] integer_range
     """
-    def __init__(self, *, name: str = ..., type: int = ..., description: str = ..., additional_constraints: str = ..., read_only: bool = ..., dynamic_typing: bool = ..., floating_point_range: Collection[rcl_interfaces.msg.FloatingPointRange] = ..., integer_range: Collection[rcl_interfaces.msg.IntegerRange] = ...) -> None: ...
+    def __init__(self, *, name: str = ..., type: int = ..., description: str = ..., additional_constraints: str = ..., read_only: bool = ..., dynamic_typing: bool = ..., floating_point_range: Collection[rcl_interfaces.msg.FloatingPointRange] = ..., integer_range: Collection[rcl_interfaces.msg.IntegerRange] = ..., check_fields: bool = ...) -> None: ...
     name: str
     type: int
     description: str
@@ -233,7 +233,7 @@ class ParameterEvent(Message):
     # No longer there.
     Parameter[] deleted_parameters
     """
-    def __init__(self, *, stamp: builtin_interfaces.msg.Time = ..., node: str = ..., new_parameters: Collection[rcl_interfaces.msg.Parameter] = ..., changed_parameters: Collection[rcl_interfaces.msg.Parameter] = ..., deleted_parameters: Collection[rcl_interfaces.msg.Parameter] = ...) -> None: ...
+    def __init__(self, *, stamp: builtin_interfaces.msg.Time = ..., node: str = ..., new_parameters: Collection[rcl_interfaces.msg.Parameter] = ..., changed_parameters: Collection[rcl_interfaces.msg.Parameter] = ..., deleted_parameters: Collection[rcl_interfaces.msg.Parameter] = ..., check_fields: bool = ...) -> None: ...
     stamp: builtin_interfaces.msg.Time
     node: str
     @property
@@ -258,7 +258,7 @@ class ParameterEventDescriptors(Message):
     ParameterDescriptor[] changed_parameters
     ParameterDescriptor[] deleted_parameters
     """
-    def __init__(self, *, new_parameters: Collection[rcl_interfaces.msg.ParameterDescriptor] = ..., changed_parameters: Collection[rcl_interfaces.msg.ParameterDescriptor] = ..., deleted_parameters: Collection[rcl_interfaces.msg.ParameterDescriptor] = ...) -> None: ...
+    def __init__(self, *, new_parameters: Collection[rcl_interfaces.msg.ParameterDescriptor] = ..., changed_parameters: Collection[rcl_interfaces.msg.ParameterDescriptor] = ..., deleted_parameters: Collection[rcl_interfaces.msg.ParameterDescriptor] = ..., check_fields: bool = ...) -> None: ...
     @property
     def new_parameters(self) -> list[rcl_interfaces.msg.ParameterDescriptor]: ...
     @new_parameters.setter
@@ -300,7 +300,7 @@ class ParameterType(Message):
     PARAMETER_INTEGER_ARRAY: Final = 7
     PARAMETER_DOUBLE_ARRAY: Final = 8
     PARAMETER_STRING_ARRAY: Final = 9
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class ParameterValue(Message):
     """rcl_interfaces/msg/ParameterValue
@@ -337,7 +337,7 @@ class ParameterValue(Message):
     # PARAMETER_STRING_ARRAY
     string[] string_array_value
     """
-    def __init__(self, *, type: int = ..., bool_value: bool = ..., integer_value: int = ..., double_value: float = ..., string_value: str = ..., byte_array_value: Collection[bytes] = ..., bool_array_value: Collection[bool] = ..., integer_array_value: Collection[int] = ..., double_array_value: Collection[float] = ..., string_array_value: Collection[str] = ...) -> None: ...
+    def __init__(self, *, type: int = ..., bool_value: bool = ..., integer_value: int = ..., double_value: float = ..., string_value: str = ..., byte_array_value: Collection[bytes] = ..., bool_array_value: Collection[bool] = ..., integer_array_value: Collection[int] = ..., double_array_value: Collection[float] = ..., string_array_value: Collection[str] = ..., check_fields: bool = ...) -> None: ...
     type: int
     bool_value: bool
     integer_value: int
@@ -375,7 +375,7 @@ class SetLoggerLevelsResult(Message):
     # Why not, or further details.
     string reason
     """
-    def __init__(self, *, successful: bool = ..., reason: str = ...) -> None: ...
+    def __init__(self, *, successful: bool = ..., reason: str = ..., check_fields: bool = ...) -> None: ...
     successful: bool
     reason: str
 
@@ -390,6 +390,6 @@ class SetParametersResult(Message):
     # Why it was refused, for people to read; means nothing on success.
     string reason
     """
-    def __init__(self, *, successful: bool = ..., reason: str = ...) -> None: ...
+    def __init__(self, *, successful: bool = ..., reason: str = ..., check_fields: bool = ...) -> None: ...
     successful: bool
     reason: str

@@ -16,5 +16,5 @@ class Clock(Message):
 
     builtin_interfaces/Time clock
     """
-    def __init__(self, *, clock: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, clock: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     clock: builtin_interfaces.msg.Time

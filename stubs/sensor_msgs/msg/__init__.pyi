@@ -87,7 +87,7 @@ class BatteryState(Message):
     POWER_SUPPLY_TECHNOLOGY_LIMN: Final = 6
     POWER_SUPPLY_TECHNOLOGY_TERNARY: Final = 7
     POWER_SUPPLY_TECHNOLOGY_VRLA: Final = 8
-    def __init__(self, *, header: std_msgs.msg.Header = ..., voltage: float = ..., temperature: float = ..., current: float = ..., charge: float = ..., capacity: float = ..., design_capacity: float = ..., percentage: float = ..., power_supply_status: int = ..., power_supply_health: int = ..., power_supply_technology: int = ..., present: bool = ..., cell_voltage: Collection[float] = ..., cell_temperature: Collection[float] = ..., location: str = ..., serial_number: str = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., voltage: float = ..., temperature: float = ..., current: float = ..., charge: float = ..., capacity: float = ..., design_capacity: float = ..., percentage: float = ..., power_supply_status: int = ..., power_supply_health: int = ..., power_supply_technology: int = ..., present: bool = ..., cell_voltage: Collection[float] = ..., cell_temperature: Collection[float] = ..., location: str = ..., serial_number: str = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     voltage: float
     temperature: float
@@ -160,7 +160,7 @@ class CameraInfo(Message):
     # Part of the sensor that was read, in pixels before joining; all zeros for the whole sensor.
     RegionOfInterest roi
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., height: int = ..., width: int = ..., distortion_model: str = ..., d: Collection[float] = ..., k: Collection[float] = ..., r: Collection[float] = ..., p: Collection[float] = ..., binning_x: int = ..., binning_y: int = ..., roi: sensor_msgs.msg.RegionOfInterest = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., height: int = ..., width: int = ..., distortion_model: str = ..., d: Collection[float] = ..., k: Collection[float] = ..., r: Collection[float] = ..., p: Collection[float] = ..., binning_x: int = ..., binning_y: int = ..., roi: sensor_msgs.msg.RegionOfInterest = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     height: int
     width: int
@@ -197,7 +197,7 @@ class ChannelFloat32(Message):
     # One number per point, in the order of the points.
     float32[] values
     """
-    def __init__(self, *, name: str = ..., values: Collection[float] = ...) -> None: ...
+    def __init__(self, *, name: str = ..., values: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     name: str
     @property
     def values(self) -> array[float]: ...
@@ -216,7 +216,7 @@ class CompressedImage(Message):
 
     uint8[] data                 # the packed bytes, as they would be in a file
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., format: str = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., format: str = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     format: str
     @property
@@ -235,7 +235,7 @@ class FluidPressure(Message):
 
     float64 variance             # Pa^2; 0 if unknown
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., fluid_pressure: float = ..., variance: float = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., fluid_pressure: float = ..., variance: float = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     fluid_pressure: float
     variance: float
@@ -251,7 +251,7 @@ class Illuminance(Message):
 
     float64 variance             # lux^2; 0 if unknown
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., illuminance: float = ..., variance: float = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., illuminance: float = ..., variance: float = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     illuminance: float
     variance: float
@@ -272,7 +272,7 @@ class Image(Message):
     uint32 step           # bytes per row
     uint8[] data          # all rows, one after the other: step * height bytes
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., height: int = ..., width: int = ..., encoding: str = ..., is_bigendian: int = ..., step: int = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., height: int = ..., width: int = ..., encoding: str = ..., is_bigendian: int = ..., step: int = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     height: int
     width: int
@@ -303,7 +303,7 @@ class Imu(Message):
     geometry_msgs/Vector3 linear_acceleration # m/s^2
     float64[9] linear_acceleration_covariance # (m/s^2)^2
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., orientation: geometry_msgs.msg.Quaternion = ..., orientation_covariance: Collection[float] = ..., angular_velocity: geometry_msgs.msg.Vector3 = ..., angular_velocity_covariance: Collection[float] = ..., linear_acceleration: geometry_msgs.msg.Vector3 = ..., linear_acceleration_covariance: Collection[float] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., orientation: geometry_msgs.msg.Quaternion = ..., orientation_covariance: Collection[float] = ..., angular_velocity: geometry_msgs.msg.Vector3 = ..., angular_velocity_covariance: Collection[float] = ..., linear_acceleration: geometry_msgs.msg.Vector3 = ..., linear_acceleration_covariance: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     orientation: geometry_msgs.msg.Quaternion
     @property
@@ -336,7 +336,7 @@ class JointState(Message):
     float64[] velocity
     float64[] effort
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., name: Collection[str] = ..., position: Collection[float] = ..., velocity: Collection[float] = ..., effort: Collection[float] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., name: Collection[str] = ..., position: Collection[float] = ..., velocity: Collection[float] = ..., effort: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def name(self) -> list[str]: ...
@@ -369,7 +369,7 @@ class Joy(Message):
     # Buttons, 1 while pressed.
     int32[] buttons
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., axes: Collection[float] = ..., buttons: Collection[int] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., axes: Collection[float] = ..., buttons: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def axes(self) -> array[float]: ...
@@ -400,7 +400,7 @@ class JoyFeedback(Message):
     TYPE_LED: Final = 0
     TYPE_RUMBLE: Final = 1
     TYPE_BUZZER: Final = 2
-    def __init__(self, *, type: int = ..., id: int = ..., intensity: float = ...) -> None: ...
+    def __init__(self, *, type: int = ..., id: int = ..., intensity: float = ..., check_fields: bool = ...) -> None: ...
     type: int
     id: int
     intensity: float
@@ -412,7 +412,7 @@ class JoyFeedbackArray(Message):
 
     JoyFeedback[] array
     """
-    def __init__(self, *, array: Collection[sensor_msgs.msg.JoyFeedback] = ...) -> None: ...
+    def __init__(self, *, array: Collection[sensor_msgs.msg.JoyFeedback] = ..., check_fields: bool = ...) -> None: ...
     @property
     def array(self) -> list[sensor_msgs.msg.JoyFeedback]: ...
     @array.setter
@@ -425,7 +425,7 @@ class LaserEcho(Message):
 
     float32[] echoes  # distances in m or intensities
     """
-    def __init__(self, *, echoes: Collection[float] = ...) -> None: ...
+    def __init__(self, *, echoes: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     @property
     def echoes(self) -> array[float]: ...
     @echoes.setter
@@ -451,7 +451,7 @@ class LaserScan(Message):
     float32[] ranges             # a distance per ray [m]; ignore those outside range_min..range_max
     float32[] intensities        # strength of the echo per ray in units of the device, or empty
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., angle_min: float = ..., angle_max: float = ..., angle_increment: float = ..., time_increment: float = ..., scan_time: float = ..., range_min: float = ..., range_max: float = ..., ranges: Collection[float] = ..., intensities: Collection[float] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., angle_min: float = ..., angle_max: float = ..., angle_increment: float = ..., time_increment: float = ..., scan_time: float = ..., range_min: float = ..., range_max: float = ..., ranges: Collection[float] = ..., intensities: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     angle_min: float
     angle_max: float
@@ -480,7 +480,7 @@ class MagneticField(Message):
 
     float64[9] magnetic_field_covariance       # T^2, 3x3 row by row over x, y, z; all zeros if unknown
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., magnetic_field: geometry_msgs.msg.Vector3 = ..., magnetic_field_covariance: Collection[float] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., magnetic_field: geometry_msgs.msg.Vector3 = ..., magnetic_field_covariance: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     magnetic_field: geometry_msgs.msg.Vector3
     @property
@@ -502,7 +502,7 @@ class MultiDOFJointState(Message):
     geometry_msgs/Twist[] twist # speeds
     geometry_msgs/Wrench[] wrench # efforts
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., joint_names: Collection[str] = ..., transforms: Collection[geometry_msgs.msg.Transform] = ..., twist: Collection[geometry_msgs.msg.Twist] = ..., wrench: Collection[geometry_msgs.msg.Wrench] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., joint_names: Collection[str] = ..., transforms: Collection[geometry_msgs.msg.Transform] = ..., twist: Collection[geometry_msgs.msg.Twist] = ..., wrench: Collection[geometry_msgs.msg.Wrench] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def joint_names(self) -> list[str]: ...
@@ -541,7 +541,7 @@ class MultiEchoLaserScan(Message):
     LaserEcho[] ranges           # distances per ray [m]; inf: nothing hit, -inf: too close to tell
     LaserEcho[] intensities      # strength of the echoes in units of the device, or empty
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., angle_min: float = ..., angle_max: float = ..., angle_increment: float = ..., time_increment: float = ..., scan_time: float = ..., range_min: float = ..., range_max: float = ..., ranges: Collection[sensor_msgs.msg.LaserEcho] = ..., intensities: Collection[sensor_msgs.msg.LaserEcho] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., angle_min: float = ..., angle_max: float = ..., angle_increment: float = ..., time_increment: float = ..., scan_time: float = ..., range_min: float = ..., range_max: float = ..., ranges: Collection[sensor_msgs.msg.LaserEcho] = ..., intensities: Collection[sensor_msgs.msg.LaserEcho] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     angle_min: float
     angle_max: float
@@ -595,7 +595,7 @@ class NavSatFix(Message):
     COVARIANCE_TYPE_APPROXIMATED: Final = 1
     COVARIANCE_TYPE_DIAGONAL_KNOWN: Final = 2
     COVARIANCE_TYPE_KNOWN: Final = 3
-    def __init__(self, *, header: std_msgs.msg.Header = ..., status: sensor_msgs.msg.NavSatStatus = ..., latitude: float = ..., longitude: float = ..., altitude: float = ..., position_covariance: Collection[float] = ..., position_covariance_type: int = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., status: sensor_msgs.msg.NavSatStatus = ..., latitude: float = ..., longitude: float = ..., altitude: float = ..., position_covariance: Collection[float] = ..., position_covariance_type: int = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     status: sensor_msgs.msg.NavSatStatus
     latitude: float
@@ -639,7 +639,7 @@ class NavSatStatus(Message):
     SERVICE_GLONASS: Final = 2
     SERVICE_COMPASS: Final = 4
     SERVICE_GALILEO: Final = 8
-    def __init__(self, *, status: int = ..., service: int = ...) -> None: ...
+    def __init__(self, *, status: int = ..., service: int = ..., check_fields: bool = ...) -> None: ...
     status: int
     service: int
 
@@ -657,7 +657,7 @@ class PointCloud(Message):
     # Extra numbers, one list per meaning, each as long as points.
     ChannelFloat32[] channels
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., points: Collection[geometry_msgs.msg.Point32] = ..., channels: Collection[sensor_msgs.msg.ChannelFloat32] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., points: Collection[geometry_msgs.msg.Point32] = ..., channels: Collection[sensor_msgs.msg.ChannelFloat32] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def points(self) -> list[geometry_msgs.msg.Point32]: ...
@@ -690,7 +690,7 @@ class PointCloud2(Message):
 
     bool is_dense        # true if every point is valid
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., height: int = ..., width: int = ..., fields: Collection[sensor_msgs.msg.PointField] = ..., is_bigendian: bool = ..., point_step: int = ..., row_step: int = ..., data: Collection[int] = ..., is_dense: bool = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., height: int = ..., width: int = ..., fields: Collection[sensor_msgs.msg.PointField] = ..., is_bigendian: bool = ..., point_step: int = ..., row_step: int = ..., data: Collection[int] = ..., is_dense: bool = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     height: int
     width: int
@@ -735,7 +735,7 @@ class PointField(Message):
     UINT32: Final = 6
     FLOAT32: Final = 7
     FLOAT64: Final = 8
-    def __init__(self, *, name: str = ..., offset: int = ..., datatype: int = ..., count: int = ...) -> None: ...
+    def __init__(self, *, name: str = ..., offset: int = ..., datatype: int = ..., count: int = ..., check_fields: bool = ...) -> None: ...
     name: str
     offset: int
     datatype: int
@@ -768,7 +768,7 @@ class Range(Message):
     """
     ULTRASOUND: Final = 0
     INFRARED: Final = 1
-    def __init__(self, *, header: std_msgs.msg.Header = ..., radiation_type: int = ..., field_of_view: float = ..., min_range: float = ..., max_range: float = ..., range: float = ..., variance: float = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., radiation_type: int = ..., field_of_view: float = ..., min_range: float = ..., max_range: float = ..., range: float = ..., variance: float = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     radiation_type: int
     field_of_view: float
@@ -790,7 +790,7 @@ class RegionOfInterest(Message):
     # True if rectifying the image needs a rectangle of its own: usual once a part was cut out.
     bool do_rectify
     """
-    def __init__(self, *, x_offset: int = ..., y_offset: int = ..., height: int = ..., width: int = ..., do_rectify: bool = ...) -> None: ...
+    def __init__(self, *, x_offset: int = ..., y_offset: int = ..., height: int = ..., width: int = ..., do_rectify: bool = ..., check_fields: bool = ...) -> None: ...
     x_offset: int
     y_offset: int
     height: int
@@ -808,7 +808,7 @@ class RelativeHumidity(Message):
 
     float64 variance             # 0 if unknown
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., relative_humidity: float = ..., variance: float = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., relative_humidity: float = ..., variance: float = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     relative_humidity: float
     variance: float
@@ -824,7 +824,7 @@ class Temperature(Message):
 
     float64 variance             # (degrees Celsius)^2; 0 if unknown
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., temperature: float = ..., variance: float = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., temperature: float = ..., variance: float = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     temperature: float
     variance: float
@@ -839,7 +839,7 @@ class TimeReference(Message):
     builtin_interfaces/Time time_ref  # the time the other clock showed
     string source                     # name of the other clock; may be empty
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., time_ref: builtin_interfaces.msg.Time = ..., source: str = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., time_ref: builtin_interfaces.msg.Time = ..., source: str = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     time_ref: builtin_interfaces.msg.Time
     source: str

@@ -18,7 +18,7 @@ class SetCameraInfo_Request(Message):
 
     sensor_msgs/CameraInfo camera_info # the calibration
     """
-    def __init__(self, *, camera_info: sensor_msgs.msg.CameraInfo = ...) -> None: ...
+    def __init__(self, *, camera_info: sensor_msgs.msg.CameraInfo = ..., check_fields: bool = ...) -> None: ...
     camera_info: sensor_msgs.msg.CameraInfo
 
 class SetCameraInfo_Response(Message):
@@ -27,13 +27,13 @@ class SetCameraInfo_Response(Message):
     bool success                             # did it work?
     string status_message                    # details for people
     """
-    def __init__(self, *, success: bool = ..., status_message: str = ...) -> None: ...
+    def __init__(self, *, success: bool = ..., status_message: str = ..., check_fields: bool = ...) -> None: ...
     success: bool
     status_message: str
 
 class SetCameraInfo_Event(Message):
     """sensor_msgs/srv/SetCameraInfo_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[sensor_msgs.srv.SetCameraInfo_Request] = ..., response: Collection[sensor_msgs.srv.SetCameraInfo_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[sensor_msgs.srv.SetCameraInfo_Request] = ..., response: Collection[sensor_msgs.srv.SetCameraInfo_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[sensor_msgs.srv.SetCameraInfo_Request]: ...

@@ -35,7 +35,7 @@ class ServiceEventInfo(Message):
     REQUEST_RECEIVED: Final = 1
     RESPONSE_SENT: Final = 2
     RESPONSE_RECEIVED: Final = 3
-    def __init__(self, *, event_type: int = ..., stamp: builtin_interfaces.msg.Time = ..., client_gid: Collection[int] = ..., sequence_number: int = ...) -> None: ...
+    def __init__(self, *, event_type: int = ..., stamp: builtin_interfaces.msg.Time = ..., client_gid: Collection[int] = ..., sequence_number: int = ..., check_fields: bool = ...) -> None: ...
     event_type: int
     stamp: builtin_interfaces.msg.Time
     @property

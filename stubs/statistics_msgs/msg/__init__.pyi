@@ -33,7 +33,7 @@ class MetricsMessage(Message):
     # The results, one per kind.
     StatisticDataPoint[] statistics
     """
-    def __init__(self, *, measurement_source_name: str = ..., metrics_source: str = ..., unit: str = ..., window_start: builtin_interfaces.msg.Time = ..., window_stop: builtin_interfaces.msg.Time = ..., statistics: Collection[statistics_msgs.msg.StatisticDataPoint] = ...) -> None: ...
+    def __init__(self, *, measurement_source_name: str = ..., metrics_source: str = ..., unit: str = ..., window_start: builtin_interfaces.msg.Time = ..., window_stop: builtin_interfaces.msg.Time = ..., statistics: Collection[statistics_msgs.msg.StatisticDataPoint] = ..., check_fields: bool = ...) -> None: ...
     measurement_source_name: str
     metrics_source: str
     unit: str
@@ -55,7 +55,7 @@ class StatisticDataPoint(Message):
     # The result; NaN if there were too few measurements. Never infinite.
     float64 data
     """
-    def __init__(self, *, data_type: int = ..., data: float = ...) -> None: ...
+    def __init__(self, *, data_type: int = ..., data: float = ..., check_fields: bool = ...) -> None: ...
     data_type: int
     data: float
 
@@ -80,4 +80,4 @@ class StatisticDataType(Message):
     STATISTICS_DATA_TYPE_MAXIMUM: Final = 3
     STATISTICS_DATA_TYPE_STDDEV: Final = 4
     STATISTICS_DATA_TYPE_SAMPLE_COUNT: Final = 5
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...

@@ -17,7 +17,7 @@ class Bool(Message):
 
     bool data
     """
-    def __init__(self, *, data: bool = ...) -> None: ...
+    def __init__(self, *, data: bool = ..., check_fields: bool = ...) -> None: ...
     data: bool
 
 class Byte(Message):
@@ -27,7 +27,7 @@ class Byte(Message):
 
     byte data
     """
-    def __init__(self, *, data: bytes = ...) -> None: ...
+    def __init__(self, *, data: bytes = ..., check_fields: bool = ...) -> None: ...
     data: bytes
 
 class ByteMultiArray(Message):
@@ -38,7 +38,7 @@ class ByteMultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     byte[]            data          # all elements, one after the other
     """
-    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[bytes] = ...) -> None: ...
+    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[bytes] = ..., check_fields: bool = ...) -> None: ...
     layout: std_msgs.msg.MultiArrayLayout
     @property
     def data(self) -> list[bytes]: ...
@@ -52,7 +52,7 @@ class Char(Message):
 
     char data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class ColorRGBA(Message):
@@ -65,7 +65,7 @@ class ColorRGBA(Message):
     float32 b
     float32 a # 0 is invisible, 1 is opaque
     """
-    def __init__(self, *, r: float = ..., g: float = ..., b: float = ..., a: float = ...) -> None: ...
+    def __init__(self, *, r: float = ..., g: float = ..., b: float = ..., a: float = ..., check_fields: bool = ...) -> None: ...
     r: float
     g: float
     b: float
@@ -76,7 +76,7 @@ class Empty(Message):
 
     # Carries nothing: the arrival itself is the signal.
     """
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class Float32(Message):
     """std_msgs/msg/Float32
@@ -85,7 +85,7 @@ class Float32(Message):
 
     float32 data
     """
-    def __init__(self, *, data: float = ...) -> None: ...
+    def __init__(self, *, data: float = ..., check_fields: bool = ...) -> None: ...
     data: float
 
 class Float32MultiArray(Message):
@@ -96,7 +96,7 @@ class Float32MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     float32[]         data          # all elements, one after the other
     """
-    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[float] = ...) -> None: ...
+    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     layout: std_msgs.msg.MultiArrayLayout
     @property
     def data(self) -> array[float]: ...
@@ -110,7 +110,7 @@ class Float64(Message):
 
     float64 data
     """
-    def __init__(self, *, data: float = ...) -> None: ...
+    def __init__(self, *, data: float = ..., check_fields: bool = ...) -> None: ...
     data: float
 
 class Float64MultiArray(Message):
@@ -121,7 +121,7 @@ class Float64MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     float64[]         data          # all elements, one after the other
     """
-    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[float] = ...) -> None: ...
+    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[float] = ..., check_fields: bool = ...) -> None: ...
     layout: std_msgs.msg.MultiArrayLayout
     @property
     def data(self) -> array[float]: ...
@@ -139,7 +139,7 @@ class Header(Message):
     # Name of the coordinate frame the data is expressed in, such as 'map' or 'base_link'.
     string frame_id
     """
-    def __init__(self, *, stamp: builtin_interfaces.msg.Time = ..., frame_id: str = ...) -> None: ...
+    def __init__(self, *, stamp: builtin_interfaces.msg.Time = ..., frame_id: str = ..., check_fields: bool = ...) -> None: ...
     stamp: builtin_interfaces.msg.Time
     frame_id: str
 
@@ -150,7 +150,7 @@ class Int16(Message):
 
     int16 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class Int16MultiArray(Message):
@@ -161,7 +161,7 @@ class Int16MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     int16[]           data          # all elements, one after the other
     """
-    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: std_msgs.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -175,7 +175,7 @@ class Int32(Message):
 
     int32 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class Int32MultiArray(Message):
@@ -186,7 +186,7 @@ class Int32MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     int32[]           data          # all elements, one after the other
     """
-    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: std_msgs.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -200,7 +200,7 @@ class Int64(Message):
 
     int64 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class Int64MultiArray(Message):
@@ -211,7 +211,7 @@ class Int64MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     int64[]           data          # all elements, one after the other
     """
-    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: std_msgs.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -225,7 +225,7 @@ class Int8(Message):
 
     int8 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class Int8MultiArray(Message):
@@ -236,7 +236,7 @@ class Int8MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     int8[]            data          # all elements, one after the other
     """
-    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: std_msgs.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -252,7 +252,7 @@ class MultiArrayDimension(Message):
     uint32 size    # number of entries along this axis
     uint32 stride  # elements covered by this axis and all axes inside it
     """
-    def __init__(self, *, label: str = ..., size: int = ..., stride: int = ...) -> None: ...
+    def __init__(self, *, label: str = ..., size: int = ..., stride: int = ..., check_fields: bool = ...) -> None: ...
     label: str
     size: int
     stride: int
@@ -274,7 +274,7 @@ class MultiArrayLayout(Message):
     MultiArrayDimension[] dim # the axes, outermost first
     uint32 data_offset        # elements to skip at the start of data
     """
-    def __init__(self, *, dim: Collection[std_msgs.msg.MultiArrayDimension] = ..., data_offset: int = ...) -> None: ...
+    def __init__(self, *, dim: Collection[std_msgs.msg.MultiArrayDimension] = ..., data_offset: int = ..., check_fields: bool = ...) -> None: ...
     @property
     def dim(self) -> list[std_msgs.msg.MultiArrayDimension]: ...
     @dim.setter
@@ -288,7 +288,7 @@ class String(Message):
 
     string data
     """
-    def __init__(self, *, data: str = ...) -> None: ...
+    def __init__(self, *, data: str = ..., check_fields: bool = ...) -> None: ...
     data: str
 
 class UInt16(Message):
@@ -298,7 +298,7 @@ class UInt16(Message):
 
     uint16 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class UInt16MultiArray(Message):
@@ -309,7 +309,7 @@ class UInt16MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     uint16[]            data        # all elements, one after the other
     """
-    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: std_msgs.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -323,7 +323,7 @@ class UInt32(Message):
 
     uint32 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class UInt32MultiArray(Message):
@@ -334,7 +334,7 @@ class UInt32MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     uint32[]          data          # all elements, one after the other
     """
-    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: std_msgs.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -348,7 +348,7 @@ class UInt64(Message):
 
     uint64 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class UInt64MultiArray(Message):
@@ -359,7 +359,7 @@ class UInt64MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     uint64[]          data          # all elements, one after the other
     """
-    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: std_msgs.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...
@@ -373,7 +373,7 @@ class UInt8(Message):
 
     uint8 data
     """
-    def __init__(self, *, data: int = ...) -> None: ...
+    def __init__(self, *, data: int = ..., check_fields: bool = ...) -> None: ...
     data: int
 
 class UInt8MultiArray(Message):
@@ -384,7 +384,7 @@ class UInt8MultiArray(Message):
     MultiArrayLayout  layout        # how data folds into rows and columns
     uint8[]           data          # all elements, one after the other
     """
-    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, layout: std_msgs.msg.MultiArrayLayout = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     layout: std_msgs.msg.MultiArrayLayout
     @property
     def data(self) -> array[int]: ...

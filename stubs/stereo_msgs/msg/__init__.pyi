@@ -36,7 +36,7 @@ class DisparityImage(Message):
     # Finest step between shifts; at depth Z it makes a depth step of Z^2 / (f * t) * delta_d.
     float32 delta_d
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., image: sensor_msgs.msg.Image = ..., f: float = ..., t: float = ..., valid_window: sensor_msgs.msg.RegionOfInterest = ..., min_disparity: float = ..., max_disparity: float = ..., delta_d: float = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., image: sensor_msgs.msg.Image = ..., f: float = ..., t: float = ..., valid_window: sensor_msgs.msg.RegionOfInterest = ..., min_disparity: float = ..., max_disparity: float = ..., delta_d: float = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     image: sensor_msgs.msg.Image
     f: float

@@ -22,7 +22,7 @@ class Fibonacci_Goal(Message):
 
     int32 order
     """
-    def __init__(self, *, order: int = ...) -> None: ...
+    def __init__(self, *, order: int = ..., check_fields: bool = ...) -> None: ...
     order: int
 
 class Fibonacci_Result(Message):
@@ -30,7 +30,7 @@ class Fibonacci_Result(Message):
 
     int32[] sequence
     """
-    def __init__(self, *, sequence: Collection[int] = ...) -> None: ...
+    def __init__(self, *, sequence: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     @property
     def sequence(self) -> array[int]: ...
     @sequence.setter
@@ -41,7 +41,7 @@ class Fibonacci_Feedback(Message):
 
     int32[] sequence
     """
-    def __init__(self, *, sequence: Collection[int] = ...) -> None: ...
+    def __init__(self, *, sequence: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     @property
     def sequence(self) -> array[int]: ...
     @sequence.setter
@@ -49,25 +49,25 @@ class Fibonacci_Feedback(Message):
 
 class Fibonacci_FeedbackMessage(Message):
     """test_msgs/action/Fibonacci_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: test_msgs.action.Fibonacci_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: test_msgs.action.Fibonacci_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: test_msgs.action.Fibonacci_Feedback
 
 class Fibonacci_SendGoal_Request(Message):
     """test_msgs/action/Fibonacci_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: test_msgs.action.Fibonacci_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: test_msgs.action.Fibonacci_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: test_msgs.action.Fibonacci_Goal
 
 class Fibonacci_SendGoal_Response(Message):
     """test_msgs/action/Fibonacci_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class Fibonacci_SendGoal_Event(Message):
     """test_msgs/action/Fibonacci_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[test_msgs.action.Fibonacci_SendGoal_Request] = ..., response: Collection[test_msgs.action.Fibonacci_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[test_msgs.action.Fibonacci_SendGoal_Request] = ..., response: Collection[test_msgs.action.Fibonacci_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[test_msgs.action.Fibonacci_SendGoal_Request]: ...
@@ -80,18 +80,18 @@ class Fibonacci_SendGoal_Event(Message):
 
 class Fibonacci_GetResult_Request(Message):
     """test_msgs/action/Fibonacci_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class Fibonacci_GetResult_Response(Message):
     """test_msgs/action/Fibonacci_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: test_msgs.action.Fibonacci_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: test_msgs.action.Fibonacci_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: test_msgs.action.Fibonacci_Result
 
 class Fibonacci_GetResult_Event(Message):
     """test_msgs/action/Fibonacci_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[test_msgs.action.Fibonacci_GetResult_Request] = ..., response: Collection[test_msgs.action.Fibonacci_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[test_msgs.action.Fibonacci_GetResult_Request] = ..., response: Collection[test_msgs.action.Fibonacci_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[test_msgs.action.Fibonacci_GetResult_Request]: ...
@@ -132,7 +132,7 @@ class NestedMessage_Goal(Message):
     test_msgs/BasicTypes nested_field
     builtin_interfaces/Time nested_different_pkg
     """
-    def __init__(self, *, nested_field_no_pkg: test_msgs.msg.Builtins = ..., nested_field: test_msgs.msg.BasicTypes = ..., nested_different_pkg: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, nested_field_no_pkg: test_msgs.msg.Builtins = ..., nested_field: test_msgs.msg.BasicTypes = ..., nested_different_pkg: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     nested_field_no_pkg: test_msgs.msg.Builtins
     nested_field: test_msgs.msg.BasicTypes
     nested_different_pkg: builtin_interfaces.msg.Time
@@ -144,7 +144,7 @@ class NestedMessage_Result(Message):
     test_msgs/BasicTypes nested_field
     builtin_interfaces/Time nested_different_pkg
     """
-    def __init__(self, *, nested_field_no_pkg: test_msgs.msg.Builtins = ..., nested_field: test_msgs.msg.BasicTypes = ..., nested_different_pkg: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, nested_field_no_pkg: test_msgs.msg.Builtins = ..., nested_field: test_msgs.msg.BasicTypes = ..., nested_different_pkg: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     nested_field_no_pkg: test_msgs.msg.Builtins
     nested_field: test_msgs.msg.BasicTypes
     nested_different_pkg: builtin_interfaces.msg.Time
@@ -156,32 +156,32 @@ class NestedMessage_Feedback(Message):
     test_msgs/BasicTypes nested_field
     builtin_interfaces/Time nested_different_pkg
     """
-    def __init__(self, *, nested_field_no_pkg: test_msgs.msg.Builtins = ..., nested_field: test_msgs.msg.BasicTypes = ..., nested_different_pkg: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, nested_field_no_pkg: test_msgs.msg.Builtins = ..., nested_field: test_msgs.msg.BasicTypes = ..., nested_different_pkg: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     nested_field_no_pkg: test_msgs.msg.Builtins
     nested_field: test_msgs.msg.BasicTypes
     nested_different_pkg: builtin_interfaces.msg.Time
 
 class NestedMessage_FeedbackMessage(Message):
     """test_msgs/action/NestedMessage_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: test_msgs.action.NestedMessage_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: test_msgs.action.NestedMessage_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: test_msgs.action.NestedMessage_Feedback
 
 class NestedMessage_SendGoal_Request(Message):
     """test_msgs/action/NestedMessage_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: test_msgs.action.NestedMessage_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: test_msgs.action.NestedMessage_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: test_msgs.action.NestedMessage_Goal
 
 class NestedMessage_SendGoal_Response(Message):
     """test_msgs/action/NestedMessage_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class NestedMessage_SendGoal_Event(Message):
     """test_msgs/action/NestedMessage_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[test_msgs.action.NestedMessage_SendGoal_Request] = ..., response: Collection[test_msgs.action.NestedMessage_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[test_msgs.action.NestedMessage_SendGoal_Request] = ..., response: Collection[test_msgs.action.NestedMessage_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[test_msgs.action.NestedMessage_SendGoal_Request]: ...
@@ -194,18 +194,18 @@ class NestedMessage_SendGoal_Event(Message):
 
 class NestedMessage_GetResult_Request(Message):
     """test_msgs/action/NestedMessage_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class NestedMessage_GetResult_Response(Message):
     """test_msgs/action/NestedMessage_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: test_msgs.action.NestedMessage_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: test_msgs.action.NestedMessage_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: test_msgs.action.NestedMessage_Result
 
 class NestedMessage_GetResult_Event(Message):
     """test_msgs/action/NestedMessage_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[test_msgs.action.NestedMessage_GetResult_Request] = ..., response: Collection[test_msgs.action.NestedMessage_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[test_msgs.action.NestedMessage_GetResult_Request] = ..., response: Collection[test_msgs.action.NestedMessage_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[test_msgs.action.NestedMessage_GetResult_Request]: ...

@@ -48,7 +48,7 @@ class Arrays(Message):
     string[3] string_values_default ["", "max value", "min value"]
     int32 alignment_check
     """
-    def __init__(self, *, bool_values: Collection[bool] = ..., byte_values: Collection[bytes] = ..., char_values: Collection[int] = ..., float32_values: Collection[float] = ..., float64_values: Collection[float] = ..., int8_values: Collection[int] = ..., uint8_values: Collection[int] = ..., int16_values: Collection[int] = ..., uint16_values: Collection[int] = ..., int32_values: Collection[int] = ..., uint32_values: Collection[int] = ..., int64_values: Collection[int] = ..., uint64_values: Collection[int] = ..., string_values: Collection[str] = ..., basic_types_values: Collection[test_msgs.msg.BasicTypes] = ..., constants_values: Collection[test_msgs.msg.Constants] = ..., defaults_values: Collection[test_msgs.msg.Defaults] = ..., bool_values_default: Collection[bool] = ..., byte_values_default: Collection[bytes] = ..., char_values_default: Collection[int] = ..., float32_values_default: Collection[float] = ..., float64_values_default: Collection[float] = ..., int8_values_default: Collection[int] = ..., uint8_values_default: Collection[int] = ..., int16_values_default: Collection[int] = ..., uint16_values_default: Collection[int] = ..., int32_values_default: Collection[int] = ..., uint32_values_default: Collection[int] = ..., int64_values_default: Collection[int] = ..., uint64_values_default: Collection[int] = ..., string_values_default: Collection[str] = ..., alignment_check: int = ...) -> None: ...
+    def __init__(self, *, bool_values: Collection[bool] = ..., byte_values: Collection[bytes] = ..., char_values: Collection[int] = ..., float32_values: Collection[float] = ..., float64_values: Collection[float] = ..., int8_values: Collection[int] = ..., uint8_values: Collection[int] = ..., int16_values: Collection[int] = ..., uint16_values: Collection[int] = ..., int32_values: Collection[int] = ..., uint32_values: Collection[int] = ..., int64_values: Collection[int] = ..., uint64_values: Collection[int] = ..., string_values: Collection[str] = ..., basic_types_values: Collection[test_msgs.msg.BasicTypes] = ..., constants_values: Collection[test_msgs.msg.Constants] = ..., defaults_values: Collection[test_msgs.msg.Defaults] = ..., bool_values_default: Collection[bool] = ..., byte_values_default: Collection[bytes] = ..., char_values_default: Collection[int] = ..., float32_values_default: Collection[float] = ..., float64_values_default: Collection[float] = ..., int8_values_default: Collection[int] = ..., uint8_values_default: Collection[int] = ..., int16_values_default: Collection[int] = ..., uint16_values_default: Collection[int] = ..., int32_values_default: Collection[int] = ..., uint32_values_default: Collection[int] = ..., int64_values_default: Collection[int] = ..., uint64_values_default: Collection[int] = ..., string_values_default: Collection[str] = ..., alignment_check: int = ..., check_fields: bool = ...) -> None: ...
     @property
     def bool_values(self) -> list[bool]: ...
     @bool_values.setter
@@ -194,7 +194,7 @@ class BasicTypes(Message):
     int64 int64_value
     uint64 uint64_value
     """
-    def __init__(self, *, bool_value: bool = ..., byte_value: bytes = ..., char_value: int = ..., float32_value: float = ..., float64_value: float = ..., int8_value: int = ..., uint8_value: int = ..., int16_value: int = ..., uint16_value: int = ..., int32_value: int = ..., uint32_value: int = ..., int64_value: int = ..., uint64_value: int = ...) -> None: ...
+    def __init__(self, *, bool_value: bool = ..., byte_value: bytes = ..., char_value: int = ..., float32_value: float = ..., float64_value: float = ..., int8_value: int = ..., uint8_value: int = ..., int16_value: int = ..., uint16_value: int = ..., int32_value: int = ..., uint32_value: int = ..., int64_value: int = ..., uint64_value: int = ..., check_fields: bool = ...) -> None: ...
     bool_value: bool
     byte_value: bytes
     char_value: int
@@ -245,7 +245,7 @@ class BoundedPlainSequences(Message):
     uint64[<=3] uint64_values_default [0, 1, 18446744073709551615]
     int32 alignment_check
     """
-    def __init__(self, *, bool_values: Collection[bool] = ..., byte_values: Collection[bytes] = ..., char_values: Collection[int] = ..., float32_values: Collection[float] = ..., float64_values: Collection[float] = ..., int8_values: Collection[int] = ..., uint8_values: Collection[int] = ..., int16_values: Collection[int] = ..., uint16_values: Collection[int] = ..., int32_values: Collection[int] = ..., uint32_values: Collection[int] = ..., int64_values: Collection[int] = ..., uint64_values: Collection[int] = ..., basic_types_values: Collection[test_msgs.msg.BasicTypes] = ..., constants_values: Collection[test_msgs.msg.Constants] = ..., defaults_values: Collection[test_msgs.msg.Defaults] = ..., bool_values_default: Collection[bool] = ..., byte_values_default: Collection[bytes] = ..., char_values_default: Collection[int] = ..., float32_values_default: Collection[float] = ..., float64_values_default: Collection[float] = ..., int8_values_default: Collection[int] = ..., uint8_values_default: Collection[int] = ..., int16_values_default: Collection[int] = ..., uint16_values_default: Collection[int] = ..., int32_values_default: Collection[int] = ..., uint32_values_default: Collection[int] = ..., int64_values_default: Collection[int] = ..., uint64_values_default: Collection[int] = ..., alignment_check: int = ...) -> None: ...
+    def __init__(self, *, bool_values: Collection[bool] = ..., byte_values: Collection[bytes] = ..., char_values: Collection[int] = ..., float32_values: Collection[float] = ..., float64_values: Collection[float] = ..., int8_values: Collection[int] = ..., uint8_values: Collection[int] = ..., int16_values: Collection[int] = ..., uint16_values: Collection[int] = ..., int32_values: Collection[int] = ..., uint32_values: Collection[int] = ..., int64_values: Collection[int] = ..., uint64_values: Collection[int] = ..., basic_types_values: Collection[test_msgs.msg.BasicTypes] = ..., constants_values: Collection[test_msgs.msg.Constants] = ..., defaults_values: Collection[test_msgs.msg.Defaults] = ..., bool_values_default: Collection[bool] = ..., byte_values_default: Collection[bytes] = ..., char_values_default: Collection[int] = ..., float32_values_default: Collection[float] = ..., float64_values_default: Collection[float] = ..., int8_values_default: Collection[int] = ..., uint8_values_default: Collection[int] = ..., int16_values_default: Collection[int] = ..., uint16_values_default: Collection[int] = ..., int32_values_default: Collection[int] = ..., uint32_values_default: Collection[int] = ..., int64_values_default: Collection[int] = ..., uint64_values_default: Collection[int] = ..., alignment_check: int = ..., check_fields: bool = ...) -> None: ...
     @property
     def bool_values(self) -> list[bool]: ...
     @bool_values.setter
@@ -402,7 +402,7 @@ class BoundedSequences(Message):
     string[<=3] string_values_default ["", "max value", "min value"]
     int32 alignment_check
     """
-    def __init__(self, *, bool_values: Collection[bool] = ..., byte_values: Collection[bytes] = ..., char_values: Collection[int] = ..., float32_values: Collection[float] = ..., float64_values: Collection[float] = ..., int8_values: Collection[int] = ..., uint8_values: Collection[int] = ..., int16_values: Collection[int] = ..., uint16_values: Collection[int] = ..., int32_values: Collection[int] = ..., uint32_values: Collection[int] = ..., int64_values: Collection[int] = ..., uint64_values: Collection[int] = ..., string_values: Collection[str] = ..., basic_types_values: Collection[test_msgs.msg.BasicTypes] = ..., constants_values: Collection[test_msgs.msg.Constants] = ..., defaults_values: Collection[test_msgs.msg.Defaults] = ..., bool_values_default: Collection[bool] = ..., byte_values_default: Collection[bytes] = ..., char_values_default: Collection[int] = ..., float32_values_default: Collection[float] = ..., float64_values_default: Collection[float] = ..., int8_values_default: Collection[int] = ..., uint8_values_default: Collection[int] = ..., int16_values_default: Collection[int] = ..., uint16_values_default: Collection[int] = ..., int32_values_default: Collection[int] = ..., uint32_values_default: Collection[int] = ..., int64_values_default: Collection[int] = ..., uint64_values_default: Collection[int] = ..., string_values_default: Collection[str] = ..., alignment_check: int = ...) -> None: ...
+    def __init__(self, *, bool_values: Collection[bool] = ..., byte_values: Collection[bytes] = ..., char_values: Collection[int] = ..., float32_values: Collection[float] = ..., float64_values: Collection[float] = ..., int8_values: Collection[int] = ..., uint8_values: Collection[int] = ..., int16_values: Collection[int] = ..., uint16_values: Collection[int] = ..., int32_values: Collection[int] = ..., uint32_values: Collection[int] = ..., int64_values: Collection[int] = ..., uint64_values: Collection[int] = ..., string_values: Collection[str] = ..., basic_types_values: Collection[test_msgs.msg.BasicTypes] = ..., constants_values: Collection[test_msgs.msg.Constants] = ..., defaults_values: Collection[test_msgs.msg.Defaults] = ..., bool_values_default: Collection[bool] = ..., byte_values_default: Collection[bytes] = ..., char_values_default: Collection[int] = ..., float32_values_default: Collection[float] = ..., float64_values_default: Collection[float] = ..., int8_values_default: Collection[int] = ..., uint8_values_default: Collection[int] = ..., int16_values_default: Collection[int] = ..., uint16_values_default: Collection[int] = ..., int32_values_default: Collection[int] = ..., uint32_values_default: Collection[int] = ..., int64_values_default: Collection[int] = ..., uint64_values_default: Collection[int] = ..., string_values_default: Collection[str] = ..., alignment_check: int = ..., check_fields: bool = ...) -> None: ...
     @property
     def bool_values(self) -> list[bool]: ...
     @bool_values.setter
@@ -537,7 +537,7 @@ class Builtins(Message):
     builtin_interfaces/Duration duration_value
     builtin_interfaces/Time time_value
     """
-    def __init__(self, *, duration_value: builtin_interfaces.msg.Duration = ..., time_value: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, duration_value: builtin_interfaces.msg.Duration = ..., time_value: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     duration_value: builtin_interfaces.msg.Duration
     time_value: builtin_interfaces.msg.Time
 
@@ -550,7 +550,7 @@ class ComplexNestedKey(Message):
     NonKeyedWithNestedKey nested_keys
     float64 float64_value
     """
-    def __init__(self, *, uint32_key: int = ..., nested_keys: test_msgs.msg.NonKeyedWithNestedKey = ..., float64_value: float = ...) -> None: ...
+    def __init__(self, *, uint32_key: int = ..., nested_keys: test_msgs.msg.NonKeyedWithNestedKey = ..., float64_value: float = ..., check_fields: bool = ...) -> None: ...
     uint32_key: int
     nested_keys: test_msgs.msg.NonKeyedWithNestedKey
     float64_value: float
@@ -587,7 +587,7 @@ class Constants(Message):
     UINT32_CONST: Final = 60000
     INT64_CONST: Final = -40000000
     UINT64_CONST: Final = 50000000
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class Defaults(Message):
     """test_msgs/msg/Defaults
@@ -608,7 +608,7 @@ class Defaults(Message):
     int64 int64_value -40000000
     uint64 uint64_value 50000000
     """
-    def __init__(self, *, bool_value: bool = ..., byte_value: bytes = ..., char_value: int = ..., float32_value: float = ..., float64_value: float = ..., int8_value: int = ..., uint8_value: int = ..., int16_value: int = ..., uint16_value: int = ..., int32_value: int = ..., uint32_value: int = ..., int64_value: int = ..., uint64_value: int = ...) -> None: ...
+    def __init__(self, *, bool_value: bool = ..., byte_value: bytes = ..., char_value: int = ..., float32_value: float = ..., float64_value: float = ..., int8_value: int = ..., uint8_value: int = ..., int16_value: int = ..., uint16_value: int = ..., int32_value: int = ..., uint32_value: int = ..., int64_value: int = ..., uint64_value: int = ..., check_fields: bool = ...) -> None: ...
     bool_value: bool
     byte_value: bytes
     char_value: int
@@ -628,7 +628,7 @@ class Empty(Message):
 
     # Nothing at all: the emptiest there can be.
     """
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class KeyedLong(Message):
     """test_msgs/msg/KeyedLong
@@ -638,7 +638,7 @@ class KeyedLong(Message):
     int32 key
     int32 value
     """
-    def __init__(self, *, key: int = ..., value: int = ...) -> None: ...
+    def __init__(self, *, key: int = ..., value: int = ..., check_fields: bool = ...) -> None: ...
     key: int
     value: int
 
@@ -650,7 +650,7 @@ class KeyedString(Message):
     string key
     string value
     """
-    def __init__(self, *, key: str = ..., value: str = ...) -> None: ...
+    def __init__(self, *, key: str = ..., value: str = ..., check_fields: bool = ...) -> None: ...
     key: str
     value: str
 
@@ -669,7 +669,7 @@ class MultiNested(Message):
     BoundedSequences[] unbounded_sequence_of_bounded_sequences
     UnboundedSequences[] unbounded_sequence_of_unbounded_sequences
     """
-    def __init__(self, *, array_of_arrays: Collection[test_msgs.msg.Arrays] = ..., array_of_bounded_sequences: Collection[test_msgs.msg.BoundedSequences] = ..., array_of_unbounded_sequences: Collection[test_msgs.msg.UnboundedSequences] = ..., bounded_sequence_of_arrays: Collection[test_msgs.msg.Arrays] = ..., bounded_sequence_of_bounded_sequences: Collection[test_msgs.msg.BoundedSequences] = ..., bounded_sequence_of_unbounded_sequences: Collection[test_msgs.msg.UnboundedSequences] = ..., unbounded_sequence_of_arrays: Collection[test_msgs.msg.Arrays] = ..., unbounded_sequence_of_bounded_sequences: Collection[test_msgs.msg.BoundedSequences] = ..., unbounded_sequence_of_unbounded_sequences: Collection[test_msgs.msg.UnboundedSequences] = ...) -> None: ...
+    def __init__(self, *, array_of_arrays: Collection[test_msgs.msg.Arrays] = ..., array_of_bounded_sequences: Collection[test_msgs.msg.BoundedSequences] = ..., array_of_unbounded_sequences: Collection[test_msgs.msg.UnboundedSequences] = ..., bounded_sequence_of_arrays: Collection[test_msgs.msg.Arrays] = ..., bounded_sequence_of_bounded_sequences: Collection[test_msgs.msg.BoundedSequences] = ..., bounded_sequence_of_unbounded_sequences: Collection[test_msgs.msg.UnboundedSequences] = ..., unbounded_sequence_of_arrays: Collection[test_msgs.msg.Arrays] = ..., unbounded_sequence_of_bounded_sequences: Collection[test_msgs.msg.BoundedSequences] = ..., unbounded_sequence_of_unbounded_sequences: Collection[test_msgs.msg.UnboundedSequences] = ..., check_fields: bool = ...) -> None: ...
     @property
     def array_of_arrays(self) -> list[test_msgs.msg.Arrays]: ...
     @array_of_arrays.setter
@@ -714,7 +714,7 @@ class Nested(Message):
 
     BasicTypes basic_types_value
     """
-    def __init__(self, *, basic_types_value: test_msgs.msg.BasicTypes = ...) -> None: ...
+    def __init__(self, *, basic_types_value: test_msgs.msg.BasicTypes = ..., check_fields: bool = ...) -> None: ...
     basic_types_value: test_msgs.msg.BasicTypes
 
 class NonKeyedWithNestedKey(Message):
@@ -725,7 +725,7 @@ class NonKeyedWithNestedKey(Message):
     KeyedString nested_data
     int32 some_int
     """
-    def __init__(self, *, nested_data: test_msgs.msg.KeyedString = ..., some_int: int = ...) -> None: ...
+    def __init__(self, *, nested_data: test_msgs.msg.KeyedString = ..., some_int: int = ..., check_fields: bool = ...) -> None: ...
     nested_data: test_msgs.msg.KeyedString
     some_int: int
 
@@ -749,7 +749,7 @@ class Strings(Message):
     string<=22 bounded_string_value_default5 "Hello\\"world!"
     """
     STRING_CONST: Final = 'Hello world!'
-    def __init__(self, *, string_value: str = ..., string_value_default1: str = ..., string_value_default2: str = ..., string_value_default3: str = ..., string_value_default4: str = ..., string_value_default5: str = ..., bounded_string_value: str = ..., bounded_string_value_default1: str = ..., bounded_string_value_default2: str = ..., bounded_string_value_default3: str = ..., bounded_string_value_default4: str = ..., bounded_string_value_default5: str = ...) -> None: ...
+    def __init__(self, *, string_value: str = ..., string_value_default1: str = ..., string_value_default2: str = ..., string_value_default3: str = ..., string_value_default4: str = ..., string_value_default5: str = ..., bounded_string_value: str = ..., bounded_string_value_default1: str = ..., bounded_string_value_default2: str = ..., bounded_string_value_default3: str = ..., bounded_string_value_default4: str = ..., bounded_string_value_default5: str = ..., check_fields: bool = ...) -> None: ...
     string_value: str
     string_value_default1: str
     string_value_default2: str
@@ -801,7 +801,7 @@ class UnboundedSequences(Message):
     string[] string_values_default ["", "max value", "min value"]
     int32 alignment_check
     """
-    def __init__(self, *, bool_values: Collection[bool] = ..., byte_values: Collection[bytes] = ..., char_values: Collection[int] = ..., float32_values: Collection[float] = ..., float64_values: Collection[float] = ..., int8_values: Collection[int] = ..., uint8_values: Collection[int] = ..., int16_values: Collection[int] = ..., uint16_values: Collection[int] = ..., int32_values: Collection[int] = ..., uint32_values: Collection[int] = ..., int64_values: Collection[int] = ..., uint64_values: Collection[int] = ..., string_values: Collection[str] = ..., basic_types_values: Collection[test_msgs.msg.BasicTypes] = ..., constants_values: Collection[test_msgs.msg.Constants] = ..., defaults_values: Collection[test_msgs.msg.Defaults] = ..., bool_values_default: Collection[bool] = ..., byte_values_default: Collection[bytes] = ..., char_values_default: Collection[int] = ..., float32_values_default: Collection[float] = ..., float64_values_default: Collection[float] = ..., int8_values_default: Collection[int] = ..., uint8_values_default: Collection[int] = ..., int16_values_default: Collection[int] = ..., uint16_values_default: Collection[int] = ..., int32_values_default: Collection[int] = ..., uint32_values_default: Collection[int] = ..., int64_values_default: Collection[int] = ..., uint64_values_default: Collection[int] = ..., string_values_default: Collection[str] = ..., alignment_check: int = ...) -> None: ...
+    def __init__(self, *, bool_values: Collection[bool] = ..., byte_values: Collection[bytes] = ..., char_values: Collection[int] = ..., float32_values: Collection[float] = ..., float64_values: Collection[float] = ..., int8_values: Collection[int] = ..., uint8_values: Collection[int] = ..., int16_values: Collection[int] = ..., uint16_values: Collection[int] = ..., int32_values: Collection[int] = ..., uint32_values: Collection[int] = ..., int64_values: Collection[int] = ..., uint64_values: Collection[int] = ..., string_values: Collection[str] = ..., basic_types_values: Collection[test_msgs.msg.BasicTypes] = ..., constants_values: Collection[test_msgs.msg.Constants] = ..., defaults_values: Collection[test_msgs.msg.Defaults] = ..., bool_values_default: Collection[bool] = ..., byte_values_default: Collection[bytes] = ..., char_values_default: Collection[int] = ..., float32_values_default: Collection[float] = ..., float64_values_default: Collection[float] = ..., int8_values_default: Collection[int] = ..., uint8_values_default: Collection[int] = ..., int16_values_default: Collection[int] = ..., uint16_values_default: Collection[int] = ..., int32_values_default: Collection[int] = ..., uint32_values_default: Collection[int] = ..., int64_values_default: Collection[int] = ..., uint64_values_default: Collection[int] = ..., string_values_default: Collection[str] = ..., alignment_check: int = ..., check_fields: bool = ...) -> None: ...
     @property
     def bool_values(self) -> list[bool]: ...
     @bool_values.setter
@@ -941,7 +941,7 @@ class WStrings(Message):
     wstring[<=3] bounded_sequence_of_wstrings
     wstring[] unbounded_sequence_of_wstrings
     """
-    def __init__(self, *, wstring_value: str = ..., wstring_value_default1: str = ..., wstring_value_default2: str = ..., wstring_value_default3: str = ..., array_of_wstrings: Collection[str] = ..., bounded_sequence_of_wstrings: Collection[str] = ..., unbounded_sequence_of_wstrings: Collection[str] = ...) -> None: ...
+    def __init__(self, *, wstring_value: str = ..., wstring_value_default1: str = ..., wstring_value_default2: str = ..., wstring_value_default3: str = ..., array_of_wstrings: Collection[str] = ..., bounded_sequence_of_wstrings: Collection[str] = ..., unbounded_sequence_of_wstrings: Collection[str] = ..., check_fields: bool = ...) -> None: ...
     wstring_value: str
     wstring_value_default1: str
     wstring_value_default2: str

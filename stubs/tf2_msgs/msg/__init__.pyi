@@ -32,7 +32,7 @@ class TF2Error(Message):
     INVALID_ARGUMENT_ERROR: Final = 4
     TIMEOUT_ERROR: Final = 5
     TRANSFORM_ERROR: Final = 6
-    def __init__(self, *, error: int = ..., error_string: str = ...) -> None: ...
+    def __init__(self, *, error: int = ..., error_string: str = ..., check_fields: bool = ...) -> None: ...
     error: int
     error_string: str
 
@@ -43,7 +43,7 @@ class TFMessage(Message):
 
     geometry_msgs/TransformStamped[] transforms
     """
-    def __init__(self, *, transforms: Collection[geometry_msgs.msg.TransformStamped] = ...) -> None: ...
+    def __init__(self, *, transforms: Collection[geometry_msgs.msg.TransformStamped] = ..., check_fields: bool = ...) -> None: ...
     @property
     def transforms(self) -> list[geometry_msgs.msg.TransformStamped]: ...
     @transforms.setter

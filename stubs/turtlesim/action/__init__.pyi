@@ -22,7 +22,7 @@ class RotateAbsolute_Goal(Message):
     # Goal: the heading in rad, 0 is right, counterclockwise is positive.
     float32 theta
     """
-    def __init__(self, *, theta: float = ...) -> None: ...
+    def __init__(self, *, theta: float = ..., check_fields: bool = ...) -> None: ...
     theta: float
 
 class RotateAbsolute_Result(Message):
@@ -31,7 +31,7 @@ class RotateAbsolute_Result(Message):
     # Result: rad from the final heading back to the first one.
     float32 delta
     """
-    def __init__(self, *, delta: float = ...) -> None: ...
+    def __init__(self, *, delta: float = ..., check_fields: bool = ...) -> None: ...
     delta: float
 
 class RotateAbsolute_Feedback(Message):
@@ -40,30 +40,30 @@ class RotateAbsolute_Feedback(Message):
     # Feedback: rad still to turn.
     float32 remaining
     """
-    def __init__(self, *, remaining: float = ...) -> None: ...
+    def __init__(self, *, remaining: float = ..., check_fields: bool = ...) -> None: ...
     remaining: float
 
 class RotateAbsolute_FeedbackMessage(Message):
     """turtlesim/action/RotateAbsolute_FeedbackMessage"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: turtlesim.action.RotateAbsolute_Feedback = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., feedback: turtlesim.action.RotateAbsolute_Feedback = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     feedback: turtlesim.action.RotateAbsolute_Feedback
 
 class RotateAbsolute_SendGoal_Request(Message):
     """turtlesim/action/RotateAbsolute_SendGoal_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: turtlesim.action.RotateAbsolute_Goal = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., goal: turtlesim.action.RotateAbsolute_Goal = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
     goal: turtlesim.action.RotateAbsolute_Goal
 
 class RotateAbsolute_SendGoal_Response(Message):
     """turtlesim/action/RotateAbsolute_SendGoal_Response"""
-    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ...) -> None: ...
+    def __init__(self, *, accepted: bool = ..., stamp: builtin_interfaces.msg.Time = ..., check_fields: bool = ...) -> None: ...
     accepted: bool
     stamp: builtin_interfaces.msg.Time
 
 class RotateAbsolute_SendGoal_Event(Message):
     """turtlesim/action/RotateAbsolute_SendGoal_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[turtlesim.action.RotateAbsolute_SendGoal_Request] = ..., response: Collection[turtlesim.action.RotateAbsolute_SendGoal_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[turtlesim.action.RotateAbsolute_SendGoal_Request] = ..., response: Collection[turtlesim.action.RotateAbsolute_SendGoal_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[turtlesim.action.RotateAbsolute_SendGoal_Request]: ...
@@ -76,18 +76,18 @@ class RotateAbsolute_SendGoal_Event(Message):
 
 class RotateAbsolute_GetResult_Request(Message):
     """turtlesim/action/RotateAbsolute_GetResult_Request"""
-    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ...) -> None: ...
+    def __init__(self, *, goal_id: unique_identifier_msgs.msg.UUID = ..., check_fields: bool = ...) -> None: ...
     goal_id: unique_identifier_msgs.msg.UUID
 
 class RotateAbsolute_GetResult_Response(Message):
     """turtlesim/action/RotateAbsolute_GetResult_Response"""
-    def __init__(self, *, status: int = ..., result: turtlesim.action.RotateAbsolute_Result = ...) -> None: ...
+    def __init__(self, *, status: int = ..., result: turtlesim.action.RotateAbsolute_Result = ..., check_fields: bool = ...) -> None: ...
     status: int
     result: turtlesim.action.RotateAbsolute_Result
 
 class RotateAbsolute_GetResult_Event(Message):
     """turtlesim/action/RotateAbsolute_GetResult_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[turtlesim.action.RotateAbsolute_GetResult_Request] = ..., response: Collection[turtlesim.action.RotateAbsolute_GetResult_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[turtlesim.action.RotateAbsolute_GetResult_Request] = ..., response: Collection[turtlesim.action.RotateAbsolute_GetResult_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[turtlesim.action.RotateAbsolute_GetResult_Request]: ...

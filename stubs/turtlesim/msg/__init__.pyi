@@ -17,7 +17,7 @@ class Color(Message):
     uint8 g
     uint8 b
     """
-    def __init__(self, *, r: int = ..., g: int = ..., b: int = ...) -> None: ...
+    def __init__(self, *, r: int = ..., g: int = ..., b: int = ..., check_fields: bool = ...) -> None: ...
     r: int
     g: int
     b: int
@@ -34,7 +34,7 @@ class Pose(Message):
     float32 linear_velocity # m/s, never negative
     float32 angular_velocity # rad/s
     """
-    def __init__(self, *, x: float = ..., y: float = ..., theta: float = ..., linear_velocity: float = ..., angular_velocity: float = ...) -> None: ...
+    def __init__(self, *, x: float = ..., y: float = ..., theta: float = ..., linear_velocity: float = ..., angular_velocity: float = ..., check_fields: bool = ...) -> None: ...
     x: float
     y: float
     theta: float

@@ -21,7 +21,7 @@ class Field(Message):
     # Its default as written in the definition, or an empty text.
     string default_value
     """
-    def __init__(self, *, name: str = ..., type: type_description_interfaces.msg.FieldType = ..., default_value: str = ...) -> None: ...
+    def __init__(self, *, name: str = ..., type: type_description_interfaces.msg.FieldType = ..., default_value: str = ..., check_fields: bool = ...) -> None: ...
     name: str
     type: type_description_interfaces.msg.FieldType
     default_value: str
@@ -241,7 +241,7 @@ class FieldType(Message):
     FIELD_TYPE_FIXED_WSTRING_UNBOUNDED_SEQUENCE: Final = 164
     FIELD_TYPE_BOUNDED_STRING_UNBOUNDED_SEQUENCE: Final = 165
     FIELD_TYPE_BOUNDED_WSTRING_UNBOUNDED_SEQUENCE: Final = 166
-    def __init__(self, *, type_id: int = ..., capacity: int = ..., string_capacity: int = ..., nested_type_name: str = ...) -> None: ...
+    def __init__(self, *, type_id: int = ..., capacity: int = ..., string_capacity: int = ..., nested_type_name: str = ..., check_fields: bool = ...) -> None: ...
     type_id: int
     capacity: int
     string_capacity: int
@@ -257,7 +257,7 @@ class IndividualTypeDescription(Message):
     # Its fields, in order.
     Field[] fields
     """
-    def __init__(self, *, type_name: str = ..., fields: Collection[type_description_interfaces.msg.Field] = ...) -> None: ...
+    def __init__(self, *, type_name: str = ..., fields: Collection[type_description_interfaces.msg.Field] = ..., check_fields: bool = ...) -> None: ...
     type_name: str
     @property
     def fields(self) -> list[type_description_interfaces.msg.Field]: ...
@@ -272,7 +272,7 @@ class KeyValue(Message):
     string key
     string value
     """
-    def __init__(self, *, key: str = ..., value: str = ...) -> None: ...
+    def __init__(self, *, key: str = ..., value: str = ..., check_fields: bool = ...) -> None: ...
     key: str
     value: str
 
@@ -286,7 +286,7 @@ class TypeDescription(Message):
     # Every type it refers to, directly or through others.
     IndividualTypeDescription[] referenced_type_descriptions
     """
-    def __init__(self, *, type_description: type_description_interfaces.msg.IndividualTypeDescription = ..., referenced_type_descriptions: Collection[type_description_interfaces.msg.IndividualTypeDescription] = ...) -> None: ...
+    def __init__(self, *, type_description: type_description_interfaces.msg.IndividualTypeDescription = ..., referenced_type_descriptions: Collection[type_description_interfaces.msg.IndividualTypeDescription] = ..., check_fields: bool = ...) -> None: ...
     type_description: type_description_interfaces.msg.IndividualTypeDescription
     @property
     def referenced_type_descriptions(self) -> list[type_description_interfaces.msg.IndividualTypeDescription]: ...
@@ -308,7 +308,7 @@ class TypeSource(Message):
     # The text; empty for "dynamic" and "implicit".
     string raw_file_contents
     """
-    def __init__(self, *, type_name: str = ..., encoding: str = ..., raw_file_contents: str = ...) -> None: ...
+    def __init__(self, *, type_name: str = ..., encoding: str = ..., raw_file_contents: str = ..., check_fields: bool = ...) -> None: ...
     type_name: str
     encoding: str
     raw_file_contents: str

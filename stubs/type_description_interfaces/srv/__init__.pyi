@@ -25,7 +25,7 @@ class GetTypeDescription_Request(Message):
     # Whether to answer with the original definition texts too.
     bool include_type_sources true
     """
-    def __init__(self, *, type_name: str = ..., type_hash: str = ..., include_type_sources: bool = ...) -> None: ...
+    def __init__(self, *, type_name: str = ..., type_hash: str = ..., include_type_sources: bool = ..., check_fields: bool = ...) -> None: ...
     type_name: str
     type_hash: str
     include_type_sources: bool
@@ -47,7 +47,7 @@ class GetTypeDescription_Response(Message):
     # Anything else the node wants to tell.
     KeyValue[] extra_information
     """
-    def __init__(self, *, successful: bool = ..., failure_reason: str = ..., type_description: type_description_interfaces.msg.TypeDescription = ..., type_sources: Collection[type_description_interfaces.msg.TypeSource] = ..., extra_information: Collection[type_description_interfaces.msg.KeyValue] = ...) -> None: ...
+    def __init__(self, *, successful: bool = ..., failure_reason: str = ..., type_description: type_description_interfaces.msg.TypeDescription = ..., type_sources: Collection[type_description_interfaces.msg.TypeSource] = ..., extra_information: Collection[type_description_interfaces.msg.KeyValue] = ..., check_fields: bool = ...) -> None: ...
     successful: bool
     failure_reason: str
     type_description: type_description_interfaces.msg.TypeDescription
@@ -62,7 +62,7 @@ class GetTypeDescription_Response(Message):
 
 class GetTypeDescription_Event(Message):
     """type_description_interfaces/srv/GetTypeDescription_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[type_description_interfaces.srv.GetTypeDescription_Request] = ..., response: Collection[type_description_interfaces.srv.GetTypeDescription_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[type_description_interfaces.srv.GetTypeDescription_Request] = ..., response: Collection[type_description_interfaces.srv.GetTypeDescription_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[type_description_interfaces.srv.GetTypeDescription_Request]: ...

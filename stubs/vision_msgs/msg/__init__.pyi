@@ -20,7 +20,7 @@ class BoundingBox2D(Message):
     float64 size_x  # pixels
     float64 size_y  # pixels
     """
-    def __init__(self, *, center: vision_msgs.msg.Pose2D = ..., size_x: float = ..., size_y: float = ...) -> None: ...
+    def __init__(self, *, center: vision_msgs.msg.Pose2D = ..., size_x: float = ..., size_y: float = ..., check_fields: bool = ...) -> None: ...
     center: vision_msgs.msg.Pose2D
     size_x: float
     size_y: float
@@ -33,7 +33,7 @@ class BoundingBox2DArray(Message):
     std_msgs/Header header
     BoundingBox2D[] boxes
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., boxes: Collection[vision_msgs.msg.BoundingBox2D] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., boxes: Collection[vision_msgs.msg.BoundingBox2D] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def boxes(self) -> list[vision_msgs.msg.BoundingBox2D]: ...
@@ -48,7 +48,7 @@ class BoundingBox3D(Message):
     geometry_msgs/Pose center
     geometry_msgs/Vector3 size  # m, along the axes of the block
     """
-    def __init__(self, *, center: geometry_msgs.msg.Pose = ..., size: geometry_msgs.msg.Vector3 = ...) -> None: ...
+    def __init__(self, *, center: geometry_msgs.msg.Pose = ..., size: geometry_msgs.msg.Vector3 = ..., check_fields: bool = ...) -> None: ...
     center: geometry_msgs.msg.Pose
     size: geometry_msgs.msg.Vector3
 
@@ -60,7 +60,7 @@ class BoundingBox3DArray(Message):
     std_msgs/Header header
     BoundingBox3D[] boxes
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., boxes: Collection[vision_msgs.msg.BoundingBox3D] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., boxes: Collection[vision_msgs.msg.BoundingBox3D] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def boxes(self) -> list[vision_msgs.msg.BoundingBox3D]: ...
@@ -75,7 +75,7 @@ class Classification(Message):
     std_msgs/Header header
     ObjectHypothesis[] results
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., results: Collection[vision_msgs.msg.ObjectHypothesis] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., results: Collection[vision_msgs.msg.ObjectHypothesis] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def results(self) -> list[vision_msgs.msg.ObjectHypothesis]: ...
@@ -92,7 +92,7 @@ class Detection2D(Message):
     BoundingBox2D bbox
     string id  # the same in every message about the same thing; empty: not followed
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., results: Collection[vision_msgs.msg.ObjectHypothesisWithPose] = ..., bbox: vision_msgs.msg.BoundingBox2D = ..., id: str = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., results: Collection[vision_msgs.msg.ObjectHypothesisWithPose] = ..., bbox: vision_msgs.msg.BoundingBox2D = ..., id: str = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def results(self) -> list[vision_msgs.msg.ObjectHypothesisWithPose]: ...
@@ -109,7 +109,7 @@ class Detection2DArray(Message):
     std_msgs/Header header
     Detection2D[] detections
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., detections: Collection[vision_msgs.msg.Detection2D] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., detections: Collection[vision_msgs.msg.Detection2D] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def detections(self) -> list[vision_msgs.msg.Detection2D]: ...
@@ -126,7 +126,7 @@ class Detection3D(Message):
     BoundingBox3D bbox
     string id  # the same in every message about the same thing; empty: not followed
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., results: Collection[vision_msgs.msg.ObjectHypothesisWithPose] = ..., bbox: vision_msgs.msg.BoundingBox3D = ..., id: str = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., results: Collection[vision_msgs.msg.ObjectHypothesisWithPose] = ..., bbox: vision_msgs.msg.BoundingBox3D = ..., id: str = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def results(self) -> list[vision_msgs.msg.ObjectHypothesisWithPose]: ...
@@ -143,7 +143,7 @@ class Detection3DArray(Message):
     std_msgs/Header header
     Detection3D[] detections
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., detections: Collection[vision_msgs.msg.Detection3D] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., detections: Collection[vision_msgs.msg.Detection3D] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def detections(self) -> list[vision_msgs.msg.Detection3D]: ...
@@ -159,7 +159,7 @@ class LabelInfo(Message):
     VisionClass[] class_map
     float32 threshold  # from which score a pixel has a label
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., class_map: Collection[vision_msgs.msg.VisionClass] = ..., threshold: float = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., class_map: Collection[vision_msgs.msg.VisionClass] = ..., threshold: float = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     @property
     def class_map(self) -> list[vision_msgs.msg.VisionClass]: ...
@@ -175,7 +175,7 @@ class ObjectHypothesis(Message):
     string class_id
     float64 score  # how sure it is; 0 to 1 by habit
     """
-    def __init__(self, *, class_id: str = ..., score: float = ...) -> None: ...
+    def __init__(self, *, class_id: str = ..., score: float = ..., check_fields: bool = ...) -> None: ...
     class_id: str
     score: float
 
@@ -187,7 +187,7 @@ class ObjectHypothesisWithPose(Message):
     ObjectHypothesis hypothesis
     geometry_msgs/PoseWithCovariance pose
     """
-    def __init__(self, *, hypothesis: vision_msgs.msg.ObjectHypothesis = ..., pose: geometry_msgs.msg.PoseWithCovariance = ...) -> None: ...
+    def __init__(self, *, hypothesis: vision_msgs.msg.ObjectHypothesis = ..., pose: geometry_msgs.msg.PoseWithCovariance = ..., check_fields: bool = ...) -> None: ...
     hypothesis: vision_msgs.msg.ObjectHypothesis
     pose: geometry_msgs.msg.PoseWithCovariance
 
@@ -199,7 +199,7 @@ class Point2D(Message):
     float64 x
     float64 y
     """
-    def __init__(self, *, x: float = ..., y: float = ...) -> None: ...
+    def __init__(self, *, x: float = ..., y: float = ..., check_fields: bool = ...) -> None: ...
     x: float
     y: float
 
@@ -211,7 +211,7 @@ class Pose2D(Message):
     Point2D position
     float64 theta  # rad
     """
-    def __init__(self, *, position: vision_msgs.msg.Point2D = ..., theta: float = ...) -> None: ...
+    def __init__(self, *, position: vision_msgs.msg.Point2D = ..., theta: float = ..., check_fields: bool = ...) -> None: ...
     position: vision_msgs.msg.Point2D
     theta: float
 
@@ -223,7 +223,7 @@ class VisionClass(Message):
     uint16 class_id
     string class_name
     """
-    def __init__(self, *, class_id: int = ..., class_name: str = ...) -> None: ...
+    def __init__(self, *, class_id: int = ..., class_name: str = ..., check_fields: bool = ...) -> None: ...
     class_id: int
     class_name: str
 
@@ -237,7 +237,7 @@ class VisionInfo(Message):
     string database_location
     int32 database_version  # counts up when the database changes
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., method: str = ..., database_location: str = ..., database_version: int = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., method: str = ..., database_location: str = ..., database_version: int = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     method: str
     database_location: str

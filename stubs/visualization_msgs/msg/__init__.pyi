@@ -63,7 +63,7 @@ class ImageMarker(Message):
     POINTS: Final = 4
     ADD: Final = 0
     REMOVE: Final = 1
-    def __init__(self, *, header: std_msgs.msg.Header = ..., ns: str = ..., id: int = ..., type: int = ..., action: int = ..., position: geometry_msgs.msg.Point = ..., scale: float = ..., outline_color: std_msgs.msg.ColorRGBA = ..., filled: int = ..., fill_color: std_msgs.msg.ColorRGBA = ..., lifetime: builtin_interfaces.msg.Duration = ..., points: Collection[geometry_msgs.msg.Point] = ..., outline_colors: Collection[std_msgs.msg.ColorRGBA] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., ns: str = ..., id: int = ..., type: int = ..., action: int = ..., position: geometry_msgs.msg.Point = ..., scale: float = ..., outline_color: std_msgs.msg.ColorRGBA = ..., filled: int = ..., fill_color: std_msgs.msg.ColorRGBA = ..., lifetime: builtin_interfaces.msg.Duration = ..., points: Collection[geometry_msgs.msg.Point] = ..., outline_colors: Collection[std_msgs.msg.ColorRGBA] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     ns: str
     id: int
@@ -110,7 +110,7 @@ class InteractiveMarker(Message):
     # What the user can do with it.
     InteractiveMarkerControl[] controls
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., pose: geometry_msgs.msg.Pose = ..., name: str = ..., description: str = ..., scale: float = ..., menu_entries: Collection[visualization_msgs.msg.MenuEntry] = ..., controls: Collection[visualization_msgs.msg.InteractiveMarkerControl] = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., pose: geometry_msgs.msg.Pose = ..., name: str = ..., description: str = ..., scale: float = ..., menu_entries: Collection[visualization_msgs.msg.MenuEntry] = ..., controls: Collection[visualization_msgs.msg.InteractiveMarkerControl] = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     pose: geometry_msgs.msg.Pose
     name: str
@@ -188,7 +188,7 @@ class InteractiveMarkerControl(Message):
     MOVE_3D: Final = 7
     ROTATE_3D: Final = 8
     MOVE_ROTATE_3D: Final = 9
-    def __init__(self, *, name: str = ..., orientation: geometry_msgs.msg.Quaternion = ..., orientation_mode: int = ..., interaction_mode: int = ..., always_visible: bool = ..., markers: Collection[visualization_msgs.msg.Marker] = ..., independent_marker_orientation: bool = ..., description: str = ...) -> None: ...
+    def __init__(self, *, name: str = ..., orientation: geometry_msgs.msg.Quaternion = ..., orientation_mode: int = ..., interaction_mode: int = ..., always_visible: bool = ..., markers: Collection[visualization_msgs.msg.Marker] = ..., independent_marker_orientation: bool = ..., description: str = ..., check_fields: bool = ...) -> None: ...
     name: str
     orientation: geometry_msgs.msg.Quaternion
     orientation_mode: int
@@ -244,7 +244,7 @@ class InteractiveMarkerFeedback(Message):
     BUTTON_CLICK: Final = 3
     MOUSE_DOWN: Final = 4
     MOUSE_UP: Final = 5
-    def __init__(self, *, header: std_msgs.msg.Header = ..., client_id: str = ..., marker_name: str = ..., control_name: str = ..., event_type: int = ..., pose: geometry_msgs.msg.Pose = ..., menu_entry_id: int = ..., mouse_point: geometry_msgs.msg.Point = ..., mouse_point_valid: bool = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., client_id: str = ..., marker_name: str = ..., control_name: str = ..., event_type: int = ..., pose: geometry_msgs.msg.Pose = ..., menu_entry_id: int = ..., mouse_point: geometry_msgs.msg.Point = ..., mouse_point_valid: bool = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     client_id: str
     marker_name: str
@@ -269,7 +269,7 @@ class InteractiveMarkerInit(Message):
     # The markers.
     InteractiveMarker[] markers
     """
-    def __init__(self, *, server_id: str = ..., seq_num: int = ..., markers: Collection[visualization_msgs.msg.InteractiveMarker] = ...) -> None: ...
+    def __init__(self, *, server_id: str = ..., seq_num: int = ..., markers: Collection[visualization_msgs.msg.InteractiveMarker] = ..., check_fields: bool = ...) -> None: ...
     server_id: str
     seq_num: int
     @property
@@ -291,7 +291,7 @@ class InteractiveMarkerPose(Message):
     # Which marker.
     string name
     """
-    def __init__(self, *, header: std_msgs.msg.Header = ..., pose: geometry_msgs.msg.Pose = ..., name: str = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., pose: geometry_msgs.msg.Pose = ..., name: str = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     pose: geometry_msgs.msg.Pose
     name: str
@@ -327,7 +327,7 @@ class InteractiveMarkerUpdate(Message):
     """
     KEEP_ALIVE: Final = 0
     UPDATE: Final = 1
-    def __init__(self, *, server_id: str = ..., seq_num: int = ..., type: int = ..., markers: Collection[visualization_msgs.msg.InteractiveMarker] = ..., poses: Collection[visualization_msgs.msg.InteractiveMarkerPose] = ..., erases: Collection[str] = ...) -> None: ...
+    def __init__(self, *, server_id: str = ..., seq_num: int = ..., type: int = ..., markers: Collection[visualization_msgs.msg.InteractiveMarker] = ..., poses: Collection[visualization_msgs.msg.InteractiveMarkerPose] = ..., erases: Collection[str] = ..., check_fields: bool = ...) -> None: ...
     server_id: str
     seq_num: int
     type: int
@@ -428,7 +428,7 @@ class Marker(Message):
     MODIFY: Final = 0
     DELETE: Final = 2
     DELETEALL: Final = 3
-    def __init__(self, *, header: std_msgs.msg.Header = ..., ns: str = ..., id: int = ..., type: int = ..., action: int = ..., pose: geometry_msgs.msg.Pose = ..., scale: geometry_msgs.msg.Vector3 = ..., color: std_msgs.msg.ColorRGBA = ..., lifetime: builtin_interfaces.msg.Duration = ..., frame_locked: bool = ..., points: Collection[geometry_msgs.msg.Point] = ..., colors: Collection[std_msgs.msg.ColorRGBA] = ..., texture_resource: str = ..., texture: sensor_msgs.msg.CompressedImage = ..., uv_coordinates: Collection[visualization_msgs.msg.UVCoordinate] = ..., text: str = ..., mesh_resource: str = ..., mesh_file: visualization_msgs.msg.MeshFile = ..., mesh_use_embedded_materials: bool = ...) -> None: ...
+    def __init__(self, *, header: std_msgs.msg.Header = ..., ns: str = ..., id: int = ..., type: int = ..., action: int = ..., pose: geometry_msgs.msg.Pose = ..., scale: geometry_msgs.msg.Vector3 = ..., color: std_msgs.msg.ColorRGBA = ..., lifetime: builtin_interfaces.msg.Duration = ..., frame_locked: bool = ..., points: Collection[geometry_msgs.msg.Point] = ..., colors: Collection[std_msgs.msg.ColorRGBA] = ..., texture_resource: str = ..., texture: sensor_msgs.msg.CompressedImage = ..., uv_coordinates: Collection[visualization_msgs.msg.UVCoordinate] = ..., text: str = ..., mesh_resource: str = ..., mesh_file: visualization_msgs.msg.MeshFile = ..., mesh_use_embedded_materials: bool = ..., check_fields: bool = ...) -> None: ...
     header: std_msgs.msg.Header
     ns: str
     id: int
@@ -465,7 +465,7 @@ class MarkerArray(Message):
 
     Marker[] markers
     """
-    def __init__(self, *, markers: Collection[visualization_msgs.msg.Marker] = ...) -> None: ...
+    def __init__(self, *, markers: Collection[visualization_msgs.msg.Marker] = ..., check_fields: bool = ...) -> None: ...
     @property
     def markers(self) -> list[visualization_msgs.msg.Marker]: ...
     @markers.setter
@@ -500,7 +500,7 @@ class MenuEntry(Message):
     FEEDBACK: Final = 0
     ROSRUN: Final = 1
     ROSLAUNCH: Final = 2
-    def __init__(self, *, id: int = ..., parent_id: int = ..., title: str = ..., command: str = ..., command_type: int = ...) -> None: ...
+    def __init__(self, *, id: int = ..., parent_id: int = ..., title: str = ..., command: str = ..., command_type: int = ..., check_fields: bool = ...) -> None: ...
     id: int
     parent_id: int
     title: str
@@ -518,7 +518,7 @@ class MeshFile(Message):
     # The bytes of the file.
     uint8[] data
     """
-    def __init__(self, *, filename: str = ..., data: Collection[int] = ...) -> None: ...
+    def __init__(self, *, filename: str = ..., data: Collection[int] = ..., check_fields: bool = ...) -> None: ...
     filename: str
     @property
     def data(self) -> array[int]: ...
@@ -533,6 +533,6 @@ class UVCoordinate(Message):
     float32 u
     float32 v
     """
-    def __init__(self, *, u: float = ..., v: float = ...) -> None: ...
+    def __init__(self, *, u: float = ..., v: float = ..., check_fields: bool = ...) -> None: ...
     u: float
     v: float

@@ -16,7 +16,7 @@ class GetInteractiveMarkers_Request(Message):
 
     # Asks a server for all its interactive markers.
     """
-    def __init__(self) -> None: ...
+    def __init__(self, *, check_fields: bool = ...) -> None: ...
 
 class GetInteractiveMarkers_Response(Message):
     """visualization_msgs/srv/GetInteractiveMarkers_Response
@@ -27,7 +27,7 @@ class GetInteractiveMarkers_Response(Message):
     # The markers.
     InteractiveMarker[] markers
     """
-    def __init__(self, *, sequence_number: int = ..., markers: Collection[visualization_msgs.msg.InteractiveMarker] = ...) -> None: ...
+    def __init__(self, *, sequence_number: int = ..., markers: Collection[visualization_msgs.msg.InteractiveMarker] = ..., check_fields: bool = ...) -> None: ...
     sequence_number: int
     @property
     def markers(self) -> list[visualization_msgs.msg.InteractiveMarker]: ...
@@ -36,7 +36,7 @@ class GetInteractiveMarkers_Response(Message):
 
 class GetInteractiveMarkers_Event(Message):
     """visualization_msgs/srv/GetInteractiveMarkers_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[visualization_msgs.srv.GetInteractiveMarkers_Request] = ..., response: Collection[visualization_msgs.srv.GetInteractiveMarkers_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[visualization_msgs.srv.GetInteractiveMarkers_Request] = ..., response: Collection[visualization_msgs.srv.GetInteractiveMarkers_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[visualization_msgs.srv.GetInteractiveMarkers_Request]: ...

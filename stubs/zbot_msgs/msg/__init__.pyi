@@ -22,7 +22,7 @@ class SceneTurtle(Message):
     uint8 pen_width # in pixels
     bool is_pen_down
     """
-    def __init__(self, *, name: str = ..., x: float = ..., y: float = ..., theta: float = ..., pen: turtlesim.msg.Color = ..., pen_width: int = ..., is_pen_down: bool = ...) -> None: ...
+    def __init__(self, *, name: str = ..., x: float = ..., y: float = ..., theta: float = ..., pen: turtlesim.msg.Color = ..., pen_width: int = ..., is_pen_down: bool = ..., check_fields: bool = ...) -> None: ...
     name: str
     x: float
     y: float

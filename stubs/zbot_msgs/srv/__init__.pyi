@@ -20,7 +20,7 @@ class TurtleScene_Request(Message):
     uint32 run # of the last answer
     uint32 until # of the last answer; 0 at first
     """
-    def __init__(self, *, run: int = ..., until: int = ...) -> None: ...
+    def __init__(self, *, run: int = ..., until: int = ..., check_fields: bool = ...) -> None: ...
     run: int
     until: int
 
@@ -35,7 +35,7 @@ class TurtleScene_Response(Message):
     turtlesim/Color background
     SceneTurtle[] turtles
     """
-    def __init__(self, *, run: int = ..., until: int = ..., sheet: Collection[int] = ..., lines: Collection[float] = ..., pens: Collection[int] = ..., background: turtlesim.msg.Color = ..., turtles: Collection[zbot_msgs.msg.SceneTurtle] = ...) -> None: ...
+    def __init__(self, *, run: int = ..., until: int = ..., sheet: Collection[int] = ..., lines: Collection[float] = ..., pens: Collection[int] = ..., background: turtlesim.msg.Color = ..., turtles: Collection[zbot_msgs.msg.SceneTurtle] = ..., check_fields: bool = ...) -> None: ...
     run: int
     until: int
     @property
@@ -58,7 +58,7 @@ class TurtleScene_Response(Message):
 
 class TurtleScene_Event(Message):
     """zbot_msgs/srv/TurtleScene_Event"""
-    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[zbot_msgs.srv.TurtleScene_Request] = ..., response: Collection[zbot_msgs.srv.TurtleScene_Response] = ...) -> None: ...
+    def __init__(self, *, info: service_msgs.msg.ServiceEventInfo = ..., request: Collection[zbot_msgs.srv.TurtleScene_Request] = ..., response: Collection[zbot_msgs.srv.TurtleScene_Response] = ..., check_fields: bool = ...) -> None: ...
     info: service_msgs.msg.ServiceEventInfo
     @property
     def request(self) -> list[zbot_msgs.srv.TurtleScene_Request]: ...

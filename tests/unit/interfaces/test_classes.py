@@ -137,6 +137,17 @@ def test_an_unknown_field_is_refused_with_the_near_one() -> None:
         get_message("std_msgs/msg/Empty")(data=1)
 
 
+@pytest.mark.parametrize("check_fields", [True, False])
+def test_fields_are_checked_whatever_the_constructor_is_told(check_fields: bool) -> None:
+    cls: Any = get_message("std_msgs/msg/String")
+    message = cls(data="x", check_fields=check_fields)
+    assert message == cls(data="x")
+    for wrong in ({"data": 1}, {"dta": "x"}):
+        with pytest.raises(AssertionError):  # as ROS 2's own classes raise
+            cls(check_fields=check_fields, **wrong)
+    assert define("int32 check_fields")(check_fields=3).check_fields == 3
+
+
 def test_values_without_names_are_refused() -> None:
     cls: Any = get_message("std_msgs/msg/String")
     with pytest.raises(PositionalFieldError, match=r"name the fields .*: String\(data=\.\.\.\)"):
@@ -203,6 +214,14 @@ def test_a_derived_class_is_copied_as_itself() -> None:
     assert (type(twin), twin.data, twin.name) == (Named, "x", "n")
 
 
+@pytest.mark.parametrize(
+    ("module", "expected"), [("__main__", "Named"), ("robot.texts.named", "robot.texts.Named")]
+)
+def test_a_derived_class_shows_its_own_name(module: str, expected: str) -> None:
+    base = get_message("std_msgs/msg/String")
+    assert repr(type("Named", (base,), {"__module__": module})()) == f"{expected}(data='')"
+
+
 def test_field_types_are_those_that_ros_shows() -> None:
     cls = get_message("sensor_msgs/msg/JointState")
     types = cls.get_fields_and_field_types()
@@ -216,7 +235,7 @@ def test_field_types_are_those_that_ros_shows() -> None:
     types.clear()
     assert cls.get_fields_and_field_types()
     slots: Any = cls.__slots__
-    assert slots == ("_header", "_name", "_position", "_velocity", "_effort")
+    assert slots == ["_header", "_name", "_position", "_velocity", "_effort"]
 
 
 def test_constants_are_attributes_of_class_and_message() -> None:
@@ -224,6 +243,27 @@ def test_constants_are_attributes_of_class_and_message() -> None:
     assert (cls.OK, cls.WARN, cls().ERROR) == (b"\x00", b"\x01", b"\x02")
     assert define("string NAME=a b").NAME == "a b"
     assert define("int8 status -2").STATUS__DEFAULT == -2
+
+
+@pytest.mark.parametrize("name", ["OK", "X__DEFAULT"])
+def test_constants_cannot_be_assigned(name: str) -> None:
+    cls: Any = define("byte OK=0\nint32[] x [1, 2]")
+    for owner in (cls, cls(), type("Derived", (cls,), {"__slots__": ()})):
+        before = getattr(owner, name)
+        with pytest.raises(AttributeError):
+            setattr(owner, name, 3)
+        with pytest.raises(AttributeError):
+            delattr(owner, name)
+        assert getattr(owner, name) == before
+    cls.note = "what is no constant can be"
+    del cls.note
+
+
+@pytest.mark.parametrize("line", ["string[] x ['a']", "int16[] x [1]", "uint8[2] x [1, 2]"])
+def test_a_default_is_a_constant_like_its_field(line: str) -> None:
+    cls: Any = define(line)
+    assert repr(cls.X__DEFAULT) == repr(cls().x)
+    assert cls.X__DEFAULT is not cls().x
 
 
 def test_constants_cannot_hide_what_the_library_needs() -> None:
