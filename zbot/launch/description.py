@@ -69,8 +69,13 @@ class LaunchDescription(LaunchDescriptionEntity):
     def get_launch_arguments(
         self, conditional_inclusion: bool = False
     ) -> list[DeclareLaunchArgument]:
-        """Return the arguments that it, and what it includes, declares."""
+        """Return the arguments that it declares itself, not those of what it includes.
+
+        Each is told by `conditionally_included` whether that depends on a condition.
+        """
         from zbot.launch.arguments import declared_arguments  # noqa: PLC0415 - cycle
 
-        del conditional_inclusion  # accepted as launch does
-        return [found.action for found in declared_arguments(self)]
+        found = declared_arguments(self, follow_includes=False)
+        for one in found:
+            one.action.conditionally_included = one.conditional or conditional_inclusion
+        return [one.action for one in found]

@@ -229,6 +229,7 @@ def _file(context: LaunchContext, item: Any) -> list[str]:
 
 
 def _word(context: LaunchContext, name: str, value: Any) -> list[str]:
+    value = list(value) if isinstance(value, bytes) else value
     text = json.dumps(value, ensure_ascii=False) if not isinstance(value, float) else repr(value)
     text = {"inf": ".inf", "-inf": "-.inf", "nan": ".nan"}.get(text, text)
     if isinstance(value, str) and _is_plain(value):
@@ -277,7 +278,7 @@ def evaluate(context: LaunchContext, value: Any) -> Any:
     if isinstance(value, _ITEM_TYPES):
         return value
     if isinstance(value, (bytes, bytearray)):
-        return list(value)
+        return bytes(value)
     tolist = getattr(value, "tolist", None)  # numpy
     if callable(tolist):
         return tolist()

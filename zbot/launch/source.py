@@ -24,9 +24,11 @@ _FORMATS = {".py": "python", ".xml": "xml", ".yaml": "yaml", ".yml": "yaml"}
 
 def file_locals(path: Path) -> dict[str, str]:
     """Return the locals that say which launch file is being worked on."""
+    is_a_word = len(path.parts) == 1 and not path.is_file()
     return {
         "current_launch_file_path": str(path),
-        "current_launch_file_directory": str(path.parent),
+        # launch puts what is no path, e.g. "<script>", in both
+        "current_launch_file_directory": str(path if is_a_word else path.parent),
     }
 
 
@@ -98,7 +100,10 @@ class LaunchDescriptionSource:
     def path(self, context: LaunchContext) -> Path | None:
         """Return the absolute path of the file; None if there is no file."""
         location = perform(context, self._location)
-        return Path(location).absolute() if location else None
+        if not location:
+            return None
+        path = Path(location)
+        return path.absolute() if path.is_file() or len(path.parts) > 1 else path
 
     @property
     def location(self) -> str:

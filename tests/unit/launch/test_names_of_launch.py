@@ -14,12 +14,15 @@ from zbot.launch import LaunchContext, LaunchDescription, LaunchService
 from zbot.launch.action import Action
 from zbot.launch.actions import (
     DeclareBooleanLaunchArgument,
+    DeclareLaunchArgument,
     EmitEvent,
+    IncludeLaunchDescription,
     Log,
     OpaqueFunction,
     RegisterEventHandler,
     TimerAction,
 )
+from zbot.launch.condition import IfCondition
 from zbot.launch.entity import LaunchDescriptionEntity
 from zbot.launch.errors import (
     EntityTypeError,
@@ -35,6 +38,7 @@ from zbot.launch.event import Shutdown
 from zbot.launch.event_handler import EventHandler, OnProcessExit, OnShutdown
 from zbot.launch.frontend.parser import Parser
 from zbot.launch.frontend.registry import expose
+from zbot.launch.parameters import evaluate_parameters, normalize_parameters, to_words
 from zbot.launch.signal_manager import AsyncSafeSignalManager
 from zbot.launch.source import LaunchDescriptionSource
 from zbot.launch.visit import create_future, visit_all_entities_and_collect_futures
@@ -219,3 +223,33 @@ def test_a_launch_file_error_is_an_invalid_launch_file_error() -> None:
     assert (error.extension, str(error)) == (".py", "a.launch.py:3: wrong")
     other = InvalidLaunchFileError(".xml", likely_errors=[KeyError("a"), OSError("b")])
     assert "KeyError: 'a'; OSError: b" in str(other)
+
+
+def test_a_description_knows_its_own_arguments() -> None:
+    inner = LaunchDescriptionSource(LaunchDescription([DeclareLaunchArgument("inner")]), "<script>")
+    description = LaunchDescription(
+        [
+            DeclareLaunchArgument("always"),
+            DeclareLaunchArgument("maybe", condition=IfCondition("true")),
+            IncludeLaunchDescription(inner),
+        ]
+    )
+    found = description.get_launch_arguments()
+    assert [(one.name, one.conditionally_included) for one in found] == [
+        ("always", False),
+        ("maybe", True),
+    ]
+
+
+def test_what_is_no_file_is_its_own_folder() -> None:
+    context, description = LaunchContext(), LaunchDescription()
+    include = IncludeLaunchDescription(LaunchDescriptionSource(description, "<script>"))
+    first, *_ = include.visit(context) or [None]
+    assert first is description
+    assert context.locals.current_launch_file_directory == "<script>"
+
+
+def test_bytes_stay_bytes_until_a_node_is_given_them() -> None:
+    parameters = normalize_parameters([{"data": b"\x01\xff"}])
+    assert evaluate_parameters(LaunchContext(), parameters) == ({"data": b"\x01\xff"},)
+    assert to_words(LaunchContext(), parameters) == ["-p", "data:=[1, 255]"]

@@ -50,6 +50,7 @@ class DeclareLaunchArgument(Action):
             raise LaunchArgumentError.no_default(name, given, self.choices)
         self.default_value = None if given is None else normalize(given)
         self._told = description or ""
+        self._conditionally_included = False
 
     def execute(self, context: LaunchContext) -> None:
         """Set its configuration to the default if it was not given.
@@ -65,6 +66,15 @@ class DeclareLaunchArgument(Action):
         value = str(configurations[self.name])
         if self.choices is not None and value not in self.choices:
             raise LaunchArgumentError.no_choice(self.name, value, self.choices)
+
+    @property
+    def conditionally_included(self) -> bool:
+        """Whether its declaration depends on a condition; a description finds out."""
+        return self._conditionally_included
+
+    @conditionally_included.setter
+    def conditionally_included(self, is_so: bool) -> None:
+        self._conditionally_included = is_so
 
     def describe(self) -> str:
         """Return its name."""
