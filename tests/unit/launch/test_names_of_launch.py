@@ -244,8 +244,9 @@ def test_a_description_knows_its_own_arguments() -> None:
 def test_what_is_no_file_is_its_own_folder() -> None:
     context, description = LaunchContext(), LaunchDescription()
     include = IncludeLaunchDescription(LaunchDescriptionSource(description, "<script>"))
-    first, *_ = include.visit(context) or [None]
-    assert first is description
+    visited = include.visit(context)
+    assert visited is not None
+    assert visited[0] is description
     assert context.locals.current_launch_file_directory == "<script>"
 
 
