@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import threading
 import time
-import weakref
 from collections import deque
 from typing import TYPE_CHECKING
 
@@ -28,7 +27,7 @@ if TYPE_CHECKING:
 _PATIENCE_S = 3.0
 _VERBS = {EntityKind.PUBLISHER: "publishes", EntityKind.SUBSCRIPTION: "subscribes to"}
 
-_advisers: weakref.WeakKeyDictionary[Context, Adviser] = weakref.WeakKeyDictionary()
+_advisers: dict[Context, Adviser] = {}
 _lock = threading.Lock()
 
 
@@ -85,6 +84,13 @@ class Adviser:
                 self._signal.notify()
 
     def _run(self) -> None:
+        try:
+            self._advise()
+        finally:
+            with _lock:
+                _advisers.pop(self._context, None)  # which this one would keep alive
+
+    def _advise(self) -> None:
         while True:
             with self._signal:
                 while self._context.ok() and not self._news and not self._is_check_due():

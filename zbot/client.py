@@ -119,6 +119,11 @@ class _Response(Future[ResponseT]):
         if attempt == self._attempt and not self.is_over:
             self._client.complete(self, None)
 
+    @property
+    def has_callbacks(self) -> bool:
+        """Whether there is anything to run when it is over."""
+        return bool(self._callbacks)
+
     def _tell(self) -> None:
         # Even without callbacks: `spin_once` returns when a response has come.
         self._client.post(self)
@@ -473,7 +478,10 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     def post(self, response: _Response[ResponseT]) -> None:
         """Let the executor run what waits for a response; from any thread."""
-        self._completed.append(response)
+        # Where nothing is to be run one is enough to let `spin_once` return. Who spins only until
+        # its own call is over, and serves it too, would never take the others.
+        if response.has_callbacks or not self._completed:
+            self._completed.append(response)
         self.mailbox.post(self)
 
     @property

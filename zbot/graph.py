@@ -28,6 +28,7 @@ if TYPE_CHECKING:
     from zbot.wire.dialect import Dialect
 
 _ANSWER_TIMEOUT_S = 2.0  # 25 ms are usual
+_MOST_WITHDRAWN = 1000
 
 NamesAndTypes = list[tuple[str, list[str]]]
 Token = NodeToken | EndpointToken
@@ -155,7 +156,8 @@ class Graph:
         self._watching = False
         self._is_complete = False
         self._gone: set[str] = set()
-        self._withdrawn: set[str] = set()  # own tokens whose coming and going may still be queued
+        # Own tokens whose coming and going may still be queued, or was never told.
+        self._withdrawn: dict[str, None] = {}
         self._changed = threading.Condition()
 
     def watch(self) -> None:
@@ -181,7 +183,9 @@ class Graph:
             with self._lock:
                 changed = self._forget(token.key) is not None
                 if self._watching:
-                    self._withdrawn.add(token.key)
+                    self._withdrawn[token.key] = None
+                    if len(self._withdrawn) > _MOST_WITHDRAWN:
+                        del self._withdrawn[next(iter(self._withdrawn))]
         if changed:
             self._tell(token, appeared)
 
@@ -286,7 +290,7 @@ class Graph:
             return
         with self._lock:
             gone = self._forget(key)
-            self._withdrawn.discard(key)
+            self._withdrawn.pop(key, None)
             if not self._is_complete:
                 self._gone.add(key)
         if gone is not None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import weakref
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from zbot.log import add_sink, remove_sink
@@ -31,9 +33,14 @@ class Rosout:
         self._publisher: Any = node.create_publisher(Log, ROSOUT_TOPIC, qos)
         node.handle.publishers.remove(self._publisher)  # as in rclpy, the node does not list it
         self._send = self._publisher.publish  # once: a program may put its own in the class later
-        add_sink(self._name, self._publish)
+        # The log outlives every context, and must not keep the nodes of one that is over.
+        sink = partial(_pass_on, weakref.ref(self))
+        add_sink(self._name, sink)
+        self._leave_log = weakref.finalize(self, remove_sink, self._name, sink)
+        self._leave_log.atexit = False
 
-    def _publish(self, record: Record) -> None:
+    def publish(self, record: Record) -> None:
+        """Publish a log line if the topic is still open."""
         if self._publisher.is_open:
             sec, nanosec = divmod(record.stamp_ns, 10**9)
             self._send(
@@ -50,6 +57,12 @@ class Rosout:
 
     def close(self) -> None:
         """Stop publishing, and leave the topic."""
-        remove_sink(self._name, self._publish)
+        self._leave_log()
         self._adviser.remove(self._publisher.token)
         self._publisher.destroy()
+
+
+def _pass_on(receiver: weakref.ref[Rosout], record: Record) -> None:
+    rosout = receiver()
+    if rosout is not None:
+        rosout.publish(record)

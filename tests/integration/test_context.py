@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+import weakref
 from typing import TYPE_CHECKING
 
 import pytest
@@ -64,3 +66,14 @@ def test_a_process_may_have_arguments_that_are_no_text(
     monkeypatch.setattr("sys.argv", ["prog", "Ragnar\udcf6k"])
     node = zbot.Node("guest", context=make_context())
     assert node.get_node_names() == ["guest"]
+
+
+def test_a_context_that_is_over_is_not_kept(domain: int) -> None:
+    context = zbot.Context()
+    context.init([], domain_id=domain)
+    node = zbot.Node("robot", context=context)
+    context.shutdown()
+    nodes, contexts = weakref.ref(node), weakref.ref(context)
+    del node, context
+    gc.collect()
+    assert (nodes(), contexts()) == (None, None)

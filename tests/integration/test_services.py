@@ -5,6 +5,7 @@ from __future__ import annotations
 import gc
 import resource
 import threading
+import weakref
 from typing import TYPE_CHECKING, Any
 
 import pytest
@@ -110,6 +111,18 @@ class TestAnswers:
         while not future.done():
             zbot.spin_once(caller, timeout_sec=30)
         assert future.result().sum == 3
+
+    def test_a_node_that_calls_its_own_service_keeps_no_old_calls(self, caller: zbot.Node) -> None:
+        caller.create_service(AddTwoInts, "add", add)
+        client = client_of(caller)
+        calls = []
+        for number in range(20):
+            future = client.call_async(Request(a=number))
+            zbot.spin_until_future_complete(caller, future, timeout_sec=5)
+            calls.append(weakref.ref(future))
+        del future
+        gc.collect()
+        assert sum(call() is not None for call in calls) <= 1
 
     def test_callbacks_of_a_future_run_in_the_executor(
         self, server: zbot.Node, caller: zbot.Node
