@@ -160,13 +160,13 @@ def texts(entity: LaunchDescriptionEntity, context: LaunchContext) -> list[str]:
 @pytest.mark.parametrize(
     ("loop", "expected"),
     [
-        ('<for len="2" name="i"><log message="n$(index i)"/></for>', ["n0", "n1"]),
+        ('<for len="2" name="i"><log_info message="n$(index i)"/></for>', ["n0", "n1"]),
         (
             """<for_each values="{a: x};{a: y, b: z}">
-            <group><log message="$(for-var a)$(for-var b -)"/></group></for_each>""",
+            <group><log_info message="$(for-var a)$(for-var b -)"/></group></for_each>""",
             ["x-", "yz"],
         ),
-        ('<for len="0" name="i"><log message="$(index i)"/></for>', []),
+        ('<for len="0" name="i"><log_info message="$(index i)"/></for>', []),
     ],
 )
 def test_loops_have_values(loop: str, expected: list[str]) -> None:

@@ -134,8 +134,16 @@ def test_both_formats_make_the_same_actions(tmp_path: Path, name: str, text: str
         ("a.launch.xml", "<launch>\n<node pkg='p'/>\n</launch>", ":2: `node` needs the attr"),
         ("a.launch.xml", "<launch>\n<nod/>\n</launch>", ":2: there is no action `nod`"),
         ("a.launch.xml", "<launch>\n\n<log/ ></launch>", ":3: not well-formed"),
-        ("a.launch.xml", "<launch>\n<log message='$(var'/></launch>", ":2: '$(var' is not closed"),
-        ("a.launch.xml", "<launch>\n<log message='' leve='x'/></launch>", "no attribute 'leve'"),
+        (
+            "a.launch.xml",
+            "<launch>\n<log_info message='$(var'/></launch>",
+            ":2: '$(var' is not closed",
+        ),
+        (
+            "a.launch.xml",
+            "<launch>\n<log_info message='' leve='x'/></launch>",
+            "no attribute 'leve'",
+        ),
         ("a.launch.xml", "<robot/>", ":1: the outermost tag must be <launch>"),
         ("a.launch.xml", "<launch>\n<log message='' if='1' unless='1'/></launch>", ":2: `log` has"),
         ("a.launch.yaml", "launch:\n- node: {pkg: p}", ":2: `node` needs the attribute 'exec'"),

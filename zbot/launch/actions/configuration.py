@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.launch.action import Action
 from zbot.launch.substitution import describe, normalize, perform
+from zbot.launch.typed_value import perform_typed_substitution
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -132,7 +133,7 @@ class AppendEnvironmentVariable(SetEnvironmentVariable):
         **options: Any,
     ) -> None:
         super().__init__(name, value, **options)
-        self.prepend = normalize(str(prepend) if isinstance(prepend, bool) else prepend)
+        self.prepend: Any = prepend if isinstance(prepend, bool) else normalize(prepend)
         self.separator = normalize(separator)
 
     def execute(self, context: LaunchContext) -> None:
@@ -140,7 +141,7 @@ class AppendEnvironmentVariable(SetEnvironmentVariable):
         name, value = perform(context, self.name), perform(context, self.value)
         present = context.environment.get(name, "")
         if present:
-            is_first = perform(context, self.prepend).lower() in {"true", "1"}
+            is_first = perform_typed_substitution(context, self.prepend, bool)
             parts = (value, present) if is_first else (present, value)
             value = perform(context, self.separator).join(parts)
         context.environment[name] = value

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch.action import Action
+from zbot.launch.actions.opaque import OpaqueFunction
 from zbot.launch.errors import LaunchArgumentError
 from zbot.launch.substitution import describe, normalize, perform
 from zbot.launch.substitutions.value import ForEachVar
@@ -21,29 +22,27 @@ if TYPE_CHECKING:
 SEPARATOR = ";"
 
 
-class _EnterRound(Action):
-    """Let `ForEachVar` and `ForLoopIndex` mean the values of a round."""
-
-    def __init__(self, values: Mapping[str, Any]) -> None:
-        super().__init__()
-        self._values = {ForEachVar.get_local_arg_name(key): one for key, one in values.items()}
-
-    def execute(self, context: LaunchContext) -> None:
-        context.extend_locals(self._values)
-
-
-class _LeaveRound(Action):
-    """Let them mean what they did before."""
-
-    def execute(self, context: LaunchContext) -> None:
-        context.pop_locals()
-
-
 def in_a_round(
     values: Mapping[str, Any], entities: Iterable[LaunchDescriptionEntity]
 ) -> list[LaunchDescriptionEntity]:
     """Return entities between what lets substitutions see the values of a loop's round."""
-    return [_EnterRound(values), *entities, _LeaveRound()]
+    seen = {ForEachVar.get_local_arg_name(key): one for key, one in values.items()}
+    # launch opens a scope, fills it, and closes it: descriptions are compared step by step.
+    opened = [OpaqueFunction(function=_open), OpaqueFunction(function=_fill, args=(seen,))]
+    return [*opened, *entities, OpaqueFunction(function=_close)]
+
+
+def _open(context: LaunchContext) -> None:
+    context.extend_locals({})
+
+
+def _fill(context: LaunchContext, values: Mapping[str, Any]) -> None:
+    context.extend_locals(values)
+
+
+def _close(context: LaunchContext) -> None:
+    context.pop_locals()
+    context.pop_locals()
 
 
 class ForEach(Action):

@@ -170,7 +170,7 @@ def _set_log_dir(entity: Entity, parser: Parser) -> Action:
 
 @action("ros_timer")
 def _ros_timer(entity: Entity, parser: Parser) -> Action:
-    period = needed(entity, parser, "period")
+    period = parser.parse_if_substitutions(entity.get_attr("period", data_type=float))
     return actions.RosTimer(period=period, actions=parser.actions(entity))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import warnings
 from typing import TYPE_CHECKING, Any, Final
 
 from zbot.launch import actions
@@ -242,7 +243,11 @@ def _reset(entity: Entity, parser: Parser) -> Action:
 
 @action("log")
 def _log(entity: Entity, parser: Parser) -> Action:
-    level = text(entity, parser, "level") or "INFO"
+    level = text(entity, parser, "level")
+    if level is None:
+        said = "`log` without a level means INFO; ROS 2 will ask for one: write `log_info`"
+        warnings.warn(said, DeprecationWarning, stacklevel=2)
+        level = [TextSubstitution(text="INFO")]
     return actions.Log(msg=needed(entity, parser, "message"), level=level)
 
 
@@ -262,7 +267,7 @@ def _log_of_level(entity: Entity, parser: Parser) -> Action:
 
 @action("timer")
 def _timer(entity: Entity, parser: Parser) -> Action:
-    period = needed(entity, parser, "period")
+    period = parser.parse_if_substitutions(entity.get_attr("period", data_type=float))
     return actions.TimerAction(period=period, actions=parser.actions(entity))
 
 

@@ -1,0 +1,82 @@
+"""What tags of XML and YAML become, as programs that look at the actions see it."""
+
+from __future__ import annotations
+
+import io
+from typing import TYPE_CHECKING
+
+import pytest
+
+from zbot.launch import LaunchContext
+from zbot.launch.actions import AppendEnvironmentVariable, ForEach, ForLoop, OpaqueFunction
+from zbot.launch.actions.timer import TimerAction
+from zbot.launch.frontend.errors import AttributeTypeError
+from zbot.launch.frontend.parser import Parser
+from zbot.launch.substitution import perform
+
+if TYPE_CHECKING:
+    from zbot.launch.entity import LaunchDescriptionEntity
+
+
+def described(text: str) -> LaunchDescriptionEntity:
+    root, parser = Parser.load(io.StringIO(text))
+    (entity,) = parser.parse_description(root).entities
+    return entity
+
+
+@pytest.mark.parametrize("tag", ["timer", "ros_timer"])
+@pytest.mark.parametrize(
+    "text",
+    ['<launch><{} period="5"><shutdown/></{}></launch>', "launch:\n- {}: {{period: 5}}"],
+)
+def test_a_period_is_a_number(tag: str, text: str) -> None:
+    timer = described(text.format(tag, tag))
+    assert isinstance(timer, TimerAction)
+    assert timer.period == 5.0
+    assert isinstance(timer.period, float)
+
+
+def test_a_period_may_be_a_substitution_but_no_word() -> None:
+    timer = described('<launch><timer period="$(env X 2)"/></launch>')
+    assert isinstance(timer, TimerAction)
+    assert perform(LaunchContext(), timer.period) == "2"
+    with pytest.raises(AttributeTypeError, match="'period' of `timer` must be of type float"):
+        described('<launch><timer period="soon"/></launch>')
+
+
+@pytest.mark.parametrize("prepend", [True, False])
+def test_prepend_stays_the_bool_it_was(prepend: bool) -> None:
+    text = f'<launch><append_env name="A" value="b" prepend="{prepend}" separator=";"/></launch>'
+    action = described(text)
+    assert isinstance(action, AppendEnvironmentVariable)
+    assert action.prepend is prepend
+    context = LaunchContext()
+    context.environment = {"A": "a"}
+    action.visit(context)
+    assert context.environment["A"] == ("b;a" if prepend else "a;b")
+
+
+def test_prepend_may_be_a_substitution() -> None:
+    context = LaunchContext()
+    context.environment = {"A": "a", "FIRST": "true"}
+    from_env = Parser().parse_substitution("$(env FIRST)")
+    AppendEnvironmentVariable("A", "b", prepend=from_env, separator=";").visit(context)
+    assert context.environment["A"] == "b;a"
+
+
+def test_a_round_opens_a_scope_fills_it_and_closes_it() -> None:
+    loop = described('<launch><for len="2" name="i"><shutdown reason="$(index i)"/></for></launch>')
+    assert isinstance(loop, ForLoop)
+    context = LaunchContext()
+    (each,) = loop.execute(context)
+    assert isinstance(each, ForEach)
+    steps = each.execute(context)
+    assert [isinstance(step, OpaqueFunction) for step in steps] == [True, True, False, True] * 2
+    for step in steps:
+        step.visit(context)
+    assert context.depth == 0
+
+
+def test_a_log_without_a_level_is_on_its_way_out() -> None:
+    with pytest.warns(DeprecationWarning, match="write `log_info`"):
+        described('<launch><log message="hello"/></launch>')
