@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time as clock
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from zbot.callback_stack import current_executor
@@ -15,7 +16,7 @@ from zbot.tf2.errors import TransformException
 from zbot.time import Duration
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterator
 
     from zbot.subscription import Subscription
 
@@ -37,6 +38,7 @@ class Buffer(BufferCore, BufferInterface):
         self.subscriptions: list[Subscription[Any]] = []  #: what a listener feeds it from
         self.is_fed: Callable[[], bool] = lambda: True  #: whether anything may still come
         self._waiting: list[tuple[Callable[[], Any], Future[Any]]] = []
+        self._is_in_message = False
 
     def lookup_transform(
         self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
@@ -56,7 +58,7 @@ class Buffer(BufferCore, BufferInterface):
             ExtrapolationException: The time lies outside of what is known.
             InvalidArgumentException: A name is empty or begins with a slash.
         """
-        self._wait(lambda: self.can_transform_core(target_frame, source_frame, time)[0], timeout)
+        self._wait(lambda: self._is_possible(target_frame, source_frame, time), timeout)
         return self.lookup_transform_core(target_frame, source_frame, time)
 
     def lookup_transform_full(
@@ -88,7 +90,7 @@ class Buffer(BufferCore, BufferInterface):
 
         With `return_debug_tuple`: and, if not, why.
         """
-        self._wait(lambda: self.can_transform_core(target_frame, source_frame, time)[0], timeout)
+        self._wait(lambda: self._is_possible(target_frame, source_frame, time), timeout)
         answer = self.can_transform_core(target_frame, source_frame, time)
         return answer if return_debug_tuple else answer[0]
 
@@ -129,7 +131,7 @@ class Buffer(BufferCore, BufferInterface):
         """Return a future that is done with True when the transform is known."""
 
         def known() -> Any:
-            return self.can_transform_core(target_frame, source_frame, time)[0] or None
+            return self._is_possible(target_frame, source_frame, time) or None
 
         return self._later(known)
 
@@ -163,6 +165,21 @@ class Buffer(BufferCore, BufferInterface):
 
     def _set(self, transform: Any, authority: str, *, is_static: bool) -> None:
         super()._set(transform, authority, is_static=is_static)
+        if not self._is_in_message:  # otherwise at the message's end
+            self._tell_waiting()
+
+    @contextmanager
+    def one_message(self) -> Iterator[None]:
+        """Let those who wait look once when the block ends, not after each transform it sets."""
+        with self._changed:
+            self._is_in_message = True
+            try:
+                yield
+            finally:
+                self._is_in_message = False
+        self._tell_waiting()
+
+    def _tell_waiting(self) -> None:
         for future, found in self._found() if self._waiting else ():
             future.set_result(found)  # without the lock: it may call anything
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import threading
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from zbot.errors import nearest
 from zbot.log import get_logger
@@ -19,6 +19,9 @@ from zbot.tf2.rigid import Quaternion, Rigid, Vector, normalized
 from zbot.time import ClockType, Duration, Time
 
 from geometry_msgs.msg import TransformStamped
+
+if TYPE_CHECKING:
+    from collections.abc import Container
 
 _CACHE_S = 10.0
 _QUATERNION_TOLERANCE = 1e-2  # tf2 refuses what is farther from length 1
@@ -121,7 +124,8 @@ class BufferCore:
     ) -> tuple[bool, str]:
         """Return whether a lookup would succeed, and if not, why."""
         try:
-            self.lookup_transform_core(target_frame, source_frame, time)
+            with self._changed:
+                self._find(target_frame, source_frame, _nanoseconds(time))
         except (
             ConnectivityException,
             ExtrapolationException,
@@ -146,6 +150,17 @@ class BufferCore:
                 answer = self.can_transform_core(target_frame, fixed_frame, target_time)
         return answer
 
+    def _is_possible(self, target: str, source: str, time: Any) -> bool:
+        """Whether a lookup would succeed; for those who wait, who need no reason in words."""
+        with self._changed:
+            if not (self._exists(target) and self._exists(source)):
+                return False
+            try:
+                self._find(target, source, _nanoseconds(time))
+            except (ConnectivityException, ExtrapolationException):
+                return False
+        return True
+
     def get_latest_common_time(self, target_frame: str, source_frame: str) -> Time:
         """Return the latest time that all frames in between have; 0 if none of them moves.
 
@@ -166,11 +181,11 @@ class BufferCore:
         stamp_ns = stamp_ns or self._latest_common_ns(target, source)
         if target == source:
             return Rigid(), stamp_ns
-        up, up_fault = self._climb(source, stamp_ns)
-        down, down_fault = self._climb(target, stamp_ns)
-        for name, way in down.items():
-            if name in up:  # the nearest that is above both
-                return way.inverse() @ up[name], stamp_ns
+        up, up_fault = self._climb(source, stamp_ns, {target})
+        down, down_fault = self._climb(target, stamp_ns, up)
+        name = next(reversed(down))
+        if name in up:  # the nearest that is above both
+            return down[name].inverse() @ up[name], stamp_ns
         between = {name for names in self._path(target, source) for name in names}
         for ways, fault in ((up, up_fault), (down, down_fault)):
             # What lies above their meeting was climbed too, but is not needed.
@@ -180,12 +195,15 @@ class BufferCore:
         raise _unconnected(target, source)
 
     def _climb(
-        self, name: str, stamp_ns: int
+        self, name: str, stamp_ns: int, ends: Container[str]
     ) -> tuple[dict[str, Rigid], ExtrapolationException | None]:
-        """Return where a frame was in itself and in each one above it, and what ended the way."""
+        """Return where a frame was in itself and in each one above it, and what ended the way.
+
+        That is one of the `ends`, where a tree begins, or a time that is not known.
+        """
         pose = Rigid()
         poses = {name: pose}
-        while (frame := self._frames.get(name)) is not None:
+        while name not in ends and (frame := self._frames.get(name)) is not None:
             try:
                 sample = frame.at(stamp_ns)  # its parent of that time: it may have another now
             except ExtrapolationException as error:
@@ -213,13 +231,15 @@ class BufferCore:
                 f"Invalid argument passed to lookupTransform argument {argument} in tf2 frame_ids "
                 f"{fault}"
             )
-        known = self._names()
-        if name not in known:
-            guess = nearest(name, known, 1)
+        if not self._exists(name):
+            guess = nearest(name, self._names(), 1)
             hint = f' Did you mean "{guess[0]}"?' if guess else ""
             raise LookupException(
                 f'"{name}" passed to lookupTransform argument {argument} does not exist.{hint}'
             )
+
+    def _exists(self, name: str) -> bool:
+        return name in self._frames or any(name == one.parent for one in self._frames.values())
 
     def _names(self) -> list[str]:
         parents = (frame.parent for frame in self._frames.values())

@@ -99,13 +99,15 @@ class TransformListener:
 
     def callback(self, data: Any) -> None:
         """Take note of transforms that change."""
-        for transform in data.transforms:
-            self.buffer.set_transform(transform, "default_authority")
+        with self.buffer.one_message():
+            for transform in data.transforms:
+                self.buffer.set_transform(transform, "default_authority")
 
     def static_callback(self, data: Any) -> None:
         """Take note of transforms that hold for ever."""
-        for transform in data.transforms:
-            self.buffer.set_transform_static(transform, "default_authority")
+        with self.buffer.one_message():
+            for transform in data.transforms:
+                self.buffer.set_transform_static(transform, "default_authority")
 
     def unregister(self) -> None:
         """Listen no more; may be called twice."""

@@ -21,6 +21,7 @@ from zbot.tf2 import (
     NotImplementedException,
     TransformRegistration,
     TypeException,
+    buffer_core,
 )
 
 from geometry_msgs.msg import PointStamped, PoseStamped, TransformStamped, Vector3Stamped
@@ -142,6 +143,37 @@ def test_coroutines_wait() -> None:
     assert waiting.done()
     found = asyncio.run(buffer.lookup_transform_async("a", "b", LATEST))
     assert found.child_frame_id == "b"
+
+
+def test_who_waits_looks_once_a_message(monkeypatch: pytest.MonkeyPatch) -> None:
+    buffer = Buffer()
+    buffer.set_transform_static(told("map", "odom"))
+    waiting = buffer.wait_for_transform_async("map", "tool", LATEST)
+    looks: list[str] = []
+    look = Buffer._find
+
+    def counted(buffer: Buffer, target: str, source: str, stamp_ns: int) -> Any:
+        looks.append(source)
+        return look(buffer, target, source, stamp_ns)
+
+    monkeypatch.setattr(Buffer, "_find", counted)
+    with buffer.one_message():
+        buffer.set_transform(told("odom", "base", 1.0))
+        buffer.set_transform(told("base", "tool", 1.0))
+        buffer.set_transform(told("tool", "tip", 1.0))
+        assert not waiting.done()
+    assert waiting.done()
+    assert looks == ["tool"]
+
+
+def test_waiting_for_a_frame_that_nobody_told_of_guesses_no_name(
+    robot: Buffer, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    guesses: list[str] = []
+    monkeypatch.setattr(buffer_core, "nearest", lambda name, *_: guesses.append(name))
+    robot.wait_for_transform_async("map", "nobody", LATEST)
+    robot.set_transform(told("odom", "base", 20.0))
+    assert guesses == []
 
 
 def test_points_vectors_and_poses() -> None:
