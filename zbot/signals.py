@@ -39,8 +39,7 @@ if TYPE_CHECKING:
 
 _PACKAGE = str(Path(__file__).parent) + os.sep
 _TERMINATED = 128 + signal.SIGTERM
-_AGAIN_S = 0.001
-_MOMENT_S = 0.005  # longer than what Zenoh calls takes
+_MOMENT_S = 0.005  # longer than what Zenoh calls takes, and than a thread's start
 
 
 class SignalHandlerOptions(enum.Enum):
@@ -224,7 +223,7 @@ def _again(previous: Any) -> Any:
         else:
             # The process may have come to its end: what the signal asked for is under way.
             with contextlib.suppress(RuntimeError):
-                threading.Timer(_AGAIN_S, os.kill, (os.getpid(), number)).start()
+                threading.Timer(_MOMENT_S, os.kill, (os.getpid(), number)).start()
 
     return unraisablehook
 
