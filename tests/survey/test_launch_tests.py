@@ -55,7 +55,29 @@ def test_a_course_s_test_runs_under_pytest(start: Start) -> None:
 def test_launches_are_fixtures_of_pytest(start: Start) -> None:
     program = start(*PYTEST, str(HERE / "pytest_style.py"))
     assert program.wait(PATIENCE_S) == 0, program.output
-    assert "6 passed" in program.output
+    assert "7 passed" in program.output
+
+
+def test_what_ends_a_shared_launch_comes_last(start: Start) -> None:
+    program = start(*PYTEST, str(HERE / "pytest_stages.py"))
+    assert program.wait(PATIENCE_S) == 0, program.output
+    assert "13 passed" in program.output
+
+
+def test_mistakes_in_launches_of_pytest_are_told(start: Start) -> None:
+    program = start(*PYTEST, "-W", "default", str(HERE / "pytest_mistakes.py"))
+    assert program.wait(PATIENCE_S) == 1
+    for said in (
+        "coroutine_twice must stop iteration after yielding once",
+        "yields_twice must stop iteration after yielding once",
+        "a generator or async generator cannot be marked with shutdown=True",
+        'the "fixture" keyword argument is required in pytest.mark.launch()',
+        "must be either a launch description or a sequence that begins with one",
+        "must have only one ReadyToTest action",
+        "what stands before its yield failed",
+        "4 failed, 2 skipped",
+    ):
+        assert said in program.output, program.output
 
 
 def test_a_test_that_fails_is_told(start: Start, tmp_path: Path) -> None:

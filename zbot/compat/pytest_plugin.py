@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import io
 import unittest
+from collections import defaultdict
 from contextlib import redirect_stderr
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import pytest
 
@@ -109,18 +110,85 @@ def pytest_pycollect_makeitem(
     marks = [mark for mark in getattr(obj, "pytestmark", []) if mark.name == "launch"]
     if not marks or isinstance(obj, type) or not collector.funcnamefilter(name):
         return None
-    from zbot.launch_test.launch_fixture import (  # noqa: PLC0415 - as above
-        as_plain_test,
-        name_of,
-    )
+    made = marks[0].kwargs.get("fixture")
+    if made is None:
+        return [_skipped(collector, name)]
+    from zbot.launch_test.launch_fixture import name_and_scope  # noqa: PLC0415 - as above
+    from zbot.launch_test.staged_test import StagedTest  # noqa: PLC0415 - as above
 
-    fixture_name = name_of(marks[0].kwargs.get("fixture"))
-    shutdown = bool(marks[0].kwargs.get("shutdown"))
-    plain = pytest.mark.usefixtures(fixture_name)(
-        as_plain_test(obj, fixture_name, shutdown=shutdown)
+    fixture_name, scope = name_and_scope(made)
+    test, shutdown = StagedTest(obj, fixture_name), bool(marks[0].kwargs.get("shutdown"))
+    if scope == "function" or shutdown or not test.has_two_stages:
+        whole = test.whole(shutdown=shutdown)
+        return _items(collector, name, whole, _Stage(made, fixture_name, scope, shutdown))
+    first, second = test.halves()
+    return [
+        *_items(collector, name, first, _Stage(made, fixture_name, scope, False)),
+        *_items(
+            collector, f"{name}[shutdown_test]", second, _Stage(made, fixture_name, scope, True)
+        ),
+    ]
+
+
+class _Stage(NamedTuple):
+    """Which launch an item of pytest belongs to, and when."""
+
+    fixture: Any
+    fixture_name: str
+    scope: str
+    is_last: bool  #: whether the launch has ended by then
+
+    def key(self, item: pytest.Item) -> Any:
+        """Return the same for all items that share one launch."""
+        indices = item.callspec.indices if hasattr(item, "callspec") else {}
+        kinds: dict[str, Any] = {
+            "class": pytest.Class,
+            "module": pytest.Module,
+            "package": pytest.Package,
+        }
+        kind = kinds.get(self.scope)
+        owner = None if kind is None else item.getparent(kind)
+        return id(self.fixture), indices.get(self.fixture_name), owner
+
+
+_STAGE = pytest.StashKey[_Stage]()
+
+
+def _items(
+    collector: pytest.Module | pytest.Class, name: str, plain: Any, stage: _Stage
+) -> list[pytest.Item]:
+    used = pytest.mark.usefixtures(stage.fixture_name)(plain)
+    setattr(collector.obj, name, used)  # where pytest looks for what it calls
+    items: list[pytest.Item] = list(collector._genfunctions(name, used))  # noqa: SLF001 - pytest has no public way
+    for item in items:
+        item.stash[_STAGE] = stage
+    return items
+
+
+def _skipped(collector: pytest.Module | pytest.Class, name: str) -> pytest.Item:
+    item: pytest.Item = pytest.Function.from_parent(collector, name=name)
+    reason = (
+        'the "fixture" keyword argument is required in pytest.mark.launch(): nothing is launched'
     )
-    setattr(collector.obj, name, plain)  # where pytest looks for what it calls
-    return list(collector._genfunctions(name, plain))  # noqa: SLF001 - pytest has no public way
+    item.warn(pytest.PytestWarning(reason))
+    item.add_marker(pytest.mark.skip(reason=reason))
+    return item
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Let tests that end a launch come after all others that share it."""
+    places: defaultdict[Any, list[int]] = defaultdict(list)
+    for place, item in enumerate(items):
+        stage = item.stash.get(_STAGE, None)
+        if stage is not None and stage.scope != "function":
+            places[stage.key(item)].append(place)
+    for shared in places.values():
+        in_order = sorted(
+            (items[place] for place in shared), key=lambda one: one.stash[_STAGE].is_last
+        )
+        for place, item in zip(shared, in_order, strict=True):
+            items[place] = item
 
 
 @pytest.fixture

@@ -255,6 +255,11 @@ class LaunchContext:
         """What the launch still waits for."""
         return frozenset(self._pending)
 
+    @property
+    def is_idle(self) -> bool:
+        """Whether nothing is left to happen and nothing to wait for."""
+        return self._event_queue.empty() and not self._pending
+
     def create_task(self, coroutine: Coroutine[Any, Any, Any]) -> asyncio.Task[Any]:
         """Run a coroutine, and keep the launch running until it ends."""
         task = self.running_loop.create_task(coroutine)

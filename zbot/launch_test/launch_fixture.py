@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import inspect
 from typing import TYPE_CHECKING, Any
 
@@ -10,13 +9,13 @@ import pytest
 
 from zbot.launch.description import LaunchDescription
 from zbot.launch_test.error import LaunchTestError
-from zbot.launch_test.running_launch import RunningLaunch
+from zbot.launch_test.running_launch import RunningLaunch, ready_actions
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-#: The names of fixtures that `fixture` made, by their ids; pytest's own objects hide the names.
-_names: dict[int, tuple[Any, str]] = {}
+#: The names and scopes of fixtures that `fixture` made, by ids; pytest's own objects hide them.
+_names: dict[int, tuple[Any, str, str]] = {}
 #: The launches that run, the newest last, by the names of their fixtures.
 running: dict[str, RunningLaunch] = {}
 
@@ -39,9 +38,8 @@ def fixture(
             made = function(**given)
             rest = made if inspect.isgenerator(made) else iter((made,))
             value = next(rest)
-            description = value[0] if isinstance(value, tuple) else value
-            if not isinstance(description, LaunchDescription):
-                raise LaunchTestError(f"{name} must return a LaunchDescription, not {value!r}")
+            description = value[0] if isinstance(value, (tuple, list)) and value else value
+            _check(name, description)
             launch = RunningLaunch(description, keep_alive=not auto_shutdown, must_get_ready=False)
             running[name] = launch
             try:
@@ -57,54 +55,26 @@ def fixture(
         launched.__name__, launched.__doc__ = function.__name__, function.__doc__
         launched.__module__ = function.__module__
         made = pytest.fixture(**options)(launched)
-        _names[id(made)] = (made, name)
+        _names[id(made)] = (made, name, options.get("scope", "function"))
         return made
 
     return decorate if decorated is None else decorate(decorated)
 
 
-def name_of(made: Any) -> str:
-    """Return the name of a fixture that `fixture` made.
+def _check(name: str, description: Any) -> None:
+    if not isinstance(description, LaunchDescription):
+        what = "must be either a launch description or a sequence that begins with one"
+        raise LaunchTestError(f"what the fixture {name} returns {what}, not {description!r}")
+    if sum(1 for _ in ready_actions(description.entities)) > 1:
+        raise LaunchTestError(f"the launch of {name} must have only one ReadyToTest action")
+
+
+def name_and_scope(made: Any) -> tuple[str, str]:
+    """Return the name of a fixture that `fixture` made, and its scope.
 
     Raises:
         LaunchTestError: It made no such.
     """
     if id(made) not in _names:
         raise LaunchTestError("mark.launch needs fixture=..., made by @launch_pytest.fixture")
-    return _names[id(made)][1]
-
-
-def as_plain_test(function: Callable[..., Any], fixture_name: str, *, shutdown: bool) -> Any:
-    """Return a test that pytest can call, for one that may be a generator or a coroutine.
-
-    Args:
-        function: The test; what stands behind a generator's `yield` runs after the launch.
-        fixture_name: Of the launch that it belongs to.
-        shutdown: Whether all of it runs after the launch.
-    """
-
-    def plain(*args: Any, **given: Any) -> None:
-        launch = running[fixture_name]
-        if shutdown:
-            launch.stop()
-        steps = function(*args, **given)
-        if inspect.iscoroutine(steps):
-            asyncio.run(steps)
-        elif inspect.isgenerator(steps):
-            next(steps)
-            launch.stop()
-            next(steps, None)
-        elif inspect.isasyncgen(steps):
-            asyncio.run(_both_halves(steps, launch))
-
-    plain.__signature__ = inspect.signature(function)  # type: ignore[attr-defined]
-    plain.__name__, plain.__doc__ = function.__name__, function.__doc__
-    plain.__module__, plain.__qualname__ = function.__module__, function.__qualname__
-    plain.pytestmark = list(getattr(function, "pytestmark", []))  # type: ignore[attr-defined]
-    return plain
-
-
-async def _both_halves(steps: Any, launch: RunningLaunch) -> None:
-    await anext(steps)
-    await asyncio.to_thread(launch.stop)
-    await anext(steps, None)
+    return _names[id(made)][1:]

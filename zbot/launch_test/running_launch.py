@@ -15,7 +15,7 @@ from zbot.launch_test.error import LaunchTestError
 from zbot.launch_test.record import ExitRecord, OutputRecord
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+    from collections.abc import Iterable, Iterator, Mapping
 
     from zbot.launch.description import LaunchDescription
     from zbot.launch.entity import LaunchDescriptionEntity
@@ -50,7 +50,7 @@ class RunningLaunch:
         self.service = LaunchService(noninteractive=True, debug=debug)
         self._keep_alive = keep_alive
         self._signs = threading.Condition()
-        self._is_ready = not (must_get_ready or _has_ready_action(description.entities))
+        self._is_ready = not (must_get_ready or any(ready_actions(description.entities)))
         self.is_over = False  #: whether it has ended
         context = self.service.context
         context.launch_configurations.update(arguments or {})
@@ -113,10 +113,11 @@ def _handler(kind: type[Any], function: Any) -> EventHandler:
     )
 
 
-def _has_ready_action(entities: Iterable[LaunchDescriptionEntity]) -> bool:
-    return any(
-        isinstance(entity, ReadyToTest)
-        or _has_ready_action(entity.describe_sub_entities())
-        or any(_has_ready_action(some) for _, some in entity.describe_conditional_sub_entities())
-        for entity in entities
-    )
+def ready_actions(entities: Iterable[LaunchDescriptionEntity]) -> Iterator[ReadyToTest]:
+    """Yield the actions of a description that let tests begin."""
+    for entity in entities:
+        if isinstance(entity, ReadyToTest):
+            yield entity
+        yield from ready_actions(entity.describe_sub_entities())
+        for _, some in entity.describe_conditional_sub_entities():
+            yield from ready_actions(some)
