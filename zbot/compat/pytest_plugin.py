@@ -140,7 +140,8 @@ class _Stage(NamedTuple):
 
     def key(self, item: pytest.Item) -> Any:
         """Return the same for all items that share one launch."""
-        indices = item.callspec.indices if hasattr(item, "callspec") else {}
+        parameters = getattr(item, "callspec", None)
+        index = parameters.indices.get(self.fixture_name) if parameters is not None else None
         kinds: dict[str, Any] = {
             "class": pytest.Class,
             "module": pytest.Module,
@@ -148,7 +149,7 @@ class _Stage(NamedTuple):
         }
         kind = kinds.get(self.scope)
         owner = None if kind is None else item.getparent(kind)
-        return id(self.fixture), indices.get(self.fixture_name), owner
+        return id(self.fixture), index, owner
 
 
 _STAGE = pytest.StashKey[_Stage]()

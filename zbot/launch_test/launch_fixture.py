@@ -38,8 +38,7 @@ def fixture(
             made = function(**given)
             rest = made if inspect.isgenerator(made) else iter((made,))
             value = next(rest)
-            description = value[0] if isinstance(value, (tuple, list)) and value else value
-            _check(name, description)
+            description = _description(name, value)
             launch = RunningLaunch(description, keep_alive=not auto_shutdown, must_get_ready=False)
             running[name] = launch
             try:
@@ -61,12 +60,15 @@ def fixture(
     return decorate if decorated is None else decorate(decorated)
 
 
-def _check(name: str, description: Any) -> None:
-    if not isinstance(description, LaunchDescription):
+def _description(name: str, value: Any) -> LaunchDescription:
+    """Return the description in what a fixture's function gave."""
+    first = value[0] if isinstance(value, (tuple, list)) and value else value
+    if not isinstance(first, LaunchDescription):
         what = "must be either a launch description or a sequence that begins with one"
-        raise LaunchTestError(f"what the fixture {name} returns {what}, not {description!r}")
-    if sum(1 for _ in ready_actions(description.entities)) > 1:
+        raise LaunchTestError(f"what the fixture {name} returns {what}, not {value!r}")
+    if sum(1 for _ in ready_actions(first.entities)) > 1:
         raise LaunchTestError(f"the launch of {name} must have only one ReadyToTest action")
+    return first
 
 
 def name_and_scope(made: Any) -> tuple[str, str]:

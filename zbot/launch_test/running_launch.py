@@ -15,7 +15,7 @@ from zbot.launch_test.error import LaunchTestError
 from zbot.launch_test.record import ExitRecord, OutputRecord
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Mapping
+    from collections.abc import Callable, Iterable, Iterator, Mapping
 
     from zbot.launch.description import LaunchDescription
     from zbot.launch.entity import LaunchDescriptionEntity
@@ -111,6 +111,16 @@ def _handler(kind: type[Any], function: Any) -> EventHandler:
     return EventHandler(
         matcher=lambda event: isinstance(event, kind), entities=lambda event, _: function(event)
     )
+
+
+def when_tests_may_begin(function: Callable[[], object]) -> EventHandler:
+    """Return what calls a function when a launch has come to its `ReadyToTest`."""
+
+    def begin(event: object) -> None:
+        del event
+        function()
+
+    return _handler(TestsMayBegin, begin)
 
 
 def ready_actions(entities: Iterable[LaunchDescriptionEntity]) -> Iterator[ReadyToTest]:

@@ -9,13 +9,19 @@ import sys
 import unittest
 from typing import TYPE_CHECKING, Any
 
+from zbot.launch.actions.event_action import RegisterEventHandler
 from zbot.launch.description import LaunchDescription
 from zbot.launch_test.error import LaunchTestError
 from zbot.launch_test.marker import markers_of
-from zbot.launch_test.running_launch import READY_TIMEOUT_S, RunningLaunch
+from zbot.launch_test.running_launch import (
+    READY_TIMEOUT_S,
+    RunningLaunch,
+    ready_actions,
+    when_tests_may_begin,
+)
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator, Mapping, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
     from pathlib import Path
     from types import ModuleType
 
@@ -68,13 +74,18 @@ class TestRun:
         return f"[{values}]" if values else ""
 
     def run(
-        self, arguments: Mapping[str, str] | None = None, *, verbosity: int = 2
+        self,
+        arguments: Mapping[str, str] | None = None,
+        *,
+        verbosity: int = 2,
+        debug: bool = False,
     ) -> list[unittest.TestResult]:
         """Launch, run the tests, end the launch, and run those that come after it.
 
         Args:
             arguments: Launch arguments; tests get them as `test_args`.
             verbosity: unittest's: 2 writes a line for each test.
+            debug: Whether debug lines of the launch are shown.
 
         Returns:
             The results of both.
@@ -82,9 +93,13 @@ class TestRun:
         Raises:
             LaunchTestError: The description is none, or the launch ended before its tests.
         """
-        description, given = self._describe()
+        try:
+            description, given = self._describe()
+        except unittest.SkipTest as skip:
+            return [self._skipped(str(skip))]
         markers = markers_of(self._function)
-        launch = RunningLaunch(description, arguments, keep_alive=bool(markers.get("keep_alive")))
+        keep_alive = bool(markers.get("keep_alive"))
+        launch = RunningLaunch(description, arguments, keep_alive=keep_alive, debug=debug)
         things = {
             **given,
             **self._parameters,
@@ -104,6 +119,48 @@ class TestRun:
         finally:
             launch.stop()
         return [active, self._run_cases(things, verbosity, after=True)]
+
+    def validate(self) -> None:
+        """Check that the description takes what `parametrize` gives it, and nothing else.
+
+        Raises:
+            LaunchTestError: It does not.
+        """
+        taken = inspect.signature(self._function).parameters
+        for name in self._parameters:
+            if name not in taken:
+                raise LaunchTestError(f"Could not find an argument of {_FUNCTION}() for '{name}'")
+        for name, one in taken.items():
+            if name not in self._parameters and one.default is one.empty:
+                raise LaunchTestError(f"{_FUNCTION}() has an unexpected extra argument '{name}'")
+
+    def normalized_test_description(
+        self, *, ready_fn: Callable[[], object]
+    ) -> tuple[LaunchDescription, dict[str, Any]]:
+        """Return the description, and the things for its tests.
+
+        Args:
+            ready_fn: Called when the launch has come to its `ReadyToTest`.
+
+        Raises:
+            LaunchTestError: There is no `ReadyToTest`.
+        """
+        description, given = self._describe()
+        if not any(ready_actions(description.entities)):
+            what = "a LaunchDescription containing a ReadyToTest action"
+            raise LaunchTestError(f"{_FUNCTION}() must return {what}")
+        description.add_action(RegisterEventHandler(when_tests_may_begin(ready_fn)))
+        return description, given
+
+    def _skipped(self, reason: str) -> unittest.TestResult:
+        result = unittest.TestResult()
+        for case in (*self._cases(after=False), *self._cases(after=True)):
+            for name in unittest.defaultTestLoader.getTestCaseNames(case):
+                test = case(name)
+                result.startTest(test)
+                result.addSkip(test, reason)
+                result.stopTest(test)
+        return result
 
     def _describe(self) -> tuple[LaunchDescription, dict[str, Any]]:
         returned = self._function(**self._parameters)
@@ -126,8 +183,7 @@ class TestRun:
     def _cases(self, *, after: bool) -> Iterator[type[unittest.TestCase]]:
         for one in vars(self._module).values():
             is_case = isinstance(one, type) and issubclass(one, unittest.TestCase)
-            is_own = is_case and one.__module__ == self._module.__name__
-            if is_own and getattr(one, "__post_shutdown_test__", False) is after:
+            if is_case and getattr(one, "__post_shutdown_test__", False) is after:
                 yield one
 
 

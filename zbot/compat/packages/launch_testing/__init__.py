@@ -26,8 +26,10 @@ __getattr__ = submodules(
     "event_handlers",
     "io_handler",
     "launch_test",
+    "loader",
     "markers",
     "proc_info_handler",
+    "test_runner",
     "tools",
     "util",
 )

@@ -1,0 +1,6 @@
+"""The runs of a test file."""
+
+from zbot.launch_test import test_run
+
+LoadTestsFromPythonModule = test_run.test_runs
+TestRun = test_run.TestRun
