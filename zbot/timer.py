@@ -137,9 +137,13 @@ class Timer:
 
     def _on_time_change(self) -> None:
         # A step forward only makes it due, for `/clock` may be coarser than the period.
-        if self._is_simulated is not self._was_simulated or self._now_ns() < self._last_ns:
+        is_simulated, now = self._is_simulated, self._now_ns()
+        if is_simulated is not self._was_simulated or now < self._last_ns:
             self._restart()
-        self.mailbox.post(self)
+            self.mailbox.post(self)
+        elif now >= self._next_ns and not self._is_canceled:
+            # Not at each step, which nearly all of a node's timers have to let pass.
+            self.mailbox.post(self)
 
     def take(self) -> TimerInfo | None:
         """Return the call that is due, and schedule the next one."""

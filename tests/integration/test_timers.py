@@ -230,6 +230,22 @@ def test_a_clock_that_is_coarser_than_the_period_runs_the_timer_at_every_step(
     assert len(calls) == 5
 
 
+def test_simulated_time_wakes_nobody_before_a_timer_is_due(simulation: Simulation) -> None:
+    simulation.go_to(10)
+    timer = simulation.node.create_timer(1.0, lambda: None)
+    wakes: list[float] = []
+    simulation.node.handle.mailbox.watch(
+        timer, lambda: wakes.append(simulation.clock.now().nanoseconds / 1e9)
+    )
+    for tenth in range(100, 121):
+        simulation.go_to(tenth / 10)
+    assert wakes == [11, 12]
+    simulation.go_to(5)
+    timer.cancel()
+    simulation.go_to(20)
+    assert wakes == [11, 12, 5]
+
+
 def test_a_jump_back_starts_a_new_period(simulation: Simulation) -> None:
     calls: list[int] = []
     simulation.go_to(100)
