@@ -115,14 +115,15 @@ class TestAnswers:
     def test_a_node_that_calls_its_own_service_keeps_no_old_calls(self, caller: zbot.Node) -> None:
         caller.create_service(AddTwoInts, "add", add)
         client = client_of(caller)
-        calls = []
-        for number in range(20):
+
+        def call(number: int) -> weakref.ref[Any]:
             future = client.call_async(Request(a=number))
             zbot.spin_until_future_complete(caller, future, timeout_sec=5)
-            calls.append(weakref.ref(future))
-        del future
+            return weakref.ref(future)
+
+        calls = [call(number) for number in range(20)]
         gc.collect()
-        assert sum(call() is not None for call in calls) <= 1
+        assert sum(each() is not None for each in calls) <= 1
 
     def test_callbacks_of_a_future_run_in_the_executor(
         self, server: zbot.Node, caller: zbot.Node
