@@ -52,7 +52,7 @@ class LifecycleNode(Node):
         **options: Any,
     ) -> None:
         super().__init__(name=name, namespace=namespace, **options)
-        self._autostart = autostart
+        self.node_autostart = autostart
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
@@ -81,7 +81,7 @@ class LifecycleNode(Node):
                 entities=lambda event, _: self._change(event, context, node),
             )
         )
-        if not self._autostart:
+        if not self.node_autostart:
             return None
         return [LifecycleTransition([self], ["configure", "activate"])]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 from typing import TYPE_CHECKING
 
+from zbot.launch.actions.ros_names import PARAMETERS
 from zbot.launch.actions.timer import TimerAction
 
 if TYPE_CHECKING:
@@ -14,15 +15,37 @@ _INTERVAL_S = 0.02
 
 
 class RosTimer(TimerAction):
-    """Do several things after a while, measured by the clock of ROS; see `TimerAction`."""
+    """Do several things after a while, measured by the clock of ROS; see `TimerAction`.
+
+    The time is that of `/clock` where `SetUseSimTime`, or a parameter `use_sim_time` of all nodes,
+    says so.
+    """
+
+    _is_simulated = False
+
+    def execute(self, context: LaunchContext) -> None:
+        """Start to wait."""
+        self._is_simulated = _is_simulated(context)
+        super().execute(context)
 
     async def _sleep(self, seconds: float, context: LaunchContext) -> None:
         from zbot.launch.ros_node import launch_node  # noqa: PLC0415 - opens a session
+        from zbot.parameter import Parameter  # noqa: PLC0415 - as above
 
-        clock = launch_node(context).node.get_clock()
+        node = launch_node(context).node
+        # What stands behind this action in the launch file has been read by now, and counts too.
+        if self._is_simulated or _is_simulated(context):
+            node.set_parameters([Parameter("use_sim_time", value=True)])
+        clock = node.get_clock()
         end = clock.now().nanoseconds + int(seconds * 1e9)
         while clock.now().nanoseconds < end:
             await asyncio.sleep(min(_INTERVAL_S, seconds))
+
+
+def _is_simulated(context: LaunchContext) -> bool:
+    given = context.launch_configurations.get(PARAMETERS, ())
+    pairs: dict[str, object] = dict(one for one in given if isinstance(one, tuple))
+    return pairs.get("use_sim_time") is True
 
 
 ROSTimer = RosTimer
