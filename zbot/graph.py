@@ -52,13 +52,20 @@ class Snapshot:
         found = (token for token in self.tokens if isinstance(token, EndpointToken))
         return sorted(found, key=lambda end: (end.name, _full(end), end.zid, end.eid))
 
+    @cached_property
+    def _by_name(self) -> dict[str, list[EndpointToken]]:
+        found: dict[str, list[EndpointToken]] = {}
+        for end in self.endpoints:
+            found.setdefault(end.name, []).append(end)
+        return found
+
     def of_kind(self, *kinds: EntityKind) -> Iterator[EndpointToken]:
         """Yield the endpoints of the given kinds."""
         return (end for end in self.endpoints if end.kind in kinds)
 
     def on(self, name: str, *kinds: EntityKind) -> list[EndpointToken]:
         """Return the endpoints of some kinds on one topic or service."""
-        return [end for end in self.of_kind(*kinds) if end.name == name]
+        return [end for end in self._by_name.get(name, ()) if end.kind in kinds]
 
     def publishers(self, topic: str) -> list[EndpointToken]:
         """Return the publishers of a topic."""
@@ -150,6 +157,8 @@ class Graph:
         self._keys = dialect.tokens_keys(domain)
         self._tokens: dict[str, Token] = {}
         self._by_gid: dict[bytes, EndpointToken] = {}
+        # Programs count who listens before every message: what was sorted serves until a change.
+        self._snapshot: Snapshot | None = None
         self._lock = threading.Lock()
         self._listeners: list[weakref.ref[Any]] = []
         self._asks_first = asks_first
@@ -199,7 +208,9 @@ class Graph:
         if not self._is_complete:
             self._complete()
         with self._lock:
-            return Snapshot(tuple(self._tokens.values()))
+            if self._snapshot is None:
+                self._snapshot = Snapshot(tuple(self._tokens.values()))
+            return self._snapshot
 
     def wait_for(self, condition: Callable[[Snapshot], bool], timeout_s: float) -> bool:
         """Wait until a condition on the graph holds; `False` if it did not in `timeout_s`."""
@@ -225,6 +236,7 @@ class Graph:
 
     def _forget(self, key: str) -> Token | None:
         gone = self._tokens.pop(key, None)
+        self._snapshot = None
         if isinstance(gone, EndpointToken):
             self._by_gid.pop(gone.gid, None)
         return gone
@@ -301,6 +313,7 @@ class Graph:
             if token.key in self._tokens or token.key in self._withdrawn:
                 return False
             self._tokens[token.key] = token
+            self._snapshot = None
             if isinstance(token, EndpointToken):
                 self._by_gid[token.gid] = token
             return True

@@ -301,6 +301,17 @@ def test_infos_tell_node_type_and_quality(make_node: MakeNode, observer: zbot.No
     assert observer.get_publishers_info_by_topic("/nothing") == []
 
 
+def test_counting_sorts_the_graph_anew_only_after_a_change(make_node: MakeNode) -> None:
+    node = make_node("node")
+    publisher = node.create_publisher(String, "chatter", 10)
+    subscription = node.create_subscription(String, "chatter", print, 10)
+    before = node.context.graph.snapshot()
+    assert publisher.get_subscription_count() == 1
+    assert node.context.graph.snapshot() is before
+    node.destroy_subscription(subscription)
+    assert publisher.get_subscription_count() == 0
+
+
 # -- change ----------------------------------------------------------------------------------------
 
 
