@@ -42,7 +42,7 @@ class MeetingWatch:
 
     One thread waits, without polling, for links to come and go. When the router's link goes, it
     tries to take the port, and exactly one of the domain's processes succeeds. Once all is quiet
-    after that, it looks whether the router knows somebody whom this session does not, and sends for
+    after that, it looks whether the router knows somebody whom its session does not, and sends for
     an introducer then.
 
     Args:
@@ -163,7 +163,7 @@ class MeetingWatch:
     # -- introductions -------------------------------------------------------------------------
 
     def _meet_strangers(self) -> float | None:
-        """Have those introduced whom this session never met; return when to look again, if ever."""
+        """Have those introduced whom its session never met; return when to look again, if ever."""
         # An error: the session was closed, or the router has just gone, which is an event.
         with contextlib.suppress(zenoh.ZError, SessionError):
             # A program with a configuration of its own may be out of everybody's reach.
