@@ -67,7 +67,7 @@ def test_topic_pub_fills_the_header(start: Start) -> None:
 
 @pytest.mark.usefixtures("turtle")
 def test_topic_hz(start: Start) -> None:
-    start("zbot", "topic", "hz", "/turtle1/pose").wait_for("average rate: 6")
+    start("zbot", "topic", "hz", "/turtle1/pose").wait_for_rate(62.5, 12)
 
 
 def test_service_call(turtle: Program) -> None:
