@@ -20,6 +20,7 @@ import zenoh
 from zbot import census
 from zbot.errors import InvalidNameError, TokenError
 from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
+from zbot.semaphore import BinarySemaphore
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
 if TYPE_CHECKING:
@@ -167,7 +168,8 @@ class Graph:
         self._gone: set[str] = set()
         # Own tokens whose coming and going may still be queued, or was never told.
         self._withdrawn: dict[str, None] = {}
-        self._changed = threading.Condition()
+        # No condition variable: a signal's exception could leave it taken, and Zenoh stuck.
+        self._waiting: set[BinarySemaphore] = set()
 
     def watch(self) -> None:
         """Begin to follow changes; `find` knows nothing before."""
@@ -215,13 +217,18 @@ class Graph:
     def wait_for(self, condition: Callable[[Snapshot], bool], timeout_s: float) -> bool:
         """Wait until a condition on the graph holds; `False` if it did not in `timeout_s`."""
         self.watch()
+        changed = BinarySemaphore()
+        self._waiting.add(changed)
         deadline = time.monotonic() + timeout_s
-        while not condition(self.snapshot()):
-            with self._changed:
+        try:
+            while not condition(self.snapshot()):
                 left = deadline - time.monotonic()
-                if left <= 0 or not self._changed.wait(left):
-                    return condition(self.snapshot())
-        return True
+                if left <= 0:
+                    return False
+                changed.wait(left)
+            return True
+        finally:
+            self._waiting.discard(changed)
 
     def _complete(self) -> None:
         tokens = list(self._ask())
@@ -319,8 +326,8 @@ class Graph:
             return True
 
     def _tell(self, token: Token, appeared: bool) -> None:
-        with self._changed:
-            self._changed.notify_all()
+        for changed in list(self._waiting):
+            changed.set()
         for ref in list(self._listeners):
             listener = ref()
             if listener is not None:

@@ -6,6 +6,8 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any, Literal
 
+from zbot.semaphore import BinarySemaphore
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -64,7 +66,7 @@ class WaitSet:
 
     def wait(self, timeout_nsec: int) -> None:
         """Wait until something is ready, at most so many nanoseconds (negative: for ever)."""
-        woken = threading.Event()
+        woken = BinarySemaphore()
         deadline = None if timeout_nsec < 0 else time.monotonic_ns() + timeout_nsec
         self.remember_waker(woken.set)
         try:
@@ -72,8 +74,7 @@ class WaitSet:
                 left = self._left_s(deadline)
                 if left is not None and left <= 0 and self._is_over(deadline):
                     return
-                woken.wait(left)
-                woken.clear()
+                woken.wait(threading.TIMEOUT_MAX if left is None else left)
         finally:
             self.forget_waker(woken.set)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import statistics
 from typing import TYPE_CHECKING
 
 from tests.classroom.lesson import Lesson
@@ -20,7 +21,10 @@ KINDS = {1: "flood", 3: "quiet"}
 
 
 def test_a_flood_does_not_delay_what_others_say(make_rig: Callable[[int], Rig]) -> None:
-    """The best second of each kind is compared: whatever else this machine does only adds."""
+    """The best second with it is compared with the usual one without it.
+
+    Whatever else this machine does only adds to a delay; a single quiet second may be pure luck.
+    """
     rig = make_rig(2)
     lesson = Lesson(rig, 1)
     lesson.join()
@@ -37,7 +41,11 @@ def test_a_flood_does_not_delay_what_others_say(make_rig: Callable[[int], Rig]) 
         if kind is not None and int(count) > 100:  # a whole one
             p99_us[kind].append(int(delay_us))
 
-    assert min(p99_us["flood"]) < allowed(SHARE) * min(p99_us["quiet"]), p99_us
+    assert is_undelayed(p99_us), p99_us
+
+
+def is_undelayed(p99_us: dict[str, list[int]]) -> bool:
+    return min(p99_us["flood"]) < allowed(SHARE) * statistics.median(p99_us["quiet"])
 
 
 def is_settled(p99_us: dict[str, list[int]]) -> bool:
@@ -45,4 +53,4 @@ def is_settled(p99_us: dict[str, list[int]]) -> bool:
     least = min(map(len, p99_us.values()))
     if least < SECONDS:
         return False
-    return least >= MOST_SECONDS or min(p99_us["flood"]) < allowed(SHARE) * min(p99_us["quiet"])
+    return least >= MOST_SECONDS or is_undelayed(p99_us)

@@ -1,0 +1,69 @@
+"""A Ctrl-C that comes between Python's last look at signals and its sleep wakes nobody.
+
+A signal that another thread gets does the same: nothing interrupts the sleep of the main one.
+"""
+
+from __future__ import annotations
+
+import signal
+import sys
+import threading
+import time
+from typing import TYPE_CHECKING
+
+import pytest
+
+import zbot
+from tests.conftest import allowed
+from zbot.wait_for_message import wait_for_message
+from zbot.wait_set import WaitSet
+
+from std_msgs.msg import String
+from std_srvs.srv import Trigger
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from tests.conftest import MakeContext
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+
+_LONG_S = 3600
+
+
+def _wait_set(node: zbot.Node) -> None:
+    waiting = WaitSet()
+    waiting.add_subscription(node.create_subscription(String, "news", print, 1).handle)
+    waiting.wait(-1)
+
+
+def _spin(node: zbot.Node) -> None:
+    executor = zbot.SingleThreadedExecutor(context=node.context)
+    executor.add_node(node)
+    executor.spin()
+
+
+WAITS: dict[str, Callable[[zbot.Node], object]] = {
+    "graph": lambda node: node.context.graph.wait_for(lambda seen: not seen.tokens, _LONG_S),
+    "wait set": _wait_set,
+    "executor": _spin,
+    "server": lambda node: node.create_client(Trigger, "absent").wait_for_service(),
+    "message": lambda node: wait_for_message(String, node, "news"),
+    "clock": lambda node: node.get_clock().sleep_for(
+        zbot.Duration(seconds=_LONG_S), context=node.context
+    ),
+}
+
+
+@pytest.mark.parametrize("wait", WAITS.values(), ids=WAITS)
+def test_no_wait_sleeps_through_a_signal(
+    make_context: MakeContext, wait: Callable[[zbot.Node], object]
+) -> None:
+    node = zbot.Node("sleeper", context=make_context())
+    interruption = threading.Timer(0.2, signal.raise_signal, [signal.SIGINT])
+    interruption.start()
+    begun = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        wait(node)
+    assert time.monotonic() - begun < allowed(2)
+    interruption.join()
