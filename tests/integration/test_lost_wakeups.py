@@ -24,7 +24,7 @@ from std_srvs.srv import Trigger
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from tests.conftest import MakeContext
+    MakeContext = Callable[[], zbot.Context]
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 
