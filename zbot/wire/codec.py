@@ -9,8 +9,9 @@ from __future__ import annotations
 import math
 import typing
 from array import array
-from dataclasses import dataclass, is_dataclass
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from dataclasses import is_dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, Generic, Literal, NoReturn, TypeVar
 
 from zbot.errors import CodecError, NotAMessageTypeError
 from zbot.interfaces import get_interface, spec_of
@@ -18,7 +19,7 @@ from zbot.interfaces.array_value import fixed_array
 from zbot.interfaces.spec import MessageSpec
 from zbot.wire import check, generator
 from zbot.wire.check import Fault
-from zbot.wire.generator import Layout, is_numeric_array
+from zbot.wire.generator import Layout, function_name, is_numeric_array
 from zbot.wire.keys import encoding
 from zbot.wire.lift import LARGE, lift_arrays
 from zbot.wire.messagepack import (
@@ -38,18 +39,93 @@ __all__ = ["Codec", "CodecError", "codec_for"]
 
 MessageT = TypeVar("MessageT")
 
+_Nested = Literal["to_map", "from_map"]
+
 _ERRORS = (Fault, AttributeError, TypeError, ValueError, OverflowError, MemoryError, BufferError)
+_SOURCES = {
+    "encode": generator.encode_source,
+    "decode": generator.decode_source,
+    "to_map": generator.to_map_source,
+    "from_map": generator.from_map_source,
+}
+#: For each generated function, what it calls for the messages inside, and under which verb.
+_INSIDE: dict[str, tuple[str, _Nested]] = {
+    "encode": ("pack", "to_map"),
+    "to_map": ("pack", "to_map"),
+    "decode": ("unpack", "from_map"),
+    "from_map": ("unpack", "from_map"),
+}
+_COMMON_NAMES: dict[str, Any] = {
+    **vars(check),
+    "pack": pack,
+    "unpack": unpack,
+    "bin_header": bin_header,
+    "ext_header": ext_header,
+    "extension": extension,
+    "array": array,
+    "fixed_array": fixed_array,
+    "EMPTY": {},
+    "inf": math.inf,
+    "nan": math.nan,
+}
 
 
-@dataclass(frozen=True, slots=True)
 class Codec(Generic[MessageT]):
-    """How messages of one type become bytes, and bytes messages."""
+    """How messages of one type become bytes, and bytes messages.
 
-    type_name: str  #: `std_msgs/msg/String`
-    encoding: str  #: Zenoh encoding of the bytes
-    encode: Callable[[MessageT], bytes]
-    decode: Callable[[Bytes], MessageT]
-    source: str  #: the generated functions, for a person to read
+    Each way's function is made when it is asked for: most processes use one way of a type only.
+
+    Args:
+        message_class: A message class or a dataclass.
+
+    Raises:
+        NotAMessageTypeError: It is neither.
+    """
+
+    def __init__(self, message_class: type[MessageT]) -> None:
+        self._spec = _spec_of(message_class)
+        self._class = message_class
+        self.type_name = self._spec.name  #: `std_msgs/msg/String`
+        self.encoding = encoding(self._spec.name)  #: Zenoh encoding of the bytes
+
+    @property
+    def source(self) -> str:
+        """The generated functions, for a person to read."""
+        return "\n\n".join(
+            write(self._spec, _layout(self._class))
+            for write in (generator.encode_source, generator.decode_source)
+        )
+
+    @cached_property
+    def encode(self) -> Callable[[MessageT], bytes]:
+        """Return the bytes of a message; raises `CodecError` where a field cannot be sent."""
+        names = {"ERRORS": _ERRORS, "explain": self._explain_encoding}
+        return _function(self._class, "encode", names)
+
+    @cached_property
+    def decode(self) -> Callable[[Bytes], MessageT]:
+        """Return the message that bytes stand for; raises `CodecError` where they are none."""
+        names = {"ERRORS": Exception, "explain": self._explain_decoding}  # dataclasses raise any
+        arrays = {pack(f.name): f.name for f in self._spec.fields if is_numeric_array(f)}
+        names |= {"LARGE": LARGE, "unpack_large": _unpack_large, "ARRAYS": arrays}
+        return _function(self._class, "decode", names)
+
+    def _explain_encoding(self, message: Any, error: Exception) -> NoReturn:
+        path, reason = _path_and_reason(error)
+        if not isinstance(message, self._class) and not isinstance(error, Fault):
+            reason = f"expected a {self.type_name}, not {check.kind(message)}"
+        elif isinstance(error, UnicodeEncodeError):
+            path = _path_of(error.object, _nested_function(self._class, "to_map")(message))
+            reason = f"{error.object!r:.40} cannot be written as UTF-8"
+        raise CodecError("encode", self.type_name, path, reason) from error
+
+    def _explain_decoding(self, error: Exception) -> NoReturn:
+        cause = None if isinstance(error, Fault) else error
+        raise CodecError("decode", self.type_name, *_path_and_reason(error)) from cause
+
+
+_codecs: dict[type, Codec[Any]] = {}
+_nested_functions: dict[tuple[type, str], Callable[[Any], Any]] = {}
 
 
 def codec_for(message_class: type[MessageT]) -> Codec[MessageT]:
@@ -60,75 +136,8 @@ def codec_for(message_class: type[MessageT]) -> Codec[MessageT]:
     """
     codec = _codecs.get(message_class)
     if codec is None:
-        codec = _codecs[message_class] = _codec(message_class)
+        codec = _codecs[message_class] = Codec(message_class)
     return codec
-
-
-@dataclass(frozen=True, slots=True)
-class _Functions:
-    """The generated functions of one class."""
-
-    spec: MessageSpec
-    source: str
-    to_map: Callable[[Any], dict[str, Any]]
-    to_parts: Callable[[Any], tuple[Any, ...]] | None  #: only with numeric arrays
-    from_map: Callable[[Any], Any]
-
-
-_codecs: dict[type, Codec[Any]] = {}
-_functions: dict[type, _Functions] = {}
-
-
-def _codec(message_class: type[Any]) -> Codec[Any]:
-    functions = _functions_of(message_class)
-    name = functions.spec.name
-    return Codec(
-        name,
-        encoding(name),
-        _encoder(message_class, functions),
-        _decoder(functions),
-        functions.source,
-    )
-
-
-def _encoder(message_class: type[Any], functions: _Functions) -> Callable[[Any], bytes]:
-    to_map, to_parts = functions.to_map, functions.to_parts
-
-    def encode_map(message: Any) -> bytes:
-        try:
-            return pack(to_map(message))
-        except _ERRORS as error:
-            raise _encode_error(message_class, functions, message, error) from error
-
-    if to_parts is None:
-        return encode_map
-
-    def encode_parts(message: Any) -> bytes:
-        try:
-            return b"".join(to_parts(message))
-        except _ERRORS as error:
-            raise _encode_error(message_class, functions, message, error) from error
-
-    return encode_parts
-
-
-def _decoder(functions: _Functions) -> Callable[[Bytes], Any]:
-    name, from_map = functions.spec.name, functions.from_map
-    arrays = {pack(f.name): f.name for f in functions.spec.fields if is_numeric_array(f)}
-
-    def decode(data: Bytes) -> Any:
-        try:
-            if arrays and len(data) >= LARGE:
-                return from_map(_unpack_large(data, arrays))
-            return from_map(unpack(data))
-        except Fault as fault:
-            raise CodecError("decode", name, fault.path, fault.reason) from None
-        except UnreadableError as error:
-            raise CodecError("decode", name, "", str(error)) from error
-        except Exception as error:  # a dataclass may raise anything
-            raise CodecError("decode", name, "", f"{type(error).__name__}: {error}") from error
-
-    return decode
 
 
 def _unpack_large(data: Bytes, arrays: dict[bytes, str]) -> Any:
@@ -140,18 +149,12 @@ def _unpack_large(data: Bytes, arrays: dict[bytes, str]) -> Any:
     return values
 
 
-def _encode_error(
-    message_class: type[Any], functions: _Functions, message: Any, error: Exception
-) -> CodecError:
-    name = functions.spec.name
+def _path_and_reason(error: Exception) -> tuple[str, str]:
     if isinstance(error, Fault):
-        return CodecError("encode", name, error.path, error.reason)
-    if not isinstance(message, message_class):
-        return CodecError("encode", name, "", f"expected a {name}, not {check.kind(message)}")
-    if isinstance(error, UnicodeEncodeError):
-        field = _path_of(error.object, functions.to_map(message))
-        return CodecError("encode", name, field, f"{error.object!r:.40} cannot be written as UTF-8")
-    return CodecError("encode", name, "", f"{type(error).__name__}: {error}")
+        return error.path, error.reason
+    return "", str(error) if isinstance(
+        error, UnreadableError
+    ) else f"{type(error).__name__}: {error}"
 
 
 def _path_of(text: str, value: Any) -> str:
@@ -171,29 +174,42 @@ def _path_of(text: str, value: Any) -> str:
     return ""
 
 
-def _functions_of(message_class: type[Any]) -> _Functions:
-    functions = _functions.get(message_class)
-    if functions is None:
-        functions = _functions[message_class] = _generate(message_class)
-    return functions
-
-
-def _generate(message_class: type[Any]) -> _Functions:
+def _spec_of(message_class: type[Any]) -> MessageSpec:
     spec = spec_of(message_class)
     if not isinstance(spec, MessageSpec):
         reason = "it is a service or an action; the parts of it, such as Request, are messages"
         raise NotAMessageTypeError(message_class, reason)
-    layout = _dataclass_layout(message_class) if is_dataclass(message_class) else Layout()
-    sources = [
-        generator.to_map_source(spec, layout),
-        generator.from_map_source(spec, layout),
-    ]
-    if any(map(is_numeric_array, spec.fields)):
-        sources.append(generator.to_parts_source(spec, layout))
-    source = "\n\n".join(sources)
-    names = _namespace(message_class, spec)
+    return spec
+
+
+def _layout(message_class: type[Any]) -> Layout:
+    return _dataclass_layout(message_class) if is_dataclass(message_class) else Layout()
+
+
+def _nested_function(message_class: type[Any], name: _Nested) -> Callable[[Any], Any]:
+    """Return the function for messages of a class that stand in others."""
+    function = _nested_functions.get((message_class, name))
+    if function is None:
+        function = _nested_functions[message_class, name] = _function(message_class, name, {})
+    return function
+
+
+def _function(
+    message_class: type[Any], name: _Nested | Literal["encode", "decode"], more: dict[str, Any]
+) -> Callable[[Any], Any]:
+    """Return one of a type's generated functions, which uses some names more than all do."""
+    spec = _spec_of(message_class)
+    source = _SOURCES[name](spec, _layout(message_class))
+    verb, nested = _INSIDE[name]
+    names = _COMMON_NAMES | more | {"CLASS": message_class, "new": message_class.__new__}
+    for field in spec.fields:
+        names[f"KEY_{field.name}"] = pack(field.name)
+        if field.type.is_message:
+            inner = get_interface(field.type.base)
+            names[function_name(verb, field.type.base)] = _nested_function(inner, nested)
     exec(compile(source, f"<codec of {spec.name}>", "exec"), names)  # noqa: S102 - our own text
-    return _Functions(spec, source, names["to_map"], names.get("to_parts"), names["from_map"])
+    function: Callable[[Any], Any] = names[name]
+    return function
 
 
 def _dataclass_layout(message_class: type[Any]) -> Layout:
@@ -205,19 +221,3 @@ def _dataclass_layout(message_class: type[Any]) -> Layout:
         elif typing.get_origin(hint) is list:
             conversions[name] = "tolist"
     return Layout(prefix="", keywords=True, conversions=conversions)
-
-
-def _namespace(message_class: type[Any], spec: MessageSpec) -> dict[str, Any]:
-    """Return the names that a type's generated source uses."""
-    names = dict(vars(check))
-    names |= {"pack": pack, "bin_header": bin_header, "ext_header": ext_header}
-    names |= {"extension": extension, "array": array, "fixed_array": fixed_array}
-    names |= {"CLASS": message_class, "new": message_class.__new__, "EMPTY": {}}
-    names |= {"inf": math.inf, "nan": math.nan}
-    for field in spec.fields:
-        names[f"KEY_{field.name}"] = pack(field.name)
-        if field.type.is_message:
-            nested = _functions_of(get_interface(field.type.base))
-            names[generator.function_name("pack", field.type.base)] = nested.to_map
-            names[generator.function_name("unpack", field.type.base)] = nested.from_map
-    return names

@@ -1,8 +1,9 @@
 """Python source of a message type's pack and unpack functions.
 
-A type gets two small functions: `to_map(message)` and `from_map(values)`. Those of the types inside
-it are called `pack_<type>` and `unpack_<type>`. A value that is plainly right is tested inline; any
-other goes to `zbot.wire.check`. Print `codec_for(T).source` to read what a type gets.
+A type gets `encode(message)` and `decode(data)`. One that stands in another type gets
+`to_map(message)` and `from_map(values)`, which the other calls `pack_<type>` and `unpack_<type>`. A
+value that is plainly right is tested inline; any other goes to `zbot.wire.check`. Print
+`codec_for(T).source` to read what a type gets.
 """
 
 from __future__ import annotations
@@ -34,42 +35,29 @@ class Layout:
     conversions: Mapping[str, str] = dataclasses.field(default_factory=dict)
 
 
+def encode_source(spec: MessageSpec, layout: Layout) -> str:
+    """Return the source of `encode(message)`: a message's bytes."""
+    has_arrays = any(map(is_numeric_array, spec.fields))
+    packed = _joined(spec.fields) if has_arrays else [f"return pack({_map(spec.fields)})"]
+    return _function("encode(message)", _guarded([*_reads(spec, layout), *packed], "message, "))
+
+
+def decode_source(spec: MessageSpec, layout: Layout) -> str:
+    """Return the source of `decode(data)`: the message that bytes stand for."""
+    unpacked = "values = unpack(data)"
+    if any(map(is_numeric_array, spec.fields)):
+        unpacked += " if len(data) < LARGE else unpack_large(data, ARRAYS)"
+    return _function("decode(data)", _guarded([unpacked, *_writes(spec, layout)]))
+
+
 def to_map_source(spec: MessageSpec, layout: Layout) -> str:
     """Return the source of `to_map(message)`: the map that MessagePack is to write."""
-    body = _reads(spec, layout)
-    return _function("to_map(message)", [*body, f"return {_map(spec.fields)}"])
-
-
-def to_parts_source(spec: MessageSpec, layout: Layout) -> str:
-    """Return the source of `to_parts(message)`: the bytes in pieces, numeric arrays as they are.
-
-    So a large array is copied once, into the joined bytes, and not first into a map's value.
-    """
-    body = _reads(spec, layout)
-    parts = [repr(map_header(len(spec.fields)))]
-    for numeric, fields in groupby(spec.fields, key=is_numeric_array):
-        group = list(fields)
-        parts += _array_parts(group) if numeric else [_headless(group)]
-    return _function(
-        "to_parts(message)", [*body, "return (", *_indent(f"{p}," for p in parts), ")"]
-    )
+    return _function("to_map(message)", [*_reads(spec, layout), f"return {_map(spec.fields)}"])
 
 
 def from_map_source(spec: MessageSpec, layout: Layout) -> str:
     """Return the source of `from_map(values)`: a message of what arrived."""
-    body = ["if type(values) is not dict:", "    raise wrong('', 'a map', values)"]
-    for field in spec.fields:
-        body += _write(field)
-        if is_numeric_array(field) and field.name in layout.conversions:
-            body.append(f"{field.name}_ = {field.name}_.{layout.conversions[field.name]}()")
-    names = [field.name for field in spec.fields]
-    if layout.keywords:
-        body.append(f"return CLASS({', '.join(f'{name}={name}_' for name in names)})")
-    else:
-        body.append("message = new(CLASS)")
-        body += [f"message.{layout.prefix}{name} = {name}_" for name in names]
-        body.append("return message")
-    return _function("from_map(values)", body)
+    return _function("from_map(values)", _writes(spec, layout))
 
 
 def is_numeric_array(field: Field) -> bool:
@@ -90,12 +78,30 @@ def _indent(lines: Iterable[str]) -> Lines:
     return [f"    {line}" for line in lines]
 
 
+def _guarded(body: Iterable[str], before: str = "") -> Lines:
+    return ["try:", *_indent(body), "except ERRORS as error:", f"    explain({before}error)"]
+
+
 def _reads(spec: MessageSpec, layout: Layout) -> Lines:
     lines: Lines = []
     for field in spec.fields:
         lines.append(f"{field.name}_ = message.{layout.prefix}{field.name}")
         lines += _read(field)
     return lines
+
+
+def _writes(spec: MessageSpec, layout: Layout) -> Lines:
+    lines = ["if type(values) is not dict:", "    raise wrong('', 'a map', values)"]
+    for field in spec.fields:
+        lines += _write(field)
+        if is_numeric_array(field) and field.name in layout.conversions:
+            lines.append(f"{field.name}_ = {field.name}_.{layout.conversions[field.name]}()")
+    names = [field.name for field in spec.fields]
+    if layout.keywords:
+        return [*lines, f"return CLASS({', '.join(f'{name}={name}_' for name in names)})"]
+    lines.append("message = new(CLASS)")
+    lines += [f"message.{layout.prefix}{name} = {name}_" for name in names]
+    return [*lines, "return message"]
 
 
 def _read(field: Field) -> Lines:
@@ -238,6 +244,18 @@ def _wire_value(field: Field) -> str:
     if field.type.typecode == "B":
         return f"memoryview({variable})"
     return f"extension({ord(field.type.typecode)}, {variable})"
+
+
+def _joined(fields: Sequence[Field]) -> Lines:
+    """The bytes in pieces, numeric arrays as they are.
+
+    So a large array is copied once, into the joined bytes, and not first into a map's value.
+    """
+    parts = [repr(map_header(len(fields)))]
+    for numeric, group in groupby(fields, key=is_numeric_array):
+        members = list(group)
+        parts += _array_parts(members) if numeric else [_headless(members)]
+    return ["return b''.join((", *_indent(f"{part}," for part in parts), "))"]
 
 
 def _headless(fields: Sequence[Field]) -> str:

@@ -198,7 +198,7 @@ def test_a_codec_is_made_once() -> None:
 
 
 def test_the_generated_source_can_be_read() -> None:
-    assert "def to_map(message):" in codec_for(Twist).source
+    assert "def encode(message):" in codec_for(Twist).source
     assert "FLOAT32_MAX" in codec_for(Float32).source
 
 
