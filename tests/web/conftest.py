@@ -83,6 +83,14 @@ class Visit:
         return [url for url, parts in hosts if parts.hostname and parts.hostname not in _LOCAL]
 
 
+    def complaints(self) -> list[str]:
+        """Return what went wrong, and what other machines were asked for, since the last call."""
+        found = self.errors + self.foreign_requests
+        self.errors.clear()
+        self.requests.clear()
+        return found
+
+
 @pytest.fixture
 def visit(browser: Browser, start: object) -> Iterator[Callable[..., Visit]]:  # noqa: ARG001
     """Return a function that opens a browser window of its own; it closes before programs end."""
@@ -96,14 +104,25 @@ def visit(browser: Browser, start: object) -> Iterator[Callable[..., Visit]]:  #
     for one in visits:
         one.context.close()
     for one in visits:
-        assert one.foreign_requests == []
-        assert one.errors == []
+        assert one.complaints() == []
+
+
+@pytest.fixture(scope="module")
+def window(browser: Browser) -> Iterator[Visit]:
+    """Return the module's window: a new one loads and compiles everything anew, for a second."""
+    shared = Visit(browser)
+    yield shared
+    shared.context.close()
 
 
 @pytest.fixture
-def page(visit: Callable[..., Visit]) -> Page:
-    """Return a browser's page; at the end it must not have asked other machines for anything."""
-    return visit().page
+def page(window: Visit, start: object) -> Iterator[Page]:  # noqa: ARG001 - programs end after it
+    """Return the window's page; at the end it must not have asked other machines for anything."""
+    yield window.page
+    window.page.goto("about:blank")
+    window.page.mouse.move(0, 0)
+    window.context.clear_cookies()
+    assert window.complaints() == []
 
 
 class Server:
