@@ -19,6 +19,7 @@ from zbot.graph import Graph
 from zbot.handle import Handle
 from zbot.log import configure, get_logger, get_logging_severity_from_string
 from zbot.meeting_watch import MeetingWatch
+from zbot.memory import spare_the_collector
 from zbot.notice import NOTICE_KEY, log_notice
 from zbot.session import MeetingPoint, process_facts
 from zbot.version import __version__
@@ -338,6 +339,7 @@ class Context:
         self._session, self._meeting = session, meeting
         ending.open_contexts.add(self)
         ending.hook()
+        spare_the_collector()
         if watch:
             self._watch = MeetingWatch(session, meeting, self.receiver)
             self._watch.start()
