@@ -1,5 +1,13 @@
-"""`python -m zbot_cli` is `zbot`."""
+"""`zbot`, and `python -m zbot_cli`: the way into the command.
 
-from zbot_cli.main import main
+Imports come after the first line that does something, for Ctrl-C may come before they are over.
+"""
 
-main()
+from zbot_cli import interruption
+
+interruption.end_at_once()
+
+from zbot_cli.main import main  # noqa: E402
+
+if __name__ == "__main__":
+    main()

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 from zbot.errors import ZbotError
 from zbot.package.workspace import stay_in_workspace
+from zbot_cli import interruption
 from zbot_cli.executables import is_file
 
 if TYPE_CHECKING:
@@ -45,6 +46,7 @@ def become(executable: Executable, arguments: Sequence[str]) -> NoReturn:
     import zbot.compat  # noqa: F401, PLC0415 - `import rclpy` and its like are zbot from now on
     from zbot import ending, signals  # noqa: PLC0415 - Ctrl-C may come from now on
 
+    interruption.raise_exception()
     signals.install(signals.SignalHandlerOptions.SIGINT)
     _leave_out_own_frames()
     stay_in_workspace(_place(executable))

@@ -6,10 +6,10 @@ A noun's module is imported when it is used: `zbot --help` must answer before a 
 from __future__ import annotations
 
 import os
-import signal
 import sys
 from typing import TYPE_CHECKING, Any, NoReturn
 
+from zbot_cli import interruption
 from zbot_cli.status import Status
 
 if TYPE_CHECKING:
@@ -215,12 +215,13 @@ def main() -> NoReturn:
     """Run the command line of this process, and end it."""
     _set_up_streams()
     try:
+        interruption.raise_exception()
         outcome = run_command(sys.argv[1:])
     except KeyboardInterrupt:  # before or after the command itself
         outcome = Status.INTERRUPTED
+    # All is done and said, or a program is about to take over.
+    interruption.end_at_once()
     if callable(outcome):
         outcome()  # what it raises is the program's own
     _flush()
-    # All is done and said: a Ctrl-C from here on would only print where Python's end stands.
-    signal.signal(signal.SIGINT, signal.SIG_DFL)
     sys.exit(outcome)

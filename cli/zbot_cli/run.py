@@ -40,7 +40,9 @@ _PLACES: tuple[Callable[[], list[Package]], ...] = (
     executables.installed_packages,
 )
 # Python with the `zbot` command and without the current folder on its path.
-_ZBOT = "import sys; sys.path[:] = filter(None, sys.path); from zbot_cli.main import main; main()"
+_ZBOT = (
+    "import sys; sys.path[:] = filter(None, sys.path); from zbot_cli.__main__ import main; main()"
+)
 
 
 class PackageNotFoundError(ZbotError):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.command import zbot
+from zbot_cli.status import Status
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -147,6 +149,36 @@ def test_help_starts_fast_without_zenoh_or_rich() -> None:
     begun = time.perf_counter()
     zbot("--help")
     assert time.perf_counter() - begun < 2  # 0.08 s where nothing else runs
+
+
+INTERRUPTED_IMPORT = """
+import builtins, runpy, signal, sys
+real_import, module = builtins.__import__, sys.argv.pop(1)
+def interrupted_import(name, *more, **named):
+    if name == module:
+        builtins.__import__ = real_import
+        signal.raise_signal(signal.SIGINT)
+    return real_import(name, *more, **named)
+builtins.__import__ = interrupted_import
+runpy.run_module("zbot_cli", run_name="__main__")
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+@pytest.mark.parametrize(
+    ("module", "words"),
+    [
+        ("zbot_cli.status", ["--version"]),
+        ("zbot_cli.run", ["run", "talker"]),
+        ("zbot.compat", ["run", "talker"]),
+        ("zbot_cli.nouns", ["topic", "list"]),
+    ],
+)
+def test_ctrl_c_while_the_command_is_being_loaded_is_quiet(module: str, words: list[str]) -> None:
+    command = [sys.executable, "-c", INTERRUPTED_IMPORT, module, *words]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode in {-signal.SIGINT, Status.INTERRUPTED}
+    assert (done.stdout, done.stderr) == ("", "")
 
 
 def test_doctor_finds_nothing_wrong_on_a_healthy_machine(domain: int) -> None:

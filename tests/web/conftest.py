@@ -82,7 +82,6 @@ class Visit:
         hosts = ((url, urlsplit(url)) for url in self.requests)
         return [url for url, parts in hosts if parts.hostname and parts.hostname not in _LOCAL]
 
-
     def complaints(self) -> list[str]:
         """Return what went wrong, and what other machines were asked for, since the last call."""
         found = self.errors + self.foreign_requests
