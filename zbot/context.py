@@ -339,7 +339,6 @@ class Context:
         self._session, self._meeting = session, meeting
         ending.open_contexts.add(self)
         ending.hook()
-        spare_the_collector()
         if watch:
             self._watch = MeetingWatch(session, meeting, self.receiver)
             self._watch.start()
@@ -455,3 +454,6 @@ def get_default_context(*, shutting_down: bool = False) -> Context:
         if _default is None or (_default.is_over and not shutting_down):
             _default = Context()
         return _default
+
+
+spare_the_collector()

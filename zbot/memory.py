@@ -30,12 +30,14 @@ def keep_freed_memory() -> None:
             mallopt(_M_MMAP_THRESHOLD, _KEPT_BYTES)
 
 
-@functools.cache
 def spare_the_collector() -> None:
-    """Let the garbage collector pass over what there is now; once a process, when it is set up.
+    """Let the garbage collector pass over what there is now.
 
-    Modules, classes and functions live as long as the process. To look through all of them takes
-    5 ms, tens with numpy and its like, of a callback's time every now and then, and at the end
-    twice: a tenth of what a short command takes.
+    For the end of a module that imports much: modules, classes and functions live as long as the
+    process. To look through all of them takes 5 ms, tens with numpy and its like, of a callback's
+    time every now and then, and at the end twice: a tenth of what a short command takes. What a
+    program has made by then is passed over too, which matters only if it is in cycles.
+    Does nothing where Python is not CPython.
     """
-    gc.freeze()
+    if sys.implementation.name == "cpython":
+        gc.freeze()

@@ -12,6 +12,7 @@ from zbot.event import PublisherEventCallbacks, SubscriptionEventCallbacks
 from zbot.guard_condition import GuardCondition
 from zbot.interfaces.type_support import check_is_valid_msg_type, check_is_valid_srv_type
 from zbot.log import get_logger
+from zbot.memory import spare_the_collector
 from zbot.names import (
     fully_qualified,
     validate_namespace,
@@ -579,3 +580,6 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
         exc_tb: TracebackType | None,
     ) -> None:
         self.destroy_node()
+
+
+spare_the_collector()
