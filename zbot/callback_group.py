@@ -65,7 +65,7 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
 
     def __init__(self) -> None:
         super().__init__()
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # re-entrant, for a signal's handler
         self._active: Any = None
         self._waiting: dict[Any, None] = {}  # in the order in which they came
 

@@ -179,7 +179,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._encoding = zenoh.Encoding(dialect.encoding(type_name(srv_type.Request)))
         self._gid = token.gid
         self._sent_count = 0
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # re-entrant, for a signal's handler
         self._pending: dict[_Response[ResponseT], int] = {}
         self._completed: deque[_Response[ResponseT]] = deque()
         self._arrival = BinarySemaphore()

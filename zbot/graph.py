@@ -160,7 +160,7 @@ class Graph:
         self._by_gid: dict[bytes, EndpointToken] = {}
         # Programs count who listens before every message: what was sorted serves until a change.
         self._snapshot: Snapshot | None = None
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # re-entrant, for a signal's handler
         self._listeners: list[weakref.ref[Any]] = []
         self._asks_first = asks_first
         self._watching = False

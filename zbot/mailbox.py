@@ -38,7 +38,7 @@ class Mailbox:
     """
 
     def __init__(self) -> None:
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # re-entrant, for a signal's handler
         self._entities: list[Entity] = []
         self._deliver: Callable[[Entity], None] | None = None
         self._attached: Callable[[Entity], None] | None = None

@@ -69,7 +69,7 @@ class NodeHandle:
         self.parameters = ParameterStore(self._tell)
         self.parameter_events: Publisher[Any] | None = None
         self.is_destroyed = False
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # re-entrant, for a signal's handler
         self._users = 0  # blocks that hold it
         self.token = NodeToken(
             domain=context.get_domain_id(),

@@ -65,7 +65,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         self._encode: Callable[[Any], Any] = context.dialect.codec_for(msg_type).encode
         self.sent_count = 0  #: messages sent; the last one's sequence number
         self._gid = token.gid
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # re-entrant, for a signal's handler
         self._publisher: Any = _declare(context, token)
         self._put = self._put_first
         self._liveliness = context.graph.announce(token)

@@ -62,7 +62,7 @@ class Future(Generic[T]):
     def __init__(self, *, executor: Any = None) -> None:
         # Weak, for an executor holds the tasks that hold it.
         self._executor = None if executor is None else weakref.ref(executor)
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # re-entrant, for a signal's handler
         self._state = _PENDING
         self._result: T | None = None
         self._exception: BaseException | None = None

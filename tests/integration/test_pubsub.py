@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 import threading
 from typing import TYPE_CHECKING, Any
 
@@ -202,6 +204,39 @@ def test_keep_all_loses_nothing_in_a_flood(
     assert wait_until(lambda: len(numbers) >= count)
     assert numbers == list(range(count))
     assert subscription.lost_count == 0
+
+
+def test_a_signals_handler_may_publish_what_it_interrupts(
+    talker: zbot.Node, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    publisher = talker.create_publisher(String, "words", 10)
+    handlers = iter([lambda: publisher.publish(String(data="stop"))])
+
+    def interrupted() -> None:
+        next(handlers, bool)()
+
+    monkeypatch.setattr(talker.context, "meet", interrupted)
+    publisher.publish(String(data="go"))
+    assert publisher.sent_count == 2
+
+
+def test_a_burst_that_fits_into_the_queue_arrives_whole(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    arrived: list[String] = []
+    listener.create_subscription(String, "burst", arrived.append, 3000)
+    publisher = talker.create_publisher(String, "burst", 3000)
+    await_match(publisher)
+    spin(listener)
+    message = String(data="x" * 3000)
+    busy = subprocess.Popen([sys.executable, "-c", "while True: pass"])
+    try:
+        for _ in range(3000):
+            publisher.publish(message)
+        assert wait_until(lambda: len(arrived) == 3000)
+    finally:
+        busy.kill()
+        busy.wait()
 
 
 def test_a_latched_topic_gives_late_subscriptions_its_last_messages(

@@ -124,7 +124,7 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         self._node = node
         self._action_type = action_type
         self._action_name = node.resolve_service_name(action_name)
-        self._lock = threading.Lock()
+        self._lock = threading.RLock()  # re-entrant, for a signal's handler
         self._goals: dict[bytes, _Goal] = {}
         impl, name = action_type.Impl, f"{self._action_name}/_action"
         # First, so that nothing is missed of the first goal.

@@ -60,6 +60,7 @@ class FeedbackSubscription:
         self._goal_count = goal_count
         self._logger_name = handle.logger_name
         self._queue: deque[zenoh.Sample] = deque()
+        self._in_hand: deque[None] = deque()  # one for each sample that was taken and not yet told
         self._is_destroyed = False
         name = node.resolve_topic_name(topic)
         self.token: EndpointToken = handle.endpoint(
@@ -100,18 +101,26 @@ class FeedbackSubscription:
 
     @property
     def is_empty(self) -> bool:
-        """Whether all that came was taken."""
-        return not self._queue
+        """Whether all that came was told."""
+        return not (self._queue or self._in_hand)
 
     def take(self) -> zenoh.Sample | None:
         """Return the oldest sample, if any."""
+        self._in_hand.append(None)
         try:
             return self._queue.popleft()
         except IndexError:
+            self._in_hand.pop()
             return None
 
     def execute(self, sample: zenoh.Sample) -> Any:
         """Decode a sample and call the callback."""
+        try:
+            return self._tell(sample)
+        finally:
+            self._in_hand.pop()
+
+    def _tell(self, sample: zenoh.Sample) -> Any:
         try:
             message = self._decode(sample.payload.to_bytes())
         except CodecError as error:
