@@ -74,7 +74,7 @@ class WaitSet:
                 left = self._left_s(deadline)
                 if left is not None and left <= 0 and self._is_over(deadline):
                     return
-                woken.wait(threading.TIMEOUT_MAX if left is None else left)
+                woken.wait(threading.TIMEOUT_MAX if left is None else max(left, 0.0))
         finally:
             self.forget_waker(woken.set)
 

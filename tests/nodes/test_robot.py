@@ -259,8 +259,11 @@ def test_one_command_starts_the_whole_robot(student: Student, start: Start) -> N
     )
     every = [topic for _, topic in Student.TOPICS if topic != "/plan"]
     assert student.hears(*every)
-    listening = {info.node_name for info in student.get_subscriptions_info_by_topic("/cmd_vel")}
-    assert listening == {"base_controller", "navigation"}
+
+    def driven() -> set[str]:
+        return {info.node_name for info in student.get_subscriptions_info_by_topic("/cmd_vel")}
+
+    assert wait_until(lambda: driven() == {"base_controller", "navigation"})
     # What sensors are told behind the scenes is hidden from a class.
     shown = {topic for topic, _ in student.get_topic_names_and_types()}
     assert {topic for topic in shown if is_hidden(topic)} == {"/_ground_truth"}

@@ -59,7 +59,7 @@ def test_a_request_and_its_response_are_taken(node: zbot.Node) -> None:
 def test_a_timers_call_is_taken_once(node: zbot.Node) -> None:
     clock = Clock(clock_type=zbot.ClockType.STEADY_TIME)
     with clock.handle, node.context.handle:
-        timer = raw.Timer(clock.handle, node.context.handle, 50_000_000)
+        timer = raw.Timer(clock.handle, node.context.handle, 500_000_000)
     assert not ready("timer", timer, 0)
     assert ready("timer", timer)
     timer.call_timer()

@@ -1,0 +1,32 @@
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.handle import Handle
+from zbot.mailbox import Mailbox
+from zbot.wait_set import WaitSet
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+
+class LateTimer:
+    """Is due since long, and ready at the third look: as one whose moment comes between two."""
+
+    due_ns = 0
+
+    def __init__(self) -> None:
+        self.mailbox = Mailbox()
+        self._looks: Iterator[bool] = iter([False, False, True])
+
+    @property
+    def has_work(self) -> bool:
+        return next(self._looks)
+
+
+def test_a_timer_may_become_due_while_it_is_looked_at() -> None:
+    timer: Any = LateTimer()
+    waiting = WaitSet()
+    index = waiting.add_timer(Handle(timer))
+    waiting.wait(-1)
+    assert waiting.is_ready("timer", index)
