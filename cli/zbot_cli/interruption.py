@@ -11,7 +11,7 @@ def end_at_once() -> None:
     Python would print a traceback of whatever is being imported. Main thread only; a parent that
     had it ignored, as nohup has, is obeyed.
     """
-    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+    if signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 

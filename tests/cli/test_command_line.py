@@ -181,6 +181,25 @@ def test_ctrl_c_while_the_command_is_being_loaded_is_quiet(module: str, words: l
     assert (done.stdout, done.stderr) == ("", "")
 
 
+HANDLER_AT_THE_END = """
+import runpy, signal, sys
+real_exit = sys.exit
+def exit(code):
+    print(signal.getsignal(signal.SIGINT).name)
+    real_exit(code)
+sys.exit = exit
+runpy.run_module("zbot_cli", run_name="__main__")
+"""
+
+
+@pytest.mark.usefixtures("domain")
+@pytest.mark.parametrize("words", [["node", "list"], ["topic", "echo", "--timeout", "0", "/x"]])
+def test_ctrl_c_behind_a_command_ends_the_process(words: list[str]) -> None:
+    command = [sys.executable, "-c", HANDLER_AT_THE_END, *words]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.stdout.splitlines()[-1] == "SIG_DFL", done.stderr
+
+
 def test_doctor_finds_nothing_wrong_on_a_healthy_machine(domain: int) -> None:
     done = zbot("doctor")
     assert (done.code, done.err) == (0, "")
