@@ -72,9 +72,9 @@ class WaitSet:
         try:
             while not self._look():
                 left = self._left_s(deadline)
-                if left is not None and left <= 0 and self._is_over(deadline):
+                if left <= 0 and self._is_over(deadline):
                     return
-                woken.wait(threading.TIMEOUT_MAX if left is None else max(left, 0.0))
+                woken.wait(max(left, 0.0))
         finally:
             self.forget_waker(woken.set)
 
@@ -82,11 +82,11 @@ class WaitSet:
     def _is_over(deadline: int | None) -> bool:
         return deadline is not None and time.monotonic_ns() >= deadline
 
-    def _left_s(self, deadline: int | None) -> float | None:
+    def _left_s(self, deadline: int | None) -> float:
         ends = [end for end in (deadline, self.due_ns) if end is not None]
-        left = (min(ends) - time.monotonic_ns()) / 1e9 if ends else None
+        left = (min(ends) - time.monotonic_ns()) / 1e9 if ends else threading.TIMEOUT_MAX
         if self._handles.get("timer") and self.due_ns is None:
-            return _POLL_S if left is None else min(left, _POLL_S)
+            return min(left, _POLL_S)
         return left
 
     def _look(self) -> bool:

@@ -6,6 +6,8 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import pytest
+
 if TYPE_CHECKING:
     from collections.abc import Callable
 
@@ -46,22 +48,18 @@ def test_a_course_s_test_runs_with_zbot_test(start: Start) -> None:
     assert "Ran 2 tests" in program.output
 
 
-def test_a_course_s_test_runs_under_pytest(start: Start) -> None:
-    program = start(*PYTEST, str(HERE / "talker_listener.py"))
+@pytest.mark.parametrize(
+    ("file", "told"),
+    [
+        pytest.param("talker_listener.py", "1 passed", id="a course's test"),
+        pytest.param("pytest_style.py", "7 passed", id="launches are fixtures"),
+        pytest.param("pytest_stages.py", "13 passed", id="the end of a shared launch comes last"),
+    ],
+)
+def test_launch_tests_run_under_pytest(start: Start, file: str, told: str) -> None:
+    program = start(*PYTEST, str(HERE / file))
     assert program.wait(PATIENCE_S) == 0, program.output
-    assert "1 passed" in program.output
-
-
-def test_launches_are_fixtures_of_pytest(start: Start) -> None:
-    program = start(*PYTEST, str(HERE / "pytest_style.py"))
-    assert program.wait(PATIENCE_S) == 0, program.output
-    assert "7 passed" in program.output
-
-
-def test_what_ends_a_shared_launch_comes_last(start: Start) -> None:
-    program = start(*PYTEST, str(HERE / "pytest_stages.py"))
-    assert program.wait(PATIENCE_S) == 0, program.output
-    assert "13 passed" in program.output
+    assert told in program.output
 
 
 def test_mistakes_in_launches_of_pytest_are_told(start: Start) -> None:

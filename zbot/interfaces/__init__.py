@@ -5,6 +5,7 @@ from zbot.interfaces.message import Action as Action
 from zbot.interfaces.message import Message as Message
 from zbot.interfaces.message import Service as Service
 from zbot.interfaces.python_class import has_sequences as has_sequences
+from zbot.interfaces.python_class import message_spec_of as message_spec_of
 from zbot.interfaces.python_class import spec_of as spec_of
 from zbot.interfaces.python_class import type_description as type_description
 from zbot.interfaces.python_class import type_hash as type_hash

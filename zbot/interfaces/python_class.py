@@ -35,6 +35,19 @@ def spec_of(cls: type[Any]) -> InterfaceSpec:
     return spec
 
 
+def message_spec_of(cls: type[Any]) -> MessageSpec:
+    """Look up the definition of a message class, as `spec_of` does.
+
+    Raises:
+        NotAMessageTypeError: It is no message's.
+    """
+    spec = spec_of(cls)
+    if not isinstance(spec, MessageSpec):
+        reason = "it is a service or an action; the parts of it, such as Request, are messages"
+        raise NotAMessageTypeError(cls, reason)
+    return spec
+
+
 def type_name(cls: type[Any]) -> str:
     """Return the ROS name of a class, `std_msgs/msg/String`; raises what `spec_of` raises."""
     return spec_of(cls).name

@@ -12,9 +12,8 @@ from dataclasses import dataclass
 from struct import Struct
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import CodecError, FieldTypeError, FieldValueError, NotAMessageTypeError
-from zbot.interfaces import get_interface, spec_of
-from zbot.interfaces.spec import MessageSpec
+from zbot.errors import CodecError, FieldTypeError, FieldValueError
+from zbot.interfaces import get_interface, message_spec_of
 from zbot.wire.messagepack import ITEM_SIZE
 from zbot.wire.payload import is_cdr
 
@@ -63,11 +62,8 @@ _codecs: dict[type, CdrCodec] = {}
 
 
 def _codec(message_class: type[Any]) -> CdrCodec:
-    spec = spec_of(message_class)
-    if not isinstance(spec, MessageSpec):
-        reason = "it is a service or an action; the parts of it, such as Request, are messages"
-        raise NotAMessageTypeError(message_class, reason)
-    name, write, read = spec.name, _message_writer(message_class), _message_reader(message_class)
+    name = message_spec_of(message_class).name
+    write, read = _message_writer(message_class), _message_reader(message_class)
 
     def encode(message: Any) -> bytes:
         body = bytearray()
@@ -99,8 +95,8 @@ def _write_count(body: bytearray, count: int) -> None:
 
 
 def _message_writer(message_class: type[Any]) -> Callable[[bytearray, Any], None]:
-    spec = spec_of(message_class)
-    fields = [(field.name, _writer(field.type)) for field in _fields(spec)]
+    spec = message_spec_of(message_class)
+    fields = [(field.name, _writer(field.type)) for field in spec.fields]
 
     def write(body: bytearray, message: Any) -> None:
         if not fields:
@@ -210,7 +206,8 @@ class _Reader:
 
 
 def _message_reader(message_class: type[Any]) -> Callable[[_Reader], Any]:
-    fields = [(field.name, _reader(field.type)) for field in _fields(spec_of(message_class))]
+    spec = message_spec_of(message_class)
+    fields = [(field.name, _reader(field.type)) for field in spec.fields]
 
     def read(reader: _Reader) -> Any:
         if not fields:
@@ -296,7 +293,3 @@ def _read_wide_string(reader: _Reader) -> str:
         return b"".join(unit.to_bytes(2, "little") for unit in units).decode("utf-16-le")
     except (OverflowError, UnicodeDecodeError):
         raise _MalformedError("a wide text is not valid UTF-16") from None
-
-
-def _fields(spec: Any) -> Any:
-    return spec.fields

@@ -13,10 +13,9 @@ from dataclasses import is_dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, Literal, NoReturn, TypeVar
 
-from zbot.errors import CodecError, NotAMessageTypeError
-from zbot.interfaces import get_interface, spec_of
+from zbot.errors import CodecError
+from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.array_value import fixed_array
-from zbot.interfaces.spec import MessageSpec
 from zbot.wire import check, generator
 from zbot.wire.check import Fault
 from zbot.wire.generator import Layout, function_name, is_numeric_array
@@ -83,7 +82,7 @@ class Codec(Generic[MessageT]):
     """
 
     def __init__(self, message_class: type[MessageT]) -> None:
-        self._spec = _spec_of(message_class)
+        self._spec = message_spec_of(message_class)
         self._class = message_class
         self.type_name = self._spec.name  #: `std_msgs/msg/String`
         self.encoding = encoding(self._spec.name)  #: Zenoh encoding of the bytes
@@ -174,14 +173,6 @@ def _path_of(text: str, value: Any) -> str:
     return ""
 
 
-def _spec_of(message_class: type[Any]) -> MessageSpec:
-    spec = spec_of(message_class)
-    if not isinstance(spec, MessageSpec):
-        reason = "it is a service or an action; the parts of it, such as Request, are messages"
-        raise NotAMessageTypeError(message_class, reason)
-    return spec
-
-
 def _layout(message_class: type[Any]) -> Layout:
     return _dataclass_layout(message_class) if is_dataclass(message_class) else Layout()
 
@@ -198,7 +189,7 @@ def _function(
     message_class: type[Any], name: _Nested | Literal["encode", "decode"], more: dict[str, Any]
 ) -> Callable[[Any], Any]:
     """Return one of a type's generated functions, which uses some names more than all do."""
-    spec = _spec_of(message_class)
+    spec = message_spec_of(message_class)
     source = _SOURCES[name](spec, _layout(message_class))
     verb, nested = _INSIDE[name]
     names = _COMMON_NAMES | more | {"CLASS": message_class, "new": message_class.__new__}

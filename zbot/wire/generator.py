@@ -39,7 +39,8 @@ def encode_source(spec: MessageSpec, layout: Layout) -> str:
     """Return the source of `encode(message)`: a message's bytes."""
     has_arrays = any(map(is_numeric_array, spec.fields))
     packed = _joined(spec.fields) if has_arrays else [f"return pack({_map(spec.fields)})"]
-    return _function("encode(message)", _guarded([*_reads(spec, layout), *packed], "message, "))
+    body = _guarded([*_reads(spec, layout), *packed], "explain(message, error)")
+    return _function("encode(message)", body)
 
 
 def decode_source(spec: MessageSpec, layout: Layout) -> str:
@@ -47,7 +48,8 @@ def decode_source(spec: MessageSpec, layout: Layout) -> str:
     unpacked = "values = unpack(data)"
     if any(map(is_numeric_array, spec.fields)):
         unpacked += " if len(data) < LARGE else unpack_large(data, ARRAYS)"
-    return _function("decode(data)", _guarded([unpacked, *_writes(spec, layout)]))
+    body = _guarded([unpacked, *_writes(spec, layout)], "explain(error)")
+    return _function("decode(data)", body)
 
 
 def to_map_source(spec: MessageSpec, layout: Layout) -> str:
@@ -78,8 +80,8 @@ def _indent(lines: Iterable[str]) -> Lines:
     return [f"    {line}" for line in lines]
 
 
-def _guarded(body: Iterable[str], before: str = "") -> Lines:
-    return ["try:", *_indent(body), "except ERRORS as error:", f"    explain({before}error)"]
+def _guarded(body: Iterable[str], explain: str) -> Lines:
+    return ["try:", *_indent(body), "except ERRORS as error:", f"    {explain}"]
 
 
 def _reads(spec: MessageSpec, layout: Layout) -> Lines:
