@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import threading
-import time
+from threading import get_ident
+from time import time_ns
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
@@ -65,7 +67,10 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         self._encode: Callable[[Any], Any] = context.dialect.codec_for(msg_type).encode
         self.sent_count = 0  #: messages sent; the last one's sequence number
         self._gid = token.gid
+        self._next_number = itertools.count(1).__next__
         self._lock = threading.RLock()  # re-entrant, for a signal's handler
+        # A lock is a tenth of a small message's way, and most publishers are one thread's.
+        self._only_thread: int | None = None
         self._publisher: Any = _declare(context, token)
         self._put = self._put_first
         self._liveliness = context.graph.announce(token)
@@ -100,16 +105,30 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
         try:
-            with self._lock:
-                self.sent_count += 1
-                facts = _pack(self.sent_count, time.time_ns(), GID_LENGTH, self._gid)
-                self._put(payload, attachment=facts)
+            if get_ident() == self._only_thread:
+                self._send(payload)
+            else:
+                self._send_in_turn(payload)
         except zenoh.ZError:
             self._explain()
             raise
 
+    def _send(self, payload: Any) -> None:
+        self.sent_count = number = self._next_number()
+        self._put(payload, attachment=_pack(number, time_ns(), GID_LENGTH, self._gid))
+
+    def _send_in_turn(self, payload: Any) -> None:
+        """Send from a second thread: from now on one waits for the other, to keep numbers in order.
+
+        A put that the first thread has just begun may still be overtaken, once.
+        """
+        with self._lock:
+            self._only_thread = None
+            self._send(payload)
+
     def _put_first(self, payload: Any, **options: Any) -> None:
         self._context.meet()
+        self._only_thread = get_ident()
         self._put = self._publisher.put
         self._put(payload, **options)
 
@@ -149,7 +168,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
 
     def destroy(self) -> None:
         """Leave the topic; may be called twice."""
-        with self._lock:  # a put of another thread ends first: Zenoh may wait 10 s for it
+        with self._lock:
             publisher, self._publisher = self._publisher, None
             self._put = self._refuse
         if publisher is None:
@@ -158,8 +177,9 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             handler.destroy()
         if not self._context.is_closed:
             self._liveliness.undeclare()
-        # Zenoh undeclares what nobody holds. `undeclare()` of a latched one would wait, up to 10 s
-        # and without letting Python run, for a thread of Zenoh's that may be calling Python.
+        # Zenoh undeclares what nobody holds, so another thread's put ends first. `undeclare()` of a
+        # latched one would wait, up to 10 s and without letting Python run, for a thread of Zenoh's
+        # that may be calling Python.
         del publisher
 
     def _refuse(self, payload: Any, **_: Any) -> None:  # noqa: ARG002 - stands in for Zenoh's put

@@ -383,7 +383,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         source = self._sources.get(gid) or self._greet(sample, sequence, gid)
         if sequence != source.next_sequence:
             self._lose(sequence - source.next_sequence)
-        source.next_sequence = sequence + 1
+        source.next_sequence = max(source.next_sequence, sequence + 1)  # a late one is no loss
         if source.refusal:
             self._refuse(source.refusal)
             return False

@@ -206,6 +206,51 @@ def test_keep_all_loses_nothing_in_a_flood(
     assert subscription.lost_count == 0
 
 
+def test_messages_of_several_threads_keep_the_order_of_their_numbers(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    numbers: list[int] = []
+    subscription = listener.create_subscription(
+        String,
+        "words",
+        lambda _, info: numbers.append(info["publication_sequence_number"]),
+        KEEP_ALL,
+    )
+    publisher = talker.create_publisher(String, "words", KEEP_ALL)
+    await_match(publisher)
+    spin(listener)
+
+    def speak() -> None:
+        for _ in range(2000):
+            publisher.publish(String(data="word"))
+
+    speak()
+    threads = [threading.Thread(target=speak) for _ in range(3)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert wait_until(lambda: len(numbers) == 8000)
+    assert numbers == list(range(1, 8001))
+    assert subscription.lost_count == 0
+
+
+def test_a_message_that_was_overtaken_makes_no_later_one_lost(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    arrived: list[String] = []
+    subscription = listener.create_subscription(String, "words", arrived.append, 10)
+    publisher = talker.create_publisher(String, "words", 10)
+    await_match(publisher)
+    spin(listener)
+    numbers = iter([1, 2, 4, 3, 5, 6])
+    publisher._next_number = numbers.__next__
+    for _ in range(6):
+        publisher.publish(String(data="word"))
+    assert wait_until(lambda: len(arrived) == 6)
+    assert subscription.lost_count == 1
+
+
 def test_a_signals_handler_may_publish_what_it_interrupts(
     talker: zbot.Node, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -278,7 +323,7 @@ def test_an_expired_message_is_not_delivered(
     executor = zbot.SingleThreadedExecutor(context=listener.context)
     executor.add_node(listener)
     with monkeypatch.context() as patch:
-        patch.setattr("zbot.publisher.time.time_ns", lambda: 10**9)
+        patch.setattr("zbot.publisher.time_ns", lambda: 10**9)
         publisher.publish(Int64(data=0))
     publisher.publish(Int64(data=1))
     while not inbox:
