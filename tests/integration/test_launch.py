@@ -156,7 +156,7 @@ def test_a_process_can_be_written_to_and_stopped(capsys: pytest.CaptureFixture[s
     code = _run(
         reader,
         RegisterEventHandler(OnProcessStart(target_action=reader, on_start=write)),
-        RegisterEventHandler(OnProcessIO(on_stdout=lambda _: stop, handle_once=True)),
+        RegisterEventHandler(OnProcessIO(on_stdout=lambda _: stop)),
     )
     assert code == 0
     assert "[reader-1] got hello" in capsys.readouterr().out
