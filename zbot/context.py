@@ -348,10 +348,10 @@ class Context:
         pause_s = _HOLD_PAUSE_S
         if watch is None or config.discovery_range() is config.DiscoveryRange.OFF:
             return
-        while not watch.wait_linked(pause_s):
+        while not watch.wait_linked(min(pause_s, deadline - time.monotonic())):
             if self.is_over:
                 return
-            if time.monotonic() > deadline:
+            if time.monotonic() >= deadline:
                 get_logger("zbot").warning(
                     f"nobody answers as zbot on {meeting.endpoint}: another program may use that "
                     "port; other nodes will not be found (choose another domain: ZBOT_DOMAIN_ID=7)"
