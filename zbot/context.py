@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import zenoh
 
-from zbot import config, ending, membership
+from zbot import blocked_put, config, ending, membership
 from zbot.arguments import Arguments
 from zbot.errors import ArgumentTypeError, ContextInitializedError, NotInitializedError
 from zbot.foreign_call import uninterrupted
@@ -360,6 +360,12 @@ class Context:
             meeting.hold()
             pause_s *= 2
 
+    @property
+    def sessions(self) -> list[zenoh.Session]:
+        """What is open: the session, and the router that the domain meets at, if it is here."""
+        router = None if self._meeting is None else self._meeting.router
+        return [one for one in (self._session, router) if one is not None]
+
     def start_thread(
         self, name: str, run: Callable[[], None], wake: Callable[[], object] = bool
     ) -> None:
@@ -417,6 +423,7 @@ class Context:
         """Close the session: the last part of `shutdown()`, for when a signal interrupted that."""
         # The session first: that ends the threads which wait for its data (see docs/wire.md).
         if self._session is not None:
+            blocked_put.release(self.sessions)
             self._session.close()
         self._join_threads()
         if self._watch is not None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
 
+from zbot import blocked_put
 from zbot.endpoint import TopicEndpoint
 from zbot.errors import InvalidHandleError, MessageTypeError, NotInitializedError
 from zbot.interfaces import type_name
@@ -186,11 +187,16 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         raise InvalidHandleError(f"the publisher of {self.topic_name}")
 
 
+blocked_put.callers |= {Publisher._send.__code__, Publisher._put_first.__code__}  # noqa: SLF001
+
+
 def _declare(context: Context, token: EndpointToken) -> Any:
     qos = token.qos
     reliable = qos.reliability is not ReliabilityPolicy.BEST_EFFORT
     keep_all = qos.history is HistoryPolicy.KEEP_ALL
     block = reliable and keep_all
+    if block:
+        blocked_put.watch_signals()
     options: dict[str, Any] = {
         "encoding": context.dialect.encoding(token.type_name),
         "reliability": zenoh.Reliability.RELIABLE if reliable else zenoh.Reliability.BEST_EFFORT,

@@ -214,6 +214,11 @@ class MeetingPoint:
         return True
 
     @property
+    def router(self) -> zenoh.Session | None:
+        """The session that the domain's others meet at, if this process holds the port."""
+        return self._router
+
+    @property
     def reaches_out(self) -> bool:
         """Whether others are looked for on the network too."""
         return self._reach is DiscoveryRange.SUBNET

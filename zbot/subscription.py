@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, NamedTuple, TypedDict, 
 
 import zenoh
 
+from zbot import blocked_put
 from zbot.endpoint import RMW_IDENTIFIER, TopicEndpoint
 from zbot.errors import CallbackSignatureError, ZbotError
 from zbot.handle import Handle
@@ -173,7 +174,9 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         )
         self._subscriber: Any = _declare(context, token, self._most)
         self._channel = self._subscriber.handler
-        self._try_recv = self._channel.try_recv
+        self.next_sample = self._channel.try_recv  #: takes it out of Zenoh's queue
+        if self._keep_all:
+            blocked_put.own_queues.add(self)
         self._armed = threading.Lock()
         self._is_waiting = False
         self._haste = Haste()
@@ -277,7 +280,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         if self._is_waiting and not (queue and self._keep_all):
             try:
                 # The loop is C's.
-                queue.extend(islice(iter(self._try_recv, None), self._most))
+                queue.extend(islice(iter(self.next_sample, None), self._most))
                 if not (queue or self._haste.begin(self._fetch)):
                     self._rearm()
             except zenoh.ZError:
@@ -318,7 +321,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         return None
 
     def _fetch(self) -> bool:
-        sample = self._try_recv()
+        sample = self.next_sample()
         if sample is None:
             return False
         self._queue.append(sample)

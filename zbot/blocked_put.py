@@ -1,0 +1,134 @@
+"""Puts that wait for room where nobody makes any, and how their process ends all the same.
+
+A put with congestion control `BLOCK` waits while a subscriber takes nothing, up to a minute (see
+`wait_before_close`). No signal's handler runs in its thread meanwhile, and Zenoh cannot close the
+session before it has returned. So whoever wants to end cuts the session's links: Zenoh takes that
+for the loss of the other side, and the put returns at once.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import socket
+import stat
+import sys
+import threading
+import time
+import weakref
+from collections import deque
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import zenoh
+
+from zbot import ending
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator
+    from types import CodeType
+
+# A put that takes longer is waited for in vain: on a busy machine one takes milliseconds.
+_PATIENCE_S = 0.2
+_RETURN_S = 1.0  # that a link is cut is noticed within a millisecond
+_PAUSE_S = 0.005
+_DESCRIPTORS = Path("/dev/fd")  # not on Windows, where links cannot be cut
+
+#: The functions in which a publisher's thread stands while Zenoh puts.
+callers: set[CodeType] = set()
+#: The subscriptions of this process whose full queues hold up their publishers.
+own_queues: weakref.WeakSet[Any] = weakref.WeakSet()
+
+
+class _Watch:
+    is_on = False
+
+
+def watch_signals() -> None:
+    """Let a signal release the puts that wait; call it in the main thread.
+
+    Does nothing in other threads, at the second call, and where an event loop listens already.
+    """
+    if _Watch.is_on or threading.current_thread() is not threading.main_thread():
+        return
+    reader, writer = socket.socketpair()
+    writer.setblocking(False)
+    loops = signal.set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
+    if loops != -1:
+        signal.set_wakeup_fd(loops)
+        return
+    _Watch.is_on = True
+    threading.Thread(target=_watch, args=(reader, writer), name="zbot signals", daemon=True).start()
+
+
+def _watch(reader: socket.socket, _writer: socket.socket) -> None:
+    # The main thread's put keeps the signal's handler from running, any other the program's end.
+    while reader.recv(1):
+        release(session for context in list(ending.open_contexts) for session in context.sessions)
+
+
+def release(sessions: Iterable[zenoh.Session]) -> None:
+    """Let the puts return that wait in vain, by cutting the links of sessions.
+
+    What is under way on them is lost. Returns at once where no put is under way, else within 0.2 s
+    where none waits, and 1.2 s otherwise; from any thread.
+    """
+    blocked = _blocked()
+    if not blocked:
+        return
+    for session in sessions:
+        _cut(session)
+    for queue in list(own_queues):
+        with contextlib.suppress(zenoh.ZError):  # it is undeclared
+            deque(iter(queue.next_sample, None), maxlen=0)
+    deadline = time.monotonic() + _RETURN_S
+    while blocked & _puts() and time.monotonic() < deadline:
+        time.sleep(_PAUSE_S)
+
+
+def _blocked() -> set[tuple[int, int, int]]:
+    """Return the puts that do not get on."""
+    puts = _puts()
+    if puts:
+        time.sleep(_PATIENCE_S)
+        puts &= _puts()
+    return puts
+
+
+def _puts() -> set[tuple[int, int, int]]:
+    """Return the puts under way: their threads, publishers, and numbers."""
+    found = set()
+    for thread, frame in sys._current_frames().items():  # noqa: SLF001 - Python has no other way
+        if frame.f_code in callers:
+            publisher = frame.f_locals["self"]
+            found.add((thread, id(publisher), publisher.sent_count))
+    return found
+
+
+def _cut(session: zenoh.Session) -> None:
+    """Shut down the sockets of a session's links, of which Zenoh tells the addresses only."""
+    with contextlib.suppress(zenoh.ZError):  # it is closed
+        links = {(_port(link.src), _port(link.dst)) for link in session.info.links()}
+        for end in _sockets():
+            with end, contextlib.suppress(OSError):
+                if (end.getsockname()[1], end.getpeername()[1]) in links:
+                    end.shutdown(socket.SHUT_RDWR)
+
+
+def _port(locator: object) -> int:
+    """Return the port of `tcp/127.0.0.1:7447`; 0 where a locator has none."""
+    digits = str(locator).partition("#")[0].partition("?")[0].rpartition(":")[2]
+    return int(digits) if digits.isdecimal() else 0
+
+
+def _sockets() -> Iterator[socket.socket]:
+    """Open each internet socket of this process a second time; the caller closes it."""
+    for path in list(_DESCRIPTORS.iterdir()) if _DESCRIPTORS.is_dir() else ():
+        with contextlib.suppress(OSError):
+            if stat.S_ISSOCK(os.fstat(int(path.name)).st_mode):
+                end = socket.socket(fileno=os.dup(int(path.name)))
+                if end.family in {socket.AF_INET, socket.AF_INET6}:
+                    yield end
+                else:
+                    end.close()
