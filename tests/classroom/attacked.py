@@ -81,10 +81,19 @@ class Computer:
         return done.out
 
     @property
+    def has_joined(self) -> bool:
+        """Whether this user takes part in something."""
+        return self._membership_path.exists()
+
+    @property
     def membership(self) -> dict[str, Any]:
         """What this user has joined, with the secret."""
-        found: dict[str, Any] = json.loads((self.folder / "zbot" / "membership.json").read_text())
+        found: dict[str, Any] = json.loads(self._membership_path.read_text())
         return found
+
+    @property
+    def _membership_path(self) -> Path:
+        return self.folder / "zbot" / "membership.json"
 
     @property
     def credentials(self) -> dict[str, Any]:
@@ -192,4 +201,5 @@ class AttackedClass:
         for session in reversed(self._sessions):
             session.close()
         for computer in reversed(self._computers):
-            computer.run("leave")
+            if computer.has_joined:
+                computer.run("leave")

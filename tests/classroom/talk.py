@@ -53,6 +53,16 @@ def dialling(port: int, paths: Mapping[str, Any] | None = None) -> dict[str, Any
     }
 
 
+def lets_in(port: int, paths: Mapping[str, Any]) -> bool:
+    """Return whether a hub lets a client in that dials it once."""
+    try:
+        session = open_session({**dialling(port), "connect/timeout_ms": 0, **paths})
+    except zenoh.ZError:
+        return False
+    session.close()
+    return True
+
+
 def answers(session: zenoh.Session, key: str) -> bool:
     """Return whether anybody answers a query."""
     return any(reply.ok for reply in session.get(key, timeout=1.0))

@@ -74,7 +74,7 @@ def links(port: int, settings: dict[str, Any], protocol: str = "tls") -> bool:
         "mode": "router",
         "listen/endpoints": [],
         "connect/endpoints": [f"{protocol}/{HERE}:{port}"],
-        "connect/timeout_ms": 500,
+        "connect/timeout_ms": 0,
         "connect/exit_on_failure": True,
     }
     try:
