@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -186,6 +187,11 @@ class Machine:
             check=False,
         )
         return Finished(done.returncode, done.stdout, done.stderr, time.monotonic() - begun)
+
+    def run_all(self, *commands: tuple[str, ...]) -> list[Finished]:
+        """Run programs at the same time, each to its end."""
+        with ThreadPoolExecutor(len(commands)) as pool:
+            return list(pool.map(lambda words: self.run(*words), commands))
 
     def processes(self) -> set[int]:
         """Return the ids of all processes in it, also of those in the background."""

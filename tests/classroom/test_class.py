@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import itertools
 import json
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 import pytest
 
 from tests.classroom.rig import Rig, obstacle
+from tests.classroom.watch import Watch
 from tests.conftest import wait_until
 
 if TYPE_CHECKING:
@@ -18,6 +22,7 @@ if TYPE_CHECKING:
 
 ANA, BEN = 17, 18
 PIN = {"ZBOT_PIN": "4711"}
+SILENCE_S = 1.0  # in which a greeter says ten words
 
 
 class Class:
@@ -31,9 +36,24 @@ class Class:
     def __init__(self, rig: Rig, *options: str) -> None:
         self.teacher, (self.ana, self.ben) = rig.teacher, rig.laptops
         self.teacher.run("zbot", "class", "start", "Robots", *options, env=PIN)
-        for machine, number, name in ((self.ana, ANA, "Ana"), (self.ben, BEN, "Ben")):
-            joined = ("join", rig.teacher.address, "--number", str(number), "--name", name)
-            assert machine.run("zbot", *joined, env=PIN).code == 0
+        with ThreadPoolExecutor() as pool:
+            list(pool.map(self._join, (self.ana, self.ben), (ANA, BEN), ("Ana", "Ben")))
+        self.watch = Watch(self.teacher)
+        self._numbers = itertools.count()
+
+    def _join(self, machine: Machine, number: int, name: str) -> None:
+        joined = ("join", self.teacher.address, "--number", str(number), "--name", name)
+        assert machine.run("zbot", *joined, env=PIN).code == 0
+
+    @contextmanager
+    def talking(self, machine: Machine, topic: str, name: str = "") -> Iterator[Program]:
+        """Run a greeter for the length of a block, in which the teacher sees it."""
+        name = name or f"greeter{next(self._numbers)}"  # an earlier one's may still be told of
+        program = greeter(machine, topic, "-r", f"__node:={name}")
+        self.watch.until(lambda nodes: f"/{name}" in {node for _, node in nodes})
+        yield program
+        program.stop()
+        self.watch.until(lambda nodes: f"/{name}" not in {node for _, node in nodes})
 
     def is_linked(self, *machines: Machine) -> bool:
         """Return whether laptops are linked with the teacher's hub."""
@@ -52,30 +72,37 @@ def lesson(request: pytest.FixtureRequest) -> Iterator[Class]:
         yield opened
 
 
-def talker(machine: Machine, topic: str) -> Program:
-    """Start a talker; return it when it talks."""
-    program = machine.start("zbot", "run", "talker", "--ros-args", "-r", f"chatter:={topic}")
+def greeter(machine: Machine, topic: str, *rules: str, **env: str) -> Program:
+    """Start a greeter; return it when it talks."""
+    words = ("--ros-args", "-r", f"chatter:={topic}", *rules)
+    program = machine.start("greeter.py", *words, env=env)
     program.wait_for("Publishing")
     return program
 
 
 def echo(machine: Machine, topic: str, timeout_s: float = 10) -> str:
     """Return the first message of a topic that comes in time, or nothing."""
-    words = ("topic", "echo", topic, "--once", "--timeout", str(timeout_s))
-    return machine.run("zbot", *words).out
+    return machine.run(*echoing(topic, timeout_s)).out
+
+
+def echoing(topic: str, timeout_s: float) -> tuple[str, ...]:
+    return ("zbot", "topic", "echo", topic, "--once", "--timeout", str(timeout_s))
 
 
 def test_the_teacher_looks_into_a_students_domain_by_name(lesson: Class) -> None:
-    program = talker(lesson.ana, "/chatter")
-    assert "Hello World" in echo(lesson.teacher, f"/{ANA}/chatter")
-    topics = lesson.teacher.run("zbot", "topic", "list", f"/{ANA}").out.split()
-    assert "/chatter" in topics
-    assert "/talker" in lesson.teacher.run("zbot", "node", "list", f"/{ANA}").out
-    info = lesson.teacher.run("zbot", "topic", "info", f"/{ANA}/chatter").out
-    assert "Publisher count: 1" in info
-    value = lesson.teacher.run("zbot", "param", "get", f"/{ANA}/talker", "use_sim_time")
+    with lesson.talking(lesson.ana, "/chatter", "ana"):
+        echoed, topics, nodes, info, value = lesson.teacher.run_all(
+            echoing(f"/{ANA}/chatter", 10),
+            ("zbot", "topic", "list", f"/{ANA}"),
+            ("zbot", "node", "list", f"/{ANA}"),
+            ("zbot", "topic", "info", f"/{ANA}/chatter"),
+            ("zbot", "param", "get", f"/{ANA}/ana", "use_sim_time"),
+        )
+    assert "Hello World" in echoed.out
+    assert "/chatter" in topics.out.split()
+    assert "/ana" in nodes.out
+    assert "Publisher count: 1" in info.out
     assert "False" in value.out
-    program.stop()
 
 
 def test_the_teacher_reaches_into_a_students_domain(lesson: Class) -> None:
@@ -119,75 +146,69 @@ def test_messages_of_several_topics_at_once_all_arrive(lesson: Class) -> None:
 
 
 def test_students_are_alone_in_their_domains(lesson: Class) -> None:
-    program = talker(lesson.ana, "/chatter")
-    assert "Hello" in echo(lesson.ana, "/chatter")
-    assert echo(lesson.ben, "/chatter", 2) == ""
-    # Not even by saying so:
-    assert echo(lesson.ben, f"/{ANA}/chatter", 2) == ""
-    assert lesson.ben.run("zbot", "node", "list", f"/{ANA}").out == ""
-    program.stop()
+    with lesson.talking(lesson.ana, "/chatter"):
+        assert "Hello" in echo(lesson.ana, "/chatter")
+        outputs = lesson.ben.run_all(
+            echoing("/chatter", SILENCE_S),
+            # Not even by saying so:
+            echoing(f"/{ANA}/chatter", SILENCE_S),
+            ("zbot", "node", "list", f"/{ANA}"),
+        )
+        assert [finished.out for finished in outputs] == [""] * 3
 
 
 def test_what_the_teacher_shares_everybody_sees(lesson: Class) -> None:
-    program = talker(lesson.teacher, "/class/news")
-    for machine in (lesson.ana, lesson.ben):
-        assert "/class/news" in machine.run("zbot", "topic", "list").out
-        assert "Hello World" in echo(machine, "/class/news")
-    program.stop()
+    with lesson.talking(lesson.teacher, "/class/news"):
+        for machine in (lesson.ana, lesson.ben):
+            assert "Hello World" in echo(machine, "/class/news")
+            assert "/class/news" in machine.run("zbot", "topic", "list").out
 
 
 def test_students_talk_to_everybody_only_once_the_teacher_allows_it(lesson: Class) -> None:
-    program = talker(lesson.ana, "/class/talk")
-    said = "reaches others only while the teacher lets students speak there"
-    if said not in program.output:
-        program.wait_for(said)
-    assert echo(lesson.teacher, "/class/talk", 2) == ""
-    lesson.teacher.run("zbot", "share", "class")
-    assert "Hello World" in echo(lesson.ben, "/class/talk")
-    lesson.teacher.run("zbot", "share", "class", "--stop")
-    assert wait_until(lambda: lesson.is_linked(lesson.ana, lesson.ben), 10)
-    assert echo(lesson.teacher, "/class/talk", 2) == ""
-    program.stop()
+    with lesson.talking(lesson.ana, "/class/talk") as program:
+        said = "reaches others only while the teacher lets students speak there"
+        if said not in program.output:
+            program.wait_for(said)
+        assert echo(lesson.teacher, "/class/talk", SILENCE_S) == ""
+        lesson.teacher.run("zbot", "share", "class")
+        assert "Hello World" in echo(lesson.ben, "/class/talk")
+        lesson.teacher.run("zbot", "share", "class", "--stop")
+        assert wait_until(lambda: lesson.is_linked(lesson.ana, lesson.ben), 10)
+        assert echo(lesson.teacher, "/class/talk", SILENCE_S) == ""
 
 
 def test_a_shared_domain_is_seen_by_the_one_it_is_shared_with(lesson: Class) -> None:
-    program = talker(lesson.ana, "/chatter")
-    shared = lesson.teacher.run("zbot", "share", str(ANA), str(BEN))
-    assert f"{BEN} sees the topics of {ANA}" in shared.out
-    assert "Hello World" in echo(lesson.ben, f"/{ANA}/chatter")
-    # He hears, and does not speak there.
-    listener = lesson.ana.start("zbot", "topic", "echo", "/orders", "std_msgs/String")
-    sent = ("topic", "pub", f"/{ANA}/orders", "std_msgs/String", "data: hello", "--times", "3")
-    lesson.ben.run("zbot", *sent, "--rate", "5", "-w", "0")
-    lesson.teacher.run("zbot", "share", str(ANA), str(BEN), "--stop")
-    assert wait_until(lambda: lesson.is_linked(lesson.ana, lesson.ben), 10)
-    assert echo(lesson.ben, f"/{ANA}/chatter", 2) == ""
-    listener.stop()
-    assert "hello" not in listener.output
-    program.stop()
+    with lesson.talking(lesson.ana, "/chatter"):
+        shared = lesson.teacher.run("zbot", "share", str(ANA), str(BEN))
+        assert f"{BEN} sees the topics of {ANA}" in shared.out
+        assert "Hello World" in echo(lesson.ben, f"/{ANA}/chatter")
+        # He hears, and does not speak there.
+        listener = lesson.ana.start("zbot", "topic", "echo", "/orders", "std_msgs/String")
+        sent = ("topic", "pub", f"/{ANA}/orders", "std_msgs/String", "data: hello", "--times", "3")
+        lesson.ben.run("zbot", *sent, "--rate", "5", "-w", "0")
+        lesson.teacher.run("zbot", "share", str(ANA), str(BEN), "--stop")
+        assert wait_until(lambda: lesson.is_linked(lesson.ana, lesson.ben), 10)
+        assert echo(lesson.ben, f"/{ANA}/chatter", SILENCE_S) == ""
+        listener.stop()
+        assert "hello" not in listener.output
 
 
 def test_a_whole_class_is_marked(lesson: Class) -> None:
-    good, wrong = talker(lesson.ana, "/student_id"), talker(lesson.ben, "/student_ID")
-    task = "publishes std_msgs/String on /student_id at >= 1 Hz"
-    marked = lesson.teacher.run("zbot", "class", "check", task, "--json")
+    check = ("zbot", "class", "check", "publishes std_msgs/String on /student_id at >= 5 Hz")
+    with lesson.talking(lesson.ana, "/student_id"), lesson.talking(lesson.ben, "/student_ID"):
+        marked, text = lesson.teacher.run_all((*check, "--json"), check)
     assert marked.code == 1
     ana, ben = json.loads(marked.out)
     assert ana["passes"]
     assert ben["problems"] == ["nobody publishes /student_id; is /student_ID meant?"]
-    text = lesson.teacher.run("zbot", "class", "check", task).out
-    assert "1 of 2 pass" in text
-    good.stop()
-    wrong.stop()
+    assert "1 of 2 pass" in text.out
 
 
 def test_nothing_on_a_students_laptop_listens_on_the_network(lesson: Class) -> None:
-    listening = lesson.ana.start("zbot", "run", "talker")
-    listening.wait_for("Publishing")
-    sockets = lesson.ana.run("python3", "-c", LISTENING).out.split()
+    with lesson.talking(lesson.ana, "/chatter"):
+        sockets = lesson.ana.run("python3", "-c", LISTENING).out.split()
     assert sockets
     assert all(address == "0100007F" for address in sockets), sockets
-    listening.stop()
 
 
 # The local addresses of all listening sockets (state 0A): 127.0.0.1 is 0100007F.
@@ -210,14 +231,14 @@ def test_two_machines_see_each_other_through_a_plain_hub() -> None:
         hub.wait_for("the hub listens on")
         hub.wait_for(f"zbot join {rig.teacher.address}")
         assert robot.run("zbot", "join", rig.teacher.address).code == 0
-        program = talker(robot, "/chatter")
+        program = greeter(robot, "/chatter")
         assert "Hello World" in echo(rig.teacher, "/chatter")
-        assert "/talker" in rig.teacher.run("zbot", "node", "list").out
+        assert "/greeter" in rig.teacher.run("zbot", "node", "list").out
         # The other way, node to node.
-        back = talker(rig.teacher, "/answer")
+        back = greeter(rig.teacher, "/answer")
         assert "Hello World" in echo(robot, "/answer")
         assert robot.run("zbot", "leave").code == 0
-        assert "/talker" not in rig.teacher.run("zbot", "node", "list").out.split("\n")[1:]
+        assert "/greeter" not in rig.teacher.run("zbot", "node", "list").out.split("\n")[1:]
         program.stop()
         back.stop()
         assert hub.stop() == 0
@@ -232,10 +253,9 @@ def test_machines_of_a_subnet_find_each_other_by_multicast() -> None:
         for machine in rig.laptops:
             machine.join_air(isolated=False, multicast=True)
         first, second = rig.laptops
-        program = first.start("zbot", "run", "talker", env=subnet)
-        program.wait_for("Publishing")
+        program = greeter(first, "/chatter", **subnet)
         # Without a node of its own, and then with one.
-        assert "/talker" in second.run("zbot", "node", "list", env=subnet).out
+        assert "/greeter" in second.run("zbot", "node", "list", env=subnet).out
         listener = second.start("zbot", "run", "listener", env=subnet)
         listener.wait_for("Hello World")
         listener.stop()
