@@ -14,30 +14,31 @@ if TYPE_CHECKING:
     from tests.classroom.rig import Rig
 
 SHARE = 1.2
-SECONDS = 4  # of each kind at least, and at most:
-MOST_SECONDS = 10
-# The flood's rhythm (flood.py): the second in which it begins or ends is neither.
+BEAT = ("--beat", "0.5")
+BEATS = 4  # of each kind at least, and at most:
+MOST_BEATS = 20
+# The flood's rhythm (flood.py): the beat in which it begins or ends is neither.
 KINDS = {1: "flood", 3: "quiet"}
 
 
 def test_a_flood_does_not_delay_what_others_say(make_rig: Callable[[int], Rig]) -> None:
-    """The best second with it is compared with the usual one without it.
+    """The best beat with it is compared with the usual one without it.
 
-    Whatever else this machine does only adds to a delay; a single quiet second may be pure luck.
+    Whatever else this machine does only adds to a delay; a single quiet beat may be pure luck.
     """
     rig = make_rig(2)
     lesson = Lesson(rig, 1)
     lesson.join()
     flooded, other = rig.laptops
-    teacher = rig.teacher.start("hear.py", "2/ana/words", "1/flood")
+    teacher = rig.teacher.start("hear.py", "2/ana/words", "1/flood", *BEAT)
     teacher.wait_for("hearing")
-    other.start("pupil.py", "ana", "ana", "--hz", "200").wait_for("hears")
-    flooded.start("flood.py").wait_for("flood")
+    other.start("pupil.py", "ana", "ana", "--hz", "400").wait_for("hears")
+    flooded.start("flood.py", *BEAT).wait_for("flood")
 
     p99_us: dict[str, list[int]] = {"flood": [], "quiet": []}
     while not is_settled(p99_us):
-        _, second, count, delay_us = teacher.wait_for("second").split()
-        kind = KINDS.get(int(second) % 4)
+        _, beat, count, delay_us = teacher.wait_for("beat").split()
+        kind = KINDS.get(int(beat) % 4)
         if kind is not None and int(count) > 100:  # a whole one
             p99_us[kind].append(int(delay_us))
 
@@ -49,8 +50,8 @@ def is_undelayed(p99_us: dict[str, list[int]]) -> bool:
 
 
 def is_settled(p99_us: dict[str, list[int]]) -> bool:
-    """Return whether the seconds suffice, or there will be no more."""
+    """Return whether the beats suffice, or there will be no more."""
     least = min(map(len, p99_us.values()))
-    if least < SECONDS:
+    if least < BEATS:
         return False
-    return least >= MOST_SECONDS or is_undelayed(p99_us)
+    return least >= MOST_BEATS or is_undelayed(p99_us)

@@ -1,15 +1,15 @@
 """Listen at this machine's hub to a pupil's words, and say how late they come.
 
-Run: hear.py KEY [OTHER_KEY]...           such as 17/ana/words
-Prints `hearing`, for each second of the monotonic clock `second SECOND COUNT P99_US` of the first
-key, and when interrupted a line of JSON: delays_us by second, and how much came on the other keys.
+Run: hear.py KEY [OTHER_KEY]... [--beat 1]      keys such as 17/ana/words, a beat in seconds
+Prints `hearing`, for each beat of the monotonic clock `beat BEAT COUNT P99_US` of the first key,
+and when interrupted a line of JSON: delays_us by beat, and how much came on the other keys.
 """
 
 from __future__ import annotations
 
+import argparse
 import json
 import signal
-import sys
 import threading
 import time
 from typing import Any
@@ -21,11 +21,12 @@ from zbot.session import open_hub_client
 
 
 class Ear:
-    """What came, sorted by the second in which it was said."""
+    """What came, sorted by the beat in which it was said."""
 
-    def __init__(self, key: str) -> None:
+    def __init__(self, key: str, beat_s: float) -> None:
         self._key = key
-        self._second = 0
+        self._beat_ns = int(beat_s * 1e9)
+        self._beat = 0
         self.delays_us: dict[int, list[int]] = {}
         self.others = 0
 
@@ -36,27 +37,31 @@ class Ear:
                 self.others += 1
                 continue
             sent_ns = int(msgpack.unpackb(sample.payload.to_bytes())["data"].split()[1])
-            self._file(sent_ns // 10**9, (now_ns - sent_ns) // 1000)
+            self._file(sent_ns // self._beat_ns, (now_ns - sent_ns) // 1000)
 
-    def _file(self, second: int, delay_us: int) -> None:
-        if second > self._second:
-            self._report(self.delays_us.get(self._second, []))
-            self._second = second
-        self.delays_us.setdefault(second, []).append(delay_us)
+    def _file(self, beat: int, delay_us: int) -> None:
+        if beat > self._beat:
+            self._report(self.delays_us.get(self._beat, []))
+            self._beat = beat
+        self.delays_us.setdefault(beat, []).append(delay_us)
 
     def _report(self, delays_us: list[int]) -> None:
         if delays_us:
             p99_us = sorted(delays_us)[int(len(delays_us) * 0.99)]
-            print("second", self._second, len(delays_us), p99_us, flush=True)
+            print("beat", self._beat, len(delays_us), p99_us, flush=True)
 
 
 def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("keys", nargs="+")
+    parser.add_argument("--beat", type=float, default=1)
+    options = parser.parse_args()
     session = open_hub_client(more={"connect/timeout_ms": -1, "connect/exit_on_failure": False})
     assert session is not None, "the hub does not let this machine in"
-    ear = Ear(sys.argv[1])
+    ear = Ear(options.keys[0], options.beat)
     with session:
         channel = zenoh.handlers.FifoChannel(100_000)
-        listening = [session.declare_subscriber(key, channel) for key in sys.argv[1:]]
+        listening = [session.declare_subscriber(key, channel) for key in options.keys]
         for one in listening:
             threading.Thread(target=ear.listen, args=(one.handler,), daemon=True).start()
         print("hearing", flush=True)
