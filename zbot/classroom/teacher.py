@@ -128,12 +128,15 @@ def _client() -> zenoh.Session:
     return session
 
 
-def _ask(session: zenoh.Session, question: dict[str, Any]) -> dict[str, Any]:
-    answers = ask(session, DESK_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
-    if not answers or "error" in answers[0]:
-        told = answers[0]["error"] if answers else "the class does not answer: try again"
-        raise ClassCommandError(str(told))
-    return answers[0]
+def _ask(question: dict[str, Any]) -> list[dict[str, Any]]:
+    # A hub that is about to be opened anew may still let somebody in, and answers no more.
+    deadline = time.monotonic() + _REOPENING_S
+    while True:
+        with _client() as session:
+            answers = ask(session, DESK_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
+        if answers or time.monotonic() > deadline:
+            return answers
+        time.sleep(_PAUSE_S)
 
 
 def command(question: dict[str, Any]) -> dict[str, Any]:
@@ -143,8 +146,11 @@ def command(question: dict[str, Any]) -> dict[str, Any]:
         NoClassError: There is none.
         ClassCommandError: It refuses; its sentence says why.
     """
-    with _client() as session:
-        return _ask(session, question)
+    answers = _ask(question)
+    if not answers or "error" in answers[0]:
+        told = answers[0]["error"] if answers else "the class does not answer: try again"
+        raise ClassCommandError(str(told))
+    return answers[0]
 
 
 def check_class(expectations: Sequence[Expectation]) -> list[Verdict]:
@@ -154,8 +160,9 @@ def check_class(expectations: Sequence[Expectation]) -> list[Verdict]:
         NoClassError: There is no class on this machine.
         ClassCommandError: It does not run.
     """
+    students = command({"op": "list"})["students"]
     with _client() as session:
-        return check(session, _ask(session, {"op": "list"})["students"], expectations)
+        return check(session, students, expectations)
 
 
 def graph_of(number: int) -> Snapshot:
