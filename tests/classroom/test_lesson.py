@@ -1,4 +1,4 @@
-"""A lesson: four laptops with three nodes each, and what may happen to them."""
+"""A lesson: four laptops with two nodes each, and what may happen to them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     from tests.classroom.machine import Machine
 
-LAPTOPS, NODES = 4, 3
+LAPTOPS, NODES = 4, 2
 IDLE_S = 3.0
 PIN = "4711"
 
