@@ -70,6 +70,11 @@ class Neighbour:
         assert outcome.code == 0, outcome.err
         return outcome.out
 
+    @property
+    def has_joined(self) -> bool:
+        """Whether it takes part in something."""
+        return (self.folder() / "membership.json").exists()
+
     def kill_hub(self) -> None:
         """Kill its hub, as switching it off does; wait until that is so."""
         pid = json.loads((self.folder() / "hub.json").read_text())["pid"]
