@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import shutil
 import sys
+from contextlib import ExitStack
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
@@ -15,6 +17,7 @@ from zbot_cli.looking import snapshot
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
+    from pathlib import Path
 
     from playwright.sync_api import Browser, Page
 
@@ -37,21 +40,6 @@ def chromium() -> str | None:
     """Return the path of this machine's Chromium or Chrome, if there is one."""
     names = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable")
     return next(filter(None, map(shutil.which, names)), None)
-
-
-# Not for the whole session: while Playwright is there, asyncio.run() is not possible in its thread.
-@pytest.fixture(scope="module")
-def browser() -> Iterator[Browser]:
-    pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
-    playwright = pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
-    path = chromium()
-    if path is None:
-        pytest.skip("there is no Chromium on this machine")
-    playwright.expect.set_options(timeout=PATIENCE_MS)
-    with playwright.sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path=path, args=_ARGUMENTS)
-        yield browser
-        browser.close()
 
 
 class Visit:
@@ -90,6 +78,125 @@ class Visit:
         return found
 
 
+class Server:
+    """A running `zbot web`."""
+
+    def __init__(self, program: Program) -> None:
+        self.program = program
+        self.address = program.wait_for("zbot web: ", 30).partition("zbot web: ")[2].rstrip("/")
+
+    def stop(self) -> int:
+        return self.program.stop(timeout_s=15)
+
+
+class Stage:
+    """What tests in a row share, as it starts more slowly than most of them run."""
+
+    def __init__(self) -> None:
+        self._ends = ExitStack()
+        self._servers: dict[tuple[str, ...], Server] = {}
+
+    @cached_property
+    def browser(self) -> Browser:
+        pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
+        playwright = pytest.importorskip("playwright.sync_api", reason="no Playwright is installed")
+        path = chromium()
+        if path is None:
+            pytest.skip("there is no Chromium on this machine")
+        playwright.expect.set_options(timeout=PATIENCE_MS)
+        driver = self._ends.enter_context(playwright.sync_playwright())
+        browser: Browser = driver.chromium.launch(executable_path=path, args=_ARGUMENTS)
+        self._ends.callback(browser.close)
+        return browser
+
+    @cached_property
+    def window(self) -> Visit:
+        """A new one would load and compile everything anew, for a second."""
+        window = Visit(self.browser)
+        self._ends.callback(window.context.close)
+        return window
+
+    @cached_property
+    def domain(self) -> int:
+        return self._ends.enter_context(reserved_domain())
+
+    @property
+    def has_servers(self) -> bool:
+        return bool(self._servers)
+
+    def server(self, folder: Path, *words: str) -> Server:
+        """Return the `zbot web` with these options, in the environment's domain."""
+        if words not in self._servers:
+            command = [sys.executable, "-m", "zbot_cli", *COMMAND[1:], *words]
+            server = Server(Program(command, folder, {**os.environ}))
+            self._ends.callback(_end, server)
+            self._servers[words] = server
+        return self._servers[words]
+
+    def close(self) -> None:
+        self._ends.close()
+
+
+def _end(server: Server) -> None:
+    assert server.stop() == ENDED_BY_CTRL_C
+
+
+_STAGE = pytest.StashKey[Stage]()
+
+
+# Not for the whole session: while Playwright is there, asyncio.run() is not possible in its thread.
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> Iterator[None]:
+    """Close the stage after the last of the tests in a row that use it."""
+    try:
+        return (yield)
+    finally:
+        if "stage" not in getattr(nextitem, "fixturenames", ()):
+            _close_stage(item.session)
+
+
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    _close_stage(session)  # where the session was told to stop before its last test
+
+
+def _close_stage(session: pytest.Session) -> None:
+    stage = session.stash.get(_STAGE, None)
+    if stage is not None:
+        del session.stash[_STAGE]
+        stage.close()
+
+
+@pytest.fixture
+def stage(request: pytest.FixtureRequest) -> Stage:
+    return request.session.stash.setdefault(_STAGE, Stage())
+
+
+@pytest.fixture
+def browser(stage: Stage) -> Browser:
+    return stage.browser
+
+
+@pytest.fixture
+def window(stage: Stage) -> Visit:
+    return stage.window
+
+
+@pytest.fixture
+def domain(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> int:
+    """Return the domain of the stage, after whatever the last test ran has left it."""
+    monkeypatch.setenv("ZBOT_DOMAIN_ID", str(stage.domain))
+    if stage.has_servers:
+        assert wait_until(is_quiet, 10), snapshot().nodes
+    return stage.domain
+
+
+def is_quiet() -> bool:
+    """Return whether there are no nodes but those of the server."""
+    nodes = snapshot().nodes
+    servers = {node.zid for node in nodes if node.node.startswith("_zbot_web")}
+    return {node.zid for node in nodes} == servers
+
+
 @pytest.fixture
 def visit(browser: Browser, start: object) -> Iterator[Callable[..., Visit]]:  # noqa: ARG001
     """Return a function that opens a browser window of its own; it closes before programs end."""
@@ -106,14 +213,6 @@ def visit(browser: Browser, start: object) -> Iterator[Callable[..., Visit]]:  #
         assert one.complaints() == []
 
 
-@pytest.fixture(scope="module")
-def window(browser: Browser) -> Iterator[Visit]:
-    """Return the module's window: a new one loads and compiles everything anew, for a second."""
-    shared = Visit(browser)
-    yield shared
-    shared.context.close()
-
-
 @pytest.fixture
 def page(window: Visit, start: object) -> Iterator[Page]:  # noqa: ARG001 - programs end after it
     """Return the window's page; at the end it must not have asked other machines for anything."""
@@ -122,50 +221,6 @@ def page(window: Visit, start: object) -> Iterator[Page]:  # noqa: ARG001 - prog
     window.page.mouse.move(0, 0)
     window.context.clear_cookies()
     assert window.complaints() == []
-
-
-class Server:
-    """A running `zbot web`."""
-
-    def __init__(self, program: Program) -> None:
-        self.program = program
-        self.address = program.wait_for("zbot web: ", 30).partition("zbot web: ")[2].rstrip("/")
-
-    def stop(self) -> int:
-        return self.program.stop(timeout_s=15)
-
-
-@pytest.fixture(scope="module")
-def shared_domain() -> Iterator[int]:
-    with reserved_domain() as reserved:
-        yield reserved
-
-
-@pytest.fixture(scope="module")
-def shared_servers() -> Iterator[list[Server]]:
-    """Return a list for the server of the module's tests, which is stopped after the last."""
-    servers: list[Server] = []
-    yield servers
-    for one in servers:
-        assert one.stop() == ENDED_BY_CTRL_C
-
-
-@pytest.fixture
-def domain(
-    shared_domain: int, shared_servers: list[Server], monkeypatch: pytest.MonkeyPatch
-) -> int:
-    """Return the domain of the module's tests, after whatever the last of them ran has left it."""
-    monkeypatch.setenv("ZBOT_DOMAIN_ID", str(shared_domain))
-    if shared_servers:
-        assert wait_until(is_quiet, 10), snapshot().nodes
-    return shared_domain
-
-
-def is_quiet() -> bool:
-    """Return whether there are no nodes but those of the server."""
-    nodes = snapshot().nodes
-    servers = {node.zid for node in nodes if node.node.startswith("_zbot_web")}
-    return {node.zid for node in nodes} == servers
 
 
 @pytest.fixture
@@ -182,16 +237,22 @@ def serve(browser: Browser, start: Callable[..., Program]) -> Callable[..., Serv
 def server(
     browser: Browser,  # noqa: ARG001 - tells whether this machine can show pages
     domain: int,  # noqa: ARG001 - by the environment
-    shared_servers: list[Server],
+    stage: Stage,
     tmp_path_factory: pytest.TempPathFactory,
 ) -> Server:
-    """Return the module's `zbot web`: it takes longer to start than most of its tests."""
-    if not shared_servers:
-        command = [sys.executable, "-m", "zbot_cli", *COMMAND[1:]]
-        shared_servers.append(
-            Server(Program(command, tmp_path_factory.mktemp("server"), {**os.environ}))
-        )
-    return shared_servers[0]
+    """Return the `zbot web` of the stage."""
+    return stage.server(tmp_path_factory.getbasetemp())
+
+
+@pytest.fixture
+def read_only_server(
+    browser: Browser,  # noqa: ARG001 - as above
+    domain: int,  # noqa: ARG001
+    stage: Stage,
+    tmp_path_factory: pytest.TempPathFactory,
+) -> Server:
+    """Return another one, whose pages may only look."""
+    return stage.server(tmp_path_factory.getbasetemp(), "--read-only")
 
 
 def pytest_configure() -> None:

@@ -23,17 +23,22 @@ if TYPE_CHECKING:
 
 @pytest.fixture
 def loggers(
-    make_context: Callable[[], zbot.Context], serve: Callable[..., Server], page: Page
+    make_context: Callable[[], zbot.Context], server: Server, page: Page
 ) -> tuple[zbot.Node, zbot.Node]:
     context = make_context()
     nodes = zbot.Node("left", context=context), zbot.Node("right", context=context)
-    page.goto(f"{serve().address}/console")  # one that has heard nothing yet
+    page.goto(f"{server.address}/console")
+    clear(page)  # of what other tests logged
     expect(page.get_by_text("No log line yet.")).to_be_visible()
     return nodes
 
 
 def lines(page: Page) -> Locator:
     return page.locator(".zb-log tr")
+
+
+def clear(page: Page) -> None:
+    page.locator("button").filter(has_text="Clear").click()
 
 
 def choose(page: Page, label: str, option: str) -> None:
@@ -80,7 +85,7 @@ def test_a_pause_keeps_lines_and_clear_forgets_them(
     expect(lines(page)).to_have_count(1)
     page.get_by_role("button", name="Go on").click()
     expect(lines(page)).to_have_count(2)
-    page.locator("button").filter(has_text="Clear").click()
+    clear(page)
     expect(lines(page)).to_have_count(0)
     left.get_logger().fatal("no more")
     expect(lines(page)).to_have_count(1)

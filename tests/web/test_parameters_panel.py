@@ -99,9 +99,9 @@ def test_values_that_are_set_elsewhere_are_seen(demo: Page) -> None:
 
 
 def test_a_page_that_may_only_look_shows_values(
-    start: Start, serve: Callable[..., Server], page: Page
+    start: Start, read_only_server: Server, page: Page
 ) -> None:
     start("zbot", "run", "parameter_demo").wait_for("drives")
-    page.goto(f"{serve('--read-only').address}/parameters?node=/parameter_demo")
+    page.goto(f"{read_only_server.address}/parameters?node=/parameter_demo")
     expect(entry(page, "driver")).to_contain_text("Ada")
     expect(field(page, "driver")).to_have_count(0)

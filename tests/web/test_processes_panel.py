@@ -54,15 +54,15 @@ def test_stop_ends_a_process_as_ctrl_c_does(talker: Program, server: Server, pag
 def test_the_page_does_not_stop_itself(server: Server, page: Page) -> None:
     page.goto(f"{server.address}/processes")
     page.get_by_text("Hidden nodes").click()
-    row(page, "_zbot_web").click()
+    row(page, str(server.program.process.pid)).click()
     expect(page.get_by_text("This process serves the page that you see.")).to_be_visible()
     expect(page.get_by_role("button", name="Stop")).to_have_count(0)
 
 
 def test_a_page_that_may_only_look_stops_nothing(
-    talker: Program, serve: Callable[..., Server], page: Page
+    talker: Program, read_only_server: Server, page: Page
 ) -> None:
-    page.goto(f"{serve('--read-only').address}/processes")
+    page.goto(f"{read_only_server.address}/processes")
     row(page, "/talker").click()
     expect(page.get_by_text("This page is read-only.")).to_be_visible()
     expect(page.get_by_role("button", name="Stop")).to_have_count(0)

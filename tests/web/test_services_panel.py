@@ -103,10 +103,10 @@ def test_a_wrong_entry_cannot_be_sent(server: Server, page: Page, node: zbot.Nod
 
 
 def test_a_page_that_may_only_look_calls_nothing(
-    serve: Callable[..., Server], page: Page, node: zbot.Node
+    read_only_server: Server, page: Page, node: zbot.Node
 ) -> None:
     node.create_service(AddTwoInts, "add", lambda _, response: response)
-    page.goto(f"{serve('--read-only').address}/services?service=/add")
+    page.goto(f"{read_only_server.address}/services?service=/add")
     expect(page.get_by_text("This page is read-only.")).to_be_visible()
     expect(page.get_by_role("button", name="Call")).to_have_count(0)
 

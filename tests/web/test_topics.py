@@ -144,11 +144,9 @@ def test_images_and_scans_are_pictures(
     assert drawn.count("M") == 2
 
 
-def test_read_only_page_has_no_form(
-    serve: Callable[..., Server], page: Page, node: zbot.Node
-) -> None:
+def test_read_only_page_has_no_form(read_only_server: Server, page: Page, node: zbot.Node) -> None:
     node.create_subscription(Float64, "x", print, 10)
-    page.goto(f"{serve('--read-only').address}/topics?topic=/x")
+    page.goto(f"{read_only_server.address}/topics?topic=/x")
     page.wait_for_selector("text=read-only")
     page.wait_for_selector(".zb-side >> text=std_msgs/msg/Float64")
     assert page.locator(".zb-publish").count() == 0

@@ -200,10 +200,10 @@ def test_without_a_simulator_the_page_says_how_to_start_one(
 
 
 def test_a_page_that_may_only_look_has_no_controls(
-    turtlesim: Program, serve: Callable[..., Server], page: Page
+    turtlesim: Program, read_only_server: Server, page: Page
 ) -> None:
     assert turtlesim.process.poll() is None
-    page.goto(f"{serve('--read-only').address}/turtle")
+    page.goto(f"{read_only_server.address}/turtle")
     expect(turtle(page, "turtle1")).to_be_visible()
     expect(page.get_by_role("button", name="Clear")).to_have_count(0)
     page.keyboard.press("ArrowUp")
