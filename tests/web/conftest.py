@@ -191,7 +191,7 @@ def domain(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> int:
 
 
 def is_quiet() -> bool:
-    """Return whether there are no nodes but those of the server."""
+    """Return whether there are no nodes but those of servers."""
     nodes = snapshot().nodes
     servers = {node.zid for node in nodes if node.node.startswith("_zbot_web")}
     return {node.zid for node in nodes} == servers
@@ -221,6 +221,14 @@ def page(window: Visit, start: object) -> Iterator[Page]:  # noqa: ARG001 - prog
     window.page.mouse.move(0, 0)
     window.context.clear_cookies()
     assert window.complaints() == []
+
+
+@pytest.fixture
+def another_page(window: Visit, page: Page) -> Iterator[Callable[[], Page]]:  # noqa: ARG001
+    """Return a function that opens one more page in the window; it ends before `page` does."""
+    yield window.new_page
+    for one in window.context.pages[1:]:
+        one.close()
 
 
 @pytest.fixture

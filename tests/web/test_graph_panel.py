@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from playwright.sync_api import Page
 
     from tests.conftest import Program, Spinner
-    from tests.web.conftest import Server, Visit
+    from tests.web.conftest import Server
 
 #: On a machine that does nothing else it is 0.3 s.
 _SOON_S = 3.0
@@ -270,15 +270,12 @@ def test_the_wheel_zooms_and_dragging_moves(server: Server, page: Page, node: No
     assert place(page, "/talker") == pytest.approx((before[0] + 60, before[1] - 60), abs=3)
 
 
-def test_a_large_graph_is_drawn_at_once(
-    server: Server, visit: Callable[..., Visit], node: Nodes
-) -> None:
+def test_a_large_graph_is_drawn_at_once(server: Server, page: Page, node: Nodes) -> None:
     nodes = [node(f"node_{number}") for number in range(50)]
     for number in range(150):
         nodes[number % 50].create_publisher(String, f"part_{number % 7}/topic_{number}", 1)
         other = nodes[(number + 1 + number // 50) % 50]
         other.create_subscription(String, f"part_{number % 7}/topic_{number}", print, 1)
-    page = visit().page
     page.goto(f"{server.address}/graph")
     page.wait_for_function("document.querySelectorAll('.zb-graph .item').length === 200")
     begin = time.monotonic()

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page
 
     from tests.conftest import Program
-    from tests.web.conftest import Server, Visit
+    from tests.web.conftest import Server
 
     Start = Callable[..., Program]
 
@@ -46,11 +46,11 @@ def command(page: Page) -> Locator:
 
 
 def test_a_slider_changes_the_background_of_the_turtles(
-    start: Start, server: Server, page: Page, visit: Callable[..., Visit]
+    start: Start, server: Server, page: Page, another_page: Callable[[], Page]
 ) -> None:
     program = start("zbot", "run", "turtlesim", "turtlesim_node", "--no-browser")
     program.wait_for("Spawning turtle [turtle1]")
-    turtles = visit().page
+    turtles = another_page()
     turtles.goto(f"{server.address}/turtle")
     expect(turtles.locator(".zb-stage")).to_have_css("background-color", "rgb(69, 86, 255)")
     page.goto(f"{server.address}/parameters?node=/turtlesim")

@@ -153,20 +153,20 @@ def test_read_only_page_has_no_form(read_only_server: Server, page: Page, node: 
 
 
 def test_reloads_and_windows_leave_no_subscription(
-    server: Server, visit: Callable[..., Visit], node: zbot.Node
+    server: Server, another_page: Callable[[], Page], node: zbot.Node
 ) -> None:
     node.create_publisher(String, "chatter", 10)
-    first, second = visit(), visit()
-    for one in (first, second):
-        one.page.goto(f"{server.address}/topics?topic=/chatter")
-        one.page.wait_for_selector(row("/chatter"))
+    first, second = another_page(), another_page()
+    for page in (first, second):
+        page.goto(f"{server.address}/topics?topic=/chatter")
+        page.wait_for_selector(row("/chatter"))
     assert wait_until(lambda: node.count_subscribers("/chatter") == 1, 10)
     for _ in range(12):
-        first.page.reload(wait_until="domcontentloaded")
-    first.page.wait_for_selector(row("/chatter"))
+        first.reload(wait_until="domcontentloaded")
+    first.wait_for_selector(row("/chatter"))
     assert node.count_subscribers("/chatter") == 1
-    for one in (first, second):
-        one.page.close()
+    for page in (first, second):
+        page.close()
     # Whoever has gone is given some seconds to come back.
     assert wait_until(lambda: node.count_subscribers("/chatter") == 0, 30)
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from playwright.sync_api import Locator, Page
 
     from tests.conftest import Program
-    from tests.web.conftest import Server, Visit
+    from tests.web.conftest import Server
 
     Start = Callable[..., Program]
 
@@ -105,11 +105,11 @@ def test_an_arrow_key_drives_two_metres_and_draws_a_line(turtles: Page) -> None:
 
 
 def test_a_page_that_comes_later_shows_what_was_drawn(
-    turtles: Page, visit: Callable[..., Visit]
+    turtles: Page, another_page: Callable[[], Page]
 ) -> None:
     turtles.keyboard.press("ArrowUp")
     assert waits_for(turtles, lambda: place(turtles)[0] > 7.5)
-    late = visit().page
+    late = another_page()
     late.goto(turtles.url)
     expect(turtle(late, "turtle1")).to_be_visible()
     assert waits_for(late, lambda: colour_at(late, 6.5, 5.544) == near(179, 184, 255))
