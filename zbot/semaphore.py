@@ -3,8 +3,8 @@
 To be woken takes a thread 10 to 30 us, which is much of a small message's way. So a thread whose
 last wait was over at once looks again and again for a moment before it sleeps, and lets everybody
 else run in between: round trips take half the time. Whoever waits longer than that moment, as for
-the messages of a 1 kHz topic, sleeps at once. What comes every 0.1 to 0.5 ms takes the time in
-which its core would be idle.
+the messages of a 1 kHz topic, sleeps at once. What comes every 0.1 to 0.5 ms, or large and every 3,
+takes the time in which its core would be idle.
 """
 
 from __future__ import annotations
@@ -23,8 +23,10 @@ if TYPE_CHECKING:
 # Python goes to sleep: wait in slices.
 #: Seconds.
 LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
-# A round trip between two processes of one machine takes 60 to 400 us, 64 B to 1 MB.
+# A round trip between two processes of one machine takes 60 to 400 us, 64 B to 1 MB ...
 _MOMENT_NS = 500_000
+#: ... and with large messages 2 ms on a virtual one that copies and wakes slowly.
+LARGE_MOMENT_NS = 3_000_000
 
 _yield: Callable[[], None] = getattr(os, "sched_yield", partial(time.sleep, 0))
 
@@ -36,6 +38,7 @@ class Haste:
     """
 
     def __init__(self) -> None:
+        self.moment_ns = _MOMENT_NS  #: up to this a wait is short
         self._was_short = False
         self._begun_ns = 0
 
@@ -47,7 +50,7 @@ class Haste:
         """
         self._begun_ns = time.monotonic_ns()
         if self._was_short:
-            end_ns = self._begun_ns + _MOMENT_NS
+            end_ns = self._begun_ns + self.moment_ns
             while not has_come():
                 _yield()  # without the interpreter's lock
                 if time.monotonic_ns() >= end_ns:
@@ -57,7 +60,7 @@ class Haste:
 
     def end(self, *, came: bool) -> None:
         """Note whether what was waited for came; an end of patience tells nothing."""
-        self._was_short = came and time.monotonic_ns() - self._begun_ns < _MOMENT_NS
+        self._was_short = came and time.monotonic_ns() - self._begun_ns < self.moment_ns
 
 
 class BinarySemaphore:

@@ -29,7 +29,7 @@ from zbot.log import away_from_sinks, get_logger
 from zbot.memory import LARGE_BYTES, keep_freed_memory
 from zbot.names import ROSOUT_TOPIC
 from zbot.qos import DurabilityPolicy, HistoryPolicy
-from zbot.semaphore import Haste
+from zbot.semaphore import LARGE_MOMENT_NS, Haste
 from zbot.serialization import raw_decoder
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.codec import CodecError
@@ -352,6 +352,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         payload = sample.payload.to_bytes()
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
+            self._haste.moment_ns = LARGE_MOMENT_NS
         try:
             message = self._decode(payload)
         except CodecError as exc:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import pytest
 
 from zbot import semaphore as module
-from zbot.semaphore import BinarySemaphore, Haste
+from zbot.semaphore import LARGE_MOMENT_NS, BinarySemaphore, Haste
 
 
 def test_a_wait_returns_for_what_was_set_before_it() -> None:
@@ -88,6 +88,13 @@ def test_after_a_long_wait_the_next_one_sleeps(clock: Clock) -> None:
     assert wait(haste, clock, comes_after_us=1000) == 50  # it gave up after half a millisecond
     assert wait(haste, clock, comes_after_us=100) == 0
     assert wait(haste, clock, comes_after_us=1000) > 0
+
+
+def test_where_large_messages_come_longer_waits_are_short(clock: Clock) -> None:
+    haste = Haste()
+    haste.moment_ns = LARGE_MOMENT_NS
+    wait(haste, clock, comes_after_us=2000)
+    assert wait(haste, clock, comes_after_us=2000) == 200
 
 
 def test_an_end_of_patience_tells_nothing(clock: Clock) -> None:
