@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any
 import zenoh
 
 from zbot import ending
+from zbot.config import port_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -109,17 +110,11 @@ def _puts() -> set[tuple[int, int, int]]:
 def _cut(session: zenoh.Session) -> None:
     """Shut down the sockets of a session's links, of which Zenoh tells the addresses only."""
     with contextlib.suppress(zenoh.ZError):  # it is closed
-        links = {(_port(link.src), _port(link.dst)) for link in session.info.links()}
+        links = {(port_of(str(link.src)), port_of(str(link.dst))) for link in session.info.links()}
         for end in _sockets():
             with end, contextlib.suppress(OSError):
-                if (end.getsockname()[1], end.getpeername()[1]) in links:
+                if (str(end.getsockname()[1]), str(end.getpeername()[1])) in links:
                     end.shutdown(socket.SHUT_RDWR)
-
-
-def _port(locator: object) -> int:
-    """Return the port of `tcp/127.0.0.1:7447`; 0 where a locator has none."""
-    digits = str(locator).partition("#")[0].partition("?")[0].rpartition(":")[2]
-    return int(digits) if digits.isdecimal() else 0
 
 
 def _sockets() -> Iterator[socket.socket]:

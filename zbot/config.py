@@ -152,3 +152,8 @@ def _packaged() -> SessionConfig:
     candidates = (here.parent / "zenoh.json5", here / "zenoh.json5")
     shipped = candidates[0] if (here.parent / "pyproject.toml").is_file() else candidates[1]
     return SessionConfig("the packaged zenoh.json5", shipped.read_text(encoding="utf-8"))
+
+
+def port_of(locator: str) -> str:
+    """Return the port of a Zenoh endpoint or locator, `7447` of `tcp/[::1]:7447?rel=1#iface=lo`."""
+    return locator.split("?", 1)[0].split("#", 1)[0].rpartition(":")[2]

@@ -119,9 +119,10 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         self._put(payload, attachment=_pack(number, time_ns(), GID_LENGTH, self._gid))
 
     def _send_in_turn(self, payload: Any) -> None:
-        """Send from a second thread: from now on one waits for the other, to keep numbers in order.
+        """Send the first message, or from another thread than that one's.
 
-        A put that the first thread has just begun may still be overtaken, once.
+        After the latter all threads wait for each other, to keep numbers in order. A put that the
+        first thread has just begun may still be overtaken, once.
         """
         with self._lock:
             self._only_thread = None

@@ -175,7 +175,7 @@ def test_claim_a_taken_number(room: AttackedClass) -> None:
     refused = eve.run("join", f"{HERE}:{room.port}", "--number", "17", ZBOT_PIN=PIN)
     assert refused.code == 1
     assert refused.err.startswith("number 17 is taken by Ana: choose another")
-    assert not (eve.folder / "zbot" / "membership.json").exists()
+    assert not eve.has_joined
 
 
 def test_claim_a_number_with_the_name_of_its_owner(stranger: zenoh.Session) -> None:

@@ -143,7 +143,7 @@ def test_without_the_pin_nobody_joins(school: School, pin: str, sentence: str) -
     assert refused.code == 1
     assert sentence in refused.err
     assert "joined nothing" in student.succeed("status")
-    assert not (student.folder() / "membership.json").exists()
+    assert not student.has_joined
 
 
 def test_commands_in_a_row_find_the_class_open(school: School) -> None:

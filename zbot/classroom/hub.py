@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.errors import HubPortError
+from zbot.config import port_of
 from zbot.errors import SessionError
 from zbot.session import open_hub, process_facts
 from zbot.version import __version__
@@ -97,14 +98,10 @@ def open_router(settings: HubSettings) -> zenoh.Session:
 
 def dialled_links(session: zenoh.Session, settings: HubSettings) -> list[str]:
     """Return the addresses of the links that a hub made itself, to one that it dials."""
-    listening = {_port(endpoint) for endpoint in settings.listen}
-    dialled = {_port(endpoint) for endpoint in settings.connect}
+    listening = {port_of(endpoint) for endpoint in settings.listen}
+    dialled = {port_of(endpoint) for endpoint in settings.connect}
     return [
         str(link.dst)
         for link in session.info.links()
-        if _port(str(link.dst)) in dialled and _port(str(link.src)) not in listening
+        if port_of(str(link.dst)) in dialled and port_of(str(link.src)) not in listening
     ]
-
-
-def _port(locator: str) -> str:
-    return locator.split("?", 1)[0].split("#", 1)[0].rpartition(":")[2]
