@@ -254,6 +254,11 @@ class Context:
         return session
 
     @property
+    def shares_memory(self) -> bool:
+        """Whether large messages may go through memory that this machine's programs share."""
+        return self._meeting is not None and self._meeting.shares_memory
+
+    @property
     def graph(self) -> Graph:
         """Who is there in the domain, seen through this context's session."""
         if self._graph is None:

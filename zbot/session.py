@@ -153,6 +153,7 @@ class MeetingPoint:
         self._reach = reach
         self._facts = facts
         self.port = MEETING_PORT + domain
+        self.shares_memory = False  #: whether the peer's large messages may go that way
         self._router: zenoh.Session | None = None
         self._lock = threading.Lock()
         self._closed = False
@@ -251,7 +252,9 @@ class MeetingPoint:
         }
         if self._reach is DiscoveryRange.OFF:
             fill |= {"listen/endpoints": [], "connect/endpoints": []}
-        return _open("a Zenoh session", self._config.build(fill))
+        built = self._config.build(fill)
+        self.shares_memory = built.get_json("transport/shared_memory/enabled") == "true"
+        return _open("a Zenoh session", built)
 
     def open_introducer(self) -> zenoh.Session:
         """Open a peer without a node: whoever it is linked to hears from it of the others.

@@ -1,0 +1,145 @@
+"""Large messages in the memory that this machine's programs share, between real sessions."""
+
+from __future__ import annotations
+
+import os
+from array import array
+from functools import partial
+from itertools import accumulate, pairwise
+from typing import TYPE_CHECKING
+
+import pytest
+
+import zbot
+from tests.conftest import wait_until
+from zbot import shared_memory
+from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+
+from std_msgs.msg import UInt8MultiArray
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+    from pathlib import Path
+
+    from tests.conftest import Spinner
+
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., Spinner]
+
+MEGABYTE = 1_000_000
+KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
+LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+pytestmark = pytest.mark.skipif(
+    shared_memory.place(b"x") == b"x", reason="this system gives no shared memory"
+)
+
+
+@pytest.fixture
+def placed(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """Return a list that fills with the length of each payload that went into shared memory."""
+    lengths: list[int] = []
+
+    def place(payload: bytes) -> object:
+        block = original(payload)
+        if block is not payload:
+            lengths.append(len(payload))
+        return block
+
+    original = shared_memory.place
+    monkeypatch.setattr(shared_memory, "place", place)
+    return lengths
+
+
+def image(seed: int) -> UInt8MultiArray:
+    return UInt8MultiArray(data=array("B", bytes([seed]) * MEGABYTE))
+
+
+def has(got: list[UInt8MultiArray], count: int) -> bool:
+    return len(got) == count
+
+
+def send(
+    make_context: MakeContext, spin: Spin, profile: QoSProfile, *bursts: int
+) -> list[UInt8MultiArray]:
+    """Send bursts of numbered messages; the first one waits at its subscription until it is out."""
+    talker = zbot.Node("talker", context=make_context())
+    listener = zbot.Node("listener", context=make_context())
+    got: list[UInt8MultiArray] = []
+    listener.create_subscription(UInt8MultiArray, "images", got.append, profile)
+    publisher = talker.create_publisher(UInt8MultiArray, "images", profile)
+    assert wait_until(lambda: publisher.get_subscription_count() == 1)
+    for first, end in pairwise([0, *accumulate(bursts)]):
+        for seed in range(first, end):
+            publisher.publish(image(seed))
+        if first == 0:
+            spin(listener)
+        assert wait_until(partial(has, got, end))
+    return got
+
+
+def test_more_than_the_pool_holds_arrives_whole(
+    make_context: MakeContext, spin: Spin, placed: list[int]
+) -> None:
+    got = send(make_context, spin, KEEP_ALL, 40)
+
+    assert got == [image(seed) for seed in range(40)]
+    assert 0 < len(placed) < 40  # what found no room went Zenoh's own way
+
+
+def test_blocks_come_back_from_readers(
+    make_context: MakeContext, spin: Spin, placed: list[int]
+) -> None:
+    send(make_context, spin, KEEP_ALL, 12, 12, 12)
+
+    assert len(placed) == 36
+
+
+def test_latched_messages_leave_the_pool_to_what_is_on_its_way(
+    make_context: MakeContext, spin: Spin, placed: list[int]
+) -> None:
+    assert send(make_context, spin, LATCHED, 1) == [image(0)]
+    assert not placed
+
+
+def test_a_configuration_may_do_without(
+    make_context: MakeContext,
+    spin: Spin,
+    placed: list[int],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    settings = tmp_path / "zenoh.json5"
+    settings.write_text("{ transport: { shared_memory: { enabled: false } } }", encoding="utf-8")
+    monkeypatch.setenv("ZBOT_CONFIG", str(settings))
+
+    assert send(make_context, spin, KEEP_ALL, 2) == [image(0), image(1)]
+    assert not placed
+
+
+def test_a_program_that_ends_at_once_is_heard_by_all(
+    make_context: MakeContext, spin: Spin, start: Callable[..., object]
+) -> None:
+    listener = zbot.Node("listener", context=make_context())
+    got: list[UInt8MultiArray] = []
+    listener.create_subscription(UInt8MultiArray, "images", got.append, KEEP_ALL)
+    spin(listener)
+    source = """
+import array, zbot
+from std_msgs.msg import UInt8MultiArray
+with zbot.init():
+    node = zbot.Node("brief")
+    publisher = node.create_publisher(UInt8MultiArray, "images", 10)
+    for seed in range(3):
+        publisher.publish(UInt8MultiArray(data=array.array("B", bytes([seed]) * 1_000_000)))
+"""
+    start(source=source)
+
+    assert wait_until(lambda: len(got) == 3)
+    assert got == [image(seed) for seed in range(3)]
+
+
+def test_what_the_pool_cannot_take_stays_as_it_is() -> None:
+    payload = os.urandom(20 * MEGABYTE)
+
+    assert shared_memory.place(payload) is payload
