@@ -15,7 +15,7 @@ The names, arguments and meanings are those of ROS 2's rclpy.
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from zbot.interfaces.importer import install_importer
+from zbot.interfaces.finder import install_importer
 from zbot.version import __version__ as __version__
 
 if TYPE_CHECKING:

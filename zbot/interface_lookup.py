@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import UnknownInterfaceError, UnknownPackageError, ZbotError
 from zbot.interfaces import registry
+from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.location import interface_files, package_folder
 from zbot.package import package_prefix
 
@@ -15,8 +16,6 @@ if TYPE_CHECKING:
 
     from zbot.interfaces import Action, Message, Service
     from zbot.interfaces.slot_type import AbstractNestedType, NamespacedType
-
-_KINDS = ("msg", "srv", "action")
 
 
 class InterfaceNameError(ZbotError, ValueError):
@@ -36,7 +35,7 @@ def get_interface(identifier: str) -> type[Any]:
         UnknownInterfaceError: The package has no such interface; also an AttributeError.
     """
     parts = identifier.split("/")
-    if len(parts) != 3 or not all(parts) or parts[1] not in _KINDS:
+    if len(parts) != 3 or not all(parts) or parts[1] not in KINDS:
         raise InterfaceNameError("an interface", identifier)
     return registry.get_interface(identifier)
 
@@ -66,7 +65,7 @@ def _of_kind(identifier: str, kind: str, wanted: str) -> Any:
     parts = identifier.split("/")
     if len(parts) == 2:
         parts.insert(1, kind)
-    if len(parts) != 3 or not all(parts) or parts[1] not in _KINDS:
+    if len(parts) != 3 or not all(parts) or parts[1] not in KINDS:
         raise InterfaceNameError(wanted, identifier)
     cls = registry.get_interface("/".join(parts))
     if not _CHECKS[kind](cls):
@@ -117,7 +116,7 @@ def get_interface_packages() -> list[str]:
 
 
 def get_interfaces(
-    package_names: Iterable[str] = (), *, kinds: Iterable[str] = _KINDS
+    package_names: Iterable[str] = (), *, kinds: Iterable[str] = KINDS
 ) -> dict[str, list[str]]:
     """Return the interfaces of packages, of all if none is named: `{'std_srvs': ['srv/Empty']}`.
 

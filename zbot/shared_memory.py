@@ -1,8 +1,8 @@
 """Large messages written straight into the memory that programs of one machine share.
 
-Zenoh moves what is large there by itself, after it has copied it into a buffer of its own: from a
-program's array to its readers four copies. Written here by the publisher it is three, and a
-megabyte's way takes a fifth less. Readers of other machines get the same bytes over the network.
+Zenoh moves what is large there by itself, but copies it into a buffer of its own first. Without
+that copy a megabyte's way takes a quarter less. Readers on other machines get the same bytes over
+the network.
 """
 
 from __future__ import annotations

@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
-from zbot_cli.option_groups import spread
-
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
@@ -48,18 +46,12 @@ AsJson = Annotated[bool, typer.Option("--json", help="Print JSON instead")]
 ShowTypes = Annotated[bool, typer.Option("-t", "--show-types", help="Add the types")]
 
 
-class _App(typer.Typer):
-    """A noun whose verbs may take groups of options (see `option_groups`)."""
-
-    def command(self, name: str | None = None, **settings: Any) -> Callable[..., Any]:
-        """Register a verb."""
-        register = super().command(name, **settings)
-        return lambda verb: register(spread(verb))
-
-
 def new_app(text: str, *, has_verbs: bool = True) -> typer.Typer:
-    """Return the app of a noun: plain help (rich takes longer to import than most verbs take)."""
-    return _App(
+    """Return the app of a noun, whose verbs may take groups of options (see `option_groups`).
+
+    Help is plain: rich takes longer to import than most verbs take.
+    """
+    return typer.Typer(
         help=text,
         no_args_is_help=has_verbs,
         add_completion=False,

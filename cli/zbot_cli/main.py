@@ -134,7 +134,7 @@ def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
 
     from zbot_cli.nouns import load  # noqa: PLC0415 - as above
 
-    command = load(noun)
+    command = load(noun, words[1:])
     try:
         code = command.main(words[1:], prog_name=f"zbot {words[0]}", standalone_mode=False)
     except typer.Abort:

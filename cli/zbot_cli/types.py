@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from zbot import interfaces  # its names are loaded when they are used: lists use none
 from zbot.errors import UnknownInterfaceError, UnknownPackageError, ZbotError
-from zbot.interfaces import get_spec, interface_names, packages
+from zbot.interfaces.kinds import KINDS
 from zbot.names import nearest
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-
-KINDS = ("msg", "srv", "action")
 
 
 class InvalidTypeError(ZbotError):
@@ -86,7 +85,7 @@ def _full_names(word: str) -> list[str]:
 
 def _exists(name: str) -> bool:
     try:
-        get_spec(name)
+        interfaces.get_spec(name)
     except (UnknownPackageError, UnknownInterfaceError):
         return False
     return True
@@ -94,8 +93,8 @@ def _exists(name: str) -> bool:
 
 def all_types() -> Iterator[str]:
     """Yield the full name of every type on this machine."""
-    for package in packages():
-        yield from interface_names(package)
+    for package in interfaces.packages():
+        yield from interfaces.interface_names(package)
 
 
 def all_messages() -> Iterator[str]:

@@ -176,6 +176,19 @@ def test_no_noun_imports_rich(noun: str) -> None:
     assert done.stdout.splitlines()[-1] == "[]"
 
 
+@pytest.mark.parametrize("noun", ["topic", "node", "service", "action"])
+def test_lists_load_no_definitions(domain: int, noun: str) -> None:  # noqa: ARG001 - by $
+    source = (
+        "import sys\nfrom zbot_cli.main import run_command\n"
+        f"code = run_command([{noun!r}, 'list'])\n"
+        "print(code, {'zbot.interfaces.registry', 'zbot.wire.codec', 'hashlib'} & set(sys.modules))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", source], capture_output=True, text=True, check=True
+    )
+    assert done.stdout.splitlines()[-1] == "0 set()"
+
+
 # -- completion ------------------------------------------------------------------------------------
 
 

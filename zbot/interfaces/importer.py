@@ -1,8 +1,4 @@
-"""`from std_msgs.msg import String`, without a package std_msgs on disk.
-
-The modules of a real ROS 2 win. What is missing is filled in: whole packages, and `msg`, `srv`,
-`action` in a real Python package that has no such module.
-"""
+"""What `zbot.interfaces.finder` finds: the modules `std_msgs`, `std_msgs.msg` and those in it."""
 
 from __future__ import annotations
 
@@ -14,59 +10,36 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import UnknownInterfaceError, nearest
 from zbot.interfaces import registry
 from zbot.interfaces.classes import module_name
+from zbot.interfaces.registry import has_package
 from zbot.interfaces.spec import ActionSpec, ServiceSpec
-from zbot.interfaces.workspace import KINDS
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
     from importlib.abc import Loader
 else:
     Loader = object  # importlib.abc would load tempfile, random and more
 
 
-def install_importer() -> None:
-    """Make every known definition importable as in ROS 2; calling it again changes nothing."""
-    if not any(isinstance(finder, _KindFinder) for finder in sys.meta_path):
-        sys.meta_path.insert(0, _KindFinder())
-        sys.meta_path.append(_PackageFinder())
+def package_spec(package: str) -> ModuleSpec | None:
+    """Return the spec of `std_msgs`; `None` for a package without definitions."""
+    known = has_package(package)
+    return ModuleSpec(package, _PackageLoader(), is_package=True) if known else None
 
 
-class _KindFinder:
-    """Finds `std_msgs.msg`, unless there is a real module.
+def kind_spec(package: str, kind: str) -> ModuleSpec | None:
+    """Return the spec of `std_msgs.msg`; `None` where the package has nothing of that kind."""
+    names = _interfaces(package, kind)
+    return ModuleSpec(f"{package}.{kind}", _KindLoader(names), is_package=True) if names else None
 
-    It stands first on `sys.meta_path`: to Python, a folder `my_package/msg` of .msg files is a
-    namespace package, which would be found before anything at the end of the list is asked.
+
+def spec_below(fullname: str) -> ModuleSpec | None:
+    """Return the spec of `std_msgs.msg._string`; `None` if it was not asked for in such a module.
+
+    Raises:
+        ImportError: See `_KindModule.find_below`.
     """
-
-    def find_spec(
-        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
-    ) -> ModuleSpec | None:
-        """Return a spec if a package has definitions of that kind, and no module of its own."""
-        package, _, kind = fullname.partition(".")
-        if kind not in KINDS or not registry.has_package(package):
-            return None
-        others = (finder for finder in sys.meta_path if finder is not self)
-        found = (finder.find_spec(fullname, path, target) for finder in others)
-        if any(spec is not None and spec.origin is not None for spec in found):
-            return None
-        names = _interfaces(package, kind)
-        return ModuleSpec(fullname, _KindLoader(names), is_package=True) if names else None
-
-
-class _PackageFinder:
-    """Finds `std_msgs` and `std_msgs.msg._string`, last, when there is nothing real."""
-
-    def find_spec(
-        self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
-    ) -> ModuleSpec | None:
-        """Return a spec if the name stands for definitions that are known here."""
-        del path, target
-        parent, _, last = fullname.rpartition(".")
-        if not parent:
-            known = registry.has_package(fullname)
-            return ModuleSpec(fullname, _PackageLoader(), is_package=True) if known else None
-        module = sys.modules.get(parent)
-        return module.find_below(fullname, last) if isinstance(module, _KindModule) else None
+    parent, _, last = fullname.rpartition(".")
+    module = sys.modules.get(parent)
+    return module.find_below(fullname, last) if isinstance(module, _KindModule) else None
 
 
 class _PackageLoader(Loader):

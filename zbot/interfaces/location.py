@@ -9,7 +9,8 @@ from importlib.machinery import PathFinder
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.interfaces.workspace import KINDS, has_definitions, packages_around
+from zbot.interfaces.kinds import KINDS
+from zbot.interfaces.workspace import has_definitions, packages_around
 from zbot.package.workspace import Roots, search_roots
 
 if TYPE_CHECKING:

@@ -14,6 +14,7 @@ from zbot.errors import (
     nearest,
 )
 from zbot.interfaces.classes import make_action, make_message, make_service
+from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.location import (
     definition_file,
     interface_files,
@@ -27,7 +28,6 @@ from zbot.interfaces.spec import (
     ServiceSpec,
     parts_of,
 )
-from zbot.interfaces.workspace import KINDS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

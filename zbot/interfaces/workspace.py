@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from zbot.interfaces.kinds import KINDS
 from zbot.package.workspace import MANIFEST, package_name, walk
 
 if TYPE_CHECKING:
@@ -11,8 +12,6 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from zbot.package.workspace import Roots
-
-KINDS = ("msg", "srv", "action")
 
 
 def packages_around(roots: Roots) -> dict[str, list[Path]]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
-from zbot.wire import codec, keys, tokens
+from zbot.wire import keys, tokens
 
 if TYPE_CHECKING:
     from zbot.wire.codec import Codec
@@ -70,7 +70,12 @@ class _Native:
 
     parse_token = staticmethod(tokens.parse_token)
     encoding = staticmethod(keys.encoding)
-    codec_for = staticmethod(codec.codec_for)
+
+    @staticmethod
+    def codec_for(message_class: type[MessageT]) -> Codec[MessageT]:
+        from zbot.wire.codec import codec_for  # noqa: PLC0415 - lists read no messages
+
+        return codec_for(message_class)
 
 
 class _InClass(_Native):

@@ -9,7 +9,6 @@ A token is a Zenoh key that exists as long as its session; everything that `zbot
 
 from __future__ import annotations
 
-import hashlib
 from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
@@ -126,6 +125,8 @@ def token_selector(domain: int) -> str:
 @lru_cache(maxsize=4096)
 def gid_of(key: str) -> bytes:
     """Return the 16 bytes that identify a token's owner: BLAKE2b of the token's text."""
+    import hashlib  # noqa: PLC0415 - 4 ms, and lists need no gids
+
     return hashlib.blake2b(key.encode(), digest_size=GID_LENGTH).digest()
 
 

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 from zbot.errors import InterfaceSyntaxError, nearest
 from zbot.interfaces import interface_names
+from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.parser import parse
 from zbot.interfaces.spec import ActionSpec, MessageSpec, ServiceSpec
-from zbot.interfaces.workspace import KINDS
 from zbot.package.cmake_file import read_cmake
 from zbot.package.workspace import MANIFEST
 from zbot_cli.check.problem import Problem
