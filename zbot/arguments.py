@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import re
 import sys
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot import parameter_file
 from zbot.errors import ArgumentsError, InvalidNameError, ParameterValueError
@@ -29,8 +28,7 @@ _NODE = re.compile(r"(?:(?P<node>[A-Za-z0-9_]+):(?!/))?(?P<rest>.*)", re.DOTALL)
 _SCHEME = re.compile(r"(?:ros(?P<kind>topic|service)://)?(?P<name>.*)", re.DOTALL)
 
 
-@dataclass(frozen=True, slots=True)
-class Remap:
+class Remap(NamedTuple):
     """One `-r [node:][scheme://]from:=to`."""
 
     source: str  #: a topic or service name as it is written, or `__node` or `__ns`
@@ -39,8 +37,7 @@ class Remap:
     kind: str = ""  #: `topic` or `service` if it is for only one of them
 
 
-@dataclass(frozen=True, slots=True)
-class ParameterValue:
+class ParameterValue(NamedTuple):
     """One `-p [node:]name:=value`."""
 
     name: str
@@ -48,23 +45,20 @@ class ParameterValue:
     node: str = ""  #: base name of the only node it is for; empty: every node
 
 
-@dataclass(frozen=True, slots=True)
-class ParametersFile:
+class ParametersFile(NamedTuple):
     """One `--params-file path`, read when a node asks for its parameters."""
 
     path: str
 
 
-@dataclass(frozen=True, slots=True)
-class LogLevel:
+class LogLevel(NamedTuple):
     """One `--log-level [logger:=]level`."""
 
     level: str  #: in lower case: `unset`, `debug`, `info`, `warn`, `error` or `fatal`
     logger: str = ""  #: empty: every logger
 
 
-@dataclass(frozen=True, slots=True)
-class Arguments:
+class Arguments(NamedTuple):
     """What a command line says about the nodes of its process."""
 
     remaps: tuple[Remap, ...] = ()
@@ -99,8 +93,7 @@ class Arguments:
 
         Among remaps the first match wins and among parameters the last, so either way these do.
         """
-        return replace(
-            self,
+        return self._replace(
             remaps=self.remaps + after.remaps,
             parameters=after.parameters + self.parameters,
             log_levels=after.log_levels + self.log_levels,
@@ -184,7 +177,7 @@ def _flag(found: Arguments, words: list[str], unknown: list[str]) -> Arguments:
     flag = words.pop(0)
     switch = _SWITCHES.get(flag)
     if switch is not None:
-        return replace(found, **switch)
+        return found._replace(**switch)
     if flag not in _FLAGS:
         unknown.append(flag)
         return found
@@ -202,7 +195,7 @@ def _remap(found: Arguments, word: str) -> Arguments:
         _validate_remap(source, target)
     except InvalidNameError as error:
         raise ArgumentsError(word, str(error)) from error
-    return replace(found, remaps=(*found.remaps, Remap(source, target, node, kind)))
+    return found._replace(remaps=(*found.remaps, Remap(source, target, node, kind)))
 
 
 def _validate_remap(source: str, target: str) -> None:
@@ -221,14 +214,14 @@ def _parameter(found: Arguments, word: str) -> Arguments:
         value = parameter_file.parse_value(text, of_one_kind=True)
     except ParameterValueError as error:
         raise ArgumentsError(word, str(error)) from error
-    return replace(found, parameters=(*found.parameters, ParameterValue(name, value, node)))
+    return found._replace(parameters=(*found.parameters, ParameterValue(name, value, node)))
 
 
 def _log_level(found: Arguments, word: str) -> Arguments:
     logger, _, level = word.rpartition(_ASSIGN)
     if level.lower() not in _LEVELS or (not logger and _ASSIGN in word):
         raise ArgumentsError(word, f"a level is one of {', '.join(_LEVELS)}")
-    return replace(found, log_levels=(*found.log_levels, LogLevel(level.lower(), logger)))
+    return found._replace(log_levels=(*found.log_levels, LogLevel(level.lower(), logger)))
 
 
 def _assignment(word: str, flag: str, example: str) -> tuple[str, str, str]:
@@ -249,14 +242,14 @@ _FLAGS: dict[str, Callable[[Arguments, str], Arguments]] = {
     "--remap": _remap,
     "-p": _parameter,
     "--param": _parameter,
-    "--params-file": lambda found, path: replace(
-        found, parameters=(*found.parameters, ParametersFile(path))
+    "--params-file": lambda found, path: found._replace(
+        parameters=(*found.parameters, ParametersFile(path))
     ),
     "--log-level": _log_level,
-    "--log-config-file": lambda found, path: replace(found, log_config_file=path),
-    "--log-file-name": lambda found, prefix: replace(found, log_file_name=prefix),
-    "-e": lambda found, path: replace(found, enclave=path),
-    "--enclave": lambda found, path: replace(found, enclave=path),
+    "--log-config-file": lambda found, path: found._replace(log_config_file=path),
+    "--log-file-name": lambda found, prefix: found._replace(log_file_name=prefix),
+    "-e": lambda found, path: found._replace(enclave=path),
+    "--enclave": lambda found, path: found._replace(enclave=path),
 }
 _SWITCHES: dict[str, dict[str, Any]] = {
     f"--{verb}-{name.replace('_', '-')}": {name: verb == "enable"}

@@ -11,10 +11,9 @@ import inspect
 import threading
 import time
 from collections import deque
-from dataclasses import dataclass
 from functools import partial
 from queue import Empty, SimpleQueue
-from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
+from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar, cast
 
 import zenoh
 
@@ -521,8 +520,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             querier.undeclare()
 
 
-@dataclass(frozen=True)
-class ResponseHeader:
+class ResponseHeader(NamedTuple):
     """Which request it is whose response a program took itself."""
 
     sequence_number: int  #: what `send_request` returned

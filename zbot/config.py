@@ -5,9 +5,8 @@ from __future__ import annotations
 import enum
 import json
 import os
-from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import zenoh
 
@@ -88,8 +87,7 @@ def discovery_range() -> DiscoveryRange:
         raise DiscoveryRangeError(*found) from None
 
 
-@dataclass(frozen=True)
-class SessionConfig:
+class SessionConfig(NamedTuple):
     """The text of a Zenoh configuration file, and where it came from."""
 
     source: str

@@ -13,7 +13,7 @@ import time
 import weakref
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import zenoh
 
@@ -334,8 +334,7 @@ class Graph:
                 listener(token, appeared)
 
 
-@dataclass(frozen=True)
-class Process:
+class Process(NamedTuple):
     """What a session tells of its process in the admin space."""
 
     zid: str

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.parameter import Parameter
 
@@ -15,8 +14,7 @@ REL_TOL = 1e-6
 _STEP_TOL = 1e-6  #: of a step: near zero a relative tolerance is none
 
 
-@dataclass(frozen=True, slots=True)
-class Range:
+class Range(NamedTuple):
     """An interval with both its ends; with a step, only the values that many steps from its low."""
 
     from_value: float
@@ -56,8 +54,7 @@ class Range:
         return f"from {self.low} to {self.high}{steps}"
 
 
-@dataclass(frozen=True, slots=True)
-class Descriptor:
+class Descriptor(NamedTuple):
     """What a node says of one of its parameters; rcl_interfaces/msg/ParameterDescriptor's fields.
 
     A value of its own, unlike the message: two parameters that were declared with one message do
@@ -87,7 +84,7 @@ class Descriptor:
 
     def with_type(self, type_: Parameter.Type) -> Descriptor:
         """Return the same with another type."""
-        return replace(self, type=type_)
+        return self._replace(type=type_)
 
     @property
     def range(self) -> Range | None:

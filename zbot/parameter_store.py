@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.names import validate_parameter_name
 from zbot.parameter import PARAMETER_SEPARATOR_STRING, Parameter
@@ -38,13 +38,12 @@ class Changes:
     deleted: Parameters = field(default_factory=list)
 
 
-@dataclass(frozen=True, slots=True)
-class Declaration:
+class Declaration(NamedTuple):
     """What a node declares: a name, a default value or a type alone, and the rules for it."""
 
     name: str
     value: Any = None
-    descriptor: Descriptor = field(default_factory=Descriptor)
+    descriptor: Descriptor = Descriptor()
 
     def resolved(self) -> Declaration:
         """Return it with its type in the descriptor.

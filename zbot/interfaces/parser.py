@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from zbot.errors import InterfaceSyntaxError
 from zbot.interfaces import derived, grammar
@@ -26,8 +26,7 @@ _CODE = re.compile(r"""(?:(?<=[\s=,\[])(?:"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')|[
 _DECLARATION = re.compile(r"(?P<type>\S+)\s+(?P<name>[^\s=]+)\s*(?P<equals>=?)\s*(?P<value>.*)")
 
 
-@dataclass(frozen=True, slots=True)
-class _Source:
+class _Source(NamedTuple):
     """One part of a file: its lines with their numbers, and where to say they come from."""
 
     package: str

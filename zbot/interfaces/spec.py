@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Literal, Union
+from typing import Literal, NamedTuple, Union
 
 Scalar = Union[bool, int, float, str, bytes]  # noqa: UP007 - evaluated at run time on Python 3.10
 Kind = Literal["scalar", "array", "sequence"]
@@ -48,8 +48,7 @@ _IDL_NAMES = {
 }
 
 
-@dataclass(frozen=True, slots=True)
-class FieldType:
+class FieldType(NamedTuple):
     """The type of one field.
 
     Its `str()` is what ROS 2 shows in `get_fields_and_field_types()`: `sequence<double, 3>`.

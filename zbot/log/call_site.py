@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol, TypedDict
+from typing import TYPE_CHECKING, NamedTuple, Protocol, TypedDict
 
 from zbot.errors import ArgumentTypeError, LogCallChangedError, LogOptionError, NotAClockError
 
@@ -42,8 +41,7 @@ class LogOptions(FilterOptions, total=False):
     name: str  #: another logger's name to write the line under
 
 
-@dataclass(frozen=True, slots=True)
-class Filters:
+class Filters(NamedTuple):
     """The filters of a log call; each is off when falsy."""
 
     once: bool = False

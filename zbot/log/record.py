@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from datetime import datetime
 from operator import attrgetter
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from zbot.log.severity import LoggingSeverity
 
@@ -23,8 +22,7 @@ _ESCAPE = re.compile(r"\\(x1b|[abnrt])")
 _ESCAPED = {"a": "\a", "b": "\b", "n": "\n", "r": "\r", "t": "\t", "x1b": "\x1b"}
 
 
-@dataclass(frozen=True, slots=True)
-class Record:
+class Record(NamedTuple):
     """One log line."""
 
     stamp_ns: int  #: nanoseconds since the epoch, of the system's clock

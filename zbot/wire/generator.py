@@ -8,9 +8,9 @@ value that is plainly right is tested inline; any other goes to `zbot.wire.check
 
 from __future__ import annotations
 
-import dataclasses
 from itertools import groupby
-from typing import TYPE_CHECKING
+from types import MappingProxyType
+from typing import TYPE_CHECKING, NamedTuple
 
 from zbot.interfaces.spec import INTEGER_RANGES, Field, FieldType, MessageSpec
 from zbot.wire.messagepack import BIG_ENDIAN, ITEM_SIZE, map_header
@@ -25,14 +25,13 @@ _ZERO: dict[str, object] = {"bool": False, "byte": b"\0", "float32": 0.0, "float
 _ZERO |= dict.fromkeys(INTEGER_RANGES, 0) | dict.fromkeys(("string", "wstring"), "")
 
 
-@dataclasses.dataclass(frozen=True, slots=True)
-class Layout:
+class Layout(NamedTuple):
     """How a class holds its fields."""
 
     prefix: str = "_"  #: what stands before a field's name in the attribute that holds it
     keywords: bool = False  #: whether instances are made by the constructor, as dataclasses are
     #: by field, the method that turns an array into what the class holds instead
-    conversions: Mapping[str, str] = dataclasses.field(default_factory=dict)
+    conversions: Mapping[str, str] = MappingProxyType({})
 
 
 def encode_source(spec: MessageSpec, layout: Layout) -> str:
