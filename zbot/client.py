@@ -378,6 +378,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         payload = self._encode(request)
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
+            payload = self._context.share(payload)
         with self._lock:
             self._sent_count += 1
             facts = LAYOUT.pack(self._sent_count, time.time_ns(), GID_LENGTH, self._gid)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import zenoh
 
-from zbot import blocked_put, config, ending, membership
+from zbot import blocked_put, config, ending, membership, shared_memory
 from zbot.arguments import Arguments
 from zbot.errors import ArgumentTypeError, ContextInitializedError, NotInitializedError
 from zbot.foreign_call import uninterrupted
@@ -253,10 +253,10 @@ class Context:
             raise NotInitializedError("a node")
         return session
 
-    @property
-    def shares_memory(self) -> bool:
-        """Whether large messages may go through memory that this machine's programs share."""
-        return self._meeting is not None and self._meeting.shares_memory
+    def share(self, payload: bytes) -> Any:
+        """Return a large payload in memory that this machine's programs share, if they may."""
+        shares = self._meeting is not None and self._meeting.shares_memory
+        return shared_memory.place(payload) if shares else payload
 
     @property
     def graph(self) -> Graph:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
 
-from zbot import blocked_put, shared_memory
+from zbot import blocked_put
 from zbot.endpoint import TopicEndpoint
 from zbot.errors import InvalidHandleError, MessageTypeError, NotInitializedError
 from zbot.interfaces import type_name
@@ -74,8 +74,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         self._only_thread: int | None = None
         self._publisher: Any = _declare(context, token)
         # What is kept for late subscribers would take the room of what is on its way.
-        latched = token.qos.durability is DurabilityPolicy.TRANSIENT_LOCAL
-        self._shares_memory = context.shares_memory and not latched
+        self._is_latched = token.qos.durability is DurabilityPolicy.TRANSIENT_LOCAL
         self._put = self._put_first
         self._liveliness = context.graph.announce(token)
 
@@ -108,8 +107,8 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             payload = self._encode(msg)
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
-            if self._shares_memory:
-                payload = shared_memory.place(payload)
+            if not self._is_latched:
+                payload = self._context.share(payload)
         try:
             if get_ident() == self._only_thread:
                 self._send(payload)

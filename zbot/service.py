@@ -202,6 +202,9 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         if response.__class__ is not expected and not isinstance(response, expected):
             raise ResponseTypeError(self.service_name, type_name(expected), response)
         payload = self._encode(response)
+        if len(payload) >= LARGE_BYTES:
+            keep_freed_memory()
+            payload = self._context.share(payload)
         facts = who and LAYOUT.pack(_number(who), time.time_ns(), GID_LENGTH, who[_NUMBER.size :])
         if self._introspection is not None:
             # Before the fact, so that nobody hears of the arrival first.

@@ -75,6 +75,9 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
         # A blocked reader may stop the world for this long before its link is given up
         # (microseconds).
         "transport/link/tx/queue/congestion_control/block/wait_before_close": 60_000_000,
+        # Zenoh takes 16 MB of memory for a session's first message that is shared. Answers from the
+        # admin space are large enough where twelve nodes are: forty of them took 700 MB.
+        "transport/shared_memory/transport_optimization/messages": ["put"],
         **membership.session_settings(membership.load()),
     }
 

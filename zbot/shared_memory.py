@@ -34,7 +34,7 @@ def place(payload: bytes) -> Any:
     except zenoh.ZError:
         return payload  # all of it waits to be read, or the payload is larger
     block[0 : len(payload)] = payload
-    return block
+    return zenoh.ZBytes(block)  # which may be sent again, as a block may not
 
 
 @functools.cache
