@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import zenoh
 
 if TYPE_CHECKING:
-    from zenoh.shm import ShmProvider
+    from zenoh.shm import ShmProvider, ZShmMut
 
 # As much as Zenoh gives a session for what it moves; kept free by readers that take their messages.
 _POOL_BYTES = 16 * 1024 * 1024
@@ -27,14 +27,29 @@ def place(payload: bytes) -> Any:
     pool = _pool()
     if pool is None:
         return payload
-    from zenoh.shm import GarbageCollect  # noqa: PLC0415 - see `_pool`
-
-    try:
-        block = pool.alloc(len(payload), GarbageCollect())
-    except zenoh.ZError:
-        return payload  # all of it waits to be read, or the payload is larger
+    block = _block(pool, len(payload)) or _block(_tidied(pool), len(payload))
+    if block is None:
+        return payload  # all of the pool waits to be read, or the payload is larger
     block[0 : len(payload)] = payload
     return zenoh.ZBytes(block)  # which may be sent again, as a block may not
+
+
+def _block(pool: ShmProvider, size: int) -> ZShmMut | None:
+    try:
+        return pool.alloc(size)
+    except zenoh.ZError:
+        return None
+
+
+def _tidied(pool: ShmProvider) -> ShmProvider:
+    """Return the pool with all that was read free again, and in one piece.
+
+    Zenoh's own policies of allocation do the one without the other, and find no room for a block
+    that is larger than the former ones.
+    """
+    pool.garbage_collect()
+    pool.defragment()
+    return pool
 
 
 @functools.cache

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import sys
 from array import array
+from collections import deque
 from functools import partial
 from itertools import accumulate, pairwise
 from typing import TYPE_CHECKING
@@ -183,6 +184,23 @@ print(max(sizes) < 8_000_000, max(sizes))
 zbot.shutdown()
 """
     start(source=source).wait_for("True")
+
+
+def test_blocks_of_many_sizes_find_room() -> None:
+    sizes = (1_000_014, 300_000, 1_000_037, 140_000, 2_000_000, 921_600)
+    held: deque[object] = deque(maxlen=3)
+    for size in sizes * 200:
+        payload = bytes(size)
+        held.append(shared_memory.place(payload))
+        assert held[-1] is not payload
+
+
+def test_a_block_finds_room_where_smaller_ones_were() -> None:
+    held = [shared_memory.place(bytes(MEGABYTE)) for _ in range(20)]
+    held.clear()
+    payload = bytes(MEGABYTE + 1)
+
+    assert shared_memory.place(payload) is not payload
 
 
 def test_what_the_pool_cannot_take_stays_as_it_is() -> None:
