@@ -123,7 +123,8 @@ class TestAnswers:
 
         calls = [call(number) for number in range(20)]
         gc.collect()
-        assert sum(each() is not None for each in calls) <= 1
+        # Zenoh's thread lets go of a call a moment after its answer.
+        assert wait_until(lambda: sum(each() is not None for each in calls) <= 1)
 
     def test_callbacks_of_a_future_run_in_the_executor(
         self, server: zbot.Node, caller: zbot.Node
