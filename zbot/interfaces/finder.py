@@ -11,7 +11,7 @@ starts a fifth earlier.
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces.kinds import KINDS
 
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 #: They have modules named `action`, which are modules.
 _PLAIN_PACKAGES = {"zbot", "zbot_cli"}
+_JYTHONS = {"org", "java"}
 
 
 def install_importer() -> None:
@@ -46,15 +47,15 @@ class _KindFinder:
         package, _, kind = fullname.partition(".")
         if kind not in KINDS or package in _PLAIN_PACKAGES:
             return None
-        from zbot.interfaces import importer, registry  # noqa: PLC0415 - see above
-
-        if not registry.has_package(package):
+        importer = _importer()
+        if importer is None or not importer.has_package(package):
             return None
         others = (finder for finder in sys.meta_path if finder is not self)
         found = (finder.find_spec(fullname, path, target) for finder in others)
         if any(spec is not None and spec.origin is not None for spec in found):
             return None
-        return importer.kind_spec(package, kind)
+        spec: ModuleSpec | None = importer.kind_spec(package, kind)
+        return spec
 
 
 class _PackageFinder:
@@ -68,11 +69,22 @@ class _PackageFinder:
         package, _, inside = fullname.partition(".")
         if inside.partition(".")[0] not in KINDS if inside else _is_pythons(package):
             return None
-        from zbot.interfaces import importer  # noqa: PLC0415 - see above
+        importer = _importer()
+        if importer is None:
+            return None
+        spec: ModuleSpec | None
+        spec = importer.spec_below(fullname) if inside else importer.package_spec(package)
+        return spec
 
-        return importer.spec_below(fullname) if inside else importer.package_spec(package)
+
+def _importer() -> Any:
+    """Return the module that makes the others; `None` for what it looks for while it is loaded."""
+    from zbot.interfaces import importer  # noqa: PLC0415 - see above
+
+    return importer if hasattr(importer, "package_spec") else None
 
 
 def _is_pythons(name: str) -> bool:
-    # Python's library looks for the modules of other systems, such as `_wmi` and `msvcrt`.
-    return name.startswith("_") or name in sys.stdlib_module_names
+    # Python's library looks for the modules of other systems, such as `_wmi` and `msvcrt`, and
+    # `copy` for Jython's.
+    return name.startswith("_") or name in sys.stdlib_module_names or name in _JYTHONS

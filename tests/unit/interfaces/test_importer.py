@@ -13,6 +13,8 @@ from zbot.interfaces import get_interface, install_importer
 
 @pytest.fixture(autouse=True)
 def importer(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("importer", "parser"):  # for good: the modules of a test are forgotten
+        importlib.import_module(f"zbot.interfaces.{name}")
     monkeypatch.setattr(sys, "meta_path", list(sys.meta_path))
     monkeypatch.setattr(sys, "modules", dict(sys.modules))
     install_importer()
@@ -159,3 +161,24 @@ def test_importing_reads_no_definition() -> None:
 def write_definition(file: Path, text: str = "int32 x") -> None:
     file.parent.mkdir(parents=True)
     file.write_text(text, encoding="utf-8")
+
+
+def test_what_is_looked_for_while_definitions_are_loaded_is_none_of_them() -> None:
+    # As `copy` of Python 3.11 looks for `org`, which only Jython has.
+    source = """
+import sys, zbot
+class Curious:
+    def find_spec(self, name, path, target=None):
+        if name == "zbot.interfaces.registry":
+            try:
+                import no_such_module
+            except ImportError as error:
+                print(error.name)
+sys.meta_path.insert(0, Curious())
+from std_msgs.msg import String
+print(String(data="x").data)
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", source], capture_output=True, text=True, check=True
+    )
+    assert done.stdout.split() == ["no_such_module", "x"]
