@@ -63,7 +63,8 @@ class Arcball:
     def __init__(self, initial: Any = None) -> None:
         self._axes: list[Vector] | None = None
         self._axis: Any = None
-        self._center, self._radius = np.zeros(2), 1.0
+        self._center: Vector = np.zeros(2)
+        self._radius = 1.0
         self._grip = np.array([0.0, 0.0, 1.0])
         self._constrained = False
         given = [0.0, 0.0, 0.0, 1.0] if initial is None else initial

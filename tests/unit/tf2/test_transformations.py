@@ -129,12 +129,12 @@ def test_a_matrix_is_taken_apart_into_what_it_was_made_of(
         tf.compose_matrix(translate=(1, 2, 3), perspective=(0.1, 0.2, 0.0, 1)),
     ],
 )
-def test_mirrors_and_projections_are_taken_apart_too(matrix: np.ndarray) -> None:
+def test_mirrors_and_projections_are_taken_apart_too(matrix: tf.Matrix) -> None:
     assert np.allclose(tf.compose_matrix(*tf.decompose_matrix(matrix)), matrix)
 
 
 @pytest.mark.parametrize("matrix", [np.zeros((4, 4)), np.diag([1, 1, 0, 1]), np.diag([1, 1, 1, 0])])
-def test_a_singular_matrix_cannot_be_taken_apart(matrix: np.ndarray) -> None:
+def test_a_singular_matrix_cannot_be_taken_apart(matrix: tf.Matrix) -> None:
     with pytest.raises(ValueError, match="singular"):
         tf.decompose_matrix(matrix)
 
