@@ -98,7 +98,7 @@ def test_it_can_be_switched_off_again(pair: Pair) -> None:
     assert pair.steps(4)
     pair.configure(OFF)
     pair.client.call(AddTwoInts.Request())
-    assert not pair.asking.context.graph.snapshot().publishers(TOPIC)
+    assert wait_until(lambda: not pair.asking.context.graph.snapshot().publishers(TOPIC))
     assert len(pair.events) == 4
 
 
