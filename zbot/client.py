@@ -24,7 +24,7 @@ from zbot.errors import (
     RequestTypeError,
     ServiceError,
 )
-from zbot.foreign_call import called_by_zenoh, keep_thread_state
+from zbot.foreign_call import called_by_zenoh, in_one_go, keep_thread_state
 from zbot.handle import Handle
 from zbot.interfaces import type_name
 from zbot.memory import LARGE_BYTES, keep_freed_memory
@@ -238,7 +238,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
                 raise InvalidHandleError(f"the client of {self.service_name}")
             if self._listener is None:
                 receive = self._context.receiver(self._on_match)
-                self._listener = self._querier.declare_matching_listener(receive)
+                self._listener = in_one_go(self._querier.declare_matching_listener, receive)
                 self._context.add_waker(self._arrival.set)
 
     def _on_match(self, _: object) -> None:

@@ -14,7 +14,7 @@ import zenoh
 from zbot import blocked_put, config, ending, membership, shared_memory
 from zbot.arguments import Arguments
 from zbot.errors import ArgumentTypeError, ContextInitializedError, NotInitializedError
-from zbot.foreign_call import uninterrupted
+from zbot.foreign_call import in_one_go, uninterrupted
 from zbot.graph import Graph
 from zbot.handle import Handle
 from zbot.log import configure, get_logger, get_logging_severity_from_string
@@ -69,7 +69,8 @@ class Context:
         self._wakers: list[Callable[[], None]] = []
         self._on_shutdown: list[Callable[[], None]] = []
         self._threads: dict[threading.Thread, Callable[[], object]] = {}
-        self._receivers: set[threading.Event] = set()
+        # Weak: a signal may come between the making of one and the call that hands it to Zenoh.
+        self._receivers: weakref.WeakSet[threading.Event] = weakref.WeakSet()
         self._entity_ids = itertools.count()
         self._nodes: weakref.WeakSet[Node] = weakref.WeakSet()
         self.arguments = Arguments()
@@ -323,7 +324,7 @@ class Context:
         session = meeting.open_peer()
         self._adopt(session, meeting)
         if self._in_class:
-            session.declare_subscriber(NOTICE_KEY, self.receiver(log_notice))
+            in_one_go(session.declare_subscriber, NOTICE_KEY, self.receiver(log_notice))
         self._check_linked(meeting)
 
     def _open_client(self, meeting: MeetingPoint, *, wait: bool) -> None:
@@ -393,7 +394,7 @@ class Context:
 
         thread = threading.Thread(target=body, name=name, daemon=True)
         self._threads[thread] = wake
-        thread.start()
+        in_one_go(thread.start)
 
     def receiver(self, receive: Callable[[Any], object]) -> Any:
         """Return what Zenoh calls a function through, in a thread that `shutdown()` waits for.

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from types import CodeType, FrameType
 
 FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
+ResultT = TypeVar("ResultT")
 
 _codes: set[CodeType] = set()
 _known = threading.local()
@@ -28,6 +29,16 @@ def uninterrupted(function: FunctionT) -> FunctionT:
 def called_by_zenoh(function: FunctionT) -> FunctionT:
     """Mark a function that Zenoh calls."""
     return uninterrupted(function)
+
+
+@uninterrupted
+def in_one_go(function: Callable[..., ResultT], *arguments: Any, **options: Any) -> ResultT:
+    """Call a function that starts a thread: one of ours, or of Zenoh's for what it is to call.
+
+    A signal's exception would leave that thread half started: nobody could wait for its end any
+    more, and Python's end, which destroys it, makes Zenoh abort the process.
+    """
+    return function(*arguments, **options)
 
 
 def is_uninterrupted(frame: FrameType | None) -> bool:

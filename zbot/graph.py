@@ -19,6 +19,7 @@ import zenoh
 
 from zbot import census
 from zbot.errors import InvalidNameError, TokenError
+from zbot.foreign_call import in_one_go
 from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
 from zbot.semaphore import BinarySemaphore
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
@@ -292,7 +293,8 @@ class Graph:
         return keys
 
     def _declare_subscriber(self, key: str, handler: Any) -> Any:
-        return self._session.liveliness().declare_subscriber(key, handler, history=True)
+        subscribe = self._session.liveliness().declare_subscriber
+        return in_one_go(subscribe, key, handler, history=True)
 
     def _parse(self, key: str) -> Token | None:
         try:

@@ -18,6 +18,7 @@ import zenoh
 
 from zbot import census
 from zbot.errors import SessionError
+from zbot.foreign_call import in_one_go
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -63,14 +64,15 @@ class MeetingWatch:
         self._events: queue.SimpleQueue[Any] = queue.SimpleQueue()  # `None` ends the thread
         self._tries: Counter[str] = Counter()
         self._closing = threading.Event()
-        session.info.declare_transport_events_listener(receiver(self._on_event), history=True)
+        listen = session.info.declare_transport_events_listener
+        in_one_go(listen, receiver(self._on_event), history=True)
         # Not all look at the same time, because one introducer serves everybody.
         self._share = int(self._own()[:4], 16) / 0x10000
         self._thread = threading.Thread(target=self._run, name="zbot meeting", daemon=True)
 
     def start(self) -> None:
         """Begin to watch."""
-        self._thread.start()
+        in_one_go(self._thread.start)
 
     def _on_event(self, event: Any) -> None:
         self._events.put(event)

@@ -109,6 +109,25 @@ if __name__ == '__main__':
     main()
 """
 
+STARTS = """
+import signal, threading
+import zbot
+
+start = threading.Thread.start
+
+def interrupted(thread):
+    # A timer is what lets a signal come again.
+    if thread.name.startswith("%s") and not isinstance(thread, threading.Timer):
+        signal.raise_signal(signal.SIGINT)
+    start(thread)
+
+zbot.init()
+threading.Thread.start = interrupted
+node = zbot.Node("robot")
+node.create_subscription(zbot.interfaces.get_message("std_msgs/msg/String"), "chatter", print, 10)
+zbot.spin(node)
+"""
+
 GUARDED = """
 import signal, threading, zbot.compat, rclpy
 from rclpy.signals import SignalHandlerGuardCondition
@@ -213,6 +232,15 @@ def test_a_signal_ends_a_program_that_waits_for_a_subscriber(
     program.wait_for("waits")
     # Zenoh may just be linking again with the one that stands still, and closes after that.
     assert end(program, number, 4 * LIMIT_S) == -number
+
+
+@pytest.mark.parametrize("thread", ["Thread-", "zbot meeting", "zbot /chatter"])
+def test_a_signal_while_a_thread_starts_leaves_none_half_started(start: Start, thread: str) -> None:
+    program = start(source=STARTS % thread)
+    begin = time.monotonic()
+    assert program.wait() == -signal.SIGINT
+    assert time.monotonic() - begin < allowed(2 * LIMIT_S)
+    assert not program.output
 
 
 def test_the_lessons_listing_ends_quietly(start: Start) -> None:
