@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import threading
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import msgpack  # type: ignore[import-untyped]
@@ -456,7 +457,9 @@ def test_many_threads_may_publish_at_once(
     for thread in threads:
         thread.join()
     assert wait_until(lambda: len(numbers) == 2000)
-    assert infos == list(range(1, 2001))
+    assert sorted(infos) == list(range(1, 2001))
+    # What the first thread has just begun may be overtaken, once.
+    assert sum(later < sooner for sooner, later in pairwise(infos)) <= 1
     assert len(set(numbers)) == 2000
 
 
