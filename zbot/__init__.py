@@ -12,10 +12,10 @@
 The names, arguments and meanings are those of ROS 2's rclpy.
 """
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from zbot.interfaces.finder import install_importer
+from zbot.late_names import late_names
 from zbot.version import __version__ as __version__
 
 if TYPE_CHECKING:
@@ -109,20 +109,7 @@ _HOMES = {
     "Timer": "zbot.timer",
 }
 
-
-def __getattr__(name: str) -> Any:
-    """Import a public name from its module."""
-    home = _HOMES.get(name)
-    if home is None:
-        raise AttributeError(f"module 'zbot' has no attribute {name!r}")
-    value = globals()[name] = getattr(importlib.import_module(home), name)
-    return value
-
-
-def __dir__() -> list[str]:
-    """Return what can be imported from here."""
-    return sorted((*_HOMES, "__version__"))
-
+__getattr__, __dir__ = late_names(__name__, _HOMES, "__version__")
 
 # From here on `from std_msgs.msg import String` works, unless a real ROS 2 provides it.
 install_importer()

@@ -1,9 +1,9 @@
 """ROS 2 interface definitions, and the Python classes made from them."""
 
-import importlib
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from zbot.interfaces.finder import install_importer as install_importer
+from zbot.late_names import late_names
 
 if TYPE_CHECKING:
     from zbot.interfaces.message import Action as Action
@@ -36,44 +36,32 @@ if TYPE_CHECKING:
 # Where each name lives: it is imported when it is first used, because a command that lists topics
 # needs no definitions.
 _HOMES = {
-    "Action": "message",
-    "Message": "message",
-    "Service": "message",
-    "has_sequences": "python_class",
-    "message_spec_of": "python_class",
-    "spec_of": "python_class",
-    "type_description": "python_class",
-    "type_hash": "python_class",
-    "type_name": "python_class",
-    "definition_text": "registry",
-    "get_action": "registry",
-    "get_interface": "registry",
-    "get_message": "registry",
-    "get_service": "registry",
-    "get_spec": "registry",
-    "interface_names": "registry",
-    "packages": "registry",
-    "register_spec": "registry",
-    "register_description": "remote_definition",
-    "ActionSpec": "spec",
-    "Constant": "spec",
-    "Field": "spec",
-    "FieldType": "spec",
-    "InterfaceSpec": "spec",
-    "MessageSpec": "spec",
-    "ServiceSpec": "spec",
+    "Action": "zbot.interfaces.message",
+    "Message": "zbot.interfaces.message",
+    "Service": "zbot.interfaces.message",
+    "has_sequences": "zbot.interfaces.python_class",
+    "message_spec_of": "zbot.interfaces.python_class",
+    "spec_of": "zbot.interfaces.python_class",
+    "type_description": "zbot.interfaces.python_class",
+    "type_hash": "zbot.interfaces.python_class",
+    "type_name": "zbot.interfaces.python_class",
+    "definition_text": "zbot.interfaces.registry",
+    "get_action": "zbot.interfaces.registry",
+    "get_interface": "zbot.interfaces.registry",
+    "get_message": "zbot.interfaces.registry",
+    "get_service": "zbot.interfaces.registry",
+    "get_spec": "zbot.interfaces.registry",
+    "interface_names": "zbot.interfaces.registry",
+    "packages": "zbot.interfaces.registry",
+    "register_spec": "zbot.interfaces.registry",
+    "register_description": "zbot.interfaces.remote_definition",
+    "ActionSpec": "zbot.interfaces.spec",
+    "Constant": "zbot.interfaces.spec",
+    "Field": "zbot.interfaces.spec",
+    "FieldType": "zbot.interfaces.spec",
+    "InterfaceSpec": "zbot.interfaces.spec",
+    "MessageSpec": "zbot.interfaces.spec",
+    "ServiceSpec": "zbot.interfaces.spec",
 }
 
-
-def __getattr__(name: str) -> Any:
-    """Import a public name from its module."""
-    home = _HOMES.get(name)
-    if home is None:
-        raise AttributeError(f"module 'zbot.interfaces' has no attribute {name!r}")
-    value = globals()[name] = getattr(importlib.import_module(f"zbot.interfaces.{home}"), name)
-    return value
-
-
-def __dir__() -> list[str]:
-    """Return what can be imported from here."""
-    return sorted((*_HOMES, "install_importer"))
+__getattr__, __dir__ = late_names(__name__, _HOMES, "install_importer")
