@@ -37,7 +37,7 @@ class Robot(zbot.Node):
     def __init__(self):
         super().__init__("robot")
         self.publisher = self.create_publisher(String, "chatter", 10)
-        self.subscription = self.create_subscription(String, "chatter", self.listen, 10)
+        self.subscription = self.create_subscription(String, "chatter", self.listen, 1000)
         self.timer = self.create_timer(0.001, self.tick)
 
     def tick(self):
