@@ -140,10 +140,18 @@ def _is_postponed(number: int, frame: FrameType | None) -> bool:
     """Return whether no exception may come here; the signal comes again in a moment then."""
     if not is_uninterrupted(frame):
         return False
-    again = threading.Timer(_MOMENT_S, signal.raise_signal, [number])
+    again = threading.Timer(_MOMENT_S, _signal_main_thread, [number])
     again.daemon = True
     again.start()
     return True
+
+
+def _signal_main_thread(number: int) -> None:
+    """Send a signal that also ends what the main thread is sleeping in."""
+    if sys.platform == "win32":
+        signal.raise_signal(number)
+    else:
+        signal.pthread_kill(threading.main_thread().ident or 0, number)
 
 
 def _on_sigint(number: int, frame: FrameType | None) -> None:
@@ -223,7 +231,7 @@ def _again(previous: Any) -> Any:
         else:
             # The process may have come to its end: what the signal asked for is under way.
             with contextlib.suppress(RuntimeError):
-                threading.Timer(_MOMENT_S, os.kill, (os.getpid(), number)).start()
+                threading.Timer(_MOMENT_S, _signal_main_thread, [number]).start()
 
     return unraisablehook
 
