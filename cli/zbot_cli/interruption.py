@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import signal
+import sys
+
+TYPE_CHECKING = False  # typing takes 10 ms to load, in which Ctrl-C would print a traceback
+if TYPE_CHECKING:
+    from types import TracebackType
 
 
 def end_at_once() -> None:
@@ -16,6 +21,15 @@ def end_at_once() -> None:
 
 
 def raise_exception() -> None:
-    """Let Ctrl-C raise `KeyboardInterrupt` again; main thread only."""
+    """Let Ctrl-C raise `KeyboardInterrupt` again; main thread only.
+
+    Python tells nothing of one that nobody catches: it may come in the moment after a command's end.
+    """
     if signal.getsignal(signal.SIGINT) is signal.SIG_DFL:
+        sys.excepthook = _tell
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def _tell(kind: type[BaseException], value: BaseException, trace: TracebackType | None) -> None:
+    if not issubclass(kind, KeyboardInterrupt):
+        sys.__excepthook__(kind, value, trace)

@@ -181,6 +181,27 @@ def test_ctrl_c_while_the_command_is_being_loaded_is_quiet(module: str, words: l
     assert (done.stdout, done.stderr) == ("", "")
 
 
+INTERRUPTED_END = """
+import runpy, signal, sys
+from zbot_cli import interruption
+end_at_once = interruption.end_at_once
+def interrupted():
+    if signal.getsignal(signal.SIGINT) is not signal.SIG_DFL:
+        signal.raise_signal(signal.SIGINT)
+    end_at_once()
+end_at_once()
+interruption.end_at_once = interrupted
+runpy.run_module("zbot_cli", run_name="__main__")
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+def test_ctrl_c_between_a_command_and_the_end_is_quiet() -> None:
+    command = [sys.executable, "-c", INTERRUPTED_END, "pkg", "prefix", "zbot_nodes"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stderr) == (-signal.SIGINT, "")
+
+
 HANDLER_AT_THE_END = """
 import runpy, signal, sys
 real_exit = sys.exit

@@ -1,38 +1,52 @@
 // What every page needs in the browser: asking for what is new, the theme, copying a command.
 "use strict";
 window.zbot = (() => {
-  const FASTEST_MS = 1000 / 30;
+  const FRAME_MS = 1000 / 60;
+  const FASTEST_MS = 2 * FRAME_MS;
   const SLOWEST_MS = 100; // while nothing changes
   const PATIENCE_MS = 3000; // an answer can be lost when the connection is made anew
   let pause = FASTEST_MS;
   let askedAt = -Infinity;
   let isWaiting = false;
+  let timer = 0;
 
-  // The loop of the display: it stands still in a hidden page, and is slow on a slow machine.
-  function turn(now) {
-    requestAnimationFrame(turn);
-    if (document.hidden || !window.did_handshake || !window.socket?.connected) return;
-    if (isWaiting ? now - askedAt < PATIENCE_MS : now - askedAt < pause - 4) return;
+  // With the display: that stands still in a hidden page, and is slow on a slow machine. Only then,
+  // as whoever waits for the display makes the browser draw sixty times a second.
+  function askIn(delay) {
+    clearTimeout(timer);
+    timer = setTimeout(requestAnimationFrame, delay, ask);
+  }
+
+  function ask(now) {
+    if (document.hidden || !window.did_handshake || !window.socket?.connected) {
+      askIn(SLOWEST_MS);
+      return;
+    }
     isWaiting = true;
     askedAt = now;
     emitEvent("zbot_ask");
+    askIn(PATIENCE_MS);
   }
-  requestAnimationFrame(turn);
+  askIn(0);
 
   // NiceGUI runs this behind the changes that it sent before: they are drawn now.
   function answered(isChanged) {
     isWaiting = false;
     pause = isChanged ? FASTEST_MS : Math.min(SLOWEST_MS, pause * 1.3);
+    askIn(askedAt + pause - performance.now() - FRAME_MS / 2); // half way to its frame
+  }
+
+  // Whoever looks or touches something wants to see what it does at once.
+  function hurry() {
+    pause = FASTEST_MS;
+    if (!isWaiting) askIn(0);
   }
 
   document.addEventListener("visibilitychange", () => {
     if (document.hidden && window.did_handshake) emitEvent("zbot_sleep");
-    pause = FASTEST_MS;
+    hurry();
   });
-  // Whoever touches something wants to see what it does at once.
-  for (const event of ["pointerdown", "keydown"]) {
-    document.addEventListener(event, () => (pause = FASTEST_MS), true);
-  }
+  for (const event of ["pointerdown", "keydown"]) document.addEventListener(event, hurry, true);
 
   const THEME = "zbot-theme";
 
