@@ -9,6 +9,7 @@ for the loss of the other side, and the put returns at once.
 from __future__ import annotations
 
 import contextlib
+import gc
 import os
 import signal
 import socket
@@ -28,7 +29,7 @@ from zbot.config import port_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
-    from types import CodeType
+    from types import CodeType, FrameType
 
 # A put that takes longer is waited for in vain: on a busy machine one takes milliseconds.
 _PATIENCE_S = 0.2
@@ -43,14 +44,16 @@ own_queues: weakref.WeakSet[Any] = weakref.WeakSet()
 
 
 class _Watch:
+    is_needed = False  # whether there is, or was, a publisher whose puts may wait
     is_on = False
 
 
 def watch_signals() -> None:
-    """Let a signal release the puts that wait; call it in the main thread.
+    """Let a signal release the puts that wait; for each publisher whose puts may.
 
-    Does nothing in other threads, at the second call, and where an event loop listens already.
+    The signal does so if this is the main thread, and no event loop listens for signals.
     """
+    _Watch.is_needed = True
     if _Watch.is_on or threading.current_thread() is not threading.main_thread():
         return
     reader, writer = socket.socketpair()
@@ -75,7 +78,7 @@ def release(sessions: Iterable[zenoh.Session]) -> None:
     What is under way on them is lost. Returns at once where no put is under way, else within 0.2 s
     where none waits, and 1.2 s otherwise; from any thread.
     """
-    blocked = _blocked()
+    blocked = _Watch.is_needed and _blocked()
     if not blocked:
         return
     for session in sessions:
@@ -100,11 +103,24 @@ def _blocked() -> set[tuple[int, int, int]]:
 def _puts() -> set[tuple[int, int, int]]:
     """Return the puts under way: their threads, publishers, and numbers."""
     found = set()
-    for thread, frame in sys._current_frames().items():  # noqa: SLF001 - Python has no other way
+    for thread, frame in _frames().items():
         if frame.f_code in callers:
             publisher = frame.f_locals["self"]
             found.add((thread, id(publisher), publisher.sent_count))
     return found
+
+
+def _frames() -> dict[int, FrameType]:
+    """Return what each thread does just now."""
+    # Python 3.11 and older hold a lock meanwhile that a thread waits for when it ends, without
+    # letting others run. To collect garbage may let it run: then both wait for good.
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        return sys._current_frames()  # noqa: SLF001 - Python has no other way
+    finally:
+        if collects:
+            gc.enable()
 
 
 def _cut(session: zenoh.Session) -> None:

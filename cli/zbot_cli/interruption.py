@@ -23,7 +23,7 @@ def end_at_once() -> None:
 def raise_exception() -> None:
     """Let Ctrl-C raise `KeyboardInterrupt` again; main thread only.
 
-    Python tells nothing of one that nobody catches: it may come in the moment after a command's end.
+    Nothing is told of one that nobody catches: it may come just after a command's end.
     """
     if signal.getsignal(signal.SIGINT) is signal.SIG_DFL:
         sys.excepthook = _tell

@@ -68,9 +68,12 @@ while True:
 """,
     "sleep": HEAD
     + """
+def work():
+    while True:
+        time.sleep(0.2)  # as above
+
 robot = Robot()
-robot.tick = None
-robot.timer.callback = lambda: time.sleep(60)
+robot.timer.callback = work
 zbot.spin(robot)
 """,
     "publish": HEAD

@@ -1,0 +1,41 @@
+"""Looking for puts that wait, while threads come and go."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+BUSY = """
+import _thread, gc, sys, threading, time
+from zbot import blocked_put
+
+class Waste:
+    def __init__(self):
+        self.itself = self
+
+    def __del__(self):
+        time.sleep(0)  # lets the other threads run
+
+def start_threads():
+    while True:
+        _thread.start_new_thread(int, ())
+        time.sleep(0.0002)
+
+blocked_put.watch_signals()
+for _ in range(20):  # the looking makes an object of each
+    threading.Thread(target=threading.Event().wait, daemon=True).start()
+threading.Thread(target=start_threads, daemon=True).start()
+gc.set_threshold(10, 1, 1)
+sys.setswitchinterval(1e-5)
+for _ in range(2000):
+    Waste()
+    blocked_put.release([])
+print("looked")
+"""
+
+
+def test_threads_that_end_and_garbage_do_not_stop_it() -> None:
+    # Python 3.11 would stop for good (cpython issue 106883).
+    command = [sys.executable, "-c", BUSY]
+    done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=20)
+    assert (done.stdout, done.stderr) == ("looked\n", "")
