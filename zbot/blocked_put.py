@@ -17,7 +17,6 @@ import stat
 import sys
 import threading
 import time
-import weakref
 from collections import deque
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -26,6 +25,7 @@ import zenoh
 
 from zbot import ending
 from zbot.config import port_of
+from zbot.weak_set import WeakSet
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -40,7 +40,7 @@ _DESCRIPTORS = Path("/dev/fd")  # not on Windows, where links cannot be cut
 #: The functions in which a publisher's thread stands while Zenoh puts.
 callers: set[CodeType] = set()
 #: The subscriptions of this process whose full queues hold up their publishers.
-own_queues: weakref.WeakSet[Any] = weakref.WeakSet()
+own_queues: WeakSet[Any] = WeakSet()
 
 
 class _Watch:
@@ -69,7 +69,7 @@ def watch_signals() -> None:
 def _watch(reader: socket.socket, _writer: socket.socket) -> None:
     # The main thread's put keeps the signal's handler from running, any other the program's end.
     while reader.recv(1):
-        release(session for context in list(ending.open_contexts) for session in context.sessions)
+        release(session for context in ending.open_contexts for session in context.sessions)
 
 
 def release(sessions: Iterable[zenoh.Session]) -> None:
@@ -83,7 +83,7 @@ def release(sessions: Iterable[zenoh.Session]) -> None:
         return
     for session in sessions:
         _cut(session)
-    for queue in list(own_queues):
+    for queue in own_queues:
         with contextlib.suppress(zenoh.ZError):  # it is undeclared
             deque(iter(queue.next_sample, None), maxlen=0)
     deadline = time.monotonic() + _RETURN_S

@@ -6,7 +6,6 @@ import itertools
 import sys
 import threading
 import time
-import weakref
 from typing import TYPE_CHECKING, Any, Literal
 
 import zenoh
@@ -23,6 +22,7 @@ from zbot.memory import spare_the_collector
 from zbot.notice import NOTICE_KEY, log_notice
 from zbot.session import MeetingPoint, process_facts
 from zbot.version import __version__
+from zbot.weak_set import WeakSet
 from zbot.wire.dialect import IN_CLASS, NATIVE
 
 if TYPE_CHECKING:
@@ -70,9 +70,9 @@ class Context:
         self._on_shutdown: list[Callable[[], None]] = []
         self._threads: dict[threading.Thread, Callable[[], object]] = {}
         # Weak: a signal may come between the making of one and the call that hands it to Zenoh.
-        self._receivers: weakref.WeakSet[threading.Event] = weakref.WeakSet()
+        self._receivers: WeakSet[threading.Event] = WeakSet()
         self._entity_ids = itertools.count()
-        self._nodes: weakref.WeakSet[Node] = weakref.WeakSet()
+        self._nodes: WeakSet[Node] = WeakSet()
         self.arguments = Arguments()
         self.dialect = NATIVE
         self._in_class = False
@@ -421,7 +421,7 @@ class Context:
             # One whose start was interrupted by a signal has no ident.
             if thread is not threading.current_thread() and thread.ident is not None:
                 thread.join(_JOIN_TIMEOUT_S)
-        for ended in list(self._receivers):
+        for ended in self._receivers:
             ended.wait(_JOIN_TIMEOUT_S)
 
     @uninterrupted

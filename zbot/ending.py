@@ -12,11 +12,11 @@ import signal
 import sys
 import threading
 import traceback
-import weakref
 from types import BuiltinFunctionType
 from typing import TYPE_CHECKING
 
 from zbot.errors import ExternalShutdownException
+from zbot.weak_set import WeakSet
 
 if TYPE_CHECKING:
     from zbot.context import Context
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 _PATIENCE_S = 0.3  # for a callback that is running when the program ends
 
 #: Every context that has a session.
-open_contexts: weakref.WeakSet[Context] = weakref.WeakSet()
+open_contexts: WeakSet[Context] = WeakSet()
 
 
 class _Process:
@@ -84,7 +84,7 @@ def _end() -> None:
 
 def _close_contexts() -> None:
     _Process.ending = True
-    for context in list(open_contexts):
+    for context in open_contexts:
         executors = {node.executor for node in context.nodes if node.executor is not None}
         try:
             context.shutdown()

@@ -15,7 +15,6 @@ import os
 import signal
 import sys
 import threading
-import weakref
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
@@ -31,6 +30,7 @@ from zbot.errors import (
 from zbot.executor import spinning_in_main_thread
 from zbot.foreign_call import is_uninterrupted
 from zbot.guard_condition import GuardCondition
+from zbot.weak_set import WeakSet
 
 if TYPE_CHECKING:
     from types import FrameType
@@ -79,7 +79,7 @@ class SignalHandlerGuardCondition(GuardCondition):
         super().destroy()
 
 
-_guards: weakref.WeakSet[SignalHandlerGuardCondition] = weakref.WeakSet()
+_guards: WeakSet[SignalHandlerGuardCondition] = WeakSet()
 
 
 class _Process:
@@ -124,7 +124,7 @@ def _replace(number: int, handler: Any) -> None:
 
 
 def _interrupt_contexts() -> None:
-    for context in list(ending.open_contexts):
+    for context in ending.open_contexts:
         context.interrupt()
     if _guards:
         # In a thread: who waits for one may hold its lock, and be what this signal interrupted.
@@ -132,7 +132,7 @@ def _interrupt_contexts() -> None:
 
 
 def _trigger_guards() -> None:
-    for guard in list(_guards):
+    for guard in _guards:
         guard.trigger()
 
 

@@ -10,6 +10,8 @@ import weakref
 from enum import Enum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
+from zbot.errors import ExternalShutdownException
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Generator
 
@@ -171,6 +173,8 @@ class Future(Generic[T]):
             return
         try:
             callback(self)
+        except ExternalShutdownException:
+            raise  # a signal came meanwhile
         except Exception as exc:  # noqa: BLE001 - as in rclpy, not the completing thread's concern
             warnings.warn(f"Unhandled exception in done callback: {exc}", stacklevel=2)
 

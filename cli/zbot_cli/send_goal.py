@@ -86,6 +86,8 @@ class SendGoal:
         self._with_feedback = with_feedback
         self._timeout_s = timeout_s
         self._as_json = as_json
+        self._is_accepted = False
+        self._early: list[Any] = []  # feedback may overtake the answer to the goal
         if stdin:
             self._values = [sys.stdin.read()]
         elif goal_file is not None:
@@ -155,6 +157,9 @@ class SendGoal:
             return Status.ERROR
         goal_id = handle.key.hex()
         self._show(f"Goal accepted with ID: {goal_id}\n", {"accepted": True, "goal_id": goal_id})
+        self._is_accepted = True
+        for message in self._early:
+            self._show_feedback(message)
         result = handle.get_result_async()
         try:
             return self._end(self._wait(result))
@@ -189,6 +194,9 @@ class SendGoal:
     # -- output --------------------------------------------------------------------------------
 
     def _show_feedback(self, message: Any) -> None:
+        if not self._is_accepted:
+            self._early.append(message)
+            return
         self._show(f"Feedback:\n    {_text(message.feedback)}", {"feedback": message.feedback})
 
     def _say(self, text: str) -> None:

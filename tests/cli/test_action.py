@@ -12,8 +12,9 @@ import pytest
 import zbot as library
 from tests.cli.command import zbot
 from tests.conftest import wait_until
-from zbot.action import ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
+from zbot.action import ActionClient, ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
 from zbot.service_introspection import ServiceIntrospectionState
+from zbot_cli.send_goal import SendGoal
 
 from example_interfaces.action import Fibonacci
 
@@ -119,6 +120,37 @@ def test_send_goal_prints_what_ros2_prints(words: tuple[str, ...]) -> None:
 def test_feedback_comes_before_the_result() -> None:
     sent = zbot("action", "send_goal", "-f", "/fibonacci", TYPE, "{order: 2}")
     assert RESULT.replace("Result", "Feedback") + RESULT in sent.out
+
+
+@pytest.mark.usefixtures("server")
+def test_feedback_that_overtakes_the_answer_waits(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    send = ActionClient.send_goal_async
+
+    def overtake(self: Any, goal: Any, tell: Callable[[Any], None]) -> Any:
+        tell(Fibonacci.Impl.FeedbackMessage(feedback=Fibonacci.Feedback(sequence=[0])))
+        return send(self, goal, tell)
+
+    monkeypatch.setattr(ActionClient, "send_goal_async", overtake)
+    command = SendGoal(
+        "/fibonacci",
+        [TYPE, "{order: 2}"],
+        with_feedback=True,
+        timeout_s=5,
+        stdin=False,
+        goal_file=None,
+        as_json=False,
+    )
+    command.run()
+    printed = [line.split()[0] for line in capsys.readouterr().out.splitlines() if line]
+    assert [word for word in printed if word in {"Goal", "Feedback:", "Result:"}] == [
+        "Goal",  # accepted
+        "Feedback:",
+        "Feedback:",
+        "Result:",
+        "Goal",  # finished
+    ]
 
 
 @pytest.mark.usefixtures("server")

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from zbot.errors import ExternalShutdownException
 from zbot.task import Future, FutureState, Task
 
 if TYPE_CHECKING:
@@ -270,6 +271,16 @@ def test_a_done_callback_that_raises_is_not_the_completing_threads_concern() -> 
     with pytest.warns(UserWarning, match="Unhandled exception in done callback: division by zero"):
         future.set_result(3)
     assert later == [3]
+
+
+def test_a_signal_in_a_done_callback_reaches_the_completing_thread() -> None:
+    def interrupted(_: object) -> None:
+        raise ExternalShutdownException
+
+    future: Future[int] = Future()
+    future.add_done_callback(interrupted)
+    with pytest.raises(ExternalShutdownException):
+        future.set_result(3)
 
 
 @pytest.mark.parametrize(

@@ -258,9 +258,12 @@ class Hub:
         console.write(level, console.format(record))
 
     def _refresh(self) -> None:
-        for channel in list(self._channels.values()):
-            channel.threshold = self.get_logger_effective_level(channel.name)
-            channel.taps = self._taps_of(channel.name)
+        # Not `values()`, which runs Python in between: loggers of other threads end meanwhile.
+        for reference in self._channels.valuerefs():
+            channel = reference()
+            if channel is not None:
+                channel.threshold = self.get_logger_effective_level(channel.name)
+                channel.taps = self._taps_of(channel.name)
 
     def _taps_of(self, name: str) -> tuple[Tap, ...]:
         return tuple(

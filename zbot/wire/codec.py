@@ -13,7 +13,7 @@ from dataclasses import is_dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, Literal, NoReturn, TypeVar
 
-from zbot.errors import CodecError
+from zbot.errors import CodecError, ExternalShutdownException
 from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.array_value import fixed_array
 from zbot.wire import check, generator
@@ -119,6 +119,8 @@ class Codec(Generic[MessageT]):
         raise CodecError("encode", self.type_name, path, reason) from error
 
     def _explain_decoding(self, error: Exception) -> NoReturn:
+        if isinstance(error, ExternalShutdownException):
+            raise error  # a signal came meanwhile: that is not the message's fault
         cause = None if isinstance(error, Fault) else error
         raise CodecError("decode", self.type_name, *_path_and_reason(error)) from cause
 

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 import msgpack  # type: ignore[import-untyped]
 import pytest
 
-from zbot.errors import CodecError, NotAMessageTypeError
+from zbot.errors import CodecError, ExternalShutdownException, NotAMessageTypeError
 from zbot.interfaces import get_interface, get_message
 from zbot.wire.codec import codec_for
 
@@ -182,11 +182,18 @@ class Picky:
     def __post_init__(self) -> None:
         if self.value == 13:
             raise KeyError("thirteen")
+        if self.value == 15:
+            raise ExternalShutdownException
 
 
 def test_a_dataclass_that_refuses_its_values_is_a_codec_error() -> None:
     with pytest.raises(CodecError, match="KeyError: 'thirteen'"):
         decode(Picky, {"value": 13})
+
+
+def test_a_signal_while_a_message_is_read_is_no_codec_error() -> None:
+    with pytest.raises(ExternalShutdownException):
+        decode(Picky, {"value": 15})
 
 
 def test_the_encoding_names_the_type() -> None:

@@ -1,0 +1,52 @@
+"""A set that keeps nothing alive, and that several threads use."""
+
+from __future__ import annotations
+
+import gc
+import threading
+
+from zbot.weak_set import WeakSet
+
+
+class Thing:
+    """Something that can be weakly referred to."""
+
+
+def test_it_keeps_nothing_alive() -> None:
+    kept, dropped = Thing(), Thing()
+    things = WeakSet([kept, dropped])
+    del dropped
+    gc.collect()
+    assert list(things) == [kept]
+    assert len(things) == 1
+
+
+def test_it_may_change_while_it_is_iterated() -> None:
+    first, second = Thing(), Thing()
+    things = WeakSet([first])
+    for thing in things:
+        things.add(second)
+        things.discard(thing)
+    assert list(things) == [second]
+
+
+def test_other_threads_may_change_it_meanwhile() -> None:
+    things: WeakSet[Thing] = WeakSet()
+    over = threading.Event()
+
+    def change() -> None:
+        while not over.is_set():
+            fresh = [Thing() for _ in range(50)]
+            for thing in fresh:
+                things.add(thing)
+            for thing in fresh[:25]:
+                things.discard(thing)
+
+    changing = threading.Thread(target=change)
+    changing.start()
+    try:
+        for _ in range(2000):
+            assert all(isinstance(thing, Thing) for thing in things)
+    finally:
+        over.set()
+        changing.join()
