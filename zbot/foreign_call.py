@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 ResultT = TypeVar("ResultT")
 
+_IMPORTS = "<frozen importlib._bootstrap>"
 _codes: set[CodeType] = set()
 _known = threading.local()
 
@@ -42,7 +43,12 @@ def in_one_go(function: Callable[..., ResultT], *arguments: Any, **options: Any)
 
 
 def is_uninterrupted(frame: FrameType | None) -> bool:
-    """Return whether a frame is inside of a marked function."""
+    """Return whether a frame is inside of a marked function, or of Python's own for imports.
+
+    The latter would leave the lock of all imports taken. What a module itself does is not meant.
+    """
+    if frame is not None and frame.f_code.co_filename == _IMPORTS:
+        return True
     while frame is not None:
         if frame.f_code in _codes:
             return True

@@ -131,6 +131,36 @@ node.create_subscription(zbot.interfaces.get_message("std_msgs/msg/String"), "ch
 {then}
 """
 
+IMPORTS = """
+import functools, operator, signal, sys, threading
+from collections import deque
+import zbot
+
+zbot.init()
+bootstrap = sys.modules["_frozen_importlib"]
+imp = bootstrap._imp
+
+class Interrupted:
+    # Without a frame of Python in between: the signal comes right behind the lock.
+    once = [imp.acquire_lock, functools.partial(signal.raise_signal, signal.SIGINT)]
+
+    def __getattr__(self, name):
+        if name == "acquire_lock" and self.once:
+            calls, Interrupted.once = self.once, []
+            return functools.partial(deque, map(operator.methodcaller("__call__"), calls), 0)
+        return getattr(imp, name)
+
+bootstrap._imp = Interrupted()
+try:
+    import colorsys
+    threading.Event().wait(5)
+except KeyboardInterrupt:
+    other = threading.Thread(target=__import__, args=("sched",), daemon=True)
+    other.start()
+    other.join(2)
+    print("imports", not other.is_alive())
+"""
+
 GUARDED = """
 import signal, threading, zbot.compat, rclpy
 from rclpy.signals import SignalHandlerGuardCondition
@@ -248,6 +278,12 @@ def test_a_signal_while_a_thread_starts_leaves_none_half_started(
     assert program.wait() == -signal.SIGINT
     assert time.monotonic() - begin < allowed(2 * LIMIT_S)
     assert not program.output
+
+
+def test_a_signal_in_an_import_lets_others_import(start: Start) -> None:
+    program = start(source=IMPORTS)
+    program.wait()
+    assert program.output == "imports True"
 
 
 def test_the_lessons_listing_ends_quietly(start: Start) -> None:
