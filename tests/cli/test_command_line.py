@@ -202,6 +202,28 @@ def test_ctrl_c_between_a_command_and_the_end_is_quiet() -> None:
     assert (done.returncode, done.stderr) == (-signal.SIGINT, "")
 
 
+DROPPED = """
+import signal, time, weakref
+from zbot_cli import interruption
+interruption.end_at_once()
+interruption.raise_exception()
+thing = type("Thing", (), {})()
+reference = weakref.ref(thing, lambda _: signal.raise_signal(signal.SIGINT))
+try:
+    del thing
+    for _ in range(500):
+        time.sleep(0.01)
+except KeyboardInterrupt:
+    print("heard")
+"""
+
+
+def test_ctrl_c_where_python_drops_exceptions_is_heard_in_a_moment() -> None:
+    command = [sys.executable, "-c", DROPPED]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.stdout, done.stderr) == ("heard\n", "")
+
+
 HANDLER_AT_THE_END = """
 import runpy, signal, sys
 real_exit = sys.exit
