@@ -37,3 +37,28 @@ def answers(session: zenoh.Session, key: str, timeout_s: float) -> Iterator[tupl
         for reply in replies
         if reply.ok is not None
     )
+
+
+def sessions(session: zenoh.Session, router: str, timeout_s: float) -> dict[str, str]:
+    """Ask a router, or all (`*`), whom it is linked to; return `peer` or `client` by session id.
+
+    Never ask a router for its `subscriber`, `publisher`, `queryable` or `token`: Zenoh 1.10 holds a
+    lock while it answers that, takes it again for the answer, and stops for good if somebody
+    declares something in between (pull request 2619 of eclipse-zenoh/zenoh).
+    """
+    found: dict[str, str] = {}
+    for _, facts in answers(session, f"@/{router}/router", timeout_s):
+        found |= _sessions_in(facts)
+    return found
+
+
+def _sessions_in(router_facts: bytes) -> dict[str, str]:
+    """Return peers and clients by session id, from a router's admin space root (JSON)."""
+    import json  # noqa: PLC0415 - later than everything that somebody waits for
+
+    sessions = json.loads(router_facts).get("sessions", [])
+    return {
+        entry["peer"]: entry["whatami"]
+        for entry in sessions
+        if entry.get("whatami") in {"peer", "client"}
+    }

@@ -30,6 +30,8 @@ if TYPE_CHECKING:
     from zbot.wire.dialect import Dialect
 
 _ANSWER_TIMEOUT_S = 2.0  # 25 ms are usual
+#: What the admin space of a Zenoh program calls them.
+_FOREIGN_KINDS = {"publisher": EntityKind.PUBLISHER, "subscriber": EntityKind.SUBSCRIPTION}
 _MOST_WITHDRAWN = 1000
 
 NamesAndTypes = list[tuple[str, list[str]]]
@@ -376,23 +378,26 @@ def _process(zid: str, payload: bytes) -> Process | None:
 def foreign_topics(
     session: zenoh.Session, snapshot: Snapshot, domain: int
 ) -> dict[str, set[EntityKind]]:
-    """Return the topics that only plain Zenoh programs use, as the meeting router sees them.
+    """Return the topics that only plain Zenoh programs use, as these tell themselves.
 
     Args:
         session: A client's session.
         snapshot: The graph: what it knows is not foreign.
         domain: 0 to 232.
     """
+    own = {token.zid for token in snapshot.tokens} | {str(session.info.zid())}
+    strangers = census.sessions(session, "*", _ANSWER_TIMEOUT_S).keys() - own
+    # All are asked before the first answer is waited for.
+    asked = [
+        census.answers(session, f"@/{zid}/*/*/{domain}/**", _ANSWER_TIMEOUT_S) for zid in strangers
+    ]
     known = {end.name for end in snapshot.endpoints}
     found: dict[str, set[EntityKind]] = {}
-    for word, kind in (
-        ("publisher", EntityKind.PUBLISHER),
-        ("subscriber", EntityKind.SUBSCRIPTION),
-    ):
-        for key, _ in census.answers(session, f"@/*/router/{word}/{domain}/**", _ANSWER_TIMEOUT_S):
-            name = "/" + key.split(f"/{word}/{domain}/", 1)[1]
-            if name not in known and _is_name(name):
-                found.setdefault(name, set()).add(kind)
+    for key, _ in itertools.chain.from_iterable(asked):
+        *_, word, _, name = key.split("/", 5)
+        kind = _FOREIGN_KINDS.get(word)
+        if kind is not None and f"/{name}" not in known and _is_name(f"/{name}"):
+            found.setdefault(f"/{name}", set()).add(kind)
     return found
 
 

@@ -158,8 +158,7 @@ class MeetingWatch:
         """Return what the router knows: peers and clients, by session id."""
         found: dict[str, str] = {}
         for router in self._routers():
-            for _, facts in census.answers(self._session, f"@/{router}/router", timeout_s):
-                found |= _sessions_in(facts)
+            found |= census.sessions(self._session, router, timeout_s)
         return found
 
     # -- introductions -------------------------------------------------------------------------
@@ -210,15 +209,3 @@ class MeetingWatch:
         # One whose start was interrupted by a signal has no ident.
         if self._thread is not threading.current_thread() and self._thread.ident is not None:
             self._thread.join(_END_S)
-
-
-def _sessions_in(router_facts: bytes) -> dict[str, str]:
-    """Return peers and clients by session id, from a router's admin space root (JSON)."""
-    import json  # noqa: PLC0415 - later than everything that somebody waits for
-
-    sessions = json.loads(router_facts).get("sessions", [])
-    return {
-        entry["peer"]: entry["whatami"]
-        for entry in sessions
-        if entry.get("whatami") in {"peer", "client"}
-    }
