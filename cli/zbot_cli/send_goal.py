@@ -155,18 +155,19 @@ class SendGoal:
         if not handle.accepted:
             self._show("Goal was rejected.", {"accepted": False})
             return Status.ERROR
-        goal_id = handle.key.hex()
+        try:
+            self._tell_acceptance(handle.key.hex())
+            return self._end(self._wait(handle.get_result_async()))
+        except KeyboardInterrupt:
+            self._cancel(handle)
+            self._end(self._wait(handle.get_result_async()))
+            return Status.INTERRUPTED
+
+    def _tell_acceptance(self, goal_id: str) -> None:
         self._show(f"Goal accepted with ID: {goal_id}\n", {"accepted": True, "goal_id": goal_id})
         self._is_accepted = True
         for message in self._early:
             self._show_feedback(message)
-        result = handle.get_result_async()
-        try:
-            return self._end(self._wait(result))
-        except KeyboardInterrupt:
-            self._cancel(handle)
-            self._end(self._wait(result))
-            return Status.INTERRUPTED
 
     def _cancel(self, handle: ClientGoalHandle[Any, Any, Any]) -> None:
         self._say("Canceling goal...")

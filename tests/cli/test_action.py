@@ -202,6 +202,14 @@ def test_ctrl_c_cancels_the_goal(start: Start) -> None:
     assert program.output.endswith(end)
 
 
+@pytest.mark.usefixtures("server")
+def test_ctrl_c_just_behind_the_acceptance_cancels_the_goal(start: Start) -> None:
+    program = start("zbot", "action", "send_goal", "/fibonacci", "order: 7")
+    program.wait_for("Goal accepted")
+    assert program.stop(signal.SIGINT) == 130
+    assert program.output.endswith("Goal finished with status: CANCELED")
+
+
 def test_echo_shows_feedback_and_status(server: library.Node, start: Start) -> None:
     words = ("-i", "FEEDBACK_TOPIC|STATUS_TOPIC")
     program = start("zbot", "action", "echo", "/fibonacci", *words)
