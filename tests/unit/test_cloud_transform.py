@@ -6,9 +6,9 @@ import math
 
 import pytest
 
-from zbot.cloud_transform import do_transform_cloud, transform_points
-from zbot.point_cloud import PointCloudError, create_cloud, read_points
+from zbot.libraries.point_cloud import PointCloudError, create_cloud, read_points
 from zbot.tf2 import Buffer
+from zbot.tf2.cloud_transform import do_transform_cloud, transform_points
 
 from geometry_msgs.msg import Quaternion, Transform, TransformStamped, Vector3
 from sensor_msgs.msg import PointCloud2, PointField

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from zbot.image_array import CvBridge, CvBridgeError
+from zbot.libraries.image_array import CvBridge, CvBridgeError
 
 from sensor_msgs.msg import CompressedImage, Image
 from std_msgs.msg import Header

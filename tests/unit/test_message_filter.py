@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from zbot.message_filter import (
+from zbot.libraries.message_filter import (
     ApproximateTimeSynchronizer,
     Cache,
     Chain,

@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from zbot.point_cloud import (
+from zbot.libraries.point_cloud import (
     PointCloudError,
     create_cloud,
     create_cloud_xyz32,

@@ -9,7 +9,7 @@ import copy
 import sys
 from typing import TYPE_CHECKING, Any
 
-from zbot.point_cloud import read_points
+from zbot.libraries.point_cloud import read_points
 from zbot.tf2 import conversion
 from zbot.tf2.rigid import normalized
 
