@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from zbot.multi_threaded_executor import MultiThreadedExecutor as MultiThreadedExecutor
     from zbot.node import Node as Node
     from zbot.parameter import Parameter as Parameter
+    from zbot.process.signals import SignalHandlerOptions as SignalHandlerOptions
     from zbot.publisher import Publisher as Publisher
     from zbot.qos import DurabilityPolicy as DurabilityPolicy
     from zbot.qos import HistoryPolicy as HistoryPolicy
@@ -51,7 +52,6 @@ if TYPE_CHECKING:
     from zbot.runtime import spin_once as spin_once
     from zbot.runtime import spin_until_future_complete as spin_until_future_complete
     from zbot.runtime import try_shutdown as try_shutdown
-    from zbot.signals import SignalHandlerOptions as SignalHandlerOptions
     from zbot.subscription import MessageInfo as MessageInfo
     from zbot.subscription import Subscription as Subscription
     from zbot.task import Future as Future
@@ -97,7 +97,7 @@ _HOMES = {
     "spin_once": "zbot.runtime",
     "spin_until_future_complete": "zbot.runtime",
     "try_shutdown": "zbot.runtime",
-    "SignalHandlerOptions": "zbot.signals",
+    "SignalHandlerOptions": "zbot.process.signals",
     "MessageInfo": "zbot.subscription",
     "Subscription": "zbot.subscription",
     "Future": "zbot.task",

@@ -27,7 +27,7 @@ from zbot.errors import (
 from zbot.foreign_call import called_by_zenoh, in_one_go, keep_thread_state
 from zbot.handle import Handle
 from zbot.interfaces import type_name
-from zbot.memory import LARGE_BYTES, keep_freed_memory
+from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.semaphore import LONGEST_WAIT_S, BinarySemaphore, Haste
 from zbot.service_introspection import ServiceEndpoint, Step
 from zbot.task import Future

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import zenoh
 
-from zbot import blocked_put, config, ending, membership, shared_memory
+from zbot import config, membership, shared_memory
 from zbot.arguments import Arguments
 from zbot.errors import ArgumentTypeError, ContextInitializedError, NotInitializedError
 from zbot.foreign_call import in_one_go, uninterrupted
@@ -18,8 +18,9 @@ from zbot.graph import Graph
 from zbot.handle import Handle
 from zbot.log import configure, get_logger, get_logging_severity_from_string
 from zbot.meeting_watch import MeetingWatch
-from zbot.memory import spare_the_collector
 from zbot.notice import NOTICE_KEY, log_notice
+from zbot.process import at_exit, blocked_put
+from zbot.process.memory import spare_the_collector
 from zbot.session import MeetingPoint, process_facts
 from zbot.version import __version__
 from zbot.weak_set import WeakSet
@@ -343,8 +344,8 @@ class Context:
     def _adopt(self, session: zenoh.Session, meeting: MeetingPoint, *, watch: bool = True) -> None:
         # In this order: a Ctrl-C in between must find everything that is to be closed.
         self._session, self._meeting = session, meeting
-        ending.open_contexts.add(self)
-        ending.hook()
+        at_exit.open_contexts.add(self)
+        at_exit.hook()
         if watch:
             self._watch = MeetingWatch(session, meeting, self.receiver)
             self._watch.start()
@@ -436,7 +437,7 @@ class Context:
             self._watch.join()
         if self._meeting is not None:
             self._meeting.close()
-        ending.open_contexts.discard(self)
+        at_exit.open_contexts.discard(self)
 
 
 def _configure_logging(arguments: Arguments) -> None:

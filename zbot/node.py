@@ -12,7 +12,6 @@ from zbot.event import PublisherEventCallbacks, SubscriptionEventCallbacks
 from zbot.guard_condition import GuardCondition
 from zbot.interfaces.type_support import check_is_valid_msg_type, check_is_valid_srv_type
 from zbot.log import get_logger
-from zbot.memory import spare_the_collector
 from zbot.names import (
     fully_qualified,
     validate_namespace,
@@ -23,6 +22,7 @@ from zbot.node_handle import NodeHandle
 from zbot.node_insides import NodeInsides
 from zbot.node_parameters import NodeParameters, overrides_of
 from zbot.parameter_services import ParameterServices
+from zbot.process.memory import spare_the_collector
 from zbot.publisher import Publisher
 from zbot.qos import (
     QoSProfile,

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
 
-from zbot import blocked_put
 from zbot.endpoint import TopicEndpoint
 from zbot.errors import InvalidHandleError, MessageTypeError, NotInitializedError
 from zbot.interfaces import type_name
-from zbot.memory import LARGE_BYTES, keep_freed_memory
+from zbot.process import blocked_put
+from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
 from zbot.serialization import deserialize_message, is_cdr
 from zbot.wire.attachment import GID_LENGTH, LAYOUT

@@ -5,13 +5,13 @@ from __future__ import annotations
 import contextlib
 from typing import TYPE_CHECKING, Any
 
-from zbot import signals
 from zbot.context import get_default_context
 from zbot.endpoint import RMW_IDENTIFIER
 from zbot.errors import NotInitializedError
 from zbot.executor import SingleThreadedExecutor
 from zbot.node import Node
-from zbot.signals import SignalHandlerOptions
+from zbot.process import signals
+from zbot.process.signals import SignalHandlerOptions
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

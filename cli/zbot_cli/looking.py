@@ -64,7 +64,7 @@ def hidden_node(
         survives_ctrl_c: Whether Ctrl-C leaves it open, for a command that has to tidy up.
     """
     from zbot.node import Node  # noqa: PLC0415 - lists do without
-    from zbot.signals import SignalHandlerOptions, install  # noqa: PLC0415 - lists do without
+    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - lists do without
 
     install(SignalHandlerOptions.SIGTERM if survives_ctrl_c else SignalHandlerOptions.ALL)
     with client(wait=True) as context:

@@ -51,7 +51,7 @@ def serve_page(
     Raises:
         NoWebExtraError: The extra is not installed.
     """
-    from zbot.signals import SignalHandlerOptions, install  # noqa: PLC0415 - `--help` does without
+    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - `--help` does without
 
     check_extra()
     from zbot.web.browser import has_desktop  # noqa: PLC0415 - as above

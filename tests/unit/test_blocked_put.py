@@ -7,7 +7,7 @@ import sys
 
 BUSY = """
 import _thread, gc, sys, threading, time
-from zbot import blocked_put
+from zbot.process import blocked_put
 
 class Waste:
     def __init__(self):

@@ -19,12 +19,12 @@ from zbot.action.service import Reply, call, create_action_service
 from zbot.callback_group import ReentrantCallbackGroup
 from zbot.errors import InvalidHandleError
 from zbot.interfaces import type_name
+from zbot.process.signals import user_part
 from zbot.qos import (
     QoSProfile,
     qos_profile_action_status_default,
     qos_profile_services_default,
 )
-from zbot.signals import user_part
 from zbot.time import S_TO_NS
 from zbot.timer import Timer
 from zbot.waitable import NumberOfEntities

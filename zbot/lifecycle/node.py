@@ -25,7 +25,7 @@ from zbot.lifecycle.state_machine import (
     TransitionNotPossibleError,
 )
 from zbot.node import Node
-from zbot.signals import user_part
+from zbot.process.signals import user_part
 
 if TYPE_CHECKING:
     from collections.abc import Callable

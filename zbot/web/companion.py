@@ -58,7 +58,7 @@ class Companion:
 
 def main() -> None:
     """Serve until standard input closes, or show the page that another companion serves."""
-    from zbot.signals import SignalHandlerOptions, install  # noqa: PLC0415 - only in that process
+    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - only in that process
     from zbot.web.server import serve  # noqa: PLC0415 - as above
 
     threading.Thread(target=_end_with_input, name="zbot companion", daemon=True).start()

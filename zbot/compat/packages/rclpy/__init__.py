@@ -4,6 +4,9 @@ from zbot.compat.submodules import submodules
 from zbot.context import Context as Context
 from zbot.context import get_default_context as get_default_context
 from zbot.parameter import Parameter as Parameter
+from zbot.process.signals import SignalHandlerOptions as SignalHandlerOptions
+from zbot.process.signals import install as install_signal_handlers
+from zbot.process.signals import uninstall as uninstall_signal_handlers
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import qos_profile_rosout_default as qos_profile_rosout_default
 from zbot.runtime import InitContextManager as InitContextManager
@@ -17,9 +20,6 @@ from zbot.runtime import spin as spin
 from zbot.runtime import spin_once as spin_once
 from zbot.runtime import spin_until_future_complete as spin_until_future_complete
 from zbot.runtime import try_shutdown as try_shutdown
-from zbot.signals import SignalHandlerOptions as SignalHandlerOptions
-from zbot.signals import install as install_signal_handlers
-from zbot.signals import uninstall as uninstall_signal_handlers
 from zbot.task import Future as Future
 
 __getattr__ = submodules(

@@ -25,6 +25,10 @@ from zbot.log import get_logger_level as rclpy_logging_get_logger_level
 from zbot.log import get_logging_directory as rclpy_logging_get_logging_directory
 from zbot.log import set_logger_level as rclpy_logging_set_logger_level
 from zbot.names import expand_topic_name as rclpy_expand_topic_name
+from zbot.process.signals import SignalHandlerOptions as SignalHandlerOptions
+from zbot.process.signals import install as install_signal_handlers
+from zbot.process.signals import installed as get_current_signal_handlers_options
+from zbot.process.signals import uninstall as uninstall_signal_handlers
 from zbot.qos import PlainQoSProfile as rmw_qos_profile_t  # noqa: N813 - rclpy's name
 from zbot.qos import QoSCompatibility as QoSCompatibility
 from zbot.qos import qos_check_compatible as rclpy_qos_check_compatible
@@ -33,9 +37,5 @@ from zbot.runtime import (
 )
 from zbot.serialization import deserialize_message as rclpy_deserialize
 from zbot.serialization import serialize_message as rclpy_serialize
-from zbot.signals import SignalHandlerOptions as SignalHandlerOptions
-from zbot.signals import install as install_signal_handlers
-from zbot.signals import installed as get_current_signal_handlers_options
-from zbot.signals import uninstall as uninstall_signal_handlers
 from zbot.time import ClockType as ClockType
 from zbot.wait_set import WaitSet as WaitSet

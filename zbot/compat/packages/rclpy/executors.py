@@ -15,8 +15,8 @@ from zbot.executor import SingleThreadedExecutor as SingleThreadedExecutor
 from zbot.guard_condition import GuardCondition as GuardCondition
 from zbot.interfaces.message import Message as Msg
 from zbot.multi_threaded_executor import MultiThreadedExecutor as MultiThreadedExecutor
+from zbot.process.signals import SignalHandlerGuardCondition as SignalHandlerGuardCondition
 from zbot.service import Service as Service
-from zbot.signals import SignalHandlerGuardCondition as SignalHandlerGuardCondition
 from zbot.subscription import MessageInfo as MessageInfo
 from zbot.subscription import Subscription as Subscription
 from zbot.task import Future as Future

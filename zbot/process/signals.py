@@ -19,7 +19,6 @@ from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from zbot import ending
 from zbot.context import get_default_context
 from zbot.errors import (
     ExternalShutdownException,
@@ -30,6 +29,7 @@ from zbot.errors import (
 from zbot.executor import spinning_in_main_thread
 from zbot.foreign_call import is_uninterrupted
 from zbot.guard_condition import GuardCondition
+from zbot.process import at_exit
 from zbot.weak_set import WeakSet
 
 if TYPE_CHECKING:
@@ -83,7 +83,7 @@ _guards: WeakSet[SignalHandlerGuardCondition] = WeakSet()
 
 
 class _Process:
-    """What this process has installed, and how it is ending."""
+    """What this process has installed, and how it is at_exit."""
 
     previous: dict[int, Any] = {}  # noqa: RUF012 - one per process
     hooked = False
@@ -124,7 +124,7 @@ def _replace(number: int, handler: Any) -> None:
 
 
 def _interrupt_contexts() -> None:
-    for context in ending.open_contexts:
+    for context in at_exit.open_contexts:
         context.interrupt()
     if _guards:
         # In a thread: who waits for one may hold its lock, and be what this signal interrupted.
@@ -155,7 +155,7 @@ def _signal_main_thread(number: int) -> None:
 
 
 def _on_sigint(number: int, frame: FrameType | None) -> None:
-    if ending.is_ending():
+    if at_exit.is_ending():
         return
     if _is_postponed(number, frame):
         return
@@ -168,7 +168,7 @@ def _on_sigint(number: int, frame: FrameType | None) -> None:
 
 
 def _on_sigterm(number: int, frame: FrameType | None) -> None:
-    if ending.is_ending():
+    if at_exit.is_ending():
         return
     if _is_postponed(number, frame):
         return
@@ -193,7 +193,7 @@ def _hook_ways_out() -> None:
 
     def on_thread_exception(args: threading.ExceptHookArgs) -> None:
         quiet: tuple[type[BaseException], ...] = (ExternalShutdownException, KeyboardInterrupt)
-        if ending.is_ending():
+        if at_exit.is_ending():
             quiet += (NotInitializedError,)  # the thread used what was closed under it
         if not issubclass(args.exc_type, quiet):
             _shorten(args.exc_value)
@@ -201,7 +201,7 @@ def _hook_ways_out() -> None:
 
     threading.excepthook = on_thread_exception
     sys.unraisablehook = _again(sys.unraisablehook)
-    ending.hook()
+    at_exit.hook()
     atexit.register(_die_of_sigterm)
 
 
@@ -226,7 +226,7 @@ def _again(previous: Any) -> Any:
     def unraisablehook(args: Any) -> None:
         number = signal.SIGINT if args.exc_type is KeyboardInterrupt else signal.SIGTERM
         ours = (KeyboardInterrupt, ExternalShutdownException, SystemExit)
-        if ending.is_ending() or sys.platform == "win32" or not issubclass(args.exc_type, ours):
+        if at_exit.is_ending() or sys.platform == "win32" or not issubclass(args.exc_type, ours):
             previous(args)
         else:
             # The process may have come to its end: what the signal asked for is under way.

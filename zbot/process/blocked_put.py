@@ -23,8 +23,8 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from zbot import ending
 from zbot.config import port_of
+from zbot.process import at_exit
 from zbot.weak_set import WeakSet
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ def watch_signals() -> None:
 def _watch(reader: socket.socket, _writer: socket.socket) -> None:
     # The main thread's put keeps the signal's handler from running, any other the program's end.
     while reader.recv(1):
-        release(session for context in ending.open_contexts for session in context.sessions)
+        release(session for context in at_exit.open_contexts for session in context.sessions)
 
 
 def release(sessions: Iterable[zenoh.Session]) -> None:
