@@ -19,20 +19,26 @@ from zbot.late_names import late_names
 from zbot.version import __version__ as __version__
 
 if TYPE_CHECKING:
-    from zbot.callback_group import CallbackGroup as CallbackGroup
-    from zbot.callback_group import MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup
-    from zbot.callback_group import ReentrantCallbackGroup as ReentrantCallbackGroup
-    from zbot.clock import Clock as Clock
-    from zbot.clock import ROSClock as ROSClock
     from zbot.context import Context as Context
     from zbot.context import get_default_context as get_default_context
     from zbot.errors import ExternalShutdownException as ExternalShutdownException
     from zbot.errors import ZbotError as ZbotError
-    from zbot.executor import Executor as Executor
-    from zbot.executor import SingleThreadedExecutor as SingleThreadedExecutor
+    from zbot.executor.callback_group import CallbackGroup as CallbackGroup
+    from zbot.executor.callback_group import (
+        MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup,
+    )
+    from zbot.executor.callback_group import ReentrantCallbackGroup as ReentrantCallbackGroup
+    from zbot.executor.clock import Clock as Clock
+    from zbot.executor.clock import ROSClock as ROSClock
+    from zbot.executor.executor import Executor as Executor
+    from zbot.executor.executor import SingleThreadedExecutor as SingleThreadedExecutor
+    from zbot.executor.multi_threaded_executor import MultiThreadedExecutor as MultiThreadedExecutor
+    from zbot.executor.task import Future as Future
+    from zbot.executor.task import Task as Task
+    from zbot.executor.timer import Rate as Rate
+    from zbot.executor.timer import Timer as Timer
     from zbot.log import LoggingSeverity as LoggingSeverity
     from zbot.log import get_logger as get_logger
-    from zbot.multi_threaded_executor import MultiThreadedExecutor as MultiThreadedExecutor
     from zbot.node import Node as Node
     from zbot.parameter import Parameter as Parameter
     from zbot.process.signals import SignalHandlerOptions as SignalHandlerOptions
@@ -54,29 +60,25 @@ if TYPE_CHECKING:
     from zbot.runtime import try_shutdown as try_shutdown
     from zbot.subscription import MessageInfo as MessageInfo
     from zbot.subscription import Subscription as Subscription
-    from zbot.task import Future as Future
-    from zbot.task import Task as Task
     from zbot.time import ClockType as ClockType
     from zbot.time import Duration as Duration
     from zbot.time import Time as Time
-    from zbot.timer import Rate as Rate
-    from zbot.timer import Timer as Timer
 
 # Where each name lives: it is imported when it is first used, because a command that lists topics
 # must not wait for executors.
 _HOMES = {
-    "CallbackGroup": "zbot.callback_group",
-    "MutuallyExclusiveCallbackGroup": "zbot.callback_group",
-    "ReentrantCallbackGroup": "zbot.callback_group",
-    "Clock": "zbot.clock",
-    "ROSClock": "zbot.clock",
+    "CallbackGroup": "zbot.executor.callback_group",
+    "MutuallyExclusiveCallbackGroup": "zbot.executor.callback_group",
+    "ReentrantCallbackGroup": "zbot.executor.callback_group",
+    "Clock": "zbot.executor.clock",
+    "ROSClock": "zbot.executor.clock",
     "Context": "zbot.context",
     "get_default_context": "zbot.context",
     "ZbotError": "zbot.errors",
-    "Executor": "zbot.executor",
+    "Executor": "zbot.executor.executor",
     "ExternalShutdownException": "zbot.errors",
-    "MultiThreadedExecutor": "zbot.multi_threaded_executor",
-    "SingleThreadedExecutor": "zbot.executor",
+    "MultiThreadedExecutor": "zbot.executor.multi_threaded_executor",
+    "SingleThreadedExecutor": "zbot.executor.executor",
     "LoggingSeverity": "zbot.log",
     "get_logger": "zbot.log",
     "Node": "zbot.node",
@@ -100,13 +102,13 @@ _HOMES = {
     "SignalHandlerOptions": "zbot.process.signals",
     "MessageInfo": "zbot.subscription",
     "Subscription": "zbot.subscription",
-    "Future": "zbot.task",
-    "Task": "zbot.task",
+    "Future": "zbot.executor.task",
+    "Task": "zbot.executor.task",
     "ClockType": "zbot.time",
     "Duration": "zbot.time",
     "Time": "zbot.time",
-    "Rate": "zbot.timer",
-    "Timer": "zbot.timer",
+    "Rate": "zbot.executor.timer",
+    "Timer": "zbot.executor.timer",
 }
 
 __getattr__, __dir__ = late_names(__name__, _HOMES, "__version__")

@@ -17,20 +17,20 @@ from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar, cast
 
 import zenoh
 
-from zbot.callback_stack import callbacks, current_executor
 from zbot.errors import (
     InvalidHandleError,
     NotInitializedError,
     RequestTypeError,
     ServiceError,
 )
+from zbot.executor.callback_stack import callbacks, current_executor
+from zbot.executor.task import Future
 from zbot.foreign_call import called_by_zenoh, in_one_go, keep_thread_state
 from zbot.handle import Handle
 from zbot.interfaces import type_name
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.semaphore import LONGEST_WAIT_S, BinarySemaphore, Haste
 from zbot.service_introspection import ServiceEndpoint, Step
-from zbot.task import Future
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.codec import CodecError
 from zbot.wire.error_reply import unpack_error
@@ -40,10 +40,10 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.callback_group import CallbackGroup
     from zbot.context import Context
-    from zbot.executor import Executor
-    from zbot.mailbox import Mailbox
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.executor.executor import Executor
+    from zbot.executor.ready_queue import Mailbox
     from zbot.service import Service
     from zbot.wire.tokens import EndpointToken
 

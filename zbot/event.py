@@ -11,18 +11,18 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from zbot.clock import Clock
+from zbot.executor.clock import Clock
+from zbot.executor.ready_queue import Mailbox
+from zbot.executor.timer import Timer
 from zbot.handle import Handle
-from zbot.mailbox import Mailbox
 from zbot.qos import LivelinessPolicy, QoSPolicyKind
 from zbot.time import ClockType
-from zbot.timer import Timer
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.callback_group import CallbackGroup
+    from zbot.executor.callback_group import CallbackGroup
     from zbot.graph import Graph, Token
     from zbot.time import Duration
 

@@ -9,7 +9,8 @@ from zbot.client import Client
 from zbot.context import get_default_context
 from zbot.errors import ArgumentTypeError, InvalidPeriodError, NodeNameError
 from zbot.event import PublisherEventCallbacks, SubscriptionEventCallbacks
-from zbot.guard_condition import GuardCondition
+from zbot.executor.guard_condition import GuardCondition
+from zbot.executor.timer import Rate, Timer
 from zbot.interfaces.type_support import check_is_valid_msg_type, check_is_valid_srv_type
 from zbot.log import get_logger
 from zbot.names import (
@@ -36,7 +37,6 @@ from zbot.service import Service
 from zbot.subscription import ContentFilterOptions, Subscription
 from zbot.time import S_TO_NS
 from zbot.time_source import TimeSource
-from zbot.timer import Rate, Timer
 from zbot.type_description import TypeDescriptionService
 from zbot.wire.tokens import EntityKind
 
@@ -46,14 +46,14 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.callback_group import CallbackGroup
-    from zbot.clock import Clock
     from zbot.context import Context
-    from zbot.executor import Executor
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.executor.clock import Clock
+    from zbot.executor.executor import Executor
+    from zbot.executor.waitable import Waitable
     from zbot.log import Logger
     from zbot.parameter import Parameter
     from zbot.qos_overriding_options import QoSOverridingOptions
-    from zbot.waitable import Waitable
 
 MsgT = TypeVar("MsgT")
 EntityT = TypeVar("EntityT")

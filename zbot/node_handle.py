@@ -6,11 +6,12 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.advice import adviser_of
-from zbot.callback_group import CallbackGroup, MutuallyExclusiveCallbackGroup
-from zbot.clock import ROSClock
 from zbot.errors import InvalidHandleError
+from zbot.executor.callback_group import CallbackGroup, MutuallyExclusiveCallbackGroup
+from zbot.executor.clock import ROSClock
+from zbot.executor.ready_queue import Mailbox
+from zbot.executor.waitable import WaitableEntity
 from zbot.interfaces import type_hash, type_name
-from zbot.mailbox import Mailbox
 from zbot.names import (
     expand_topic_name,
     fully_qualified,
@@ -18,7 +19,6 @@ from zbot.names import (
     validate_topic_name,
 )
 from zbot.parameter_store import ParameterStore
-from zbot.waitable import WaitableEntity
 from zbot.wire.tokens import EndpointToken, NodeToken
 
 if TYPE_CHECKING:
@@ -27,15 +27,15 @@ if TYPE_CHECKING:
     from zbot.arguments import Arguments
     from zbot.client import Client
     from zbot.context import Context
-    from zbot.executor import Executor
-    from zbot.guard_condition import GuardCondition
+    from zbot.executor.executor import Executor
+    from zbot.executor.guard_condition import GuardCondition
+    from zbot.executor.timer import Rate, Timer
+    from zbot.executor.waitable import Waitable
     from zbot.parameter_store import Changes
     from zbot.publisher import Publisher
     from zbot.qos import QoSProfile
     from zbot.service import Service
     from zbot.subscription import Subscription
-    from zbot.timer import Rate, Timer
-    from zbot.waitable import Waitable
     from zbot.wire.tokens import EntityKind
 
 

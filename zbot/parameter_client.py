@@ -21,12 +21,12 @@ from rcl_interfaces.srv import (
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from zbot.callback_group import CallbackGroup
     from zbot.client import Client
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.executor.task import Future
     from zbot.node import Node
     from zbot.qos import QoSProfile
     from zbot.subscription import Subscription
-    from zbot.task import Future
 
     from rcl_interfaces.msg import Parameter as ParameterMsg
 

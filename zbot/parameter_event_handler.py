@@ -15,7 +15,7 @@ from rcl_interfaces.msg import ParameterEvent
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from zbot.callback_group import CallbackGroup
+    from zbot.executor.callback_group import CallbackGroup
     from zbot.node import Node
     from zbot.qos import QoSProfile
 

@@ -22,8 +22,8 @@ from zbot.wire.attachment import GID_LENGTH, LAYOUT
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.callback_group import CallbackGroup
     from zbot.context import Context
+    from zbot.executor.callback_group import CallbackGroup
     from zbot.time import Duration
     from zbot.wire.tokens import EndpointToken
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.context import get_default_context
 from zbot.endpoint import RMW_IDENTIFIER
 from zbot.errors import NotInitializedError
-from zbot.executor import SingleThreadedExecutor
+from zbot.executor.executor import SingleThreadedExecutor
 from zbot.node import Node
 from zbot.process import signals
 from zbot.process.signals import SignalHandlerOptions
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
     from types import TracebackType
 
     from zbot.context import Context
-    from zbot.executor import Executor
-    from zbot.task import Future
+    from zbot.executor.executor import Executor
+    from zbot.executor.task import Future
 
 _executors: dict[int, Executor] = {}
 

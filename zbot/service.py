@@ -27,9 +27,9 @@ from zbot.wire.error_reply import ENCODING, pack_error
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
 
-    from zbot.callback_group import CallbackGroup
     from zbot.context import Context
-    from zbot.mailbox import Mailbox
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.executor.ready_queue import Mailbox
     from zbot.wire.tokens import EndpointToken
 
 RequestT = TypeVar("RequestT")

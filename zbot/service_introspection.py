@@ -14,9 +14,9 @@ from zbot.wire.attachment import GID_LENGTH
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 if TYPE_CHECKING:
-    from zbot.callback_group import CallbackGroup
-    from zbot.clock import Clock
     from zbot.context import Context
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.executor.clock import Clock
 
 _NUMBER = Struct("<q")  # how an attachment begins
 

@@ -38,10 +38,10 @@ from zbot.wire.dialect import other_type
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.callback_group import CallbackGroup
     from zbot.content_filter import ContentFilter
     from zbot.context import Context
-    from zbot.mailbox import Mailbox
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.executor.ready_queue import Mailbox
     from zbot.wire.tokens import EndpointToken
 
 MsgT = TypeVar("MsgT")

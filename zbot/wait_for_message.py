@@ -5,8 +5,8 @@ from __future__ import annotations
 import time
 from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
-from zbot.callback_group import ReentrantCallbackGroup
-from zbot.mailbox import Mailbox
+from zbot.executor.callback_group import ReentrantCallbackGroup
+from zbot.executor.ready_queue import Mailbox
 from zbot.qos import as_profile
 from zbot.semaphore import LONGEST_WAIT_S, BinarySemaphore
 from zbot.subscription import Subscription

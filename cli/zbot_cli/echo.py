@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.event import SubscriptionEventCallbacks
-from zbot.executor import SingleThreadedExecutor
+from zbot.executor.executor import SingleThreadedExecutor
 from zbot.plain_text import harmless
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.looking import full_name, hidden_node

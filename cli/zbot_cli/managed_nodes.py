@@ -16,9 +16,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
     from zbot.client import Client
+    from zbot.executor.task import Future
     from zbot.graph import Snapshot
     from zbot.node import Node
-    from zbot.task import Future
 
     from lifecycle_msgs.msg import State, TransitionDescription
 

@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from zbot.action import ActionClient, ClientGoalHandle
+    from zbot.executor.task import Future
     from zbot.node import Node
-    from zbot.task import Future
 
 _STEP_S = 0.5  # between two looks whether a signal came while the graph stays as it is
 _REPR_OF = {True: "AttributeError", False: "ValueError"}

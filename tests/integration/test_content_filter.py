@@ -9,9 +9,9 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from zbot.content_filter import ContentFilterError
+from zbot.executor.wait_set import WaitSet
 from zbot.serialization import deserialize_message
 from zbot.subscription import ContentFilterOptions, NoContentFilterError
-from zbot.wait_set import WaitSet
 
 from std_msgs.msg import Int64
 

@@ -23,8 +23,8 @@ from zbot.event import (
     QoSSubscriptionEventType,
     SubscriptionEventCallbacks,
 )
+from zbot.executor.wait_set import WaitSet
 from zbot.qos import HistoryPolicy, LivelinessPolicy, QoSPolicyKind, QoSProfile
-from zbot.wait_set import WaitSet
 
 from std_msgs.msg import Float32, Int64, String
 

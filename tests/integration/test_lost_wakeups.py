@@ -15,8 +15,8 @@ import pytest
 
 import zbot
 from tests.conftest import allowed
+from zbot.executor.wait_set import WaitSet
 from zbot.wait_for_message import wait_for_message
-from zbot.wait_set import WaitSet
 
 from std_msgs.msg import String
 from std_srvs.srv import Trigger

@@ -164,7 +164,7 @@ except KeyboardInterrupt:
 GUARDED = """
 import signal, threading, zbot.compat, rclpy
 from rclpy.signals import SignalHandlerGuardCondition
-from zbot.wait_set import WaitSet
+from zbot.executor.wait_set import WaitSet
 
 rclpy.init()
 guard = SignalHandlerGuardCondition()

@@ -9,8 +9,8 @@ import pytest
 
 import zbot
 import zbot.compat  # noqa: F401 - makes rclpy importable
-from zbot.clock import Clock, ROSClock
 from zbot.errors import ClockTypeError
+from zbot.executor.clock import Clock, ROSClock
 from zbot.time import Time
 from zbot.time_source import TimeSource
 

@@ -12,13 +12,13 @@ import pytest
 
 import zbot
 from tests.conftest import allowed, wait_until
-from zbot.clock import Clock
 from zbot.errors import (
     ArgumentTypeError,
     InvalidHandleError,
     InvalidPeriodError,
     RateInterruptedError,
 )
+from zbot.executor.clock import Clock
 from zbot.time import ClockType, Time
 
 from rosgraph_msgs.msg import Clock as ClockMessage
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
     from tests.conftest import Spinner
-    from zbot.timer import TimerInfo
+    from zbot.executor.timer import TimerInfo
 
     MakeContext = Callable[[], zbot.Context]
     Spin = Callable[..., Spinner]

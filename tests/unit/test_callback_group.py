@@ -5,7 +5,7 @@ import threading
 
 import pytest
 
-from zbot.callback_group import (
+from zbot.executor.callback_group import (
     CallbackGroup,
     MutuallyExclusiveCallbackGroup,
     ReentrantCallbackGroup,

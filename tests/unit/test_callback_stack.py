@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, cast
 
-from zbot.callback_stack import CallbackStack, callbacks, current_executor
+from zbot.executor.callback_stack import CallbackStack, callbacks, current_executor
 
 if TYPE_CHECKING:
-    from zbot.executor import Executor
+    from zbot.executor.executor import Executor
 
 OUTER, INNER = cast("Any", "outer"), cast("Any", "inner")
 EXECUTOR = cast("Executor", object())

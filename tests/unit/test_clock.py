@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.clock import Clock, ClockChange, JumpThreshold, ROSClock, TimeJump
 from zbot.errors import (
     ArgumentTypeError,
     ClockTypeError,
@@ -16,6 +15,7 @@ from zbot.errors import (
     NotInitializedError,
     ZbotError,
 )
+from zbot.executor.clock import Clock, ClockChange, JumpThreshold, ROSClock, TimeJump
 from zbot.time import ClockType, Duration, Time
 
 if TYPE_CHECKING:

@@ -2,9 +2,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from zbot.callback_group import ReentrantCallbackGroup
-from zbot.guard_condition import GuardCondition
-from zbot.mailbox import Mailbox
+from zbot.executor.callback_group import ReentrantCallbackGroup
+from zbot.executor.guard_condition import GuardCondition
+from zbot.executor.ready_queue import Mailbox
 
 
 def make(mailbox: Mailbox) -> GuardCondition:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from zbot.errors import ExternalShutdownException
-from zbot.task import Future, FutureState, Task
+from zbot.executor.task import Future, FutureState, Task
 
 if TYPE_CHECKING:
     from collections.abc import Callable

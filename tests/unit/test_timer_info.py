@@ -5,8 +5,8 @@ from typing import Any
 import pytest
 
 from zbot.errors import ArgumentTypeError, NegativeTimeError
+from zbot.executor.timer import TimerInfo
 from zbot.time import ClockType, Time
-from zbot.timer import TimerInfo
 
 
 def test_times_are_nanoseconds_of_one_kind_of_clock() -> None:

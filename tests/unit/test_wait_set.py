@@ -2,9 +2,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.executor.ready_queue import Mailbox
+from zbot.executor.wait_set import WaitSet
 from zbot.handle import Handle
-from zbot.mailbox import Mailbox
-from zbot.wait_set import WaitSet
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

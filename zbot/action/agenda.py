@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.callback_group import CallbackGroup
-    from zbot.mailbox import Mailbox
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.executor.ready_queue import Mailbox
 
 
 class Agenda:

@@ -17,19 +17,19 @@ from zbot.action.errors import ActionMessageError, NotAnActionTypeError
 from zbot.action.feedback import FeedbackSubscription
 from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalState
-from zbot.callback_group import ReentrantCallbackGroup
-from zbot.clock import Clock
 from zbot.errors import InvalidHandleError, ServiceError
+from zbot.executor.callback_group import ReentrantCallbackGroup
+from zbot.executor.clock import Clock
+from zbot.executor.task import Future
+from zbot.executor.timer import Timer
+from zbot.executor.waitable import NumberOfEntities
 from zbot.interfaces import type_name
 from zbot.qos import (
     QoSProfile,
     qos_profile_action_status_default,
     qos_profile_services_default,
 )
-from zbot.task import Future
 from zbot.time import S_TO_NS, ClockType
-from zbot.timer import Timer
-from zbot.waitable import NumberOfEntities
 
 from action_msgs.srv import CancelGoal
 from unique_identifier_msgs.msg import UUID
@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.callback_group import CallbackGroup
+    from zbot.executor.callback_group import CallbackGroup
     from zbot.node import Node
     from zbot.service_introspection import ServiceIntrospectionState
 

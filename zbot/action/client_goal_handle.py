@@ -8,7 +8,7 @@ from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
 
 if TYPE_CHECKING:
     from zbot.action.client import ActionClient
-    from zbot.task import Future
+    from zbot.executor.task import Future
 
     from action_msgs.srv import CancelGoal
     from builtin_interfaces.msg import Time

@@ -15,7 +15,7 @@ from zbot.wire.tokens import EntityKind
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.callback_group import CallbackGroup
+    from zbot.executor.callback_group import CallbackGroup
     from zbot.node import Node
     from zbot.qos import QoSProfile
     from zbot.wire.tokens import EndpointToken

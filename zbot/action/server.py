@@ -16,8 +16,10 @@ from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalEvent, GoalState, GoalTransitionError
 from zbot.action.server_goal_handle import ServerGoalHandle
 from zbot.action.service import Reply, call, create_action_service
-from zbot.callback_group import ReentrantCallbackGroup
 from zbot.errors import InvalidHandleError
+from zbot.executor.callback_group import ReentrantCallbackGroup
+from zbot.executor.timer import Timer
+from zbot.executor.waitable import NumberOfEntities
 from zbot.interfaces import type_name
 from zbot.process.signals import user_part
 from zbot.qos import (
@@ -26,8 +28,6 @@ from zbot.qos import (
     qos_profile_services_default,
 )
 from zbot.time import S_TO_NS
-from zbot.timer import Timer
-from zbot.waitable import NumberOfEntities
 
 from action_msgs.msg import GoalInfo
 
@@ -37,8 +37,8 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.callback_group import CallbackGroup
-    from zbot.clock import Clock
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.executor.clock import Clock
     from zbot.node import Node
     from zbot.service_introspection import ServiceIntrospectionState
 

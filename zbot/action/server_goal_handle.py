@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalEvent, GoalState, next_state
-from zbot.task import Future
+from zbot.executor.task import Future
 from zbot.time import S_TO_NS
 
 from action_msgs.msg import GoalInfo, GoalStatus

@@ -8,8 +8,8 @@ from collections import deque
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from zbot.executor.task import Future
 from zbot.service import Service
-from zbot.task import Future
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     import zenoh
 
-    from zbot.callback_group import CallbackGroup
+    from zbot.executor.callback_group import CallbackGroup
     from zbot.node import Node
     from zbot.qos import QoSProfile
 

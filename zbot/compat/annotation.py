@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol, TypeAlias, TypedDict, 
 from zbot.interfaces.message import Service
 
 if TYPE_CHECKING:
-    from zbot.callback_group import CallbackGroup
-    from zbot.clock import ClockChange
     from zbot.context import Context
     from zbot.event import PublisherEventCallbacks
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.executor.clock import ClockChange
     from zbot.parameter import Parameter
     from zbot.qos_overriding_options import QoSOverridingOptions
 

@@ -8,15 +8,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot import client, guard_condition, service, subscription, timer
-from zbot.callback_group import ReentrantCallbackGroup
-from zbot.mailbox import Mailbox
+from zbot import client, service, subscription
+from zbot.executor.callback_group import ReentrantCallbackGroup
+from zbot.executor.executor import guard_condition, timer
+from zbot.executor.ready_queue import Mailbox
 from zbot.qos import PlainQoSProfile, QoSProfile
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
-    from zbot.clock import Clock
     from zbot.context import Context
+    from zbot.executor.clock import Clock
     from zbot.handle import Handle
     from zbot.node_handle import NodeHandle
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.context import Context
 from zbot.errors import ExternalShutdownException
-from zbot.executor import SingleThreadedExecutor
+from zbot.executor.executor import SingleThreadedExecutor
 from zbot.node import Node
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.context import Context
-from zbot.executor import SingleThreadedExecutor
+from zbot.executor.executor import SingleThreadedExecutor
 from zbot.node import Node
 
 if TYPE_CHECKING:

@@ -10,7 +10,7 @@ import threading
 from bisect import bisect_left, bisect_right
 from typing import TYPE_CHECKING, Any, Protocol
 
-from zbot.clock import ROSClock
+from zbot.executor.clock import ROSClock
 from zbot.log import get_logger
 from zbot.time import Duration, Time
 

@@ -30,7 +30,7 @@ from zbot.process.signals import user_part
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.callback_group import CallbackGroup
+    from zbot.executor.callback_group import CallbackGroup
     from zbot.lifecycle.state_machine import LifecycleState
     from zbot.publisher import Publisher
     from zbot.qos import QoSProfile

@@ -21,7 +21,7 @@ from lifecycle_msgs.srv import ChangeState, GetAvailableStates, GetAvailableTran
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from zbot.callback_group import CallbackGroup
+    from zbot.executor.callback_group import CallbackGroup
     from zbot.lifecycle.state_machine import LifecycleState, StateMachine, Transition
 
 #: Depth of the topic of transitions: ROS 2's default.

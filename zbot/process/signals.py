@@ -26,9 +26,9 @@ from zbot.errors import (
     NotInitializedError,
     SetupError,
 )
-from zbot.executor import spinning_in_main_thread
+from zbot.executor.executor import spinning_in_main_thread
+from zbot.executor.guard_condition import GuardCondition
 from zbot.foreign_call import is_uninterrupted
-from zbot.guard_condition import GuardCondition
 from zbot.process import at_exit
 from zbot.weak_set import WeakSet
 

@@ -6,10 +6,10 @@ import time as clock
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from zbot.callback_stack import current_executor
 from zbot.errors import ArgumentTypeError
+from zbot.executor.callback_stack import current_executor
+from zbot.executor.task import Future
 from zbot.semaphore import LONGEST_WAIT_S
-from zbot.task import Future
 from zbot.tf2.buffer_core import BufferCore
 from zbot.tf2.buffer_interface import NO_WAIT, BufferInterface
 from zbot.tf2.errors import TransformException

@@ -5,10 +5,10 @@ from __future__ import annotations
 import threading
 from typing import TYPE_CHECKING, Any
 
-from zbot.callback_group import ReentrantCallbackGroup
-from zbot.clock import ClockChange, JumpThreshold, TimeJump
 from zbot.errors import ExternalShutdownException
-from zbot.executor import SingleThreadedExecutor
+from zbot.executor.callback_group import ReentrantCallbackGroup
+from zbot.executor.clock import ClockChange, JumpThreshold, TimeJump
+from zbot.executor.executor import SingleThreadedExecutor
 from zbot.node import Node
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.tf2.broadcaster import TF_STATIC_TOPIC, TF_TOPIC

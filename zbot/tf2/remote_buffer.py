@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.action.client import ActionClient
 from zbot.action.server import ActionServer
-from zbot.callback_group import ReentrantCallbackGroup
+from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.tf2.buffer_interface import NO_WAIT, BufferInterface
 from zbot.tf2.errors import (
     ConnectivityException,

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from zbot.executor.timer import Timer
     from zbot.node import Node
     from zbot.publisher import Publisher
-    from zbot.timer import Timer
     from zbot.web.lease import Lease
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from zbot.action import ActionClient
 from zbot.context import Context
 from zbot.errors import ExternalShutdownException, NotInitializedError, ZbotError
-from zbot.executor import SingleThreadedExecutor
+from zbot.executor.executor import SingleThreadedExecutor
 from zbot.interfaces import get_interface
 from zbot.log import LoggingSeverity, get_logger, set_logger_level
 from zbot.names import ROSOUT_TOPIC
@@ -29,9 +29,9 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.client import Client
+    from zbot.executor.task import Future
     from zbot.graph import Snapshot, Token
     from zbot.publisher import Publisher
-    from zbot.task import Future
     from zbot.web.lease import Lease
 
 T = TypeVar("T")

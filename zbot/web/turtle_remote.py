@@ -18,9 +18,9 @@ from zbot.web.system import ReadOnlyError, answer
 
 if TYPE_CHECKING:
     from zbot.action import ActionClient
+    from zbot.executor.task import Future
     from zbot.graph import Snapshot
     from zbot.publisher import Publisher
-    from zbot.task import Future
     from zbot.web.lease import Lease
     from zbot.web.panel import Frame
 

@@ -11,7 +11,7 @@ from zbot.web.turtle_remote import SCENE_TYPE
 
 if TYPE_CHECKING:
     from zbot.client import Client
-    from zbot.task import Future
+    from zbot.executor.task import Future
     from zbot.web.lease import Lease
     from zbot.web.panel import Frame
     from zbot.web.turtle_remote import Simulator

@@ -15,8 +15,8 @@ from zbot.errors import (
     ExternalShutdownException,
     ShutdownError,
 )
-from zbot.executor import Executor
-from zbot.task import await_or_execute
+from zbot.executor.executor import Executor
+from zbot.executor.task import await_or_execute
 from zbot.time import TimeoutObject
 
 
@@ -113,7 +113,7 @@ def test_await_or_execute_takes_functions_and_coroutines(context: zbot.Context) 
         results.append(await await_or_execute(later, 1))
         results.append(await await_or_execute(abs, -5))
 
-    executor = zbot.executor.SingleThreadedExecutor(context=context)
+    executor = zbot.executor.executor.SingleThreadedExecutor(context=context)
     executor.spin_until_future_complete(executor.create_task(both), timeout_sec=5)
     assert results == [2, 5]
 

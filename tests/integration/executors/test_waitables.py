@@ -11,9 +11,9 @@ import pytest
 import zbot
 from tests.integration.executors.conftest import complete, settle
 from zbot.errors import InvalidHandleError
-from zbot.guard_condition import GuardCondition
-from zbot.wait_set import WaitSet
-from zbot.waitable import NumberOfEntities, Waitable
+from zbot.executor.guard_condition import GuardCondition
+from zbot.executor.wait_set import WaitSet
+from zbot.executor.waitable import NumberOfEntities, Waitable
 
 from std_msgs.msg import String
 

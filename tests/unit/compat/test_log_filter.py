@@ -7,7 +7,6 @@ from typing import Any
 
 import pytest
 
-from zbot.clock import Clock
 from zbot.compat.log_filter import (
     CallerId,
     LoggingFilter,
@@ -18,6 +17,7 @@ from zbot.compat.log_filter import (
     supported_filters,
 )
 from zbot.errors import LogOptionError, NotAClockError
+from zbot.executor.clock import Clock
 from zbot.time import Time
 
 

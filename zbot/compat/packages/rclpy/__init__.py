@@ -3,6 +3,7 @@
 from zbot.compat.submodules import submodules
 from zbot.context import Context as Context
 from zbot.context import get_default_context as get_default_context
+from zbot.executor.task import Future as Future
 from zbot.parameter import Parameter as Parameter
 from zbot.process.signals import SignalHandlerOptions as SignalHandlerOptions
 from zbot.process.signals import install as install_signal_handlers
@@ -20,7 +21,6 @@ from zbot.runtime import spin as spin
 from zbot.runtime import spin_once as spin_once
 from zbot.runtime import spin_until_future_complete as spin_until_future_complete
 from zbot.runtime import try_shutdown as try_shutdown
-from zbot.task import Future as Future
 
 __getattr__ = submodules(
     __name__,

@@ -1,7 +1,6 @@
 """What programs name of rclpy's C extension, as far as it exists without one."""
 
 from zbot.action.goal_state import GoalEvent as GoalEvent
-from zbot.clock import ClockChange as ClockChange
 from zbot.compat.raw_entities import Client as Client
 from zbot.compat.raw_entities import GuardCondition as GuardCondition
 from zbot.compat.raw_entities import Service as Service
@@ -18,7 +17,9 @@ from zbot.errors import ZbotError as RMWError
 from zbot.event import EventHandle as EventHandle
 from zbot.event import QoSPublisherEventType as rcl_publisher_event_type_t  # noqa: N813 - rclpy
 from zbot.event import QoSSubscriptionEventType as rcl_subscription_event_type_t  # noqa: N813
-from zbot.executor import SingleThreadedExecutor as EventsExecutor
+from zbot.executor.clock import ClockChange as ClockChange
+from zbot.executor.executor import SingleThreadedExecutor as EventsExecutor
+from zbot.executor.wait_set import WaitSet as WaitSet
 from zbot.lifecycle import TransitionCallbackReturn as TransitionCallbackReturnType
 from zbot.log import get_logger_effective_level as rclpy_logging_get_logger_effective_level
 from zbot.log import get_logger_level as rclpy_logging_get_logger_level
@@ -38,4 +39,3 @@ from zbot.runtime import (
 from zbot.serialization import deserialize_message as rclpy_deserialize
 from zbot.serialization import serialize_message as rclpy_serialize
 from zbot.time import ClockType as ClockType
-from zbot.wait_set import WaitSet as WaitSet

@@ -1,9 +1,10 @@
 """Clients of services."""
 
-from zbot.callback_group import CallbackGroup as CallbackGroup
 from zbot.client import Client as Client
-from zbot.clock import Clock as Clock
 from zbot.context import Context as Context
+from zbot.executor.callback_group import CallbackGroup as CallbackGroup
+from zbot.executor.clock import Clock as Clock
+from zbot.executor.task import Future as Future
 from zbot.interfaces.message import Service as Srv
 from zbot.interfaces.type_support import SrvRequestT as SrvRequestT
 from zbot.interfaces.type_support import SrvRequestT as SrvTypeRequest
@@ -12,4 +13,3 @@ from zbot.interfaces.type_support import SrvResponseT as SrvTypeResponse
 from zbot.interfaces.type_support import SrvT as SrvType
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
-from zbot.task import Future as Future

@@ -1,7 +1,6 @@
 """Executors, and what ends them."""
 
 from zbot.client import Client as Client
-from zbot.clock import Clock as Clock
 from zbot.compat.annotation import YieldedCallback as YieldedCallback
 from zbot.context import Context as Context
 from zbot.context import get_default_context as get_default_context
@@ -10,24 +9,25 @@ from zbot.errors import ExternalShutdownException as ExternalShutdownException
 from zbot.errors import InvalidHandleError as InvalidHandle
 from zbot.errors import ShutdownError as ShutdownException
 from zbot.errors import TimerCancelledError as TimerCancelledError
-from zbot.executor import Executor as Executor
-from zbot.executor import SingleThreadedExecutor as SingleThreadedExecutor
-from zbot.guard_condition import GuardCondition as GuardCondition
+from zbot.executor.clock import Clock as Clock
+from zbot.executor.executor import Executor as Executor
+from zbot.executor.executor import SingleThreadedExecutor as SingleThreadedExecutor
+from zbot.executor.guard_condition import GuardCondition as GuardCondition
+from zbot.executor.multi_threaded_executor import MultiThreadedExecutor as MultiThreadedExecutor
+from zbot.executor.task import Future as Future
+from zbot.executor.task import Task as Task
+from zbot.executor.task import await_or_execute as await_or_execute
+from zbot.executor.timer import Timer as Timer
+from zbot.executor.timer import TimerInfo as TimerInfo
+from zbot.executor.waitable import NumberOfEntities as NumberOfEntities
+from zbot.executor.waitable import Waitable as Waitable
 from zbot.interfaces.message import Message as Msg
-from zbot.multi_threaded_executor import MultiThreadedExecutor as MultiThreadedExecutor
 from zbot.process.signals import SignalHandlerGuardCondition as SignalHandlerGuardCondition
 from zbot.service import Service as Service
 from zbot.subscription import MessageInfo as MessageInfo
 from zbot.subscription import Subscription as Subscription
-from zbot.task import Future as Future
-from zbot.task import Task as Task
-from zbot.task import await_or_execute as await_or_execute
 from zbot.time import ClockType as ClockType
 from zbot.time import TimeoutObject as TimeoutObject
 from zbot.time import timeout_sec_to_nsec as timeout_sec_to_nsec
-from zbot.timer import Timer as Timer
-from zbot.timer import TimerInfo as TimerInfo
-from zbot.waitable import NumberOfEntities as NumberOfEntities
-from zbot.waitable import Waitable as Waitable
 
 TimeoutException = TimeoutError

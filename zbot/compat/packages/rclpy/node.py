@@ -1,11 +1,6 @@
 """Nodes."""
 
-from zbot.callback_group import CallbackGroup as CallbackGroup
-from zbot.callback_group import MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup
-from zbot.callback_group import ReentrantCallbackGroup as ReentrantCallbackGroup
 from zbot.client import Client as Client
-from zbot.clock import Clock as Clock
-from zbot.clock import ROSClock as ROSClock
 from zbot.compat.annotation import AllowableParameterValue as AllowableParameterValue
 from zbot.compat.annotation import AllowableParameterValueT as AllowableParameterValueT
 from zbot.context import Context as Context
@@ -17,8 +12,19 @@ from zbot.errors import NotInitializedError as NotInitializedException
 from zbot.errors import UnknownNodeError as NodeNameNonExistentError
 from zbot.event import PublisherEventCallbacks as PublisherEventCallbacks
 from zbot.event import SubscriptionEventCallbacks as SubscriptionEventCallbacks
-from zbot.executor import Executor as Executor
-from zbot.guard_condition import GuardCondition as GuardCondition
+from zbot.executor.callback_group import CallbackGroup as CallbackGroup
+from zbot.executor.callback_group import (
+    MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup,
+)
+from zbot.executor.callback_group import ReentrantCallbackGroup as ReentrantCallbackGroup
+from zbot.executor.clock import Clock as Clock
+from zbot.executor.clock import ROSClock as ROSClock
+from zbot.executor.executor import Executor as Executor
+from zbot.executor.guard_condition import GuardCondition as GuardCondition
+from zbot.executor.timer import Rate as Rate
+from zbot.executor.timer import Timer as Timer
+from zbot.executor.timer import TimerInfo as TimerInfo
+from zbot.executor.waitable import Waitable as Waitable
 from zbot.interfaces.message import Service as Srv
 from zbot.interfaces.type_support import MsgT as MsgT
 from zbot.interfaces.type_support import MsgT as MsgType
@@ -62,11 +68,7 @@ from zbot.subscription import MessageInfo as MessageInfo
 from zbot.subscription import Subscription as Subscription
 from zbot.time import S_TO_NS as S_TO_NS
 from zbot.time_source import TimeSource as TimeSource
-from zbot.timer import Rate as Rate
-from zbot.timer import Timer as Timer
-from zbot.timer import TimerInfo as TimerInfo
 from zbot.type_description import TypeDescriptionService as TypeDescriptionService
-from zbot.waitable import Waitable as Waitable
 
 from rcl_interfaces.msg import FloatingPointRange as FloatingPointRange
 from rcl_interfaces.msg import IntegerRange as IntegerRange

@@ -1,8 +1,9 @@
 """Other nodes' parameters."""
 
-from zbot.callback_group import CallbackGroup as CallbackGroup
 from zbot.client import Client as Client
 from zbot.event import SubscriptionEventCallbacks as SubscriptionEventCallbacks
+from zbot.executor.callback_group import CallbackGroup as CallbackGroup
+from zbot.executor.task import Future as Future
 from zbot.node import Node as Node
 from zbot.parameter import Parameter as Parameter
 from zbot.parameter import parameter_dict_from_yaml_file as parameter_dict_from_yaml_file
@@ -13,7 +14,6 @@ from zbot.qos import qos_profile_services_default as qos_profile_services_defaul
 from zbot.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
 from zbot.subscription import MessageInfo as MessageInfo
 from zbot.subscription import Subscription as Subscription
-from zbot.task import Future as Future
 
 from rcl_interfaces.msg import Parameter as ParameterMsg
 from rcl_interfaces.msg import ParameterEvent as ParameterEvent

@@ -1,7 +1,7 @@
 """Changes of parameters."""
 
-from zbot.callback_group import CallbackGroup as CallbackGroup
 from zbot.event import SubscriptionEventCallbacks as SubscriptionEventCallbacks
+from zbot.executor.callback_group import CallbackGroup as CallbackGroup
 from zbot.node import Node as Node
 from zbot.parameter_event_handler import ParameterCallbackHandle as ParameterCallbackHandle
 from zbot.parameter_event_handler import (

@@ -1,8 +1,8 @@
 """Publishers."""
 
-from zbot.callback_group import CallbackGroup as CallbackGroup
 from zbot.event import EventHandler as EventHandler
 from zbot.event import PublisherEventCallbacks as PublisherEventCallbacks
+from zbot.executor.callback_group import CallbackGroup as CallbackGroup
 from zbot.interfaces.type_support import MsgT as MsgT
 from zbot.interfaces.type_support import MsgT as MsgType
 from zbot.publisher import Publisher as Publisher

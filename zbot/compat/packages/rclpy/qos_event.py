@@ -1,6 +1,5 @@
 """The old name of `rclpy.event_handler`."""
 
-from zbot.callback_group import CallbackGroup as CallbackGroup
 from zbot.compat.annotation import EventHandlerData as EventHandlerData
 from zbot.errors import UnsupportedEventTypeError as UnsupportedEventTypeError
 from zbot.event import EventHandler as EventHandler
@@ -19,7 +18,8 @@ from zbot.event import QoSRequestedIncompatibleQoSInfo as QoSOfferedIncompatible
 from zbot.event import QoSRequestedIncompatibleQoSInfo as QoSRequestedIncompatibleQoSInfo
 from zbot.event import QoSSubscriptionEventType as QoSSubscriptionEventType
 from zbot.event import SubscriptionEventCallbacks as SubscriptionEventCallbacks
+from zbot.executor.callback_group import CallbackGroup as CallbackGroup
+from zbot.executor.waitable import NumberOfEntities as NumberOfEntities
+from zbot.executor.waitable import Waitable as Waitable
 from zbot.log import get_logger as get_logger
 from zbot.qos import qos_policy_name_from_kind as qos_policy_name_from_kind
-from zbot.waitable import NumberOfEntities as NumberOfEntities
-from zbot.waitable import Waitable as Waitable

@@ -1,7 +1,7 @@
 """Services."""
 
-from zbot.callback_group import CallbackGroup as CallbackGroup
-from zbot.clock import Clock as Clock
+from zbot.executor.callback_group import CallbackGroup as CallbackGroup
+from zbot.executor.clock import Clock as Clock
 from zbot.interfaces.message import Service as Srv
 from zbot.interfaces.type_support import SrvRequestT as SrvRequestT
 from zbot.interfaces.type_support import SrvRequestT as SrvTypeRequest

@@ -1,7 +1,7 @@
 """Ctrl-C and SIGTERM."""
 
 from zbot.errors import InvalidHandleError as InvalidHandle
-from zbot.guard_condition import GuardCondition as GuardCondition
+from zbot.executor.guard_condition import GuardCondition as GuardCondition
 from zbot.process.signals import SignalHandlerGuardCondition as SignalHandlerGuardCondition
 from zbot.process.signals import SignalHandlerOptions as SignalHandlerOptions
 from zbot.process.signals import install as install_signal_handlers

@@ -1,5 +1,5 @@
 """Futures and tasks."""
 
-from zbot.task import Future as Future
-from zbot.task import FutureState as FutureState
-from zbot.task import Task as Task
+from zbot.executor.task import Future as Future
+from zbot.executor.task import FutureState as FutureState
+from zbot.executor.task import Task as Task

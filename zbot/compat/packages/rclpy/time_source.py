@@ -1,6 +1,6 @@
 """Simulated time."""
 
-from zbot.clock import ROSClock as ROSClock
+from zbot.executor.clock import ROSClock as ROSClock
 from zbot.parameter import Parameter as Parameter
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import ReliabilityPolicy as ReliabilityPolicy

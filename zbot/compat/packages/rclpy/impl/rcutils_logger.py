@@ -1,6 +1,5 @@
 """Loggers."""
 
-from zbot.clock import Clock as Clock
 from zbot.compat.log_filter import CallerId as CallerId
 from zbot.compat.log_filter import LoggingArgs as LoggingArgs
 from zbot.compat.log_filter import LoggingFilter as LoggingFilter
@@ -16,5 +15,6 @@ from zbot.compat.log_filter import Throttle as Throttle
 from zbot.compat.log_filter import ThrottleContext as ThrottleContext
 from zbot.compat.log_filter import get_filters_from_kwargs as get_filters_from_kwargs
 from zbot.compat.log_filter import supported_filters as supported_filters
+from zbot.executor.clock import Clock as Clock
 from zbot.log import Logger as RcutilsLogger
 from zbot.log import LoggingSeverity as LoggingSeverity

@@ -1,9 +1,9 @@
 """Managed nodes."""
 
-from zbot.callback_group import CallbackGroup as CallbackGroup
 from zbot.compat.annotation import CallbackNames as CallbackNames
 from zbot.compat.annotation import CreateLifecyclePublisherArgs as CreateLifecyclePublisherArgs
 from zbot.compat.annotation import LifecycleNodeArgs as LifecycleNodeArgs
+from zbot.executor.callback_group import CallbackGroup as CallbackGroup
 from zbot.interfaces.type_support import MsgT as MsgT
 from zbot.interfaces.type_support import check_is_valid_srv_type as check_is_valid_srv_type
 from zbot.lifecycle import LifecycleState as LifecycleState

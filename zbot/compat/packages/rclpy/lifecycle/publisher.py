@@ -1,7 +1,7 @@
 """Publishers of managed nodes."""
 
-from zbot.callback_group import CallbackGroup as CallbackGroup
 from zbot.event import PublisherEventCallbacks as PublisherEventCallbacks
+from zbot.executor.callback_group import CallbackGroup as CallbackGroup
 from zbot.interfaces.type_support import MsgT as MsgT
 from zbot.lifecycle.managed_entity import SimpleManagedEntity as SimpleManagedEntity
 from zbot.lifecycle.publisher import LifecyclePublisher as LifecyclePublisher

@@ -13,9 +13,6 @@ import time
 from collections import deque
 from typing import TYPE_CHECKING, Any
 
-from zbot.agenda import Agenda
-from zbot.callback_group import ReentrantCallbackGroup, Refused
-from zbot.callback_stack import callbacks
 from zbot.errors import (
     ConditionReachedException,
     ExecutorBusyError,
@@ -23,9 +20,12 @@ from zbot.errors import (
     NotInitializedError,
     ShutdownError,
 )
+from zbot.executor.callback_group import ReentrantCallbackGroup, Refused
+from zbot.executor.callback_stack import callbacks
+from zbot.executor.task import Future, Task
+from zbot.executor.task_step import Step
+from zbot.executor.timer_queue import Agenda
 from zbot.semaphore import BinarySemaphore
-from zbot.step import Step
-from zbot.task import Future, Task
 from zbot.time import TimeoutObject
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.context import Context
-    from zbot.mailbox import Entity, Mailbox
+    from zbot.executor.ready_queue import Entity, Mailbox
     from zbot.node import Node
 
 _main_spins = 0

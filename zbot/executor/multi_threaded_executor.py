@@ -11,15 +11,15 @@ from collections import deque
 from concurrent.futures import ThreadPoolExecutor
 from typing import TYPE_CHECKING, Any
 
-from zbot.callback_group import ReentrantCallbackGroup
 from zbot.errors import ExternalShutdownException
-from zbot.executor import Executor
+from zbot.executor.callback_group import ReentrantCallbackGroup
+from zbot.executor.executor import Executor
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.context import Context
-    from zbot.mailbox import Entity
+    from zbot.executor.ready_queue import Entity
 
 
 def _core_count() -> int:

@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import astuple, dataclass
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
-from zbot.wait_set import WaitSet
+from zbot.executor.wait_set import WaitSet
 
 if TYPE_CHECKING:
     from types import TracebackType
 
-    from zbot.callback_group import CallbackGroup
-    from zbot.mailbox import Mailbox
-    from zbot.task import Future
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.executor.ready_queue import Mailbox
+    from zbot.executor.task import Future
 
 T = TypeVar("T")
 

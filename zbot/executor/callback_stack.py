@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.executor import Executor
-    from zbot.mailbox import Entity
+    from zbot.executor.executor import Executor
+    from zbot.executor.ready_queue import Entity
 
 
 class CallbackStack(threading.local):

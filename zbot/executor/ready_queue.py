@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.callback_group import CallbackGroup
+    from zbot.executor.callback_group import CallbackGroup
 
 
 class Entity(Protocol):

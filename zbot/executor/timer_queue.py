@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from zbot.mailbox import Entity
+    from zbot.executor.ready_queue import Entity
 
 
 class Agenda:

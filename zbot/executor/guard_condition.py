@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.callback_group import ReentrantCallbackGroup
+from zbot.executor.callback_group import ReentrantCallbackGroup
+from zbot.executor.ready_queue import Mailbox
 from zbot.handle import Handle
-from zbot.mailbox import Mailbox
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.callback_group import CallbackGroup
+    from zbot.executor.callback_group import CallbackGroup
 
 
 class GuardCondition:

@@ -7,13 +7,13 @@ import inspect
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.clock import ROSClock
 from zbot.errors import (
     CallbackSignatureError,
     InvalidHandleError,
     NotInitializedError,
     RateInterruptedError,
 )
+from zbot.executor.clock import ROSClock
 from zbot.handle import Handle
 from zbot.time import ClockType, Duration, Time
 
@@ -23,10 +23,10 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.callback_group import CallbackGroup
-    from zbot.clock import Clock
     from zbot.context import Context
-    from zbot.mailbox import Mailbox
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.executor.clock import Clock
+    from zbot.executor.ready_queue import Mailbox
 
 
 class TimerInfo:

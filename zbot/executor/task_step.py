@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.callback_group import ReentrantCallbackGroup
+from zbot.executor.callback_group import ReentrantCallbackGroup
 
 if TYPE_CHECKING:
-    from zbot.callback_group import CallbackGroup
-    from zbot.task import Task
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.executor.task import Task
 
 _ALWAYS = ReentrantCallbackGroup()
 

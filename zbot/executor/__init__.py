@@ -1,0 +1,1 @@
+"""Executors, and all that waits in them: tasks, timers, clocks, callback groups."""
