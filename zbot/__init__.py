@@ -39,10 +39,12 @@ if TYPE_CHECKING:
     from zbot.executor.timer import Timer as Timer
     from zbot.log import LoggingSeverity as LoggingSeverity
     from zbot.log import get_logger as get_logger
-    from zbot.node import Node as Node
+    from zbot.node.node import Node as Node
+    from zbot.node.publisher import Publisher as Publisher
+    from zbot.node.subscription import MessageInfo as MessageInfo
+    from zbot.node.subscription import Subscription as Subscription
     from zbot.parameter import Parameter as Parameter
     from zbot.process.signals import SignalHandlerOptions as SignalHandlerOptions
-    from zbot.publisher import Publisher as Publisher
     from zbot.qos import DurabilityPolicy as DurabilityPolicy
     from zbot.qos import HistoryPolicy as HistoryPolicy
     from zbot.qos import LivelinessPolicy as LivelinessPolicy
@@ -58,8 +60,6 @@ if TYPE_CHECKING:
     from zbot.runtime import spin_once as spin_once
     from zbot.runtime import spin_until_future_complete as spin_until_future_complete
     from zbot.runtime import try_shutdown as try_shutdown
-    from zbot.subscription import MessageInfo as MessageInfo
-    from zbot.subscription import Subscription as Subscription
     from zbot.time import ClockType as ClockType
     from zbot.time import Duration as Duration
     from zbot.time import Time as Time
@@ -81,9 +81,9 @@ _HOMES = {
     "SingleThreadedExecutor": "zbot.executor.executor",
     "LoggingSeverity": "zbot.log",
     "get_logger": "zbot.log",
-    "Node": "zbot.node",
+    "Node": "zbot.node.node",
     "Parameter": "zbot.parameter",
-    "Publisher": "zbot.publisher",
+    "Publisher": "zbot.node.publisher",
     "DurabilityPolicy": "zbot.qos",
     "HistoryPolicy": "zbot.qos",
     "LivelinessPolicy": "zbot.qos",
@@ -100,8 +100,8 @@ _HOMES = {
     "spin_until_future_complete": "zbot.runtime",
     "try_shutdown": "zbot.runtime",
     "SignalHandlerOptions": "zbot.process.signals",
-    "MessageInfo": "zbot.subscription",
-    "Subscription": "zbot.subscription",
+    "MessageInfo": "zbot.node.subscription",
+    "Subscription": "zbot.node.subscription",
     "Future": "zbot.executor.task",
     "Task": "zbot.executor.task",
     "ClockType": "zbot.time",

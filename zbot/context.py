@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.node import Node
+    from zbot.node.node import Node
 
 # A meeting point answers within 10 ms; within seconds where 40 nodes start at once on two cores.
 _LINK_TIMEOUT_S = 5.0

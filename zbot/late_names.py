@@ -17,7 +17,7 @@ def late_names(
 
     Args:
         package: Its name, `zbot`.
-        homes: The module that each name comes from, `zbot.node`.
+        homes: The module that each name comes from, `zbot.node.node`.
         present: Names that are public and there already.
     """
 

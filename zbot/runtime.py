@@ -6,10 +6,10 @@ import contextlib
 from typing import TYPE_CHECKING, Any
 
 from zbot.context import get_default_context
-from zbot.endpoint import RMW_IDENTIFIER
 from zbot.errors import NotInitializedError
 from zbot.executor.executor import SingleThreadedExecutor
-from zbot.node import Node
+from zbot.node.endpoint import RMW_IDENTIFIER
+from zbot.node.node import Node
 from zbot.process import signals
 from zbot.process.signals import SignalHandlerOptions
 

@@ -14,7 +14,7 @@ from zbot_cli.listing import print_json
 from zbot_cli.looking import hidden_node
 
 if TYPE_CHECKING:
-    from zbot.node import Node
+    from zbot.node.node import Node
     from zbot_cli.message_text import Form, Formatter
 
 _DEPTH = QoSProfile(depth=100)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.node.service_introspection import Step
 from zbot.plain_message import json_value, plain
-from zbot.service_introspection import Step
 from zbot.yaml_text import dump
 from zbot_cli.message_text import SEPARATOR
 

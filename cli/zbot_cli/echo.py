@@ -8,8 +8,8 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.event import SubscriptionEventCallbacks
 from zbot.executor.executor import SingleThreadedExecutor
+from zbot.node.qos_events import SubscriptionEventCallbacks
 from zbot.plain_text import harmless
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.looking import full_name, hidden_node
@@ -18,10 +18,10 @@ from zbot_cli.topic_type import message_class, only_type, tell_waiting
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from zbot.event import QoSMessageLostInfo
     from zbot.graph import Token
-    from zbot.node import Node
-    from zbot.subscription import MessageInfo
+    from zbot.node.node import Node
+    from zbot.node.qos_events import QoSMessageLostInfo
+    from zbot.node.subscription import MessageInfo
     from zbot_cli.filter import Filter
     from zbot_cli.message_text import Form
     from zbot_cli.qos_options import Choice

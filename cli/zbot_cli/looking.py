@@ -16,7 +16,7 @@ from zbot_cli.status import Status
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from zbot.node import Node
+    from zbot.node.node import Node
 
 
 @contextlib.contextmanager
@@ -63,7 +63,7 @@ def hidden_node(
         use_sim_time: Whether the node follows `/clock`.
         survives_ctrl_c: Whether Ctrl-C leaves it open, for a command that has to tidy up.
     """
-    from zbot.node import Node  # noqa: PLC0415 - lists do without
+    from zbot.node.node import Node  # noqa: PLC0415 - lists do without
     from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - lists do without
 
     install(SignalHandlerOptions.SIGTERM if survives_ctrl_c else SignalHandlerOptions.ALL)

@@ -15,10 +15,10 @@ from lifecycle_msgs.srv import ChangeState, GetAvailableTransitions, GetState
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from zbot.client import Client
     from zbot.executor.task import Future
     from zbot.graph import Snapshot
-    from zbot.node import Node
+    from zbot.node.client import Client
+    from zbot.node.node import Node
 
     from lifecycle_msgs.msg import State, TransitionDescription
 

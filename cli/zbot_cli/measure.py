@@ -20,7 +20,7 @@ from zbot_cli.looking import full_name, hidden_node
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from zbot.node import Node
+    from zbot.node.node import Node
     from zbot.qos import QoSProfile
     from zbot_cli.qos_options import Choice
 

@@ -11,7 +11,7 @@ from zbot.plain_message import Shortening, items_of, json_value, leaves, plain, 
 from zbot.yaml_text import Flow, dump
 
 if TYPE_CHECKING:
-    from zbot.subscription import MessageInfo
+    from zbot.node.subscription import MessageInfo
 
 SEPARATOR = "---\n"
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
     from zbot.graph import Snapshot
-    from zbot.node import Node
+    from zbot.node.node import Node
 
 ANSWER_TIMEOUT_S = 5.0  #: for each answer; that of ros2
 

@@ -15,8 +15,8 @@ from zbot_cli.pause import Pause
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from zbot.node import Node
-    from zbot.publisher import Publisher
+    from zbot.node.node import Node
+    from zbot.node.publisher import Publisher
     from zbot_cli.qos_options import Choice
     from zbot_cli.values import Template
 

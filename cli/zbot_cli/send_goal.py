@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from zbot.action import ActionClient, ClientGoalHandle
     from zbot.executor.task import Future
-    from zbot.node import Node
+    from zbot.node.node import Node
 
 _STEP_S = 0.5  # between two looks whether a signal came while the graph stays as it is
 _REPR_OF = {True: "AttributeError", False: "ValueError"}

@@ -21,9 +21,9 @@ from zbot_cli.service_type import (
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from zbot.client import Client
     from zbot.graph import Snapshot
-    from zbot.node import Node
+    from zbot.node.client import Client
+    from zbot.node.node import Node
     from zbot_cli.qos_options import Choice
     from zbot_cli.values import Template
 

@@ -19,8 +19,8 @@ from zbot_cli.service_type import (
 
 if TYPE_CHECKING:
     from zbot.graph import Snapshot
-    from zbot.node import Node
-    from zbot.subscription import MessageInfo
+    from zbot.node.node import Node
+    from zbot.node.subscription import MessageInfo
     from zbot_cli.message_text import Form
     from zbot_cli.qos_options import Choice
 

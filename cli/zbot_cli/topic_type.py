@@ -10,7 +10,7 @@ from zbot.names import nearest
 
 if TYPE_CHECKING:
     from zbot.graph import Snapshot
-    from zbot.node import Node
+    from zbot.node.node import Node
 
 
 class SeveralTypesError(ZbotError):

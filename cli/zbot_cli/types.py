@@ -60,7 +60,7 @@ def learn(name: str) -> bool:
     Raises:
         InterfaceConflictError: A type inside it has another definition here.
     """
-    from zbot.remote_types import learn_type  # noqa: PLC0415 - only for types of other machines
+    from zbot.node.remote_types import learn_type  # noqa: PLC0415 - only for types of other machines
     from zbot_cli.looking import client  # noqa: PLC0415 - as above
 
     if len(name.split("/")) != 3 or not all(part.isidentifier() for part in name.split("/")):

@@ -13,7 +13,7 @@ import zbot as library
 from tests.cli.command import zbot
 from tests.conftest import wait_until
 from zbot.action import ActionClient, ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
-from zbot.service_introspection import ServiceIntrospectionState
+from zbot.node.service_introspection import ServiceIntrospectionState
 from zbot_cli.send_goal import SendGoal
 
 from example_interfaces.action import Fibonacci

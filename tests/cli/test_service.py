@@ -12,7 +12,7 @@ import pytest
 
 import zbot as library
 from tests.cli.command import zbot
-from zbot.service_introspection import ServiceIntrospectionState
+from zbot.node.service_introspection import ServiceIntrospectionState
 
 from example_interfaces.srv import AddTwoInts
 from std_srvs.srv import SetBool, Trigger

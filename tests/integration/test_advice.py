@@ -23,7 +23,7 @@ PATIENCE_S = 0.05
 
 @pytest.fixture(autouse=True)
 def impatience(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("zbot.advice._PATIENCE_S", PATIENCE_S)
+    monkeypatch.setattr("zbot.node.diagnostics._PATIENCE_S", PATIENCE_S)
 
 
 @pytest.fixture

@@ -10,8 +10,8 @@ import zbot
 from tests.conftest import wait_until
 from zbot.content_filter import ContentFilterError
 from zbot.executor.wait_set import WaitSet
+from zbot.node.subscription import ContentFilterOptions, NoContentFilterError
 from zbot.serialization import deserialize_message
-from zbot.subscription import ContentFilterOptions, NoContentFilterError
 
 from std_msgs.msg import Int64
 

@@ -80,5 +80,5 @@ def test_a_context_that_is_over_is_not_kept(domain: int) -> None:
 
 
 def test_the_collector_passes_over_what_is_loaded() -> None:
-    assert zbot.Node.__module__ == "zbot.node"  # it is loaded now
+    assert zbot.Node.__module__ == "zbot.node.node"  # it is loaded now
     assert gc.get_freeze_count() > 10_000

@@ -8,7 +8,8 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from zbot.event import (
+from zbot.executor.wait_set import WaitSet
+from zbot.node.qos_events import (
     EventHandle,
     IncompatibleTypeInfo,
     PublisherEventCallbacks,
@@ -23,7 +24,6 @@ from zbot.event import (
     QoSSubscriptionEventType,
     SubscriptionEventCallbacks,
 )
-from zbot.executor.wait_set import WaitSet
 from zbot.qos import HistoryPolicy, LivelinessPolicy, QoSPolicyKind, QoSProfile
 
 from std_msgs.msg import Float32, Int64, String

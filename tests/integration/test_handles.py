@@ -9,7 +9,7 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from zbot.errors import InvalidHandleError
-from zbot.publisher import Publisher
+from zbot.node.publisher import Publisher
 
 from std_msgs.msg import String
 from std_srvs.srv import Trigger

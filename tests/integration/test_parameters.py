@@ -8,8 +8,10 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from zbot.errors import ArgumentTypeError, UnknownQoSKeyError
+from zbot.node.parameter_client import AsyncParameterClient
+from zbot.node.parameter_event_handler import ParameterEventHandler
+from zbot.node.parameter_services import SERVICES
 from zbot.parameter import Parameter
-from zbot.parameter_client import AsyncParameterClient
 from zbot.parameter_errors import (
     InvalidParameterTypeException,
     InvalidQosOverridesError,
@@ -17,8 +19,6 @@ from zbot.parameter_errors import (
     ParameterNotDeclaredException,
     UnknownCallbackError,
 )
-from zbot.parameter_event_handler import ParameterEventHandler
-from zbot.parameter_services import SERVICES
 from zbot.qos import QoSPolicyKind, QoSProfile, ReliabilityPolicy
 from zbot.qos_overriding_options import QoSOverridingOptions
 

@@ -324,7 +324,7 @@ def test_an_expired_message_is_not_delivered(
     executor = zbot.SingleThreadedExecutor(context=listener.context)
     executor.add_node(listener)
     with monkeypatch.context() as patch:
-        patch.setattr("zbot.publisher.time_ns", lambda: 10**9)
+        patch.setattr("zbot.node.publisher.time_ns", lambda: 10**9)
         publisher.publish(Int64(data=0))
     publisher.publish(Int64(data=1))
     while not inbox:

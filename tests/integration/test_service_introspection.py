@@ -9,7 +9,7 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from zbot.action import ActionClient, ActionServer
-from zbot.service_introspection import ServiceIntrospectionState, Step
+from zbot.node.service_introspection import ServiceIntrospectionState, Step
 
 from example_interfaces.action import Fibonacci
 from example_interfaces.srv import AddTwoInts

@@ -381,8 +381,8 @@ class TestPatience:
 
     @pytest.fixture(autouse=True)
     def short_time(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr("zbot.client._FIRST_PATIENCE_S", 0.1)
-        monkeypatch.setattr("zbot.repetition._LATE_S", 0.02)
+        monkeypatch.setattr("zbot.node.client._FIRST_PATIENCE_S", 0.1)
+        monkeypatch.setattr("zbot.node.deduplication._LATE_S", 0.02)
 
     @pytest.mark.parametrize("kind", ["call", "call_async"])
     @pytest.mark.parametrize("is_coroutine", [False, True])

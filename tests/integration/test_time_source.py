@@ -11,8 +11,8 @@ import zbot
 import zbot.compat  # noqa: F401 - makes rclpy importable
 from zbot.errors import ClockTypeError
 from zbot.executor.clock import Clock, ROSClock
+from zbot.node.time_source import TimeSource
 from zbot.time import Time
-from zbot.time_source import TimeSource
 
 from builtin_interfaces.msg import Time as Stamp
 from rosgraph_msgs.msg import Clock as ClockMessage

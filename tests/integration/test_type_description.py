@@ -11,8 +11,8 @@ from tests.conftest import wait_until
 from zbot.interfaces import MessageSpec, get_message, get_spec, type_hash
 from zbot.interfaces.parser import parse
 from zbot.interfaces.remote_definition import hash_among
-from zbot.remote_types import learn_type
-from zbot.type_description import SERVICE_TYPE
+from zbot.node.remote_types import learn_type
+from zbot.node.type_description import SERVICE_TYPE
 from zbot.wire.tokens import EntityKind
 
 from type_description_interfaces.msg import TypeSource

@@ -25,7 +25,7 @@ SUM = (
 # another name for zbot.
 LESSON = """
 import zbot
-from zbot.node import Node
+from zbot.node.node import Node
 from example_interfaces.srv import AddTwoInts
 
 class ServiceNode(Node):

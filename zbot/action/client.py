@@ -41,8 +41,8 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.executor.callback_group import CallbackGroup
-    from zbot.node import Node
-    from zbot.service_introspection import ServiceIntrospectionState
+    from zbot.node.node import Node
+    from zbot.node.service_introspection import ServiceIntrospectionState
 
     from action_msgs.msg import GoalStatus
 

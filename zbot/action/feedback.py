@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.executor.callback_group import CallbackGroup
-    from zbot.node import Node
+    from zbot.node.node import Node
     from zbot.qos import QoSProfile
     from zbot.wire.tokens import EndpointToken
 

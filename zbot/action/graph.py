@@ -11,7 +11,7 @@ from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from zbot.graph import NamesAndTypes
-    from zbot.node import Node
+    from zbot.node.node import Node
 
 
 def get_action_names_and_types(node: Node) -> NamesAndTypes:

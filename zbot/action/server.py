@@ -39,8 +39,8 @@ if TYPE_CHECKING:
 
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.clock import Clock
-    from zbot.node import Node
-    from zbot.service_introspection import ServiceIntrospectionState
+    from zbot.node.node import Node
+    from zbot.node.service_introspection import ServiceIntrospectionState
 
 
 qos_profile_action_feedback = QoSProfile(depth=10)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from zbot.executor.task import Future
-from zbot.service import Service
+from zbot.node.service import Service
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import zenoh
 
     from zbot.executor.callback_group import CallbackGroup
-    from zbot.node import Node
+    from zbot.node.node import Node
     from zbot.qos import QoSProfile
 
 

@@ -9,9 +9,9 @@ from zbot.interfaces.message import Service
 
 if TYPE_CHECKING:
     from zbot.context import Context
-    from zbot.event import PublisherEventCallbacks
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.clock import ClockChange
+    from zbot.node.qos_events import PublisherEventCallbacks
     from zbot.parameter import Parameter
     from zbot.qos_overriding_options import QoSOverridingOptions
 

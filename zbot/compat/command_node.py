@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.node import Node
+    from zbot.node.node import Node
 
 NODE_NAME_PREFIX = "_ros2cli"
 

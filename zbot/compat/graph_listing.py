@@ -12,7 +12,7 @@ from zbot.names import fully_qualified, is_hidden
 
 if TYPE_CHECKING:
     from zbot.graph import NamesAndTypes
-    from zbot.node import Node
+    from zbot.node.node import Node
 
 _LOOK_AGAIN_S = 0.5  # how long a look at the graph may miss that the context has ended
 

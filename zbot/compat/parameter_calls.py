@@ -13,7 +13,7 @@ from rcl_interfaces.srv import DescribeParameters, GetParameters, ListParameters
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from zbot.node import Node
+    from zbot.node.node import Node
 
     from rcl_interfaces.msg import Parameter, ParameterValue
 

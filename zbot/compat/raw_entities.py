@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot import client, service, subscription
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.executor import guard_condition, timer
 from zbot.executor.ready_queue import Mailbox
+from zbot.node.node import client, service, subscription
 from zbot.qos import PlainQoSProfile, QoSProfile
 from zbot.wire.tokens import EntityKind
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.executor.clock import Clock
     from zbot.handle import Handle
-    from zbot.node_handle import NodeHandle
+    from zbot.node.state import NodeHandle
 
 
 class _Own:

@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 
     from zbot.context import Context
     from zbot.executor.ready_queue import Entity, Mailbox
-    from zbot.node import Node
+    from zbot.node.node import Node
 
 _main_spins = 0
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.context import Context
 from zbot.executor.executor import SingleThreadedExecutor
-from zbot.node import Node
+from zbot.node.node import Node
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable

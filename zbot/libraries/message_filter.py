@@ -17,7 +17,7 @@ from zbot.time import Duration, Time
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from zbot.node import Node
+    from zbot.node.node import Node
 
     Queue = dict[int, Any]  #: messages by their time in nanoseconds
 

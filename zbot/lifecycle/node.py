@@ -24,7 +24,7 @@ from zbot.lifecycle.state_machine import (
     TransitionCallbackReturn,
     TransitionNotPossibleError,
 )
-from zbot.node import Node
+from zbot.node.node import Node
 from zbot.process.signals import user_part
 
 if TYPE_CHECKING:
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
     from zbot.executor.callback_group import CallbackGroup
     from zbot.lifecycle.state_machine import LifecycleState
-    from zbot.publisher import Publisher
+    from zbot.node.publisher import Publisher
     from zbot.qos import QoSProfile
 
 MsgT = TypeVar("MsgT")

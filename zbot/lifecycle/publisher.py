@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from zbot.lifecycle.managed_entity import SimpleManagedEntity
 from zbot.log import get_logger
-from zbot.publisher import Publisher
+from zbot.node.publisher import Publisher
 
 if TYPE_CHECKING:
     from zbot.lifecycle.state_machine import LifecycleState, TransitionCallbackReturn

@@ -12,7 +12,7 @@ from zbot.lifecycle.state_machine import (
     TransitionNotPossibleError,
     transitions_from,
 )
-from zbot.node import Node
+from zbot.node.node import Node
 
 from lifecycle_msgs.msg import State, TransitionDescription, TransitionEvent
 from lifecycle_msgs.msg import Transition as TransitionMsg

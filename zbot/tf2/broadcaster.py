@@ -11,7 +11,7 @@ from zbot.qos import DurabilityPolicy, QoSProfile
 from tf2_msgs.msg import TFMessage
 
 if TYPE_CHECKING:
-    from zbot.node import Node
+    from zbot.node.node import Node
 
     from geometry_msgs.msg import TransformStamped
 

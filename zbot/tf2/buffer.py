@@ -18,7 +18,7 @@ from zbot.time import Duration
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    from zbot.subscription import Subscription
+    from zbot.node.subscription import Subscription
 
 # While a callback waits for what its own executor would receive, it looks this often.
 _LOOK_S = 0.005

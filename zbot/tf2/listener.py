@@ -9,7 +9,7 @@ from zbot.errors import ExternalShutdownException
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.clock import ClockChange, JumpThreshold, TimeJump
 from zbot.executor.executor import SingleThreadedExecutor
-from zbot.node import Node
+from zbot.node.node import Node
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.tf2.broadcaster import TF_STATIC_TOPIC, TF_TOPIC
 from zbot.time import Duration

@@ -23,7 +23,7 @@ from tf2_msgs.action import LookupTransform
 from tf2_msgs.msg import TF2Error
 
 if TYPE_CHECKING:
-    from zbot.node import Node
+    from zbot.node.node import Node
     from zbot.tf2.buffer import Buffer
 
 _CODES: dict[int, type[TransformException]] = {

@@ -7,11 +7,11 @@ import socket
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import get_message
+from zbot.node.wait_for_message import wait_for_message
 from zbot.qos import DurabilityPolicy, QoSProfile
-from zbot.wait_for_message import wait_for_message
 
 if TYPE_CHECKING:
-    from zbot.node import Node
+    from zbot.node.node import Node
 
 #: Hidden, and latched: who comes later gets it too.
 TOPIC = "/_zbot_web"

@@ -87,7 +87,7 @@ def _show_others(path: str) -> None:
     """Open the page that another companion is about to serve."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # the program beside it tells of Ctrl-C
     from zbot.context import Context  # noqa: PLC0415 - only in that process
-    from zbot.node import Node  # noqa: PLC0415 - as above
+    from zbot.node.node import Node  # noqa: PLC0415 - as above
     from zbot.web.announcement import TOPIC, running_page  # noqa: PLC0415 - as above
 
     context = Context()

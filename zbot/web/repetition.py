@@ -8,8 +8,8 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.executor.timer import Timer
-    from zbot.node import Node
-    from zbot.publisher import Publisher
+    from zbot.node.node import Node
+    from zbot.node.publisher import Publisher
     from zbot.web.lease import Lease
 
 

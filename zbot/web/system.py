@@ -15,9 +15,9 @@ from zbot.executor.executor import SingleThreadedExecutor
 from zbot.interfaces import get_interface
 from zbot.log import LoggingSeverity, get_logger, set_logger_level
 from zbot.names import ROSOUT_TOPIC
-from zbot.node import Node
+from zbot.node.node import Node
+from zbot.node.remote_types import learn_type
 from zbot.qos import qos_profile_rosout_default
-from zbot.remote_types import learn_type
 from zbot.web.lease import Leases
 from zbot.web.log_ring import LogRing
 from zbot.web.repetition import Repetition
@@ -28,10 +28,10 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.client import Client
     from zbot.executor.task import Future
     from zbot.graph import Snapshot, Token
-    from zbot.publisher import Publisher
+    from zbot.node.client import Client
+    from zbot.node.publisher import Publisher
     from zbot.web.lease import Lease
 
 T = TypeVar("T")

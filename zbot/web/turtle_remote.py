@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from zbot.graph import full_names
 from zbot.interfaces import get_action, get_message, get_service
 from zbot.names import fully_qualified
-from zbot.node import Node
+from zbot.node.node import Node
 from zbot.parameter import Parameter
 from zbot.web.call import call
 from zbot.web.command_line import command_line
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from zbot.action import ActionClient
     from zbot.executor.task import Future
     from zbot.graph import Snapshot
-    from zbot.publisher import Publisher
+    from zbot.node.publisher import Publisher
     from zbot.web.lease import Lease
     from zbot.web.panel import Frame
 

@@ -10,8 +10,8 @@ from zbot.interfaces import get_service
 from zbot.web.turtle_remote import SCENE_TYPE
 
 if TYPE_CHECKING:
-    from zbot.client import Client
     from zbot.executor.task import Future
+    from zbot.node.client import Client
     from zbot.web.lease import Lease
     from zbot.web.panel import Frame
     from zbot.web.turtle_remote import Simulator

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.subscription import MessageInfo
+    from zbot.node.subscription import MessageInfo
     from zbot.wire.tokens import EndpointToken
 
 #: A browser shows 30 pictures a second; who looks in between gets what the last look gave.

@@ -18,7 +18,7 @@ import time
 
 import zbot
 from zbot import HistoryPolicy, QoSProfile, ReliabilityPolicy
-from zbot.event import QoSMessageLostInfo, SubscriptionEventCallbacks
+from zbot.node.qos_events import QoSMessageLostInfo, SubscriptionEventCallbacks
 
 from std_msgs.msg import String
 from std_srvs.srv import Trigger

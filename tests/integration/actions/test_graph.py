@@ -21,7 +21,7 @@ from zbot.action import (
     get_action_server_names_and_types_by_node,
 )
 from zbot.errors import InvalidServiceNameError, ServiceError, UnknownNodeError
-from zbot.service_introspection import ServiceIntrospectionState
+from zbot.node.service_introspection import ServiceIntrospectionState
 
 from action_msgs.msg import GoalStatusArray
 from example_interfaces.action import Fibonacci

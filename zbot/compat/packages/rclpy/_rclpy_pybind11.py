@@ -14,9 +14,6 @@ from zbot.errors import UnknownNodeError as NodeNameNonExistentError
 from zbot.errors import UnsupportedEventTypeError as UnsupportedEventTypeError
 from zbot.errors import ZbotError as RCLError
 from zbot.errors import ZbotError as RMWError
-from zbot.event import EventHandle as EventHandle
-from zbot.event import QoSPublisherEventType as rcl_publisher_event_type_t  # noqa: N813 - rclpy
-from zbot.event import QoSSubscriptionEventType as rcl_subscription_event_type_t  # noqa: N813
 from zbot.executor.clock import ClockChange as ClockChange
 from zbot.executor.executor import SingleThreadedExecutor as EventsExecutor
 from zbot.executor.wait_set import WaitSet as WaitSet
@@ -26,6 +23,9 @@ from zbot.log import get_logger_level as rclpy_logging_get_logger_level
 from zbot.log import get_logging_directory as rclpy_logging_get_logging_directory
 from zbot.log import set_logger_level as rclpy_logging_set_logger_level
 from zbot.names import expand_topic_name as rclpy_expand_topic_name
+from zbot.node.qos_events import EventHandle as EventHandle
+from zbot.node.qos_events import QoSPublisherEventType as rcl_publisher_event_type_t  # noqa: N813 - rclpy
+from zbot.node.qos_events import QoSSubscriptionEventType as rcl_subscription_event_type_t  # noqa: N813
 from zbot.process.signals import SignalHandlerOptions as SignalHandlerOptions
 from zbot.process.signals import install as install_signal_handlers
 from zbot.process.signals import installed as get_current_signal_handlers_options

@@ -1,6 +1,5 @@
 """Executors, and what ends them."""
 
-from zbot.client import Client as Client
 from zbot.compat.annotation import YieldedCallback as YieldedCallback
 from zbot.context import Context as Context
 from zbot.context import get_default_context as get_default_context
@@ -22,10 +21,11 @@ from zbot.executor.timer import TimerInfo as TimerInfo
 from zbot.executor.waitable import NumberOfEntities as NumberOfEntities
 from zbot.executor.waitable import Waitable as Waitable
 from zbot.interfaces.message import Message as Msg
+from zbot.node.client import Client as Client
+from zbot.node.service import Service as Service
+from zbot.node.subscription import MessageInfo as MessageInfo
+from zbot.node.subscription import Subscription as Subscription
 from zbot.process.signals import SignalHandlerGuardCondition as SignalHandlerGuardCondition
-from zbot.service import Service as Service
-from zbot.subscription import MessageInfo as MessageInfo
-from zbot.subscription import Subscription as Subscription
 from zbot.time import ClockType as ClockType
 from zbot.time import TimeoutObject as TimeoutObject
 from zbot.time import timeout_sec_to_nsec as timeout_sec_to_nsec

@@ -1,7 +1,7 @@
 """Levels of loggers as services."""
 
 from zbot.log import LoggingSeverity as LoggingSeverity
-from zbot.logger_services import LoggingService as LoggingService
+from zbot.node.logger_services import LoggingService as LoggingService
 from zbot.qos import qos_profile_services_default as qos_profile_services_default
 
 from rcl_interfaces.msg import LoggerLevel as LoggerLevel

@@ -1,6 +1,5 @@
 """Nodes."""
 
-from zbot.client import Client as Client
 from zbot.compat.annotation import AllowableParameterValue as AllowableParameterValue
 from zbot.compat.annotation import AllowableParameterValueT as AllowableParameterValueT
 from zbot.context import Context as Context
@@ -10,8 +9,6 @@ from zbot.errors import InvalidHandleError as InvalidHandle
 from zbot.errors import InvalidTopicNameError as InvalidTopicNameException
 from zbot.errors import NotInitializedError as NotInitializedException
 from zbot.errors import UnknownNodeError as NodeNameNonExistentError
-from zbot.event import PublisherEventCallbacks as PublisherEventCallbacks
-from zbot.event import SubscriptionEventCallbacks as SubscriptionEventCallbacks
 from zbot.executor.callback_group import CallbackGroup as CallbackGroup
 from zbot.executor.callback_group import (
     MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup,
@@ -38,14 +35,25 @@ from zbot.interfaces.type_support import check_is_valid_msg_type as check_is_val
 from zbot.interfaces.type_support import check_is_valid_srv_type as check_is_valid_srv_type
 from zbot.log import Logger as RcutilsLogger
 from zbot.log import get_logger as get_logger
-from zbot.logger_services import LoggingService as LoggingService
 from zbot.names import expand_topic_name as expand_topic_name
 from zbot.names import validate_full_topic_name as validate_full_topic_name
 from zbot.names import validate_namespace as validate_namespace
 from zbot.names import validate_node_name as validate_node_name
 from zbot.names import validate_parameter_name as validate_parameter_name
 from zbot.names import validate_topic_name as validate_topic_name
-from zbot.node import Node as Node
+from zbot.node.client import Client as Client
+from zbot.node.logger_services import LoggingService as LoggingService
+from zbot.node.node import Node as Node
+from zbot.node.parameter_services import ParameterServices as ParameterService
+from zbot.node.publisher import Publisher as Publisher
+from zbot.node.qos_events import PublisherEventCallbacks as PublisherEventCallbacks
+from zbot.node.qos_events import SubscriptionEventCallbacks as SubscriptionEventCallbacks
+from zbot.node.service import Service as Service
+from zbot.node.subscription import ContentFilterOptions as ContentFilterOptions
+from zbot.node.subscription import MessageInfo as MessageInfo
+from zbot.node.subscription import Subscription as Subscription
+from zbot.node.time_source import TimeSource as TimeSource
+from zbot.node.type_description import TypeDescriptionService as TypeDescriptionService
 from zbot.parameter import Parameter as Parameter
 from zbot.parameter_errors import InvalidParameterTypeException as InvalidParameterTypeException
 from zbot.parameter_errors import InvalidParameterValueException as InvalidParameterValueException
@@ -55,20 +63,12 @@ from zbot.parameter_errors import (
 from zbot.parameter_errors import ParameterImmutableException as ParameterImmutableException
 from zbot.parameter_errors import ParameterNotDeclaredException as ParameterNotDeclaredException
 from zbot.parameter_errors import ParameterUninitializedException as ParameterUninitializedException
-from zbot.parameter_services import ParameterServices as ParameterService
-from zbot.publisher import Publisher as Publisher
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import qos_profile_parameter_events as qos_profile_parameter_events
 from zbot.qos import qos_profile_rosout_default as qos_profile_rosout_default
 from zbot.qos import qos_profile_services_default as qos_profile_services_default
 from zbot.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
-from zbot.service import Service as Service
-from zbot.subscription import ContentFilterOptions as ContentFilterOptions
-from zbot.subscription import MessageInfo as MessageInfo
-from zbot.subscription import Subscription as Subscription
 from zbot.time import S_TO_NS as S_TO_NS
-from zbot.time_source import TimeSource as TimeSource
-from zbot.type_description import TypeDescriptionService as TypeDescriptionService
 
 from rcl_interfaces.msg import FloatingPointRange as FloatingPointRange
 from rcl_interfaces.msg import IntegerRange as IntegerRange

@@ -1,19 +1,19 @@
 """Other nodes' parameters."""
 
-from zbot.client import Client as Client
-from zbot.event import SubscriptionEventCallbacks as SubscriptionEventCallbacks
 from zbot.executor.callback_group import CallbackGroup as CallbackGroup
 from zbot.executor.task import Future as Future
-from zbot.node import Node as Node
+from zbot.node.client import Client as Client
+from zbot.node.node import Node as Node
+from zbot.node.parameter_client import AsyncParameterClient as AsyncParameterClient
+from zbot.node.qos_events import SubscriptionEventCallbacks as SubscriptionEventCallbacks
+from zbot.node.subscription import MessageInfo as MessageInfo
+from zbot.node.subscription import Subscription as Subscription
 from zbot.parameter import Parameter as Parameter
 from zbot.parameter import parameter_dict_from_yaml_file as parameter_dict_from_yaml_file
-from zbot.parameter_client import AsyncParameterClient as AsyncParameterClient
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import qos_profile_parameter_events as qos_profile_parameter_events
 from zbot.qos import qos_profile_services_default as qos_profile_services_default
 from zbot.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
-from zbot.subscription import MessageInfo as MessageInfo
-from zbot.subscription import Subscription as Subscription
 
 from rcl_interfaces.msg import Parameter as ParameterMsg
 from rcl_interfaces.msg import ParameterEvent as ParameterEvent

@@ -4,13 +4,14 @@ from typing import Any
 
 from zbot.compat.annotation import QosCallbackType as QosCallbackType
 from zbot.compat.annotation import QoSProfileAttributes as QoSProfileAttributes
-from zbot.node import Node
+from zbot.node.node import Node
+from zbot.node.publisher import Publisher as Publisher
+from zbot.node.subscription import Subscription as Subscription
 from zbot.parameter import Parameter as Parameter
 from zbot.parameter_errors import InvalidQosOverridesError as InvalidQosOverridesError
 from zbot.parameter_errors import (
     ParameterAlreadyDeclaredException as ParameterAlreadyDeclaredException,
 )
-from zbot.publisher import Publisher as Publisher
 from zbot.qos import QoSDurabilityPolicy as QoSDurabilityPolicy
 from zbot.qos import QoSHistoryPolicy as QoSHistoryPolicy
 from zbot.qos import QoSLivelinessPolicy as QoSLivelinessPolicy
@@ -19,7 +20,6 @@ from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import QoSReliabilityPolicy as QoSReliabilityPolicy
 from zbot.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
 from zbot.qos_overriding_options import override
-from zbot.subscription import Subscription as Subscription
 from zbot.time import Duration as Duration
 
 from rcl_interfaces.msg import ParameterDescriptor as ParameterDescriptor

@@ -8,6 +8,6 @@ from zbot.interfaces.type_support import SrvRequestT as SrvTypeRequest
 from zbot.interfaces.type_support import SrvResponseT as SrvResponseT
 from zbot.interfaces.type_support import SrvResponseT as SrvTypeResponse
 from zbot.interfaces.type_support import SrvT as SrvType
+from zbot.node.service import Service as Service
+from zbot.node.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 from zbot.qos import QoSProfile as QoSProfile
-from zbot.service import Service as Service
-from zbot.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState

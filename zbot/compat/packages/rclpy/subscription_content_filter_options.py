@@ -1,3 +1,3 @@
 """Which messages a subscription wants."""
 
-from zbot.subscription import ContentFilterOptions as ContentFilterOptions
+from zbot.node.subscription import ContentFilterOptions as ContentFilterOptions

@@ -1,13 +1,13 @@
 """Simulated time."""
 
 from zbot.executor.clock import ROSClock as ROSClock
+from zbot.node.time_source import CLOCK_TOPIC as CLOCK_TOPIC
+from zbot.node.time_source import TimeSource as TimeSource
 from zbot.parameter import Parameter as Parameter
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import ReliabilityPolicy as ReliabilityPolicy
 from zbot.time import ClockType as ClockType
 from zbot.time import Time as Time
-from zbot.time_source import CLOCK_TOPIC as CLOCK_TOPIC
-from zbot.time_source import TimeSource as TimeSource
 
 from rcl_interfaces.msg import SetParametersResult as SetParametersResult
 

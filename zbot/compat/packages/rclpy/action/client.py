@@ -17,10 +17,10 @@ from zbot.executor.waitable import NumberOfEntities as NumberOfEntities
 from zbot.executor.waitable import Waitable as Waitable
 from zbot.interfaces.message import Action as Action
 from zbot.interfaces.type_support import check_for_type_support as check_for_type_support
+from zbot.node.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import qos_profile_action_status_default as qos_profile_action_status_default
 from zbot.qos import qos_profile_services_default as qos_profile_services_default
-from zbot.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
 
 from action_msgs.msg import GoalStatus as GoalStatus
 from action_msgs.msg import GoalStatusArray as GoalStatusArray

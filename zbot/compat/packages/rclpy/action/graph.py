@@ -7,4 +7,4 @@ from zbot.action.graph import get_action_names_and_types as get_action_names_and
 from zbot.action.graph import (
     get_action_server_names_and_types_by_node as get_action_server_names_and_types_by_node,
 )
-from zbot.node import Node as Node
+from zbot.node.node import Node as Node

@@ -13,6 +13,6 @@ from zbot.lifecycle.node import LifecycleNode as LifecycleNode
 from zbot.lifecycle.node import LifecycleNodeMixin as LifecycleNodeMixin
 from zbot.lifecycle.publisher import LifecyclePublisher as LifecyclePublisher
 from zbot.log import Logger as RcutilsLogger
-from zbot.node import Node as Node
+from zbot.node.node import Node as Node
+from zbot.node.service import Service as Service
 from zbot.qos import QoSProfile as QoSProfile
-from zbot.service import Service as Service

@@ -20,12 +20,12 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, NamedTuple, TypedDict, 
 
 import zenoh
 
-from zbot.endpoint import RMW_IDENTIFIER, TopicEndpoint
 from zbot.errors import CallbackSignatureError, ZbotError
 from zbot.handle import Handle
 from zbot.interfaces import has_sequences
 from zbot.log import away_from_sinks, get_logger
 from zbot.names import ROSOUT_TOPIC
+from zbot.node.endpoint import RMW_IDENTIFIER, TopicEndpoint
 from zbot.process import blocked_put
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy

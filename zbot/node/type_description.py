@@ -10,9 +10,9 @@ from zbot.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.foreign_call import called_by_zenoh
 from zbot.interfaces import MessageSpec, get_spec, type_description, type_hash
 from zbot.interfaces.late import LateService
-from zbot.node_parameters import START_TYPE_DESCRIPTION_SERVICE
+from zbot.node.parameters import START_TYPE_DESCRIPTION_SERVICE
+from zbot.node.service import Service
 from zbot.qos import qos_profile_services_default
-from zbot.service import Service
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     import zenoh
 
     from zbot.interfaces import InterfaceSpec
-    from zbot.node import Node
+    from zbot.node.node import Node
 
 #: The service's type and its hash, which a ROS 2 type never changes; a node that nobody asks needs
 #: neither the class nor its definition.

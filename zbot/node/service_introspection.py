@@ -6,9 +6,9 @@ from enum import IntEnum
 from struct import Struct
 from typing import TYPE_CHECKING, Any
 
-from zbot.endpoint import Endpoint
 from zbot.interfaces import get_interface, type_hash
-from zbot.publisher import Publisher
+from zbot.node.endpoint import Endpoint
+from zbot.node.publisher import Publisher
 from zbot.qos import QoSProfile, as_profile
 from zbot.wire.attachment import GID_LENGTH
 from zbot.wire.tokens import EndpointToken, EntityKind

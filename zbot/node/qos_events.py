@@ -420,7 +420,7 @@ class _EventCallbacks:
             if callback is not None:
                 handler = _make_handler(kind, callback, endpoint, mailbox, graph)
             elif self.use_default_callbacks and kind in _DEFAULTS:
-                # Type clashes are told of all endpoints alike, in one place: zbot.advice.
+                # Type clashes are told of all endpoints alike, in one place: zbot.node.diagnostics.
                 handler = _NeverHandler(_ignore, endpoint.callback_group, mailbox)
             else:
                 continue

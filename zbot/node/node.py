@@ -5,10 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 
 from zbot.arguments import Arguments
-from zbot.client import Client
 from zbot.context import get_default_context
 from zbot.errors import ArgumentTypeError, InvalidPeriodError, NodeNameError
-from zbot.event import PublisherEventCallbacks, SubscriptionEventCallbacks
 from zbot.executor.guard_condition import GuardCondition
 from zbot.executor.timer import Rate, Timer
 from zbot.interfaces.type_support import check_is_valid_msg_type, check_is_valid_srv_type
@@ -18,13 +16,20 @@ from zbot.names import (
     validate_namespace,
     validate_node_name,
 )
-from zbot.node_graph import GraphQueries
-from zbot.node_handle import NodeHandle
-from zbot.node_insides import NodeInsides
-from zbot.node_parameters import NodeParameters, overrides_of
-from zbot.parameter_services import ParameterServices
+from zbot.node.client import Client
+from zbot.node.graph_queries import GraphQueries
+from zbot.node.parameter_services import ParameterServices
+from zbot.node.parameters import NodeParameters, overrides_of
+from zbot.node.private_aliases import NodeInsides
+from zbot.node.publisher import Publisher
+from zbot.node.qos_events import PublisherEventCallbacks, SubscriptionEventCallbacks
+from zbot.node.rosout import Rosout
+from zbot.node.service import Service
+from zbot.node.state import NodeHandle
+from zbot.node.subscription import ContentFilterOptions, Subscription
+from zbot.node.time_source import TimeSource
+from zbot.node.type_description import TypeDescriptionService
 from zbot.process.memory import spare_the_collector
-from zbot.publisher import Publisher
 from zbot.qos import (
     QoSProfile,
     as_profile,
@@ -32,12 +37,7 @@ from zbot.qos import (
     qos_profile_rosout_default,
     qos_profile_services_default,
 )
-from zbot.rosout import Rosout
-from zbot.service import Service
-from zbot.subscription import ContentFilterOptions, Subscription
 from zbot.time import S_TO_NS
-from zbot.time_source import TimeSource
-from zbot.type_description import TypeDescriptionService
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -147,7 +147,7 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
             self._zbot_parameter_services = ParameterServices(handle, self._zbot_resolve)
         self._zbot_type_descriptions = TypeDescriptionService(self)
         if enable_logger_service:
-            from zbot.logger_services import LoggingService  # noqa: PLC0415 - few nodes have it
+            from zbot.node.logger_services import LoggingService  # noqa: PLC0415 - few nodes have it
 
             LoggingService(self)
 

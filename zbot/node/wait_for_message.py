@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.ready_queue import Mailbox
+from zbot.node.subscription import Subscription
 from zbot.qos import as_profile
 from zbot.semaphore import LONGEST_WAIT_S, BinarySemaphore
-from zbot.subscription import Subscription
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
-    from zbot.node import Node
+    from zbot.node.node import Node
     from zbot.qos import QoSProfile
 
 MsgT = TypeVar("MsgT")

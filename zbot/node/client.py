@@ -28,9 +28,9 @@ from zbot.executor.task import Future
 from zbot.foreign_call import called_by_zenoh, in_one_go, keep_thread_state
 from zbot.handle import Handle
 from zbot.interfaces import type_name
+from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.semaphore import LONGEST_WAIT_S, BinarySemaphore, Haste
-from zbot.service_introspection import ServiceEndpoint, Step
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.codec import CodecError
 from zbot.wire.error_reply import unpack_error
@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.executor import Executor
     from zbot.executor.ready_queue import Mailbox
-    from zbot.service import Service
+    from zbot.node.service import Service
     from zbot.wire.tokens import EndpointToken
 
 RequestT = TypeVar("RequestT")

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ClockTypeError
 from zbot.executor.callback_group import MutuallyExclusiveCallbackGroup
 from zbot.executor.clock import ROSClock
-from zbot.node_parameters import USE_SIM_TIME
+from zbot.node.parameters import USE_SIM_TIME
 from zbot.qos import QoSProfile, ReliabilityPolicy
 from zbot.time import ClockType, Time
 
 if TYPE_CHECKING:
-    from zbot.node import Node
-    from zbot.subscription import Subscription
+    from zbot.node.node import Node
+    from zbot.node.subscription import Subscription
 
 CLOCK_TOPIC = "/clock"
 

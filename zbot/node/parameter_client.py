@@ -21,12 +21,12 @@ from rcl_interfaces.srv import (
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from zbot.client import Client
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.task import Future
-    from zbot.node import Node
+    from zbot.node.client import Client
+    from zbot.node.node import Node
+    from zbot.node.subscription import Subscription
     from zbot.qos import QoSProfile
-    from zbot.subscription import Subscription
 
     from rcl_interfaces.msg import Parameter as ParameterMsg
 

@@ -15,7 +15,7 @@ from zbot.parameter_store import Declaration, prefixes_of
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from zbot.node_handle import NodeHandle
+    from zbot.node.state import NodeHandle
     from zbot.parameter_store import ParameterStore
 
     from rcl_interfaces.msg import (

@@ -11,7 +11,7 @@ from zbot.names import ROSOUT_TOPIC
 
 if TYPE_CHECKING:
     from zbot.log import Record
-    from zbot.node import Node
+    from zbot.node.node import Node
     from zbot.qos import QoSProfile
 
 

@@ -10,7 +10,7 @@ from zbot.errors import InterfaceSyntaxError, UnknownInterfaceError, UnknownPack
 from zbot.interfaces import get_interface, get_spec, register_spec
 from zbot.interfaces.registry import has_package
 from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from_sources
-from zbot.type_description import SERVICE_TYPE
+from zbot.node.type_description import SERVICE_TYPE
 from zbot.wire.codec import CodecError
 from zbot.wire.tokens import EntityKind
 

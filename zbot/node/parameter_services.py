@@ -6,17 +6,17 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.interfaces.late import LateService
+from zbot.node.service import Service
 from zbot.parameter import Parameter
 from zbot.parameter_errors import ParameterException
 from zbot.parameter_store import prefixes_of
 from zbot.qos import qos_profile_parameters
-from zbot.service import Service
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.node_handle import NodeHandle
+    from zbot.node.state import NodeHandle
 
 #: The services with their types' hashes, which a ROS 2 type never changes: a node that nobody asks
 #: needs neither their classes nor their definitions, which take as long as all the rest of it.

@@ -5,7 +5,6 @@ from __future__ import annotations
 import threading
 from typing import TYPE_CHECKING, Any
 
-from zbot.advice import adviser_of
 from zbot.errors import InvalidHandleError
 from zbot.executor.callback_group import CallbackGroup, MutuallyExclusiveCallbackGroup
 from zbot.executor.clock import ROSClock
@@ -18,6 +17,7 @@ from zbot.names import (
     validate_full_topic_name,
     validate_topic_name,
 )
+from zbot.node.diagnostics import adviser_of
 from zbot.parameter_store import ParameterStore
 from zbot.wire.tokens import EndpointToken, NodeToken
 
@@ -25,17 +25,17 @@ if TYPE_CHECKING:
     from types import TracebackType
 
     from zbot.arguments import Arguments
-    from zbot.client import Client
     from zbot.context import Context
     from zbot.executor.executor import Executor
     from zbot.executor.guard_condition import GuardCondition
     from zbot.executor.timer import Rate, Timer
     from zbot.executor.waitable import Waitable
+    from zbot.node.client import Client
+    from zbot.node.publisher import Publisher
+    from zbot.node.service import Service
+    from zbot.node.subscription import Subscription
     from zbot.parameter_store import Changes
-    from zbot.publisher import Publisher
     from zbot.qos import QoSProfile
-    from zbot.service import Service
-    from zbot.subscription import Subscription
     from zbot.wire.tokens import EntityKind
 
 

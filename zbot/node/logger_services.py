@@ -9,7 +9,7 @@ from zbot.log import get_logger_level, set_logger_level
 from zbot.qos import qos_profile_services_default
 
 if TYPE_CHECKING:
-    from zbot.node import Node
+    from zbot.node.node import Node
 
 _INVALID_LEVEL = "Failed reason: Invalid logger level."  # rclpy's words, which callers compare
 

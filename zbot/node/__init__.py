@@ -1,0 +1,1 @@
+"""Nodes and their entities: publishers, subscriptions, services, clients, parameters."""
