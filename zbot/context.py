@@ -14,7 +14,7 @@ from zbot import config, membership, shared_memory
 from zbot.arguments import Arguments
 from zbot.errors import ArgumentTypeError, ContextInitializedError, NotInitializedError
 from zbot.foreign_call import in_one_go, uninterrupted
-from zbot.graph import Graph
+from zbot.graph.snapshot import Graph
 from zbot.handle import Handle
 from zbot.log import configure, get_logger, get_logging_severity_from_string
 from zbot.meeting_watch import MeetingWatch

@@ -16,7 +16,7 @@ from zbot_cli.listing import AsJson, ShowTypes, new_app, print_entries, print_js
 from zbot_cli.looking import full_name, snapshot
 
 if TYPE_CHECKING:
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
 
 app = new_app("Look at actions, and send goals")
 

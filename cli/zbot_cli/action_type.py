@@ -9,7 +9,7 @@ from zbot.names import nearest
 from zbot_cli.types import all_types, find_types, learn, type_hint
 
 if TYPE_CHECKING:
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
 
 
 class InvalidActionTypeError(ZbotError):

@@ -96,7 +96,7 @@ def _topics(_: Sequence[str], unfinished: str) -> Iterable[str]:
 
 
 def _nodes(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot.graph import full_names  # noqa: PLC0415 - as above
+    from zbot.graph.snapshot import full_names  # noqa: PLC0415 - as above
     from zbot_cli.looking import snapshot  # noqa: PLC0415 - as above
 
     names = full_names(snapshot().nodes)

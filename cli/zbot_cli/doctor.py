@@ -16,7 +16,7 @@ import typer
 
 from zbot import config
 from zbot.errors import ZbotError
-from zbot.graph import Snapshot, full_names, processes
+from zbot.graph.snapshot import Snapshot, full_names, processes
 from zbot.names import fully_qualified, is_hidden, nearest
 from zbot.version import __version__
 from zbot_cli.listing import AsJson, new_app, print_json

@@ -18,7 +18,7 @@ from zbot_cli.topic_type import message_class, only_type, tell_waiting
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from zbot.graph import Token
+    from zbot.graph.snapshot import Token
     from zbot.node.node import Node
     from zbot.node.qos_events import QoSMessageLostInfo
     from zbot.node.subscription import MessageInfo

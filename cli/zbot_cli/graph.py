@@ -10,16 +10,16 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from zbot.errors import ZbotError
-from zbot.graph_filter import Filters, Grouping, compile_filter
-from zbot.graph_view import BoxKind, Edge, GraphView, Mode, TopicView, view
+from zbot.graph.filters import Filters, Grouping, compile_filter
+from zbot.graph.view import BoxKind, Edge, GraphView, Mode, TopicView, view
 from zbot_cli.listing import AsJson, new_app, print_json
 from zbot_cli.looking import client, snapshot
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.graph import Snapshot
-    from zbot.graph_drawing import Drawing
+    from zbot.graph.diagram import Drawing
+    from zbot.graph.snapshot import Snapshot
 
 app = new_app("Show which nodes talk to each other", has_verbs=False)
 
@@ -131,7 +131,7 @@ class _Shower:
             print(_dot(drawn) if self._as_dot else _text(drawn), flush=True)
 
     def _draw(self, drawn: GraphView) -> None:
-        from zbot.graph_drawing import draw  # noqa: PLC0415 - text does without
+        from zbot.graph.diagram import draw  # noqa: PLC0415 - text does without
 
         self._drawing = draw(drawn, self._drawing)
         if self._svg == "-":
@@ -154,7 +154,7 @@ def _write(path: str, text: str) -> None:
 
 
 def _dot(drawn: GraphView) -> str:
-    from zbot.graph_dot import dot  # noqa: PLC0415 - text does without
+    from zbot.graph.dot import dot  # noqa: PLC0415 - text does without
 
     return dot(drawn)
 

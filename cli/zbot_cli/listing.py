@@ -11,7 +11,7 @@ import typer
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from zbot.graph import NamesAndTypes
+    from zbot.graph.snapshot import NamesAndTypes
 
 
 @dataclass(frozen=True)

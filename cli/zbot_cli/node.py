@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from zbot.errors import ZbotError
-from zbot.graph import full_names
+from zbot.graph.snapshot import full_names
 from zbot.names import fully_qualified, is_hidden, nearest
 from zbot.wire.tokens import EntityKind
 from zbot_cli.listing import NO_DAEMON, AsJson, DaemonOptions, new_app, print_json
 from zbot_cli.looking import client, full_name, snapshot, snapshot_of
 
 if TYPE_CHECKING:
-    from zbot.graph import NamesAndTypes, Process, Snapshot
+    from zbot.graph.snapshot import NamesAndTypes, Process, Snapshot
     from zbot.wire.tokens import NodeToken
 
 app = new_app("Look at nodes")
@@ -144,7 +144,7 @@ def kill(
 
 
 def _processes(context: object) -> dict[str, Process]:
-    from zbot.graph import processes  # noqa: PLC0415 - only this verb asks for it
+    from zbot.graph.snapshot import processes  # noqa: PLC0415 - only this verb asks for it
 
     return processes(context.session)  # type: ignore[attr-defined]
 

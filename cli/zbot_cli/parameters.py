@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.graph import full_names
+from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_service
 from zbot.names import fully_qualified, is_hidden, nearest
 from zbot.parameter import Parameter, guessed, parameter_value_to_python
@@ -16,7 +16,7 @@ from zbot_cli.looking import full_name
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.node.node import Node
 
 ANSWER_TIMEOUT_S = 5.0  #: for each answer; that of ros2

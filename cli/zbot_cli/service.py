@@ -25,7 +25,7 @@ from zbot_cli.qos_options import NOT_TOLD, Choice, profile_lines
 from zbot_cli.service_type import NODE_SERVICE_TYPES, UnknownServiceError, known_services
 
 if TYPE_CHECKING:
-    from zbot.graph import NamesAndTypes, Snapshot
+    from zbot.graph.snapshot import NamesAndTypes, Snapshot
     from zbot.wire.tokens import EndpointToken
 
 app = new_app("Look at services, and call them")

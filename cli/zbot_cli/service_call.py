@@ -21,7 +21,7 @@ from zbot_cli.service_type import (
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.node.client import Client
     from zbot.node.node import Node
     from zbot_cli.qos_options import Choice

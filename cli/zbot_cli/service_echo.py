@@ -18,7 +18,7 @@ from zbot_cli.service_type import (
 )
 
 if TYPE_CHECKING:
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.node.node import Node
     from zbot.node.subscription import MessageInfo
     from zbot_cli.message_text import Form

@@ -10,7 +10,7 @@ from zbot.wire.tokens import EntityKind
 from zbot_cli.types import all_types, find_types, learn, type_hint
 
 if TYPE_CHECKING:
-    from zbot.graph import NamesAndTypes, Snapshot
+    from zbot.graph.snapshot import NamesAndTypes, Snapshot
 
 #: The types of what every node serves about itself; lists leave these services out, which would
 #: bury those that a lesson is about.

@@ -25,7 +25,7 @@ from zbot_cli.looking import client, full_name, snapshot, snapshot_of
 from zbot_cli.qos_options import NOT_TOLD, Choice, profile_lines
 
 if TYPE_CHECKING:
-    from zbot.graph import NamesAndTypes, Snapshot
+    from zbot.graph.snapshot import NamesAndTypes, Snapshot
 
 app = new_app("Look at topics, listen and publish")
 
@@ -91,7 +91,7 @@ def list_topics(
 
 
 def _foreign(context: object, graph: Snapshot) -> dict[str, set[EntityKind]]:
-    from zbot.graph import foreign_topics  # noqa: PLC0415 - only lists ask for it
+    from zbot.graph.snapshot import foreign_topics  # noqa: PLC0415 - only lists ask for it
 
     if context.is_closed:  # type: ignore[attr-defined]
         return {}

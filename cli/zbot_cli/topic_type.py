@@ -9,7 +9,7 @@ from zbot.errors import ZbotError
 from zbot.names import nearest
 
 if TYPE_CHECKING:
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.node.node import Node
 
 

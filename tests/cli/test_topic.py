@@ -13,7 +13,7 @@ import zbot as library
 from tests.cli.command import zbot
 from tests.conftest import wait_until
 from zbot.config import MEETING_PORT
-from zbot.graph import foreign_topics
+from zbot.graph.snapshot import foreign_topics
 
 from sensor_msgs.msg import LaserScan  # isort: skip
 from std_msgs.msg import Header, Int32, String  # isort: skip

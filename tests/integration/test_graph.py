@@ -12,7 +12,6 @@ import pytest
 
 import zbot
 from tests.conftest import allowed, wait_until
-from zbot.endpoint_info import TopicEndpointTypeEnum
 from zbot.errors import (
     InvalidHandleError,
     InvalidNamespaceError,
@@ -21,6 +20,7 @@ from zbot.errors import (
     NodeNameError,
     UnknownNodeError,
 )
+from zbot.graph.endpoint_info import TopicEndpointTypeEnum
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.wire.tokens import EndpointToken, NodeToken
 

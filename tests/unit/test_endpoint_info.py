@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from zbot.endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum, TypeHash
+from zbot.graph.endpoint_info import TopicEndpointInfo, TopicEndpointTypeEnum, TypeHash
 from zbot.qos import QoSProfile
 
 TEXT = "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18"

@@ -10,10 +10,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.unit.test_graph_view import TALKING, node, publishes, subscribes
-from zbot.graph import Snapshot, Token
-from zbot.graph_drawing import draw, lines_of
-from zbot.graph_style import style, text_width
-from zbot.graph_view import Grouping, Mode, view
+from zbot.graph.diagram import draw, lines_of
+from zbot.graph.snapshot import Snapshot, Token
+from zbot.graph.style import style, text_width
+from zbot.graph.view import Grouping, Mode, view
 
 SVG = "{http://www.w3.org/2000/svg}"
 NODES, TOPICS = ("a", "b", "c", "d"), ("/x", "/r/y", "/r/s/z", "/r/s/w")

@@ -4,10 +4,10 @@ from itertools import count
 
 import pytest
 
-from zbot.graph import Snapshot
-from zbot.graph_dot import dot
-from zbot.graph_filter import InvalidFilterError
-from zbot.graph_view import BoxKind, Edge, Filters, Grouping, Mode, view
+from zbot.graph.dot import dot
+from zbot.graph.filters import InvalidFilterError
+from zbot.graph.snapshot import Snapshot
+from zbot.graph.view import BoxKind, Edge, Filters, Grouping, Mode, view
 from zbot.qos import QoSProfile
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from zbot.layered import Item, Layout, Link, lay_out
-from zbot.layered.place import settle
+from zbot.graph.layout import Item, Layout, Link, lay_out
+from zbot.graph.layout.place import settle
 
 Graph = tuple[list[Item], list[Link]]
 

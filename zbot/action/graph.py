@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Literal
 
 from zbot.errors import UnknownNodeError
-from zbot.graph import full_names
+from zbot.graph.snapshot import full_names
 from zbot.names import fully_qualified
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
-    from zbot.graph import NamesAndTypes
+    from zbot.graph.snapshot import NamesAndTypes
     from zbot.node.node import Node
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from zbot import census
 from zbot.errors import TokenError
 from zbot.foreign_call import called_by_zenoh
-from zbot.graph import Snapshot
+from zbot.graph.snapshot import Snapshot
 from zbot.wire.keys import topic_key
 from zbot.wire.tokens import parse_token, token_selector
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import zenoh
 
     from zbot.classroom.expectation import Expectation
-    from zbot.graph import Token
+    from zbot.graph.snapshot import Token
 
 _TOKENS_TIMEOUT_S = 2.0
 _SHORTEST_S, _LONGEST_S = 2.5, 20.0

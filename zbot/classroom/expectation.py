@@ -16,14 +16,14 @@ from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import ClassroomError
 from zbot.errors import InvalidNameError
-from zbot.graph import full_names
+from zbot.graph.snapshot import full_names
 from zbot.names import nearest, validate_full_topic_name
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
 
 #: A timer of 1 Hz is now and then late: so much less, or more, still counts.
 TOLERANCE = 0.05

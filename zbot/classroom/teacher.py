@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
     from zbot.classroom.check import Verdict
     from zbot.classroom.expectation import Expectation
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
 
 _MASTER_BYTES = 32
 _REOPENING_S = 3.0  # 0.2 s are usual

@@ -11,7 +11,7 @@ from zbot.interface_lookup import get_message, get_service
 from zbot.names import fully_qualified, is_hidden
 
 if TYPE_CHECKING:
-    from zbot.graph import NamesAndTypes
+    from zbot.graph.snapshot import NamesAndTypes
     from zbot.node.node import Node
 
 _LOOK_AGAIN_S = 0.5  # how long a look at the graph may miss that the context has ended

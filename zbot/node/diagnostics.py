@@ -21,7 +21,7 @@ from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
 if TYPE_CHECKING:
     from zbot.context import Context
-    from zbot.graph import Snapshot, Token
+    from zbot.graph.snapshot import Snapshot, Token
 
 # Programs of one lesson are started by hand, one after the other: give the other side time to come.
 _PATIENCE_S = 3.0

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.endpoint_info import TopicEndpointInfo
 from zbot.errors import AskedNameError, InvalidNameError, UnknownNodeError
-from zbot.graph import full_names
+from zbot.graph.endpoint_info import TopicEndpointInfo
+from zbot.graph.snapshot import full_names
 from zbot.names import fully_qualified
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 if TYPE_CHECKING:
     from zbot.context import Context
-    from zbot.graph import NamesAndTypes
+    from zbot.graph.snapshot import NamesAndTypes
 
 
 class GraphQueries:

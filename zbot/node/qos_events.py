@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.executor.callback_group import CallbackGroup
-    from zbot.graph import Graph, Token
+    from zbot.graph.snapshot import Graph, Token
     from zbot.time import Duration
 
 _INFINITE_NS = 2**63 - 1

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from zbot.context import Context
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.interfaces import InterfaceSpec
     from zbot.wire.tokens import EndpointToken
 

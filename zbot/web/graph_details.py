@@ -8,9 +8,9 @@ from urllib.parse import urlencode
 
 from nicegui import ui
 
-from zbot.graph_filter import Grouping
-from zbot.graph_topics import BoxKind, find_topics
-from zbot.graph_view import node_key
+from zbot.graph.filters import Grouping
+from zbot.graph.topics import BoxKind, find_topics
+from zbot.graph.view import node_key
 from zbot.names import fully_qualified, is_hidden
 from zbot.web.topic_details import show_topic
 from zbot.wire.tokens import EntityKind
@@ -18,8 +18,8 @@ from zbot.wire.tokens import EntityKind
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
 
-    from zbot.graph import Snapshot
-    from zbot.graph_topics import TopicView
+    from zbot.graph.snapshot import Snapshot
+    from zbot.graph.topics import TopicView
     from zbot.web.panel import Part
 
 _ENDS = (

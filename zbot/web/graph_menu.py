@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
 
-from zbot.graph_dot import dot
-from zbot.graph_view import Mode
+from zbot.graph.dot import dot
+from zbot.graph.view import Mode
 from zbot.web.graph_options import MOST_NAMESPACES, filter_problem
 
 if TYPE_CHECKING:
@@ -130,7 +130,7 @@ def _save_svg(panel: GraphPanel) -> None:
 
 
 def _save_png(panel: GraphPanel) -> None:
-    panel.frame.call("zbot.graph.savePng", "graph.png", panel.svg())
+    panel.frame.call("zbot.graph.snapshot.savePng", "graph.png", panel.svg())
     panel.frame.show_command(f"{panel.options.command} --svg graph.svg")
 
 

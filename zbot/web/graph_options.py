@@ -6,14 +6,14 @@ import shlex
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
-from zbot.graph_filter import Filters, Grouping, InvalidFilterError, compile_filter
-from zbot.graph_view import Mode, view
+from zbot.graph.filters import Filters, Grouping, InvalidFilterError, compile_filter
+from zbot.graph.view import Mode, view
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from zbot.graph import Snapshot
-    from zbot.graph_view import GraphView
+    from zbot.graph.snapshot import Snapshot
+    from zbot.graph.view import GraphView
 
 MOST_NAMESPACES = 9
 _NAMESPACES = "group-namespaces"

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.graph_topics import BoxKind
+from zbot.graph.topics import BoxKind
 from zbot.web.value_text import amount
 
 if TYPE_CHECKING:
-    from zbot.graph_view import Edge, GraphView
+    from zbot.graph.view import Edge, GraphView
     from zbot.web.panel import Part
     from zbot.web.watch import Watch
 

@@ -11,7 +11,7 @@ from zbot.web.table import Cell, Table
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.web.panel import Frame, Part
     from zbot.web.table import Column
 

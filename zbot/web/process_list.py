@@ -12,12 +12,12 @@ from typing import TYPE_CHECKING
 import psutil
 
 from zbot.errors import ZbotError
-from zbot.graph import full_names, processes
+from zbot.graph.snapshot import full_names, processes
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from zbot.graph import Process, Snapshot
+    from zbot.graph.snapshot import Process, Snapshot
     from zbot.web.system import System
 
 #: A session is opened after its process has begun; clocks of both are those of one machine.

@@ -12,7 +12,7 @@ from zbot.web.call import call
 from zbot.web.form_value import Entry, EntryError, read, show
 
 if TYPE_CHECKING:
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.web.system import System
 
 _LIST = "rcl_interfaces/srv/ListParameters"

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.executor.task import Future
-    from zbot.graph import Snapshot, Token
+    from zbot.graph.snapshot import Snapshot, Token
     from zbot.node.client import Client
     from zbot.node.publisher import Publisher
     from zbot.web.lease import Lease

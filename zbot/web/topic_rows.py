@@ -10,7 +10,7 @@ from zbot.names import fully_qualified, nearest
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.wire.tokens import EndpointToken
 
 

@@ -6,7 +6,7 @@ import itertools
 import os
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from zbot.graph import full_names
+from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_action, get_message, get_service
 from zbot.names import fully_qualified
 from zbot.node.node import Node
@@ -19,7 +19,7 @@ from zbot.web.system import ReadOnlyError, answer
 if TYPE_CHECKING:
     from zbot.action import ActionClient
     from zbot.executor.task import Future
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.node.publisher import Publisher
     from zbot.web.lease import Lease
     from zbot.web.panel import Frame

@@ -3,7 +3,7 @@ from __future__ import annotations
 import pytest
 
 from zbot.classroom.expectation import Expectation, ExpectationError, parse_expectations
-from zbot.graph import Snapshot
+from zbot.graph.snapshot import Snapshot
 from zbot.qos import QoSProfile
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 

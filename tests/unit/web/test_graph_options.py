@@ -5,8 +5,8 @@ import shlex
 import pytest
 
 from tests.unit.test_graph_view import TALKING
-from zbot.graph_filter import Filters, Grouping
-from zbot.graph_view import Mode
+from zbot.graph.filters import Filters, Grouping
+from zbot.graph.view import Mode
 from zbot.web.graph_options import FLAGS, GraphOptions, filter_problem
 from zbot_cli.nouns import load
 

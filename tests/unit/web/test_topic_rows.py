@@ -2,7 +2,7 @@ from __future__ import annotations
 
 from itertools import count
 
-from zbot.graph import Snapshot
+from zbot.graph.snapshot import Snapshot
 from zbot.qos import QoSProfile
 from zbot.web.topic_rows import topic_rows
 from zbot.wire.tokens import EndpointToken, EntityKind

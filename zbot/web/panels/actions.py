@@ -8,7 +8,7 @@ from nicegui import ui
 
 from zbot.action.goal_state import GoalState
 from zbot.errors import ZbotError
-from zbot.graph import full_names
+from zbot.graph.snapshot import full_names
 from zbot.web.call import complain, in_thread
 from zbot.web.command_line import command_line
 from zbot.web.form_view import FormView
@@ -21,7 +21,7 @@ from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from zbot.action import ActionClient
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.web.lease import Lease
     from zbot.web.panel import Part
 

@@ -10,9 +10,9 @@ from nicegui import background_tasks, run, ui
 
 from zbot.classroom import teacher
 from zbot.errors import ZbotError
-from zbot.graph import Snapshot
-from zbot.graph_drawing import draw
-from zbot.graph_view import view
+from zbot.graph.diagram import draw
+from zbot.graph.snapshot import Snapshot
+from zbot.graph.view import view
 from zbot.web.panel import Frame, Panel
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
 
-from zbot.graph_drawing import draw, edge_key
+from zbot.graph.diagram import draw, edge_key
 from zbot.web.graph_details import show_details
 from zbot.web.graph_menu import add_export_menu, add_filters, add_options_menu
 from zbot.web.graph_options import GraphOptions
@@ -14,8 +14,8 @@ from zbot.web.graph_rates import GraphRates
 from zbot.web.panel import Frame, Panel
 
 if TYPE_CHECKING:
-    from zbot.graph_drawing import Drawing
-    from zbot.graph_view import GraphView
+    from zbot.graph.diagram import Drawing
+    from zbot.graph.view import GraphView
     from zbot.web.panel import Part
 
 # A change is seen within a quarter of a second, and a launch of many nodes is drawn in a few steps.
@@ -74,13 +74,13 @@ class GraphPanel:
 
     def fit(self) -> None:
         """Show all of it."""
-        self.frame.call("zbot.graph.fit", self._id)
+        self.frame.call("zbot.graph.snapshot.fit", self._id)
 
     def _show(self) -> None:
         if self.drawing is not None:
             if self.shows_rates:
                 self.rates.match(self.drawing.view)
-            self.frame.call("zbot.graph.show", self._id, self.svg(), self._chosen)
+            self.frame.call("zbot.graph.snapshot.show", self._id, self.svg(), self._chosen)
 
     def svg(self) -> str:
         """Return the picture as it is shown, with rates if they are."""
@@ -94,7 +94,7 @@ class GraphPanel:
         if self.shows_rates and self.drawing is not None:
             labels = self.rates.labels(self.drawing.view)
             texts = {edge_key(edge): text for edge, text in labels.items()}
-            self.frame.call("zbot.graph.showRates", self._id, texts)
+            self.frame.call("zbot.graph.snapshot.showRates", self._id, texts)
 
     def _tell(self, view: GraphView) -> None:
         """Say what looks wrong, and what is there but not shown."""
@@ -154,7 +154,7 @@ class GraphPanel:
         else:
             self._split.classes(remove="zb-split-open")
             self.show_command()
-        self.frame.call("zbot.graph.choose", self._id, self._chosen)
+        self.frame.call("zbot.graph.snapshot.choose", self._id, self._chosen)
         self.remember()
 
 

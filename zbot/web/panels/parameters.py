@@ -16,7 +16,7 @@ from zbot.web.remote_parameter import load, nodes_with_parameters
 from zbot.web.table import Cell, Column
 
 if TYPE_CHECKING:
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.web.panel import Part
 
 _EVENTS = "/parameter_events"

@@ -17,7 +17,7 @@ from zbot.web.table import Cell, Column
 from zbot.web.value_text import amount
 
 if TYPE_CHECKING:
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.web.panel import Part
 
 _HZ = 1.0

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from nicegui import ui
 
 from zbot.errors import ZbotError
-from zbot.graph import full_names
+from zbot.graph.snapshot import full_names
 from zbot.names import is_hidden
 from zbot.web.call import call, complain, in_thread
 from zbot.web.command_line import command_line
@@ -20,7 +20,7 @@ from zbot.web.table import Cell, Column
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
     from zbot.web.panel import Part
 
 #: Packages of services that every node has.

@@ -4,7 +4,6 @@ from zbot.compat.annotation import AllowableParameterValue as AllowableParameter
 from zbot.compat.annotation import AllowableParameterValueT as AllowableParameterValueT
 from zbot.context import Context as Context
 from zbot.context import get_default_context as get_default_context
-from zbot.endpoint_info import TopicEndpointInfo as TopicEndpointInfo
 from zbot.errors import InvalidHandleError as InvalidHandle
 from zbot.errors import InvalidTopicNameError as InvalidTopicNameException
 from zbot.errors import NotInitializedError as NotInitializedException
@@ -22,6 +21,7 @@ from zbot.executor.timer import Rate as Rate
 from zbot.executor.timer import Timer as Timer
 from zbot.executor.timer import TimerInfo as TimerInfo
 from zbot.executor.waitable import Waitable as Waitable
+from zbot.graph.endpoint_info import TopicEndpointInfo as TopicEndpointInfo
 from zbot.interfaces.message import Service as Srv
 from zbot.interfaces.type_support import MsgT as MsgT
 from zbot.interfaces.type_support import MsgT as MsgType

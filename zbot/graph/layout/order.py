@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    from zbot.layered.net import Net
+    from zbot.graph.layout.net import Net
 
 _SWEEPS = 12
 _ROUNDS_OF_SWAPS = 4

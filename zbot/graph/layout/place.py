@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, TypeAlias
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from zbot.layered.net import Net
+    from zbot.graph.layout.net import Net
 
 FRAME_PAD = 14.0  #: between a frame and what is in it
 FRAME_TITLE = 22.0  #: for a frame's name, above what is in it

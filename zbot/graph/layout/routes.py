@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.layered.graph import Route
+from zbot.graph.layout.graph import Route
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from zbot.layered.graph import Place, Point
-    from zbot.layered.net import Net
+    from zbot.graph.layout.graph import Place, Point
+    from zbot.graph.layout.net import Net
 
 _PORT_GAP = 9.0  # between links at a side
 _PORT_EDGE = 9.0  # between the outermost links and the ends of a side

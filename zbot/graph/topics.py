@@ -7,15 +7,15 @@ from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from zbot.graph_filter import TF_TOPICS
+from zbot.graph.filters import TF_TOPICS
 from zbot.names import fully_qualified, nearest
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable, Iterator, Mapping
 
-    from zbot.graph import Snapshot
-    from zbot.graph_filter import Grouping
+    from zbot.graph.filters import Grouping
+    from zbot.graph.snapshot import Snapshot
 
 _ACTION = "/_action/"
 _TOPIC_KINDS = (EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION)

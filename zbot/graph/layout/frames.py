@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.layered.graph import Frame
-from zbot.layered.place import FRAME_PAD, FRAME_TITLE
+from zbot.graph.layout.graph import Frame
+from zbot.graph.layout.place import FRAME_PAD, FRAME_TITLE
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from zbot.layered.net import Net
+    from zbot.graph.layout.net import Net
 
 _Slice = tuple[float, float, float, float]
 _TOUCH = 24.0  # how much two slices must overlap to look like one

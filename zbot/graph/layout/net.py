@@ -6,12 +6,12 @@ from itertools import pairwise
 from math import sqrt
 from typing import TYPE_CHECKING
 
-from zbot.layered.layers import Arc, assign, turned
+from zbot.graph.layout.layers import Arc, assign, turned
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from zbot.layered.graph import Item, Link
+    from zbot.graph.layout.graph import Item, Link
 
 LABEL_HEIGHT = 36.0  # a line of text above the arrow, and one below it
 _ROW = 64.0  # about what an item and the space to the next one take

@@ -4,7 +4,7 @@ Pure, deterministic, and made for pictures that change: given the layout that wa
 what is there already stays where it is as far as possible.
 """
 
-from zbot.layered.graph import Frame, Item, Layout, Link, Place, Route
-from zbot.layered.layout import lay_out
+from zbot.graph.layout.graph import Frame, Item, Layout, Link, Place, Route
+from zbot.graph.layout.layout import lay_out
 
 __all__ = ["Frame", "Item", "Layout", "Link", "Place", "Route", "lay_out"]

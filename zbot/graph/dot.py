@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.graph_topics import BoxKind
-from zbot.graph_view import node_key
+from zbot.graph.topics import BoxKind
+from zbot.graph.view import node_key
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from zbot.graph_view import Edge, GraphView
+    from zbot.graph.view import Edge, GraphView
 
 _HEAD = """digraph graph_of_nodes {
   rankdir=LR;

@@ -10,14 +10,14 @@ from enum import Enum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from zbot.graph_filter import Filters, Grouping, compile_filter
-from zbot.graph_topics import BoxKind, TopicView, find_topics
+from zbot.graph.filters import Filters, Grouping, compile_filter
+from zbot.graph.topics import BoxKind, TopicView, find_topics
 from zbot.names import fully_qualified
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from zbot.graph import Snapshot
+    from zbot.graph.snapshot import Snapshot
 
 __all__ = ["BoxKind", "Edge", "Filters", "GraphView", "Grouping", "Mode", "TopicView", "view"]
 

@@ -13,15 +13,15 @@ from itertools import pairwise
 from math import sqrt
 from typing import TYPE_CHECKING
 
-from zbot.graph_style import FONT_SIZE, LABEL_SIZE, style, text_width
-from zbot.graph_view import Mode, node_key
-from zbot.layered import Item, Layout, Link, lay_out
+from zbot.graph.layout import Item, Layout, Link, lay_out
+from zbot.graph.style import FONT_SIZE, LABEL_SIZE, style, text_width
+from zbot.graph.view import Mode, node_key
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping
 
-    from zbot.graph_view import Edge, GraphView, TopicView
-    from zbot.layered import Frame, Place, Route
+    from zbot.graph.layout import Frame, Place, Route
+    from zbot.graph.view import Edge, GraphView, TopicView
 
 _MARGIN = 24.0
 _NODE_HEIGHT = 46.0

@@ -6,17 +6,17 @@ from dataclasses import replace
 from statistics import median
 from typing import TYPE_CHECKING
 
-from zbot.layered.frames import frames
-from zbot.layered.graph import Layout, Place
-from zbot.layered.net import Net
-from zbot.layered.order import order, order_around
-from zbot.layered.place import columns, place
-from zbot.layered.routes import routes
+from zbot.graph.layout.frames import frames
+from zbot.graph.layout.graph import Layout, Place
+from zbot.graph.layout.net import Net
+from zbot.graph.layout.order import order, order_around
+from zbot.graph.layout.place import columns, place
+from zbot.graph.layout.routes import routes
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from zbot.layered.graph import Item, Link
+    from zbot.graph.layout.graph import Item, Link
 
 _COLUMN_GAP = 96.0  # room for a rate beside an arrow
 _ENOUGH_KNOWN = 0.5  # of the items: with fewer, there is no picture yet to stay true to
