@@ -22,7 +22,7 @@ from pathlib import Path
 
 import zbot
 from benchmarks.contestants import SERVICES, SOURCES
-from zbot.config import MEETING_PORT
+from zbot.transport.config import MEETING_PORT
 from zbot.wire.codec import codec_for
 
 from example_interfaces.srv import AddTwoInts

@@ -17,8 +17,8 @@ import hypothesis
 import pytest
 
 import zbot
-from zbot.config import MAX_DOMAIN_ID, MEETING_PORT
 from zbot.log.hub import HUB
+from zbot.transport.config import MAX_DOMAIN_ID, MEETING_PORT
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -10,20 +10,20 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import zenoh
 
-from zbot import config, membership, shared_memory
 from zbot.arguments import Arguments
 from zbot.errors import ArgumentTypeError, ContextInitializedError, NotInitializedError
-from zbot.foreign_call import in_one_go, uninterrupted
 from zbot.graph.snapshot import Graph
-from zbot.handle import Handle
 from zbot.log import configure, get_logger, get_logging_severity_from_string
-from zbot.meeting_watch import MeetingWatch
 from zbot.notice import NOTICE_KEY, log_notice
 from zbot.process import at_exit, blocked_put
 from zbot.process.memory import spare_the_collector
-from zbot.session import MeetingPoint, process_facts
+from zbot.transport import config, membership, shared_memory
+from zbot.transport.foreign_call import in_one_go, uninterrupted
+from zbot.transport.handle import Handle
+from zbot.transport.peering import MeetingWatch
+from zbot.transport.session import MeetingPoint, process_facts
+from zbot.transport.weak_set import WeakSet
 from zbot.version import __version__
-from zbot.weak_set import WeakSet
 from zbot.wire.dialect import IN_CLASS, NATIVE
 
 if TYPE_CHECKING:

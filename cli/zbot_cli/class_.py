@@ -14,7 +14,7 @@ from zbot_cli.status import Status
 
 if TYPE_CHECKING:
     from zbot.classroom.record import ClassRecord
-    from zbot.membership import Membership
+    from zbot.transport.membership import Membership
 
 app = new_app("Open a class, and look after it")
 
@@ -44,8 +44,8 @@ def start(
     """Open a class."""
     from zbot.classroom import teacher  # noqa: PLC0415 - help is quick
     from zbot.classroom.register import clean_name, load_roster  # noqa: PLC0415 - as above
-    from zbot.config import hub_port  # noqa: PLC0415 - as above
     from zbot.security.pin import random_pin  # noqa: PLC0415 - as above
+    from zbot.transport.config import hub_port  # noqa: PLC0415 - as above
 
     expected = load_roster(students) if students else None
     chosen = (os.environ.get("ZBOT_PIN") or random_pin().reveal()) if pin else ""

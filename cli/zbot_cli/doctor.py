@@ -14,10 +14,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from zbot import config
 from zbot.errors import ZbotError
 from zbot.graph.snapshot import Snapshot, full_names, processes
 from zbot.names import fully_qualified, is_hidden, nearest
+from zbot.transport import config
 from zbot.version import __version__
 from zbot_cli.listing import AsJson, new_app, print_json
 from zbot_cli.looking import client, snapshot_of

@@ -7,10 +7,10 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
-from zbot.config import DiscoveryRange, discovery_range
 from zbot.context import Context
 from zbot.errors import ExternalShutdownException
 from zbot.graph.snapshot import Snapshot
+from zbot.transport.config import DiscoveryRange, discovery_range
 from zbot_cli.status import Status
 
 if TYPE_CHECKING:

@@ -14,7 +14,6 @@ import zenoh
 from tests.classroom.talk import HERE, free_port, open_session
 from tests.conftest import wait_until
 from zbot.classroom.state import certificate_problem
-from zbot.membership import Membership
 from zbot.security.certificate import Validity
 from zbot.security.errors import (
     EarlyCertificateError,
@@ -29,6 +28,7 @@ from zbot.security.errors import (
 )
 from zbot.security.keystore import Identity, Keystore
 from zbot.security.tls import check_dialling, check_listening, tls_settings
+from zbot.transport.membership import Membership
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -12,8 +12,8 @@ import pytest
 import zbot as library
 from tests.cli.command import zbot
 from tests.conftest import wait_until
-from zbot.config import MEETING_PORT
 from zbot.graph.snapshot import foreign_topics
+from zbot.transport.config import MEETING_PORT
 
 from sensor_msgs.msg import LaserScan  # isort: skip
 from std_msgs.msg import Header, Int32, String  # isort: skip

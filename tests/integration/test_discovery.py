@@ -16,10 +16,10 @@ import zenoh
 
 import zbot
 from tests.conftest import allowed, wait_until
-from zbot import config
-from zbot.config import MEETING_PORT
-from zbot.meeting_watch import MeetingWatch
-from zbot.session import MeetingPoint, process_facts
+from zbot.transport import config
+from zbot.transport.config import MEETING_PORT
+from zbot.transport.peering import MeetingWatch
+from zbot.transport.session import MeetingPoint, process_facts
 from zbot_cli.looking import client
 
 from std_msgs.msg import String

@@ -14,8 +14,8 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from zbot import shared_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from zbot.transport import shared_memory
 
 from nav_msgs.srv import LoadMap
 from std_msgs.msg import UInt8MultiArray

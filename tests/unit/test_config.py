@@ -6,9 +6,9 @@ from typing import Any
 
 import pytest
 
-from zbot import config
-from zbot.config import DiscoveryRange, SessionConfig
 from zbot.errors import ConfigError, DiscoveryRangeError, DomainIdError, SetupError
+from zbot.transport import config
+from zbot.transport.config import DiscoveryRange, SessionConfig
 
 NO_FILE = SessionConfig("nothing", "{}")
 

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from zbot import config, membership
-from zbot.membership import Membership, MembershipError
+from zbot.transport import config, membership
+from zbot.transport.membership import Membership, MembershipError
 
 STUDENT = Membership(
     "student", "10.0.0.1", 7447, class_name="Robots", number=17, user="student17", secret="s3"

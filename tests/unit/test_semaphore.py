@@ -5,8 +5,8 @@ from dataclasses import dataclass
 
 import pytest
 
-from zbot import semaphore as module
-from zbot.semaphore import LARGE_MOMENT_NS, BinarySemaphore, Haste
+from zbot.transport import wakeup as module
+from zbot.transport.wakeup import LARGE_MOMENT_NS, BinarySemaphore, Haste
 
 
 def test_a_wait_returns_for_what_was_set_before_it() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import gc
 import threading
 
-from zbot.weak_set import WeakSet
+from zbot.transport.weak_set import WeakSet
 
 
 class Thing:

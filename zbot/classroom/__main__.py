@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import sys
 
-from zbot import membership
 from zbot.classroom import background
 from zbot.classroom.errors import NotJoinedError
 from zbot.classroom.student import run_student
 from zbot.classroom.teacher import run_teacher
 from zbot.errors import ZbotError
+from zbot.transport import membership
 
 
 def main() -> int:

@@ -8,7 +8,7 @@ import sys
 from dataclasses import dataclass
 
 from zbot.classroom.errors import AddressError
-from zbot.config import HUB_PORT
+from zbot.transport.config import HUB_PORT
 
 #: Documentation addresses (RFC 5737): a UDP socket "connected" to one sends nothing, but the system
 #: chooses the address that it would send from. The first leads to the default route.

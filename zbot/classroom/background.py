@@ -18,8 +18,8 @@ from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
 
 from zbot.classroom.errors import AlreadyJoinedError, HubStartError
-from zbot.membership import folder
 from zbot.security.secret import make_private_folder, write_private
+from zbot.transport.membership import folder
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -7,10 +7,10 @@ import time
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot import census
 from zbot.errors import TokenError
-from zbot.foreign_call import called_by_zenoh
 from zbot.graph.snapshot import Snapshot
+from zbot.transport import admin_query
+from zbot.transport.foreign_call import called_by_zenoh
 from zbot.wire.keys import topic_key
 from zbot.wire.tokens import parse_token, token_selector
 
@@ -70,7 +70,7 @@ def check(
 def snapshots(session: zenoh.Session, numbers: Iterable[int]) -> dict[int, Snapshot]:
     """Return the graphs of some students' domains, as a client of the teacher's hub sees them."""
     asked = {
-        number: census.tokens(session, token_selector(number), _TOKENS_TIMEOUT_S)
+        number: admin_query.tokens(session, token_selector(number), _TOKENS_TIMEOUT_S)
         for number in numbers
     }
     return {number: Snapshot(tuple(_tokens(keys))) for number, keys in asked.items()}

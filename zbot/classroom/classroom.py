@@ -8,7 +8,6 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot import membership
 from zbot.classroom.address import EVERYWHERE, Address
 from zbot.classroom.door import Door
 from zbot.classroom.errors import ClassroomError
@@ -18,9 +17,10 @@ from zbot.classroom.link import Link
 from zbot.classroom.record import MOST_NOTICES, ClassRecord, user_of
 from zbot.classroom.register import NumberError
 from zbot.classroom.seats import Seats
-from zbot.config import MAX_DOMAIN_ID
 from zbot.notice import NOTICE_KEY
 from zbot.security.access import TEACHER, Share, teacher_access
+from zbot.transport import membership
+from zbot.transport.config import MAX_DOMAIN_ID
 
 if TYPE_CHECKING:
     from zbot.classroom.register import Student

@@ -12,11 +12,11 @@ from zbot.classroom.errors import NoHubError, PinNeededError, RefusedError, Sile
 from zbot.classroom.keys import DOOR_KEY
 from zbot.classroom.link import IN_THE_CLEAR, Link
 from zbot.classroom.register import clean_name, clean_sentence
-from zbot.membership import Membership
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
 from zbot.security.pin import PinGuest, WrongPinError
 from zbot.security.secret import Secret
-from zbot.session import open_hub_client
+from zbot.transport.membership import Membership
+from zbot.transport.session import open_hub_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -11,9 +11,9 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.errors import HubPortError
-from zbot.config import port_of
 from zbot.errors import SessionError
-from zbot.session import open_hub, process_facts
+from zbot.transport.config import port_of
+from zbot.transport.session import open_hub, process_facts
 from zbot.version import __version__
 
 if TYPE_CHECKING:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from zbot.classroom.address import Address
 from zbot.classroom.errors import AddressError, CodeError
-from zbot.config import HUB_PORT
+from zbot.transport.config import HUB_PORT
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.address import EVERYWHERE, Address, own_addresses
-from zbot.session import hub_endpoint
+from zbot.transport.session import hub_endpoint
 
 if TYPE_CHECKING:
     from zbot.security.keystore import Identity

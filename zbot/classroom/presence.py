@@ -11,18 +11,18 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from zbot import census
 from zbot.classroom.desk import ask
 from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key, nodes_selector
 from zbot.errors import CodecError
 from zbot.interfaces import get_message
 from zbot.notice import notice_text
+from zbot.transport import admin_query
 from zbot.version import __version__
 from zbot.wire.codec import codec_for
 
 if TYPE_CHECKING:
     from zbot.classroom.serving import Serving
-    from zbot.membership import Membership
+    from zbot.transport.membership import Membership
 
 _ERROR_LEVEL = 40  # rcl_interfaces/msg/Log: ERROR; FATAL is 50
 _QUEUE = 64
@@ -74,7 +74,7 @@ class Presence:
     def _look_back(self) -> None:
         """Ask new nodes for what they logged before this hub was linked with them."""
         selector = nodes_selector(self._joined.number)
-        found = set(census.tokens(self._session, selector, _LOOK_TIMEOUT_S))
+        found = set(admin_query.tokens(self._session, selector, _LOOK_TIMEOUT_S))
         if found <= self._known:
             self._known = found
             return
@@ -82,7 +82,7 @@ class Presence:
         # What transient local publishers keep is asked of them like this (zenoh.ext).
         for reply in self._session.get(
             f"{self._joined.number}/rosout/@adv/pub/**?_max={_QUEUE}",
-            census.room(),
+            admin_query.room(),
             consolidation=zenoh.ConsolidationMode.NONE,
             accept_replies=zenoh.ReplyKeyExpr.ANY,
             timeout=_LOOK_TIMEOUT_S,

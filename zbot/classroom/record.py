@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.errors import ClassroomError, NoClassError
 from zbot.classroom.register import Register, Student
-from zbot.config import MAX_DOMAIN_ID
-from zbot.membership import folder
 from zbot.security.access import LOBBY, LOBBY_SECRET, TEACHER
 from zbot.security.secret import make_private_folder, write_private
+from zbot.transport.config import MAX_DOMAIN_ID
+from zbot.transport.membership import folder
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -12,8 +12,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import ClassroomError
-from zbot.config import MAX_DOMAIN_ID
 from zbot.plain_text import plain
+from zbot.transport.config import MAX_DOMAIN_ID
 
 if TYPE_CHECKING:
     from pathlib import Path

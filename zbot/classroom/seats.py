@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from zbot import census
 from zbot.classroom.desk import document_of
 from zbot.classroom.keys import facts_key, here_key
 from zbot.classroom.register import clean_name
-from zbot.foreign_call import called_by_zenoh
 from zbot.names import fully_qualified, is_hidden
+from zbot.transport import admin_query
+from zbot.transport.foreign_call import called_by_zenoh
 from zbot.wire.tokens import NodeToken, parse_token
 
 if TYPE_CHECKING:
@@ -154,7 +154,7 @@ class Seats:
         found: dict[int, list[str]] = {}
         if serving is None:
             return found
-        for key in census.tokens(serving.session, _NODE_TOKENS, _FACTS_TIMEOUT_S):
+        for key in admin_query.tokens(serving.session, _NODE_TOKENS, _FACTS_TIMEOUT_S):
             token = _node_of(key)
             if token is not None:
                 name = fully_qualified(token.namespace, token.node)

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot import membership
 from zbot.classroom import background
 from zbot.classroom.address import Address
 from zbot.classroom.desk import ask
 from zbot.classroom.link import Link
 from zbot.classroom.serving import HUB_KEY
-from zbot.config import hub_port
 from zbot.security.errors import SecurityError
-from zbot.session import open_hub_client
+from zbot.transport import membership
+from zbot.transport.config import hub_port
+from zbot.transport.session import open_hub_client
 
 if TYPE_CHECKING:
-    from zbot.membership import Membership
+    from zbot.transport.membership import Membership
 
 _TIMEOUT_S = 1.0
 

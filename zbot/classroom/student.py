@@ -8,7 +8,6 @@ import socket
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from zbot import membership
 from zbot.classroom import background, teacher
 from zbot.classroom.address import Address, own_addresses, parse_address
 from zbot.classroom.door import Wish
@@ -22,13 +21,14 @@ from zbot.classroom.probe import first_that_answers
 from zbot.classroom.serving import serve
 from zbot.classroom.state import hub_facts
 from zbot.security.secret import make_private_folder, write_private
-from zbot.session import hub_endpoint, open_hub_client
+from zbot.transport import membership
+from zbot.transport.session import hub_endpoint, open_hub_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from pathlib import Path
 
-    from zbot.membership import Membership
+    from zbot.transport.membership import Membership
 
 _MACHINE_BYTES = 8
 

@@ -7,7 +7,6 @@ import time
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from zbot import membership
 from zbot.classroom import background
 from zbot.classroom.address import Address, own_addresses
 from zbot.classroom.check import check, snapshots
@@ -18,9 +17,10 @@ from zbot.classroom.keys import DESK_KEY
 from zbot.classroom.link import Link
 from zbot.classroom.record import ClassRecord, load_record, record_path
 from zbot.classroom.serving import serve
-from zbot.membership import Membership
 from zbot.security.access import TEACHER
-from zbot.session import LOOPBACK, open_hub_client
+from zbot.transport import membership
+from zbot.transport.membership import Membership
+from zbot.transport.session import LOOPBACK, open_hub_client
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

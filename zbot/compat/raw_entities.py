@@ -18,8 +18,8 @@ from zbot.wire.tokens import EntityKind
 if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.executor.clock import Clock
-    from zbot.handle import Handle
     from zbot.node.state import NodeHandle
+    from zbot.transport.handle import Handle
 
 
 class _Own:

@@ -25,8 +25,8 @@ from zbot.executor.callback_stack import callbacks
 from zbot.executor.task import Future, Task
 from zbot.executor.task_step import Step
 from zbot.executor.timer_queue import Agenda
-from zbot.semaphore import BinarySemaphore
 from zbot.time import TimeoutObject
+from zbot.transport.wakeup import BinarySemaphore
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Iterator

@@ -14,8 +14,8 @@ from zbot.errors import (
     RateInterruptedError,
 )
 from zbot.executor.clock import ROSClock
-from zbot.handle import Handle
 from zbot.time import ClockType, Duration, Time
+from zbot.transport.handle import Handle
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -6,12 +6,12 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any, Literal
 
-from zbot.semaphore import BinarySemaphore
+from zbot.transport.wakeup import BinarySemaphore
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.handle import Handle
+    from zbot.transport.handle import Handle
 
 Kind = Literal["subscription", "guard_condition", "timer", "client", "service", "event"]
 _POLL_S = 0.1  # on simulated time a timer has no moment to sleep until

@@ -17,11 +17,11 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import zenoh
 
-from zbot import census
 from zbot.errors import InvalidNameError, TokenError
-from zbot.foreign_call import in_one_go
 from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
-from zbot.semaphore import BinarySemaphore
+from zbot.transport import admin_query
+from zbot.transport.foreign_call import in_one_go
+from zbot.transport.wakeup import BinarySemaphore
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
 if TYPE_CHECKING:
@@ -276,13 +276,13 @@ class Graph:
                 yield token
 
     def _asked_of_router(self) -> Iterable[str]:
-        asked = [census.tokens(self._session, key, _ANSWER_TIMEOUT_S) for key in self._keys]
+        asked = [admin_query.tokens(self._session, key, _ANSWER_TIMEOUT_S) for key in self._keys]
         return itertools.chain.from_iterable(asked)
 
     def _told_by_peers(self) -> Iterable[str]:
         # A peer that follows tokens answers its own questions from what it happens to have heard.
         # Whoever is told that tokens are followed sends theirs, and then answers what comes next.
-        subscribers = [self._declare_subscriber(key, census.room()) for key in self._keys]
+        subscribers = [self._declare_subscriber(key, admin_query.room()) for key in self._keys]
         self._settle()
         keys: dict[str, None] = {}
         for subscriber in subscribers:
@@ -352,7 +352,7 @@ class Process(NamedTuple):
 def processes(session: zenoh.Session) -> dict[str, Process]:
     """Return the zbot processes that can be seen, by session id (1 to 25 ms)."""
     found = {}
-    for key, facts in census.answers(session, "@/*/*", _ANSWER_TIMEOUT_S):
+    for key, facts in admin_query.answers(session, "@/*/*", _ANSWER_TIMEOUT_S):
         zid = key.split("/")[1]
         process = _process(zid, facts)
         if process is not None:
@@ -386,10 +386,11 @@ def foreign_topics(
         domain: 0 to 232.
     """
     own = {token.zid for token in snapshot.tokens} | {str(session.info.zid())}
-    strangers = census.sessions(session, "*", _ANSWER_TIMEOUT_S).keys() - own
+    strangers = admin_query.sessions(session, "*", _ANSWER_TIMEOUT_S).keys() - own
     # All are asked before the first answer is waited for.
     asked = [
-        census.answers(session, f"@/{zid}/*/*/{domain}/**", _ANSWER_TIMEOUT_S) for zid in strangers
+        admin_query.answers(session, f"@/{zid}/*/*/{domain}/**", _ANSWER_TIMEOUT_S)
+        for zid in strangers
     ]
     known = {end.name for end in snapshot.endpoints}
     found: dict[str, set[EntityKind]] = {}

@@ -25,12 +25,12 @@ from zbot.errors import (
 )
 from zbot.executor.callback_stack import callbacks, current_executor
 from zbot.executor.task import Future
-from zbot.foreign_call import called_by_zenoh, in_one_go, keep_thread_state
-from zbot.handle import Handle
 from zbot.interfaces import type_name
 from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
-from zbot.semaphore import LONGEST_WAIT_S, BinarySemaphore, Haste
+from zbot.transport.foreign_call import called_by_zenoh, in_one_go, keep_thread_state
+from zbot.transport.handle import Handle
+from zbot.transport.wakeup import LONGEST_WAIT_S, BinarySemaphore, Haste
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.codec import CodecError
 from zbot.wire.error_reply import unpack_error

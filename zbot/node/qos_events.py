@@ -14,9 +14,9 @@ from typing import TYPE_CHECKING, Any, TypeAlias
 from zbot.executor.clock import Clock
 from zbot.executor.ready_queue import Mailbox
 from zbot.executor.timer import Timer
-from zbot.handle import Handle
 from zbot.qos import LivelinessPolicy, QoSPolicyKind
 from zbot.time import ClockType
+from zbot.transport.handle import Handle
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 if TYPE_CHECKING:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot import census
 from zbot.errors import InterfaceSyntaxError, UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces import get_interface, get_spec, register_spec
 from zbot.interfaces.registry import has_package
 from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from_sources
 from zbot.node.type_description import SERVICE_TYPE
+from zbot.transport import admin_query
 from zbot.wire.codec import CodecError
 from zbot.wire.tokens import EntityKind
 
@@ -95,7 +95,7 @@ def _ask(context: Context, service: str, name: str, timeout_s: float) -> Any:
     dialect = context.dialect
     replies = context.session.get(
         dialect.topic_key(context.get_domain_id(), service),
-        census.room(),
+        admin_query.room(),
         payload=dialect.codec_for(srv_type.Request).encode(srv_type.Request(type_name=name)),
         timeout=timeout_s,
     )

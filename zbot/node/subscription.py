@@ -21,7 +21,6 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, NamedTuple, TypedDict, 
 import zenoh
 
 from zbot.errors import CallbackSignatureError, ZbotError
-from zbot.handle import Handle
 from zbot.interfaces import has_sequences
 from zbot.log import away_from_sinks, get_logger
 from zbot.names import ROSOUT_TOPIC
@@ -29,8 +28,9 @@ from zbot.node.endpoint import RMW_IDENTIFIER, TopicEndpoint
 from zbot.process import blocked_put
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy
-from zbot.semaphore import LARGE_MOMENT_NS, Haste
 from zbot.serialization import raw_decoder
+from zbot.transport.handle import Handle
+from zbot.transport.wakeup import LARGE_MOMENT_NS, Haste
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.codec import CodecError
 from zbot.wire.dialect import other_type

@@ -7,12 +7,12 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import UnknownInterfaceError, UnknownPackageError
-from zbot.foreign_call import called_by_zenoh
 from zbot.interfaces import MessageSpec, get_spec, type_description, type_hash
 from zbot.interfaces.late import LateService
 from zbot.node.parameters import START_TYPE_DESCRIPTION_SERVICE
 from zbot.node.service import Service
 from zbot.qos import qos_profile_services_default
+from zbot.transport.foreign_call import called_by_zenoh
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

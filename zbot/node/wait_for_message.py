@@ -9,7 +9,7 @@ from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.ready_queue import Mailbox
 from zbot.node.subscription import Subscription
 from zbot.qos import as_profile
-from zbot.semaphore import LONGEST_WAIT_S, BinarySemaphore
+from zbot.transport.wakeup import LONGEST_WAIT_S, BinarySemaphore
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

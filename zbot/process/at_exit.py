@@ -16,7 +16,7 @@ from types import BuiltinFunctionType
 from typing import TYPE_CHECKING
 
 from zbot.errors import ExternalShutdownException
-from zbot.weak_set import WeakSet
+from zbot.transport.weak_set import WeakSet
 
 if TYPE_CHECKING:
     from zbot.context import Context

@@ -23,9 +23,9 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from zbot.config import port_of
 from zbot.process import at_exit
-from zbot.weak_set import WeakSet
+from zbot.transport.config import port_of
+from zbot.transport.weak_set import WeakSet
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator

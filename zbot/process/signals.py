@@ -28,9 +28,9 @@ from zbot.errors import (
 )
 from zbot.executor.executor import spinning_in_main_thread
 from zbot.executor.guard_condition import GuardCondition
-from zbot.foreign_call import is_uninterrupted
 from zbot.process import at_exit
-from zbot.weak_set import WeakSet
+from zbot.transport.foreign_call import is_uninterrupted
+from zbot.transport.weak_set import WeakSet
 
 if TYPE_CHECKING:
     from types import FrameType

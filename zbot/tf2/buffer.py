@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ArgumentTypeError
 from zbot.executor.callback_stack import current_executor
 from zbot.executor.task import Future
-from zbot.semaphore import LONGEST_WAIT_S
 from zbot.tf2.buffer_core import BufferCore
 from zbot.tf2.buffer_interface import NO_WAIT, BufferInterface
 from zbot.tf2.errors import TransformException
 from zbot.time import Duration
+from zbot.transport.wakeup import LONGEST_WAIT_S
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

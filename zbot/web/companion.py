@@ -73,7 +73,7 @@ def main() -> None:
 
 def _is_first(arbiter: socket.socket) -> bool:
     """Return whether no other program of the domain has begun to show its page."""
-    from zbot.config import MEETING_PORT, domain_id  # noqa: PLC0415 - only in that process
+    from zbot.transport.config import MEETING_PORT, domain_id  # noqa: PLC0415 - only in that process
 
     try:
         arbiter.bind(("127.0.0.1", MEETING_PORT + _ABOVE_MEETING_PORT + domain_id()))

@@ -17,7 +17,7 @@ from typing import Any
 import msgpack  # type: ignore[import-untyped]
 import zenoh
 
-from zbot.session import open_hub_client
+from zbot.transport.session import open_hub_client
 
 
 class Ear:

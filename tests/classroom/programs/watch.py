@@ -11,7 +11,7 @@ import time
 
 import zenoh
 
-from zbot.session import open_hub_client
+from zbot.transport.session import open_hub_client
 
 
 def main() -> None:

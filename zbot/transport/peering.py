@@ -16,14 +16,14 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from zbot import census
 from zbot.errors import SessionError
-from zbot.foreign_call import in_one_go
+from zbot.transport import admin_query
+from zbot.transport.foreign_call import in_one_go
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.session import MeetingPoint
+    from zbot.transport.session import MeetingPoint
 
 # Links are listed, and listed no more, a moment after their event.
 _LINK_PAUSE_S = 0.005
@@ -134,7 +134,9 @@ class MeetingWatch:
             left = deadline - time.monotonic()
             if left <= 0:
                 return False
-            met |= {key.split("/")[1] for key, _ in census.answers(self._session, "@/*/*", left)}
+            met |= {
+                key.split("/")[1] for key, _ in admin_query.answers(self._session, "@/*/*", left)
+            }
             if missing <= met:
                 break
             with self._changed:
@@ -158,7 +160,7 @@ class MeetingWatch:
         """Return what the router knows: peers and clients, by session id."""
         found: dict[str, str] = {}
         for router in self._routers():
-            found |= census.sessions(self._session, router, timeout_s)
+            found |= admin_query.sessions(self._session, router, timeout_s)
         return found
 
     # -- introductions -------------------------------------------------------------------------

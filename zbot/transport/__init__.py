@@ -1,0 +1,1 @@
+"""Zenoh: sessions, the meeting point, queries of the admin space, the configuration."""
