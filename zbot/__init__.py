@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from zbot.node.publisher import Publisher as Publisher
     from zbot.node.subscription import MessageInfo as MessageInfo
     from zbot.node.subscription import Subscription as Subscription
-    from zbot.parameter import Parameter as Parameter
+    from zbot.parameters.parameter import Parameter as Parameter
     from zbot.process.signals import SignalHandlerOptions as SignalHandlerOptions
     from zbot.qos import DurabilityPolicy as DurabilityPolicy
     from zbot.qos import HistoryPolicy as HistoryPolicy
@@ -82,7 +82,7 @@ _HOMES = {
     "LoggingSeverity": "zbot.log",
     "get_logger": "zbot.log",
     "Node": "zbot.node.node",
-    "Parameter": "zbot.parameter",
+    "Parameter": "zbot.parameters.parameter",
     "Publisher": "zbot.node.publisher",
     "DurabilityPolicy": "zbot.qos",
     "HistoryPolicy": "zbot.qos",

@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import zenoh
 
-from zbot.arguments import Arguments
 from zbot.errors import ArgumentTypeError, ContextInitializedError, NotInitializedError
 from zbot.graph.snapshot import Graph
 from zbot.log import configure, get_logger, get_logging_severity_from_string
 from zbot.notice import NOTICE_KEY, log_notice
+from zbot.parameters.ros_args import Arguments
 from zbot.process import at_exit, blocked_put
 from zbot.process.memory import spare_the_collector
 from zbot.transport import config, membership, shared_memory

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 import typer
 
 from zbot.errors import ZbotError
-from zbot.parameter import NoParametersError, Parameter
-from zbot.parameter_file import sections
+from zbot.parameters.file import sections
+from zbot.parameters.parameter import NoParametersError, Parameter
 from zbot_cli.listing import VISIBLE_NODES, AsJson, NodeSearch, new_app, print_json
 from zbot_cli.looking import hidden_node
 from zbot_cli.many_values import ManyValuesCommand

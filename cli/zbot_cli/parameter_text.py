@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from zbot import yaml_text
 from zbot.errors import ParameterValueError
-from zbot.parameter import PARAMETER_SEPARATOR_STRING, Parameter, get_parameter_value
-from zbot.parameter_file import matches, parse_value
+from zbot.parameters.file import matches, parse_value
+from zbot.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter, get_parameter_value
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Mapping, Sequence

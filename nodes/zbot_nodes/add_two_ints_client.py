@@ -8,7 +8,7 @@ import argparse
 import sys
 
 import zbot
-from zbot.arguments import remove_ros_args
+from zbot.parameters.ros_args import remove_ros_args
 
 from example_interfaces.srv import AddTwoInts
 

@@ -10,7 +10,7 @@ import math
 import os
 
 import zbot
-from zbot.arguments import remove_ros_args
+from zbot.parameters.ros_args import remove_ros_args
 from zbot.tf2 import StaticTransformBroadcaster
 from zbot.tf2.rigid import Quaternion, multiply, normalized
 

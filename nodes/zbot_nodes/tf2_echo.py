@@ -9,7 +9,7 @@ import sys
 from typing import Any
 
 import zbot
-from zbot.arguments import remove_ros_args
+from zbot.parameters.ros_args import remove_ros_args
 from zbot.tf2 import Buffer, TransformException, TransformListener
 from zbot.tf2.rigid import Quaternion, Vector, rotate
 

@@ -10,8 +10,8 @@ import pytest
 
 import zbot as library
 from tests.cli.command import zbot
-from zbot.parameter import Parameter
-from zbot.parameter_file import sections
+from zbot.parameters.file import sections
+from zbot.parameters.parameter import Parameter
 from zbot_cli.looking import hidden_node
 from zbot_cli.parameter_text import file_text, values_for
 

@@ -11,16 +11,16 @@ from zbot.errors import ArgumentTypeError, UnknownQoSKeyError
 from zbot.node.parameter_client import AsyncParameterClient
 from zbot.node.parameter_event_handler import ParameterEventHandler
 from zbot.node.parameter_services import SERVICES
-from zbot.parameter import Parameter
-from zbot.parameter_errors import (
+from zbot.parameters.errors import (
     InvalidParameterTypeException,
     InvalidQosOverridesError,
     ParameterListError,
     ParameterNotDeclaredException,
     UnknownCallbackError,
 )
+from zbot.parameters.parameter import Parameter
+from zbot.parameters.qos_overrides import QoSOverridingOptions
 from zbot.qos import QoSPolicyKind, QoSProfile, ReliabilityPolicy
-from zbot.qos_overriding_options import QoSOverridingOptions
 
 from rcl_interfaces.msg import (
     IntegerRange,

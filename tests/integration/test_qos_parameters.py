@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING
 
 import zbot
 import zbot.compat
-from zbot.parameter import Parameter
+from zbot.parameters.parameter import Parameter
+from zbot.parameters.qos_overrides import QoSOverridingOptions
 from zbot.qos import QoSProfile
-from zbot.qos_overriding_options import QoSOverridingOptions
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -5,8 +5,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot.arguments import Arguments, LogLevel, ParametersFile, Remap, remove_ros_args
 from zbot.errors import ArgumentsError, ParametersFileError
+from zbot.parameters.ros_args import Arguments, LogLevel, ParametersFile, Remap, remove_ros_args
 
 if TYPE_CHECKING:
     from pathlib import Path

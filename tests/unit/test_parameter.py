@@ -7,7 +7,7 @@ import pytest
 
 import zbot  # noqa: F401 - makes the message packages importable
 from zbot.errors import ArgumentTypeError, ParametersFileError
-from zbot.parameter import (
+from zbot.parameters.parameter import (
     NoParametersError,
     Parameter,
     ParameterMismatchError,

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from zbot.errors import ParametersFileError, ParameterValueError
-from zbot.parameter_file import load, matches, parse_value, sections
+from zbot.parameters.file import load, matches, parse_value, sections
 
 if TYPE_CHECKING:
     from pathlib import Path

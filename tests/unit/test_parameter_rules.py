@@ -6,8 +6,8 @@ from typing import Any
 import pytest
 
 import zbot  # noqa: F401 - makes the message packages importable
-from zbot.parameter import Parameter
-from zbot.parameter_rules import Descriptor, Range, refusal, widened
+from zbot.parameters.parameter import Parameter
+from zbot.parameters.validation import Descriptor, Range, refusal, widened
 
 Type = Parameter.Type
 

@@ -13,8 +13,7 @@ from hypothesis.stateful import (
     rule,
 )
 
-from zbot.parameter import Parameter
-from zbot.parameter_errors import (
+from zbot.parameters.errors import (
     InvalidParameterException,
     InvalidParameterTypeException,
     InvalidParameterValueException,
@@ -25,8 +24,9 @@ from zbot.parameter_errors import (
     ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
-from zbot.parameter_rules import Descriptor, Range
-from zbot.parameter_store import Changes, Declaration, ParameterStore, prefixes_of
+from zbot.parameters.parameter import Parameter
+from zbot.parameters.store import Changes, Declaration, ParameterStore, prefixes_of
+from zbot.parameters.validation import Descriptor, Range
 
 Type = Parameter.Type
 

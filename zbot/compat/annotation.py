@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.clock import ClockChange
     from zbot.node.qos_events import PublisherEventCallbacks
-    from zbot.parameter import Parameter
-    from zbot.qos_overriding_options import QoSOverridingOptions
+    from zbot.parameters.parameter import Parameter
+    from zbot.parameters.qos_overrides import QoSOverridingOptions
 
     from builtin_interfaces.msg import Time
     from service_msgs.msg import ServiceEventInfo

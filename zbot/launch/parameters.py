@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Final, TypeAlias
 from zbot.errors import ZbotError
 from zbot.launch.errors import EntityTypeError
 from zbot.launch.substitution import Substitution, describe, normalize, perform, to_bool
-from zbot.parameter_file import parse_value
+from zbot.parameters.file import parse_value
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

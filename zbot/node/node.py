@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 
-from zbot.arguments import Arguments
 from zbot.context import get_default_context
 from zbot.errors import ArgumentTypeError, InvalidPeriodError, NodeNameError
 from zbot.executor.guard_condition import GuardCondition
@@ -29,6 +28,7 @@ from zbot.node.state import NodeHandle
 from zbot.node.subscription import ContentFilterOptions, Subscription
 from zbot.node.time_source import TimeSource
 from zbot.node.type_description import TypeDescriptionService
+from zbot.parameters.ros_args import Arguments
 from zbot.process.memory import spare_the_collector
 from zbot.qos import (
     QoSProfile,
@@ -52,8 +52,8 @@ if TYPE_CHECKING:
     from zbot.executor.executor import Executor
     from zbot.executor.waitable import Waitable
     from zbot.log import Logger
-    from zbot.parameter import Parameter
-    from zbot.qos_overriding_options import QoSOverridingOptions
+    from zbot.parameters.parameter import Parameter
+    from zbot.parameters.qos_overrides import QoSOverridingOptions
 
 MsgT = TypeVar("MsgT")
 EntityT = TypeVar("EntityT")
@@ -499,7 +499,7 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
         profile = as_profile(qos)
         if options is None:
             return profile
-        from zbot.qos_overriding_options import overridden  # noqa: PLC0415 - few nodes have options
+        from zbot.parameters.qos_overrides import overridden  # noqa: PLC0415 - few nodes have options
 
         return overridden(self._zbot_handle.parameters, entity, topic, profile, options)
 

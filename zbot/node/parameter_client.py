@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.parameter import Parameter, parameter_dict_from_yaml_file
+from zbot.parameters.parameter import Parameter, parameter_dict_from_yaml_file
 from zbot.qos import qos_profile_parameter_events, qos_profile_services_default
 
 from rcl_interfaces.msg import ParameterEvent

@@ -7,7 +7,7 @@ from itertools import chain
 from typing import TYPE_CHECKING, Any
 
 from zbot.names import fully_qualified
-from zbot.parameter_errors import UnknownCallbackError
+from zbot.parameters.errors import UnknownCallbackError
 from zbot.qos import qos_profile_parameter_events
 
 from rcl_interfaces.msg import ParameterEvent

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.interfaces.late import LateService
 from zbot.node.service import Service
-from zbot.parameter import Parameter
-from zbot.parameter_errors import ParameterException
-from zbot.parameter_store import prefixes_of
+from zbot.parameters.errors import ParameterException
+from zbot.parameters.parameter import Parameter
+from zbot.parameters.store import prefixes_of
 from zbot.qos import qos_profile_parameters
 from zbot.wire.tokens import EntityKind
 

@@ -7,16 +7,16 @@ from copy import copy
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ArgumentTypeError
-from zbot.parameter import Parameter, guessed, parameter_value_to_python
-from zbot.parameter_errors import ParameterListError, UnknownCallbackError
-from zbot.parameter_rules import REL_TOL, Descriptor
-from zbot.parameter_store import Declaration, prefixes_of
+from zbot.parameters.errors import ParameterListError, UnknownCallbackError
+from zbot.parameters.parameter import Parameter, guessed, parameter_value_to_python
+from zbot.parameters.store import Declaration, prefixes_of
+from zbot.parameters.validation import REL_TOL, Descriptor
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
     from zbot.node.state import NodeHandle
-    from zbot.parameter_store import ParameterStore
+    from zbot.parameters.store import ParameterStore
 
     from rcl_interfaces.msg import (
         ListParametersResult,

@@ -18,13 +18,12 @@ from zbot.names import (
     validate_topic_name,
 )
 from zbot.node.diagnostics import adviser_of
-from zbot.parameter_store import ParameterStore
+from zbot.parameters.store import ParameterStore
 from zbot.wire.tokens import EndpointToken, NodeToken
 
 if TYPE_CHECKING:
     from types import TracebackType
 
-    from zbot.arguments import Arguments
     from zbot.context import Context
     from zbot.executor.executor import Executor
     from zbot.executor.guard_condition import GuardCondition
@@ -34,7 +33,8 @@ if TYPE_CHECKING:
     from zbot.node.publisher import Publisher
     from zbot.node.service import Service
     from zbot.node.subscription import Subscription
-    from zbot.parameter_store import Changes
+    from zbot.parameters.ros_args import Arguments
+    from zbot.parameters.store import Changes
     from zbot.qos import QoSProfile
     from zbot.wire.tokens import EntityKind
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from nicegui import ui
 
 from zbot.errors import ZbotError
-from zbot.parameter import Parameter
+from zbot.parameters.parameter import Parameter
 from zbot.web.call import guarded
 from zbot.web.command_line import command_line
 from zbot.web.form_value import EntryError

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import FieldType, get_service
-from zbot.parameter import Parameter, parameter_value_to_python
+from zbot.parameters.parameter import Parameter, parameter_value_to_python
 from zbot.web.call import call
 from zbot.web.form_value import Entry, EntryError, read, show
 

@@ -10,7 +10,7 @@ from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_action, get_message, get_service
 from zbot.names import fully_qualified
 from zbot.node.node import Node
-from zbot.parameter import Parameter
+from zbot.parameters.parameter import Parameter
 from zbot.web.call import call
 from zbot.web.command_line import command_line
 from zbot.web.form import Form

@@ -30,7 +30,7 @@ class RosTimer(TimerAction):
 
     async def _sleep(self, seconds: float, context: LaunchContext) -> None:
         from zbot.launch.ros_node import launch_node  # noqa: PLC0415 - opens a session
-        from zbot.parameter import Parameter  # noqa: PLC0415 - as above
+        from zbot.parameters.parameter import Parameter  # noqa: PLC0415 - as above
 
         node = launch_node(context).node
         # What stands behind this action in the launch file has been read by now, and counts too.

@@ -12,7 +12,7 @@ from zbot.launch.frontend.registry import action, expose_action
 from zbot.launch.frontend.tags import needed, process_options, text, truth, words
 from zbot.launch.parameters import ParameterFile, ParameterValue
 from zbot.launch.substitution import TextSubstitution
-from zbot.parameter_file import parse_value
+from zbot.parameters.file import parse_value
 
 if TYPE_CHECKING:
     from zbot.launch.action import Action

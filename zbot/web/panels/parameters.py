@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 from nicegui import ui
 
 from zbot.errors import ZbotError
-from zbot.parameter import Parameter, parameter_value_to_python
+from zbot.parameters.parameter import Parameter, parameter_value_to_python
 from zbot.web.command_line import command_line
 from zbot.web.list_panel import ListPanel
 from zbot.web.panel import Frame, Panel

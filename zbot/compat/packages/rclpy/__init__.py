@@ -4,7 +4,7 @@ from zbot.compat.submodules import submodules
 from zbot.context import Context as Context
 from zbot.context import get_default_context as get_default_context
 from zbot.executor.task import Future as Future
-from zbot.parameter import Parameter as Parameter
+from zbot.parameters.parameter import Parameter as Parameter
 from zbot.process.signals import SignalHandlerOptions as SignalHandlerOptions
 from zbot.process.signals import install as install_signal_handlers
 from zbot.process.signals import uninstall as uninstall_signal_handlers

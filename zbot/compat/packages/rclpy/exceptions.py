@@ -10,13 +10,15 @@ from zbot.errors import NotAMessageTypeError as NoTypeSupportImportedException
 from zbot.errors import NotInitializedError as NotInitializedException
 from zbot.errors import RateInterruptedError as ROSInterruptException
 from zbot.errors import TimerCancelledError as TimerCancelledError
-from zbot.parameter_errors import InvalidParameterException as InvalidParameterException
-from zbot.parameter_errors import InvalidParameterTypeException as InvalidParameterTypeException
-from zbot.parameter_errors import InvalidParameterValueException as InvalidParameterValueException
-from zbot.parameter_errors import (
+from zbot.parameters.errors import InvalidParameterException as InvalidParameterException
+from zbot.parameters.errors import InvalidParameterTypeException as InvalidParameterTypeException
+from zbot.parameters.errors import InvalidParameterValueException as InvalidParameterValueException
+from zbot.parameters.errors import (
     ParameterAlreadyDeclaredException as ParameterAlreadyDeclaredException,
 )
-from zbot.parameter_errors import ParameterException as ParameterException
-from zbot.parameter_errors import ParameterImmutableException as ParameterImmutableException
-from zbot.parameter_errors import ParameterNotDeclaredException as ParameterNotDeclaredException
-from zbot.parameter_errors import ParameterUninitializedException as ParameterUninitializedException
+from zbot.parameters.errors import ParameterException as ParameterException
+from zbot.parameters.errors import ParameterImmutableException as ParameterImmutableException
+from zbot.parameters.errors import ParameterNotDeclaredException as ParameterNotDeclaredException
+from zbot.parameters.errors import (
+    ParameterUninitializedException as ParameterUninitializedException,
+)

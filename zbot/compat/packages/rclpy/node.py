@@ -54,20 +54,22 @@ from zbot.node.subscription import MessageInfo as MessageInfo
 from zbot.node.subscription import Subscription as Subscription
 from zbot.node.time_source import TimeSource as TimeSource
 from zbot.node.type_description import TypeDescriptionService as TypeDescriptionService
-from zbot.parameter import Parameter as Parameter
-from zbot.parameter_errors import InvalidParameterTypeException as InvalidParameterTypeException
-from zbot.parameter_errors import InvalidParameterValueException as InvalidParameterValueException
-from zbot.parameter_errors import (
+from zbot.parameters.errors import InvalidParameterTypeException as InvalidParameterTypeException
+from zbot.parameters.errors import InvalidParameterValueException as InvalidParameterValueException
+from zbot.parameters.errors import (
     ParameterAlreadyDeclaredException as ParameterAlreadyDeclaredException,
 )
-from zbot.parameter_errors import ParameterImmutableException as ParameterImmutableException
-from zbot.parameter_errors import ParameterNotDeclaredException as ParameterNotDeclaredException
-from zbot.parameter_errors import ParameterUninitializedException as ParameterUninitializedException
+from zbot.parameters.errors import ParameterImmutableException as ParameterImmutableException
+from zbot.parameters.errors import ParameterNotDeclaredException as ParameterNotDeclaredException
+from zbot.parameters.errors import (
+    ParameterUninitializedException as ParameterUninitializedException,
+)
+from zbot.parameters.parameter import Parameter as Parameter
+from zbot.parameters.qos_overrides import QoSOverridingOptions as QoSOverridingOptions
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import qos_profile_parameter_events as qos_profile_parameter_events
 from zbot.qos import qos_profile_rosout_default as qos_profile_rosout_default
 from zbot.qos import qos_profile_services_default as qos_profile_services_default
-from zbot.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
 from zbot.time import S_TO_NS as S_TO_NS
 
 from rcl_interfaces.msg import FloatingPointRange as FloatingPointRange

@@ -8,12 +8,12 @@ from zbot.node.parameter_client import AsyncParameterClient as AsyncParameterCli
 from zbot.node.qos_events import SubscriptionEventCallbacks as SubscriptionEventCallbacks
 from zbot.node.subscription import MessageInfo as MessageInfo
 from zbot.node.subscription import Subscription as Subscription
-from zbot.parameter import Parameter as Parameter
-from zbot.parameter import parameter_dict_from_yaml_file as parameter_dict_from_yaml_file
+from zbot.parameters.parameter import Parameter as Parameter
+from zbot.parameters.parameter import parameter_dict_from_yaml_file as parameter_dict_from_yaml_file
+from zbot.parameters.qos_overrides import QoSOverridingOptions as QoSOverridingOptions
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import qos_profile_parameter_events as qos_profile_parameter_events
 from zbot.qos import qos_profile_services_default as qos_profile_services_default
-from zbot.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
 
 from rcl_interfaces.msg import Parameter as ParameterMsg
 from rcl_interfaces.msg import ParameterEvent as ParameterEvent

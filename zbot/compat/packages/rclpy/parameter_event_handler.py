@@ -8,9 +8,9 @@ from zbot.node.parameter_event_handler import (
 )
 from zbot.node.parameter_event_handler import ParameterEventHandler as ParameterEventHandler
 from zbot.node.qos_events import SubscriptionEventCallbacks as SubscriptionEventCallbacks
+from zbot.parameters.qos_overrides import QoSOverridingOptions as QoSOverridingOptions
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import qos_profile_parameter_events as qos_profile_parameter_events
-from zbot.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
 
 from rcl_interfaces.msg import Parameter as ParameterMsg
 from rcl_interfaces.msg import ParameterEvent as ParameterEvent

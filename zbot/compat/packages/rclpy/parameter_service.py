@@ -1,9 +1,11 @@
 """A node's parameter services."""
 
 from zbot.node.parameter_services import ParameterServices as ParameterService
-from zbot.parameter import Parameter as Parameter
-from zbot.parameter_errors import ParameterNotDeclaredException as ParameterNotDeclaredException
-from zbot.parameter_errors import ParameterUninitializedException as ParameterUninitializedException
+from zbot.parameters.errors import ParameterNotDeclaredException as ParameterNotDeclaredException
+from zbot.parameters.errors import (
+    ParameterUninitializedException as ParameterUninitializedException,
+)
+from zbot.parameters.parameter import Parameter as Parameter
 from zbot.qos import qos_profile_parameters as qos_profile_parameters
 
 from rcl_interfaces.msg import ListParametersResult as ListParametersResult

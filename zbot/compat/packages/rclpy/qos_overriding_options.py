@@ -7,19 +7,19 @@ from zbot.compat.annotation import QoSProfileAttributes as QoSProfileAttributes
 from zbot.node.node import Node
 from zbot.node.publisher import Publisher as Publisher
 from zbot.node.subscription import Subscription as Subscription
-from zbot.parameter import Parameter as Parameter
-from zbot.parameter_errors import InvalidQosOverridesError as InvalidQosOverridesError
-from zbot.parameter_errors import (
+from zbot.parameters.errors import InvalidQosOverridesError as InvalidQosOverridesError
+from zbot.parameters.errors import (
     ParameterAlreadyDeclaredException as ParameterAlreadyDeclaredException,
 )
+from zbot.parameters.parameter import Parameter as Parameter
+from zbot.parameters.qos_overrides import QoSOverridingOptions as QoSOverridingOptions
+from zbot.parameters.qos_overrides import override
 from zbot.qos import QoSDurabilityPolicy as QoSDurabilityPolicy
 from zbot.qos import QoSHistoryPolicy as QoSHistoryPolicy
 from zbot.qos import QoSLivelinessPolicy as QoSLivelinessPolicy
 from zbot.qos import QoSPolicyKind as QoSPolicyKind
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import QoSReliabilityPolicy as QoSReliabilityPolicy
-from zbot.qos_overriding_options import QoSOverridingOptions as QoSOverridingOptions
-from zbot.qos_overriding_options import override
 from zbot.time import Duration as Duration
 
 from rcl_interfaces.msg import ParameterDescriptor as ParameterDescriptor

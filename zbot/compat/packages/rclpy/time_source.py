@@ -3,7 +3,7 @@
 from zbot.executor.clock import ROSClock as ROSClock
 from zbot.node.time_source import CLOCK_TOPIC as CLOCK_TOPIC
 from zbot.node.time_source import TimeSource as TimeSource
-from zbot.parameter import Parameter as Parameter
+from zbot.parameters.parameter import Parameter as Parameter
 from zbot.qos import QoSProfile as QoSProfile
 from zbot.qos import ReliabilityPolicy as ReliabilityPolicy
 from zbot.time import ClockType as ClockType

@@ -1,8 +1,8 @@
 """The functions of a first program, and some more."""
 
-from zbot.arguments import remove_ros_args as remove_ros_args
 from zbot.context import Context as Context
 from zbot.context import get_default_context as get_default_context
+from zbot.parameters.ros_args import remove_ros_args as remove_ros_args
 from zbot.runtime import get_available_rmw_implementations as get_available_rmw_implementations
 from zbot.runtime import get_rmw_implementation_identifier as get_rmw_implementation_identifier
 from zbot.runtime import ok as ok

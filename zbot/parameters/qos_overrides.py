@@ -5,9 +5,9 @@ from __future__ import annotations
 import copy
 from typing import TYPE_CHECKING, Any
 
-from zbot.parameter_errors import InvalidQosOverridesError
-from zbot.parameter_rules import Descriptor
-from zbot.parameter_store import Declaration
+from zbot.parameters.errors import InvalidQosOverridesError
+from zbot.parameters.store import Declaration
+from zbot.parameters.validation import Descriptor
 from zbot.qos import QoSPolicyEnum, QoSPolicyKind, QoSProfile
 from zbot.time import Duration
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.parameter_store import ParameterStore
+    from zbot.parameters.store import ParameterStore
 
 
 class QoSOverridingOptions:

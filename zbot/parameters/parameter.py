@@ -7,7 +7,7 @@ from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast, overload
 
 from zbot.errors import ArgumentTypeError, ParameterValueError, ZbotError
-from zbot.parameter_file import matches, parse_value, sections
+from zbot.parameters.file import matches, parse_value, sections
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

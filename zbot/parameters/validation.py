@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from zbot.parameter import Parameter
+from zbot.parameters.parameter import Parameter
 
 if TYPE_CHECKING:
     from rcl_interfaces.msg import ParameterDescriptor

@@ -6,8 +6,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.names import validate_parameter_name
-from zbot.parameter import PARAMETER_SEPARATOR_STRING, Parameter
-from zbot.parameter_errors import (
+from zbot.parameters.errors import (
     InvalidParameterTypeException,
     InvalidParameterValueException,
     ParameterAlreadyDeclaredException,
@@ -16,7 +15,8 @@ from zbot.parameter_errors import (
     ParameterNotDeclaredException,
     ParameterUninitializedException,
 )
-from zbot.parameter_rules import Descriptor, is_wrong_type, refusal, widened
+from zbot.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter
+from zbot.parameters.validation import Descriptor, is_wrong_type, refusal, widened
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence

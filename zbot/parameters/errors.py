@@ -9,7 +9,7 @@ from zbot.errors import InvalidParameterError, ParameterError, ZbotError, neares
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from zbot.parameter import Parameter
+    from zbot.parameters.parameter import Parameter
 
 __all__ = [
     "InvalidParameterException",
