@@ -6,7 +6,7 @@ import sys
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.plain_message import json_value
+from zbot.interfaces.plain_value import json_value
 from zbot.qos import QoSProfile, qos_profile_action_status_default
 from zbot_cli.action_type import only_action_type, resolve_action_type, suggestion
 from zbot_cli.call_event import event_json, event_text

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.interfaces.plain_value import json_value, plain
+from zbot.interfaces.yaml_text import dump
 from zbot.node.service_introspection import Step
-from zbot.plain_message import json_value, plain
-from zbot.yaml_text import dump
 from zbot_cli.message_text import SEPARATOR
 
 if TYPE_CHECKING:

@@ -158,7 +158,7 @@ def _action_types(_: Sequence[str], __: str) -> Iterable[str]:
 
 def _goal(done: Sequence[str], _: str) -> Iterable[str]:
     from zbot.interfaces import get_action  # noqa: PLC0415 - only `send_goal` asks
-    from zbot.plain_message import json_value  # noqa: PLC0415 - as above
+    from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - as above
 
     try:
         action: Any = get_action(done[1])
@@ -202,7 +202,7 @@ def _packages(_: Sequence[str], __: str) -> Iterable[str]:
 
 def _prototype(done: Sequence[str], _: str) -> Iterable[str]:
     from zbot.interfaces import get_message  # noqa: PLC0415 - only `pub` asks
-    from zbot.plain_message import json_value  # noqa: PLC0415 - only `pub` asks
+    from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - only `pub` asks
 
     try:
         message = get_message(done[1])()
@@ -235,7 +235,7 @@ def _service_types(_: Sequence[str], __: str) -> Iterable[str]:
 
 def _request(done: Sequence[str], _: str) -> Iterable[str]:
     from zbot.interfaces import get_service  # noqa: PLC0415 - only `call` asks
-    from zbot.plain_message import json_value  # noqa: PLC0415 - as above
+    from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - as above
 
     try:
         service: Any = get_service(done[1])

@@ -13,7 +13,7 @@ from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.field_path import FieldPathError, follow
+from zbot.interfaces.field_path import FieldPathError, follow
 
 if TYPE_CHECKING:
     from collections.abc import Callable

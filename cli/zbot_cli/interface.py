@@ -173,8 +173,8 @@ def proto(
     ] = False,
 ) -> None:
     """Print a type's default values as YAML."""
-    from zbot.plain_message import plain  # noqa: PLC0415 - only this verb shows values
-    from zbot.yaml_text import dump  # noqa: PLC0415 - as above
+    from zbot.interfaces.plain_value import plain  # noqa: PLC0415 - only this verb shows values
+    from zbot.interfaces.yaml_text import dump  # noqa: PLC0415 - as above
 
     spec = _spec(type_name)
     cls = get_interface(spec.name)

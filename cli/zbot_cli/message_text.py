@@ -6,9 +6,9 @@ import json
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot.field_path import FieldPath, is_message
-from zbot.plain_message import Shortening, items_of, json_value, leaves, plain, shown_item
-from zbot.yaml_text import Flow, dump
+from zbot.interfaces.field_path import FieldPath, is_message
+from zbot.interfaces.plain_value import Shortening, items_of, json_value, leaves, plain, shown_item
+from zbot.interfaces.yaml_text import Flow, dump
 
 if TYPE_CHECKING:
     from zbot.node.subscription import MessageInfo

@@ -206,7 +206,7 @@ class SendGoal:
 
     def _show(self, text: str, facts: dict[str, Any]) -> None:
         if self._as_json:
-            from zbot.plain_message import json_value  # noqa: PLC0415 - seldom used
+            from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - seldom used
 
             print_json({name: json_value(value) for name, value in facts.items()})
             sys.stdout.flush()
@@ -227,8 +227,8 @@ def _left(deadline: float | None) -> float | None:
 
 
 def _text(message: Any) -> str:
-    from zbot.plain_message import plain  # noqa: PLC0415 - only goals are printed
-    from zbot.yaml_text import dump  # noqa: PLC0415 - as above
+    from zbot.interfaces.plain_value import plain  # noqa: PLC0415 - only goals are printed
+    from zbot.interfaces.yaml_text import dump  # noqa: PLC0415 - as above
 
     return dump(_unfolded(plain(message)))
 

@@ -163,7 +163,7 @@ class ServiceCall:
         except TimeoutError:
             raise NoResponseError(self._name, self._timeout_s or 0) from None
         if self._as_json:
-            from zbot.plain_message import json_value  # noqa: PLC0415 - seldom used
+            from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - seldom used
 
             print_json({"request": json_value(request), "response": json_value(response)})
             sys.stdout.flush()

@@ -8,9 +8,8 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Union
 
-from zbot import yaml_text
 from zbot.errors import ZbotError
-from zbot.interfaces import get_message, spec_of
+from zbot.interfaces import get_message, spec_of, yaml_text
 from zbot.names import nearest
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ import yaml
 from hypothesis import strategies
 
 import zbot  # noqa: F401 - makes the message packages importable
-from zbot.field_path import FieldPath, FieldPathError
-from zbot.yaml_text import dump
+from zbot.interfaces.field_path import FieldPath, FieldPathError
+from zbot.interfaces.yaml_text import dump
 from zbot_cli.message_text import Form, Formatter
 from zbot_cli.values import Template
 

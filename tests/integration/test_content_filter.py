@@ -8,8 +8,8 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from zbot.content_filter import ContentFilterError
 from zbot.executor.wait_set import WaitSet
+from zbot.interfaces.content_filter import ContentFilterError
 from zbot.node.subscription import ContentFilterOptions, NoContentFilterError
 from zbot.serialization import deserialize_message
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from zbot.content_filter import ContentFilter, ContentFilterError
+from zbot.interfaces.content_filter import ContentFilter, ContentFilterError
 
 from geometry_msgs.msg import Twist, Vector3
 from std_msgs.msg import Bool, Float32MultiArray, Int32, String

@@ -9,17 +9,17 @@ from typing import Any
 import pytest
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 
-from zbot import interface_lookup as lookup
-from zbot.interface_lookup import get_action, get_interface, get_message, get_service
+from zbot.interfaces import lookup as lookup
 from zbot.interfaces import slot_type as idl
-from zbot.message_conversion import (
+from zbot.interfaces.conversion import (
     convert_value,
     get_message_slot_types,
     message_to_csv,
     message_to_ordereddict,
     message_to_yaml,
 )
-from zbot.message_fields import set_message_fields
+from zbot.interfaces.lookup import get_action, get_interface, get_message, get_service
+from zbot.interfaces.set_fields import set_message_fields
 
 import example_interfaces.action
 from builtin_interfaces.msg import Time

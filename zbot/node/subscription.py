@@ -38,10 +38,10 @@ from zbot.wire.dialect import other_type
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.content_filter import ContentFilter
     from zbot.context import Context
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.ready_queue import Mailbox
+    from zbot.interfaces.content_filter import ContentFilter
     from zbot.wire.tokens import EndpointToken
 
 MsgT = TypeVar("MsgT")
@@ -75,7 +75,7 @@ class MessageInfo(TypedDict):
 
 
 class ContentFilterOptions(NamedTuple):
-    """Which messages a subscription wants; for `create_subscription`; see `zbot.content_filter`."""
+    """Which messages a subscription wants; for `create_subscription`; see `zbot.interfaces.content_filter`."""
 
     filter_expression: str  #: an empty one lets every message through
     expression_parameters: list[str]  #: what `%0`, `%1` ... stand for, written as in an expression
@@ -232,13 +232,13 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         network.
 
         Args:
-            filter_expression: As in `zbot.content_filter`; an empty one takes the filter away.
+            filter_expression: As in `zbot.interfaces.content_filter`; an empty one takes the filter away.
             expression_parameters: What `%0`, `%1` ... stand for.
 
         Raises:
             ContentFilterError: The filter does not fit the type; the former one stays.
         """
-        from zbot.content_filter import ContentFilter  # noqa: PLC0415 - few have one
+        from zbot.interfaces.content_filter import ContentFilter  # noqa: PLC0415 - few have one
 
         new = None
         if filter_expression.strip():

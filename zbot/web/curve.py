@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Protocol
 
 from zbot.errors import ZbotError
-from zbot.field_path import FieldPath, FieldPathError
+from zbot.interfaces.field_path import FieldPath, FieldPathError
 from zbot.web.value_text import tree
 
 if TYPE_CHECKING:

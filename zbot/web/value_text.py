@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot.field_path import fields_of, is_message
+from zbot.interfaces.field_path import fields_of, is_message
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import zbot  # noqa: F401 - makes the message packages importable
-from zbot.field_path import FieldPath, FieldPathError
+from zbot.interfaces.field_path import FieldPath, FieldPathError
 from zbot.web.curve import CurveError, Curves, numeric_fields, split_curve, value_at
 from zbot.web.watch import Record
 

@@ -1,5 +1,5 @@
 """Classes by their types."""
 
-from zbot.interface_lookup import (
+from zbot.interfaces.lookup import (
     import_message_from_namespaced_type as import_message_from_namespaced_type,
 )

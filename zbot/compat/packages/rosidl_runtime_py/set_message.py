@@ -1,3 +1,3 @@
 """Messages filled from dictionaries."""
 
-from zbot.message_fields import set_message_fields as set_message_fields
+from zbot.interfaces.set_fields import set_message_fields as set_message_fields

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections import OrderedDict
 from typing import TYPE_CHECKING, Any
 
-from zbot.field_path import is_message
-from zbot.plain_message import Shortening, items_of, leaves, plain, shown_item
-from zbot.yaml_text import dump
+from zbot.interfaces.field_path import is_message
+from zbot.interfaces.plain_value import Shortening, items_of, leaves, plain, shown_item
+from zbot.interfaces.yaml_text import dump
 
 if TYPE_CHECKING:
     from zbot.interfaces.slot_type import AbstractType

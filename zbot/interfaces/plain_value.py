@@ -8,8 +8,8 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from zbot.field_path import fields_of, is_message
-from zbot.yaml_text import Flow
+from zbot.interfaces.field_path import fields_of, is_message
+from zbot.interfaces.yaml_text import Flow
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

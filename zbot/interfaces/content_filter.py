@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.field_path import FieldPath, FieldPathError
+from zbot.interfaces.field_path import FieldPath, FieldPathError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

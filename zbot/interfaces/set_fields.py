@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from zbot.field_path import is_message
 from zbot.interfaces import get_message, type_name
+from zbot.interfaces.field_path import is_message
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
