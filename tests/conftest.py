@@ -17,7 +17,7 @@ import hypothesis
 import pytest
 
 import zbot
-from zbot.log.hub import HUB
+from zbot.log.registry import HUB
 from zbot.transport.config import MAX_DOMAIN_ID, MEETING_PORT
 
 if TYPE_CHECKING:

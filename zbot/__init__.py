@@ -15,7 +15,7 @@ The names, arguments and meanings are those of ROS 2's rclpy.
 from typing import TYPE_CHECKING
 
 from zbot.interfaces.finder import install_importer
-from zbot.late_names import late_names
+from zbot.lazy_imports import late_names
 from zbot.version import __version__ as __version__
 
 if TYPE_CHECKING:

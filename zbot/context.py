@@ -13,7 +13,7 @@ import zenoh
 from zbot.errors import ArgumentTypeError, ContextInitializedError, NotInitializedError
 from zbot.graph.snapshot import Graph
 from zbot.log import configure, get_logger, get_logging_severity_from_string
-from zbot.notice import NOTICE_KEY, log_notice
+from zbot.log.announcement import NOTICE_KEY, log_notice
 from zbot.parameters.ros_args import Arguments
 from zbot.process import at_exit, blocked_put
 from zbot.process.memory import spare_the_collector

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.executor.executor import SingleThreadedExecutor
 from zbot.node.qos_events import SubscriptionEventCallbacks
-from zbot.plain_text import harmless
+from zbot.terminal_text import harmless
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.looking import full_name, hidden_node
 from zbot_cli.topic_type import message_class, only_type, tell_waiting

@@ -87,7 +87,7 @@ def _is_launch(path: Path) -> bool:
 
 def _run_launch(path: Path, words: Sequence[str]) -> bool:
     from zbot.launch.arguments import parse_arguments  # noqa: PLC0415 - costs time
-    from zbot.launch_test.test_run import load_module, test_runs  # noqa: PLC0415 - as above
+    from zbot.launch.testing.test_run import load_module, test_runs  # noqa: PLC0415 - as above
 
     zbot.compat.install_names({"launch", "launch_ros", "launch_testing"})
     arguments = parse_arguments(words)

@@ -25,7 +25,7 @@ from tests.classroom.attacked import PIN, AttackedClass, Computer
 from tests.classroom.talk import HERE, answers, dialling, lets_in, open_session
 from tests.conftest import wait_until
 from zbot.classroom.keys import DESK_KEY, DOOR_KEY, NOTICES_KEY, facts_key, here_key
-from zbot.notice import NOTICE_KEY
+from zbot.log.announcement import NOTICE_KEY
 from zbot.security.access import MAX_MESSAGE_SIZE, credentials
 from zbot.security.pin import PinGuest
 from zbot.security.secret import Secret

@@ -11,7 +11,7 @@ from tests.conftest import wait_until
 from zbot.executor.wait_set import WaitSet
 from zbot.interfaces.content_filter import ContentFilterError
 from zbot.node.subscription import ContentFilterOptions, NoContentFilterError
-from zbot.serialization import deserialize_message
+from zbot.wire.serialization import deserialize_message
 
 from std_msgs.msg import Int64
 

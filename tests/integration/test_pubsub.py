@@ -15,7 +15,7 @@ import zbot
 from tests.conftest import wait_until
 from zbot.errors import CallbackSignatureError, InvalidHandleError, MessageTypeError
 from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
-from zbot.serialization import deserialize_message, serialize_message
+from zbot.wire.serialization import deserialize_message, serialize_message
 
 from rcl_interfaces.msg import Log
 from std_msgs.msg import Float32, Int64, String

@@ -2,8 +2,8 @@ from __future__ import annotations
 
 import pytest
 
-from zbot.notice import notice_text
-from zbot.plain_text import plain
+from zbot.log.announcement import notice_text
+from zbot.terminal_text import plain
 
 
 def test_a_notice_is_what_the_teacher_said() -> None:

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from zbot.plain_text import harmless, plain
+from zbot.terminal_text import harmless, plain
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ from zbot.classroom.link import Link
 from zbot.classroom.record import MOST_NOTICES, ClassRecord, user_of
 from zbot.classroom.register import NumberError
 from zbot.classroom.seats import Seats
-from zbot.notice import NOTICE_KEY
+from zbot.log.announcement import NOTICE_KEY
 from zbot.security.access import TEACHER, Share, teacher_access
 from zbot.transport import membership
 from zbot.transport.config import MAX_DOMAIN_ID

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import ClassroomError
-from zbot.plain_text import plain
+from zbot.terminal_text import plain
 from zbot.transport.config import MAX_DOMAIN_ID
 
 if TYPE_CHECKING:

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable
     from pathlib import Path
 
-    from zbot.launch_test.test_run import TestRun
+    from zbot.launch.testing.test_run import TestRun
 
 _MARKS = {"launch_test", "rostest"}
 
@@ -53,7 +53,7 @@ class _LaunchModule(pytest.Module):
     """A file with a launch: one item for each row of its parameters."""
 
     def collect(self) -> Iterable[pytest.Item]:
-        from zbot.launch_test.test_run import test_runs  # noqa: PLC0415 - only files that need it
+        from zbot.launch.testing.test_run import test_runs  # noqa: PLC0415 - only files that need it
 
         for run in test_runs(self.obj):
             yield _LaunchItem.from_parent(self, name=f"launch{run.name}", test_run=run)
@@ -113,8 +113,8 @@ def pytest_pycollect_makeitem(
     made = marks[0].kwargs.get("fixture")
     if made is None:
         return [_skipped(collector, name)]
-    from zbot.launch_test.launch_fixture import name_and_scope  # noqa: PLC0415 - as above
-    from zbot.launch_test.staged_test import StagedTest  # noqa: PLC0415 - as above
+    from zbot.launch.testing.launch_fixture import name_and_scope  # noqa: PLC0415 - as above
+    from zbot.launch.testing.staged_test import StagedTest  # noqa: PLC0415 - as above
 
     fixture_name, scope = name_and_scope(made)
     test, shutdown = StagedTest(obj, fixture_name), bool(marks[0].kwargs.get("shutdown"))
@@ -195,8 +195,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 @pytest.fixture
 def launch_service() -> Any:
     """Give the service of the launch that the test runs beside."""
-    from zbot.launch_test.error import LaunchTestError  # noqa: PLC0415 - as above
-    from zbot.launch_test.launch_fixture import running  # noqa: PLC0415 - as above
+    from zbot.launch.testing.error import LaunchTestError  # noqa: PLC0415 - as above
+    from zbot.launch.testing.launch_fixture import running  # noqa: PLC0415 - as above
 
     if not running:
         raise LaunchTestError("no launch runs: ask for its fixture in front of this one")

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from zbot.interfaces.finder import install_importer as install_importer
-from zbot.late_names import late_names
+from zbot.lazy_imports import late_names
 
 if TYPE_CHECKING:
     from zbot.interfaces.message import Action as Action

@@ -10,11 +10,11 @@ children as a `Record`: that is how a node publishes them on `/rosout`.
 from __future__ import annotations
 
 from zbot.log.call_site import TimeProvider as TimeProvider
-from zbot.log.hub import HUB as _HUB
 from zbot.log.log_file import get_logging_directory as get_logging_directory
 from zbot.log.logger import Logger as Logger
 from zbot.log.logger import get_logger as get_logger
 from zbot.log.record import Record as Record
+from zbot.log.registry import HUB as _HUB
 from zbot.log.severity import LoggingSeverity as LoggingSeverity
 from zbot.log.severity import get_logging_severity_from_string as get_logging_severity_from_string
 

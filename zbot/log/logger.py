@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, cast
 
 from zbot.errors import ArgumentTypeError, InvalidNameError
 from zbot.log.call_site import CallSite
-from zbot.log.hub import HUB
+from zbot.log.registry import HUB
 from zbot.log.severity import LoggingSeverity, to_severity
 
 if TYPE_CHECKING:

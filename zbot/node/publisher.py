@@ -16,8 +16,8 @@ from zbot.node.endpoint import TopicEndpoint
 from zbot.process import blocked_put
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
-from zbot.serialization import deserialize_message, is_cdr
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
+from zbot.wire.serialization import deserialize_message, is_cdr
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -28,12 +28,12 @@ from zbot.node.endpoint import RMW_IDENTIFIER, TopicEndpoint
 from zbot.process import blocked_put
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy
-from zbot.serialization import raw_decoder
 from zbot.transport.handle import Handle
 from zbot.transport.wakeup import LARGE_MOMENT_NS, Haste
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.codec import CodecError
 from zbot.wire.dialect import other_type
+from zbot.wire.serialization import raw_decoder
 
 if TYPE_CHECKING:
     from collections.abc import Callable

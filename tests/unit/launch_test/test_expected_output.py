@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from zbot.errors import ArgumentTypeError
-from zbot.launch_test.error import LaunchTestError
-from zbot.launch_test.expected_output import expect_output, expected_output_from_file
+from zbot.launch.testing.error import LaunchTestError
+from zbot.launch.testing.expected_output import expect_output, expected_output_from_file
 
 if TYPE_CHECKING:
     from pathlib import Path

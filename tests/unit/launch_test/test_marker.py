@@ -4,8 +4,8 @@ import unittest
 
 import pytest
 
-from zbot.launch_test.error import LaunchTestError
-from zbot.launch_test.marker import (
+from zbot.launch.testing.error import LaunchTestError
+from zbot.launch.testing.marker import (
     keep_alive,
     markers_of,
     parametrize,

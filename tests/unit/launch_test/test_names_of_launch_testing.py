@@ -11,12 +11,12 @@ import zbot.compat
 from zbot.launch.action import Action
 from zbot.launch.actions.execute import ExecuteProcess
 from zbot.launch.substitutions import LocalSubstitution
-from zbot.launch_test.assertion import SequentialTextChecker
-from zbot.launch_test.error import NoMatchingProcessError
-from zbot.launch_test.expected_output import expected_output_from_file
-from zbot.launch_test.process_lookup import resolve_processes
-from zbot.launch_test.ready_listener import StdoutReadyListener
-from zbot.launch_test.record import ExitRecord, OutputRecord
+from zbot.launch.testing.assertion import SequentialTextChecker
+from zbot.launch.testing.error import NoMatchingProcessError
+from zbot.launch.testing.expected_output import expected_output_from_file
+from zbot.launch.testing.process_lookup import resolve_processes
+from zbot.launch.testing.ready_listener import StdoutReadyListener
+from zbot.launch.testing.record import ExitRecord, OutputRecord
 
 if TYPE_CHECKING:
     from pathlib import Path

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from zbot.errors import ArgumentTypeError
-from zbot.launch_test.output_text import (
+from zbot.launch.testing.output_text import (
     basic_output_filter,
     has_expected,
     ros_output_filter,

@@ -8,16 +8,16 @@ import pytest
 from zbot.errors import ArgumentTypeError
 from zbot.launch.actions.execute import ExecuteProcess
 from zbot.launch.process_event import ProcessExited, ProcessStarted, ProcessStderr, ProcessStdout
-from zbot.launch_test.assertion import (
+from zbot.launch.testing.assertion import (
     assertExitCodes,
     assertInStderr,
     assertInStdout,
     assertSequentialStdout,
 )
-from zbot.launch_test.error import NoMatchingProcessError, SeveralProcessesError
-from zbot.launch_test.process_lookup import NO_CMD_ARGS, resolve_processes
-from zbot.launch_test.record import ExitRecord, OutputRecord
-from zbot.launch_test.tool import ProcessProxy
+from zbot.launch.testing.error import NoMatchingProcessError, SeveralProcessesError
+from zbot.launch.testing.process_lookup import NO_CMD_ARGS, resolve_processes
+from zbot.launch.testing.record import ExitRecord, OutputRecord
+from zbot.launch.testing.tool import ProcessProxy
 
 
 def event(kind: type[Any], action: ExecuteProcess, **attributes: Any) -> Any:

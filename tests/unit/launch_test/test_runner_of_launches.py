@@ -11,10 +11,10 @@ import pytest
 from zbot.launch import LaunchDescription
 from zbot.launch.actions import Shutdown, TimerAction
 from zbot.launch.actions.testing import ReadyToTest
-from zbot.launch_test import test_run
-from zbot.launch_test.error import LaunchTestError
-from zbot.launch_test.marker import keep_alive, parametrize, post_shutdown_test
-from zbot.launch_test.test_runner import LaunchTestRunner
+from zbot.launch.testing import test_run
+from zbot.launch.testing.error import LaunchTestError
+from zbot.launch.testing.marker import keep_alive, parametrize, post_shutdown_test
+from zbot.launch.testing.test_runner import LaunchTestRunner
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -1,13 +1,13 @@
 """ROS 2's `launch_testing`: tests of launch files."""
 
 from zbot.compat.submodules import submodules as submodules
-from zbot.launch_test.marker import parametrize as parametrize
-from zbot.launch_test.marker import post_shutdown_test as post_shutdown_test
-from zbot.launch_test.marker import ready_to_test_action_timeout as ready_to_test_action_timeout
-from zbot.launch_test.record import ExitRecord as ActiveProcInfoHandler
-from zbot.launch_test.record import ExitRecord as ProcInfoHandler
-from zbot.launch_test.record import OutputRecord as ActiveIoHandler
-from zbot.launch_test.record import OutputRecord as IoHandler
+from zbot.launch.testing.marker import parametrize as parametrize
+from zbot.launch.testing.marker import post_shutdown_test as post_shutdown_test
+from zbot.launch.testing.marker import ready_to_test_action_timeout as ready_to_test_action_timeout
+from zbot.launch.testing.record import ExitRecord as ActiveProcInfoHandler
+from zbot.launch.testing.record import ExitRecord as ProcInfoHandler
+from zbot.launch.testing.record import OutputRecord as ActiveIoHandler
+from zbot.launch.testing.record import OutputRecord as IoHandler
 
 __all__ = [
     "ActiveIoHandler",

@@ -1,4 +1,4 @@
 """What processes wrote."""
 
-from zbot.launch_test.record import OutputRecord as ActiveIoHandler
-from zbot.launch_test.record import OutputRecord as IoHandler
+from zbot.launch.testing.record import OutputRecord as ActiveIoHandler
+from zbot.launch.testing.record import OutputRecord as IoHandler

@@ -1,6 +1,6 @@
 """The runs of a test file."""
 
-from zbot.launch_test import test_run
+from zbot.launch.testing import test_run
 
 LoadTestsFromPythonModule = test_run.test_runs
 TestRun = test_run.TestRun

@@ -1,4 +1,4 @@
 """What test files write above functions."""
 
-from zbot.launch_test.marker import keep_alive as keep_alive
-from zbot.launch_test.marker import retry_on_failure as retry_on_failure
+from zbot.launch.testing.marker import keep_alive as keep_alive
+from zbot.launch.testing.marker import retry_on_failure as retry_on_failure

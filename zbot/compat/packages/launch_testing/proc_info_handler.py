@@ -1,4 +1,4 @@
 """How processes ended."""
 
-from zbot.launch_test.record import ExitRecord as ActiveProcInfoHandler
-from zbot.launch_test.record import ExitRecord as ProcInfoHandler
+from zbot.launch.testing.record import ExitRecord as ActiveProcInfoHandler
+from zbot.launch.testing.record import ExitRecord as ProcInfoHandler

@@ -1,3 +1,3 @@
 """Running the launches of a test file with their tests."""
 
-from zbot.launch_test.test_runner import LaunchTestRunner as LaunchTestRunner
+from zbot.launch.testing.test_runner import LaunchTestRunner as LaunchTestRunner

@@ -1,3 +1,3 @@
 """Whether messages come."""
 
-from zbot.launch_test.topics import WaitForTopics as WaitForTopics
+from zbot.launch.testing.topics import WaitForTopics as WaitForTopics

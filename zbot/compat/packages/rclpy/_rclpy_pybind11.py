@@ -36,6 +36,6 @@ from zbot.qos import qos_check_compatible as rclpy_qos_check_compatible
 from zbot.runtime import (
     get_rmw_implementation_identifier as rclpy_get_rmw_implementation_identifier,
 )
-from zbot.serialization import deserialize_message as rclpy_deserialize
-from zbot.serialization import serialize_message as rclpy_serialize
 from zbot.time import ClockType as ClockType
+from zbot.wire.serialization import deserialize_message as rclpy_deserialize
+from zbot.wire.serialization import serialize_message as rclpy_serialize

@@ -1,4 +1,4 @@
 """Processes that tests start."""
 
-from zbot.launch_test.tool import ProcessProxy as ProcessProxy
-from zbot.launch_test.tool import launch_process as launch_process
+from zbot.launch.testing.tool import ProcessProxy as ProcessProxy
+from zbot.launch.testing.tool import launch_process as launch_process

@@ -1,5 +1,5 @@
 """Outputs of nodes."""
 
-from zbot.launch_test.output_text import ros_output_filter as basic_output_filter
+from zbot.launch.testing.output_text import ros_output_filter as basic_output_filter
 
 __all__ = ["basic_output_filter"]

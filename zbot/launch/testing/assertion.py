@@ -6,13 +6,13 @@ import contextlib
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ArgumentTypeError
-from zbot.launch_test.process_lookup import name_of, resolve_processes
+from zbot.launch.testing.process_lookup import name_of, resolve_processes
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from zbot.launch.actions.execute import ExecuteLocal
-    from zbot.launch_test.record import ExitRecord, OutputRecord
+    from zbot.launch.testing.record import ExitRecord, OutputRecord
 
 # A shell's 128 + number of the signal.
 EXIT_OK, EXIT_SIGINT, EXIT_SIGQUIT, EXIT_SIGKILL, EXIT_SIGSEGV = 0, 130, 131, 137, 139

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ArgumentTypeError
-from zbot.launch_test.error import LaunchTestError
-from zbot.launch_test.output_text import without_escapes
+from zbot.launch.testing.error import LaunchTestError
+from zbot.launch.testing.output_text import without_escapes
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence

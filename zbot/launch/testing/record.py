@@ -6,9 +6,9 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.launch.process_event import ProcessExited, ProcessIO, RunningProcessEvent
-from zbot.launch_test.error import NoMatchingProcessError
-from zbot.launch_test.output_text import has_expected, without_escapes
-from zbot.launch_test.process_lookup import name_of, resolve_processes
+from zbot.launch.testing.error import NoMatchingProcessError
+from zbot.launch.testing.output_text import has_expected, without_escapes
+from zbot.launch.testing.process_lookup import name_of, resolve_processes
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -11,8 +11,8 @@ from zbot.launch.event import Shutdown
 from zbot.launch.event_handler import EventHandler
 from zbot.launch.process_event import ProcessExited, ProcessIO, ProcessStarted
 from zbot.launch.service import LaunchService
-from zbot.launch_test.error import LaunchTestError
-from zbot.launch_test.record import ExitRecord, OutputRecord
+from zbot.launch.testing.error import LaunchTestError
+from zbot.launch.testing.record import ExitRecord, OutputRecord
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from zbot.launch.description import LaunchDescription
-from zbot.launch_test.error import LaunchTestError
-from zbot.launch_test.running_launch import RunningLaunch, ready_actions
+from zbot.launch.testing.error import LaunchTestError
+from zbot.launch.testing.running_launch import RunningLaunch, ready_actions
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.launch.actions.event_action import RegisterEventHandler
 from zbot.launch.description import LaunchDescription
-from zbot.launch_test.error import LaunchTestError
-from zbot.launch_test.marker import markers_of
-from zbot.launch_test.running_launch import (
+from zbot.launch.testing.error import LaunchTestError
+from zbot.launch.testing.marker import markers_of
+from zbot.launch.testing.running_launch import (
     READY_TIMEOUT_S,
     RunningLaunch,
     ready_actions,

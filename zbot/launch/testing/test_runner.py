@@ -7,12 +7,12 @@ import unittest
 from typing import TYPE_CHECKING
 
 from zbot.launch.arguments import parse_arguments
-from zbot.launch_test.error import LaunchTestError
+from zbot.launch.testing.error import LaunchTestError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-    from zbot.launch_test.test_run import TestRun
+    from zbot.launch.testing.test_run import TestRun
 
 
 class RunResult(unittest.TestResult):

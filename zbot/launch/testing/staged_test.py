@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.launch_test.launch_fixture import running
+from zbot.launch.testing.launch_fixture import running
 
 if TYPE_CHECKING:
     from collections.abc import AsyncGenerator, Callable

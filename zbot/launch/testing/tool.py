@@ -16,7 +16,7 @@ from zbot.launch.process_event import (
     ShutdownProcess,
     matches_action,
 )
-from zbot.launch_test.error import LaunchTestError
+from zbot.launch.testing.error import LaunchTestError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from zbot.launch.actions.execute import ExecuteLocal
     from zbot.launch.context import LaunchContext
     from zbot.launch.service import LaunchService
-    from zbot.launch_test.record import ExitRecord, OutputRecord
+    from zbot.launch.testing.record import ExitRecord, OutputRecord
 
 
 class ProcessProxy:

@@ -6,7 +6,7 @@ import functools
 import time
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from zbot.launch_test.error import LaunchTestError
+from zbot.launch.testing.error import LaunchTestError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence

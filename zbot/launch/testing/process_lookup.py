@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 from zbot.errors import ArgumentTypeError
 from zbot.launch.actions.execute import ExecuteLocal
 from zbot.launch.substitution import TextSubstitution
-from zbot.launch_test.error import NoMatchingProcessError, SeveralProcessesError
+from zbot.launch.testing.error import NoMatchingProcessError, SeveralProcessesError
 
 if TYPE_CHECKING:
     from collections.abc import Collection

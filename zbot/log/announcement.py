@@ -6,7 +6,7 @@ import json
 from typing import TYPE_CHECKING
 
 from zbot.log import get_logger
-from zbot.plain_text import plain
+from zbot.terminal_text import plain
 
 if TYPE_CHECKING:
     import zenoh
