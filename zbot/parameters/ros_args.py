@@ -14,7 +14,7 @@ from zbot.names import (
     validate_node_name,
     validate_topic_name,
 )
-from zbot.parameters import file
+from zbot.parameters import file as parameter_file
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -131,7 +131,7 @@ class Arguments(NamedTuple):
         base, values = split_fully_qualified(node)[1], dict[str, Any]()
         for item in self.parameters:
             if isinstance(item, ParametersFile):
-                values |= file.load(item.path, node)
+                values |= parameter_file.load(item.path, node)
             elif item.node in {"", base}:
                 values[item.name] = item.value
         return values
@@ -211,7 +211,7 @@ def _validate_remap(source: str, target: str) -> None:
 def _parameter(found: Arguments, word: str) -> Arguments:
     node, name, text = _assignment(word, "-p", "speed:=1.5")
     try:
-        value = file.parse_value(text, of_one_kind=True)
+        value = parameter_file.parse_value(text, of_one_kind=True)
     except ParameterValueError as error:
         raise ArgumentsError(word, str(error)) from error
     return found._replace(parameters=(*found.parameters, ParameterValue(name, value, node)))

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 
     from zbot.context import Context
 
-_PACKAGE = str(Path(__file__).parent) + os.sep
+_PACKAGE = str(Path(__file__).parents[1]) + os.sep
 _TERMINATED = 128 + signal.SIGTERM
 _MOMENT_S = 0.005  # longer than what Zenoh calls takes, and than a thread's start
 
@@ -83,7 +83,7 @@ _guards: WeakSet[SignalHandlerGuardCondition] = WeakSet()
 
 
 class _Process:
-    """What this process has installed, and how it is at_exit."""
+    """What this process has installed, and how it ends."""
 
     previous: dict[int, Any] = {}  # noqa: RUF012 - one per process
     hooked = False

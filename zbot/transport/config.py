@@ -145,7 +145,7 @@ def _read(path: Path) -> SessionConfig:
 
 
 def _packaged() -> SessionConfig:
-    here = Path(__file__).parent
+    here = Path(__file__).parents[1]
     # In a checkout the file stands beside the package, not inside it.
     candidates = (here.parent / "zenoh.json5", here / "zenoh.json5")
     shipped = candidates[0] if (here.parent / "pyproject.toml").is_file() else candidates[1]

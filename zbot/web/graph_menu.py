@@ -130,7 +130,7 @@ def _save_svg(panel: GraphPanel) -> None:
 
 
 def _save_png(panel: GraphPanel) -> None:
-    panel.frame.call("zbot.graph.snapshot.savePng", "graph.png", panel.svg())
+    panel.frame.call("zbot.graph.savePng", "graph.png", panel.svg())
     panel.frame.show_command(f"{panel.options.command} --svg graph.svg")
 
 

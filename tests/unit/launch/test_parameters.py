@@ -9,7 +9,7 @@ from zbot.launch import LaunchContext
 from zbot.launch.errors import EntityTypeError
 from zbot.launch.parameters import ParameterFile, ParameterValue, to_words
 from zbot.launch.substitutions import LaunchConfiguration, TextSubstitution
-from zbot.parameters import file
+from zbot.parameters import file as parameter_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -27,7 +27,7 @@ def context() -> Iterator[LaunchContext]:
 def _read_back(words: list[str]) -> dict[str, Any]:
     assert words[::2] == ["-p"] * (len(words) // 2)
     pairs = [word.partition(":=") for word in words[1::2]]
-    return {name: file.parse_value(text) for name, _, text in pairs}
+    return {name: parameter_file.parse_value(text) for name, _, text in pairs}
 
 
 @pytest.mark.parametrize(
@@ -80,7 +80,7 @@ def test_a_long_value_goes_through_a_file(context: LaunchContext, tmp_path: Path
     text = "<robot>" + "x" * 20_000
     flag, path = to_words(context, [{"robot_description": text}])
     assert flag == "--params-file"
-    assert file.load(path, "/any")["robot_description"] == text
+    assert parameter_file.load(path, "/any")["robot_description"] == text
     context.close()
     assert not (tmp_path / path).exists()
 
@@ -92,7 +92,7 @@ def test_files_are_named_and_may_have_substitutions(context: LaunchContext, tmp_
     assert to_words(context, [str(file), file]) == ["--params-file", str(file)] * 2
     flag, path = to_words(context, [ParameterFile(file, allow_substs=True)])
     assert flag == "--params-file"
-    assert file.load(path, "/any") == {"rate": 2.5}
+    assert parameter_file.load(path, "/any") == {"rate": 2.5}
 
 
 def test_a_file_that_is_not_there_is_told(

@@ -74,13 +74,13 @@ class GraphPanel:
 
     def fit(self) -> None:
         """Show all of it."""
-        self.frame.call("zbot.graph.snapshot.fit", self._id)
+        self.frame.call("zbot.graph.fit", self._id)
 
     def _show(self) -> None:
         if self.drawing is not None:
             if self.shows_rates:
                 self.rates.match(self.drawing.view)
-            self.frame.call("zbot.graph.snapshot.show", self._id, self.svg(), self._chosen)
+            self.frame.call("zbot.graph.show", self._id, self.svg(), self._chosen)
 
     def svg(self) -> str:
         """Return the picture as it is shown, with rates if they are."""
@@ -94,7 +94,7 @@ class GraphPanel:
         if self.shows_rates and self.drawing is not None:
             labels = self.rates.labels(self.drawing.view)
             texts = {edge_key(edge): text for edge, text in labels.items()}
-            self.frame.call("zbot.graph.snapshot.showRates", self._id, texts)
+            self.frame.call("zbot.graph.showRates", self._id, texts)
 
     def _tell(self, view: GraphView) -> None:
         """Say what looks wrong, and what is there but not shown."""
@@ -154,7 +154,7 @@ class GraphPanel:
         else:
             self._split.classes(remove="zb-split-open")
             self.show_command()
-        self.frame.call("zbot.graph.snapshot.choose", self._id, self._chosen)
+        self.frame.call("zbot.graph.choose", self._id, self._chosen)
         self.remember()
 
 
