@@ -119,11 +119,11 @@ def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
     if noun not in NOUNS and noun not in _HIDDEN:
         _refuse_noun(words[0])
     if noun == "run":
-        from zbot_cli.run import run  # noqa: PLC0415 - without typer: it must start at once
+        from zbot_cli.commands.run import run  # noqa: PLC0415 - without typer: it must start at once
 
         return run(words[1:])
     if noun == "complete":
-        from zbot_cli.complete import complete  # noqa: PLC0415 - only shells ask
+        from zbot_cli.commands.complete import complete  # noqa: PLC0415 - only shells ask
 
         return complete(words[1:], NOUNS)
     if any(word[:1] == "/" and word[1:2].isdigit() for word in words):

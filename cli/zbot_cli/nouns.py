@@ -13,8 +13,7 @@ from zbot_cli.option_groups import spread
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-# `class` is a word of Python's, exit codes are in `status`, and pytest looks into `test_*`.
-_MODULES = {"class": "class_", "status": "status_", "test": "launch_test"}
+_MODULES = {"class": "class_"}  # `class` is a word of Python's
 
 
 def load(noun: str, words: Sequence[str] = ()) -> Any:
@@ -27,7 +26,7 @@ def load(noun: str, words: Sequence[str] = ()) -> Any:
         words: What follows it. If a verb comes first, the others are left out: typer takes some
             milliseconds to make one.
     """
-    app = importlib.import_module(f"zbot_cli.{_MODULES.get(noun, noun)}").app
+    app = importlib.import_module(f"zbot_cli.commands.{_MODULES.get(noun, noun)}").app
     has_verbs = len(app.registered_commands) > 1
     app = copy.copy(app)
     app.registered_commands = _wanted(app.registered_commands, words)

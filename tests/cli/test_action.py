@@ -14,7 +14,7 @@ from tests.cli.command import zbot
 from tests.conftest import wait_until
 from zbot.action import ActionClient, ActionServer, CancelResponse, GoalResponse, ServerGoalHandle
 from zbot.node.service_introspection import ServiceIntrospectionState
-from zbot_cli.send_goal import SendGoal
+from zbot_cli.commands.action.send_goal import SendGoal
 
 from example_interfaces.action import Fibonacci
 

@@ -169,7 +169,7 @@ runpy.run_module("zbot_cli", run_name="__main__")
     ("module", "words"),
     [
         ("zbot_cli.status", ["--version"]),
-        ("zbot_cli.run", ["run", "talker"]),
+        ("zbot_cli.commands.run", ["run", "talker"]),
         ("zbot.compat", ["run", "talker"]),
         ("zbot_cli.nouns", ["topic", "list"]),
     ],

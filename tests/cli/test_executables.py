@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.conftest import write_package
+from zbot_cli.commands.run import SeveralExecutablesError, find
 from zbot_cli.executables import all_packages, bundled_packages
-from zbot_cli.run import SeveralExecutablesError, find
 
 if TYPE_CHECKING:
     from pathlib import Path

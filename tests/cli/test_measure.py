@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from zbot_cli.measure import Bandwidths, Kind, Rates
+from zbot_cli.commands.topic.measurement import Bandwidths, Kind, Rates
 
 
 class Hands:

@@ -91,7 +91,7 @@ def list_students(as_json: AsJson = False) -> None:
     if as_json:
         print_json(found)
         return
-    from zbot_cli.class_table import table  # noqa: PLC0415 - help is quick
+    from zbot_cli.commands.class_.table import table  # noqa: PLC0415 - help is quick
 
     print(table(found))
 

@@ -14,12 +14,12 @@ from zbot.package import PackageNotFoundError, package_prefix, package_share, pa
 from zbot.package.places import find_package
 from zbot.package.workspace import MANIFEST
 from zbot_cli import executables
+from zbot_cli.commands.run import PackageNotFoundError as UnknownPackageError
 from zbot_cli.creation import Plan, create, known_licenses
 from zbot_cli.executables import Executable, all_packages, program_file
 from zbot_cli.listing import AsJson, new_app, print_json
 from zbot_cli.many_values import ManyValuesCommand
 from zbot_cli.person import email_address, full_name
-from zbot_cli.run import PackageNotFoundError as UnknownPackageError
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element

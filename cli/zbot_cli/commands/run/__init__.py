@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, NoReturn
 
 from zbot.errors import ZbotError
 from zbot_cli import executables
+from zbot_cli.commands.run.execution import become
 from zbot_cli.executables import BUNDLED, Executable, Package
-from zbot_cli.launchpad import become
 from zbot_cli.status import Status
 
 if TYPE_CHECKING:

@@ -198,7 +198,7 @@ def call(
     as_json: AsJson = False,
 ) -> None:
     """Call a service."""
-    from zbot_cli.service_call import ServiceCall  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.service.call import ServiceCall  # noqa: PLC0415 - lists do without
 
     ServiceCall(
         full_name(service_name),
@@ -222,6 +222,6 @@ def echo(
     as_json: AsJson = False,
 ) -> None:
     """Print the calls of a service."""
-    from zbot_cli.service_echo import ServiceEcho  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.service.echo import ServiceEcho  # noqa: PLC0415 - lists do without
 
     ServiceEcho(full_name(service_name), service_type, form.form(as_json=as_json), qos).run()

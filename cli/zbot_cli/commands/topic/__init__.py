@@ -250,7 +250,7 @@ def echo(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Print the messages of a topic."""
-    from zbot_cli.echo import Echo  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.topic.echo import Echo  # noqa: PLC0415 - lists do without
 
     shown = form.form(
         as_json=as_json,
@@ -314,7 +314,7 @@ def pub(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Publish messages on a topic."""
-    from zbot_cli.pub import Pace, Pub  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.topic.pub import Pace, Pub  # noqa: PLC0415 - lists do without
 
     pace = Pace(
         rate_hz=rate,
@@ -363,7 +363,7 @@ def hz(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Measure how often messages come."""
-    from zbot_cli.measure import Rates, measure  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.topic.measurement import Rates, measure  # noqa: PLC0415 - lists do without
 
     measure(
         Rates(window, filter_expression),
@@ -385,7 +385,7 @@ def bw(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Measure how many bytes come."""
-    from zbot_cli.measure import Bandwidths, measure  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.topic.measurement import Bandwidths, measure  # noqa: PLC0415 - lists do without
 
     measure(
         Bandwidths(window),
@@ -406,7 +406,7 @@ def delay(
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Measure how old messages are when they come."""
-    from zbot_cli.measure import Delays, measure  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.topic.measurement import Delays, measure  # noqa: PLC0415 - lists do without
 
     measure(
         Delays(window),

@@ -37,7 +37,7 @@ def plot(
             raise typer.BadParameter("name what to plot: zbot plot --terminal /turtle1/pose.x")
         _draw_here(curves, window, duration)
         return
-    from zbot_cli.web import serve_page  # noqa: PLC0415 - only for the page
+    from zbot_cli.commands.web import serve_page  # noqa: PLC0415 - only for the page
 
     query = f"?{urlencode({'curve': ','.join(curves)}, safe='/,')}" if curves else ""
     serve_page(f"/plot{query}", port=port, open_browser=not no_browser)

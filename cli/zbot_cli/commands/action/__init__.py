@@ -138,7 +138,7 @@ def send_goal(
     as_json: AsJson = False,
 ) -> None:
     """Send a goal; Ctrl-C cancels it."""
-    from zbot_cli.send_goal import SendGoal  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.action.send_goal import SendGoal  # noqa: PLC0415 - lists do without
 
     code = SendGoal(
         _checked(action_name),
@@ -166,6 +166,6 @@ def echo(
     as_json: AsJson = False,
 ) -> None:
     """Print an action's feedback, status and service events."""
-    from zbot_cli.action_echo import ActionEcho  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.action.echo import ActionEcho  # noqa: PLC0415 - lists do without
 
     ActionEcho(_checked(action_name), action_type, interfaces, form.form(as_json=as_json)).run()

@@ -91,7 +91,7 @@ class SendGoal:
         if stdin:
             self._values = [sys.stdin.read()]
         elif goal_file is not None:
-            from zbot_cli.pub import read_values  # noqa: PLC0415 - seldom used
+            from zbot_cli.commands.topic.pub import read_values  # noqa: PLC0415 - seldom used
 
             self._values = [read_values(goal_file)]
 

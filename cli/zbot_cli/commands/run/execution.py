@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from zbot_cli.executables import Executable
 
-_HERE = str(Path(__file__).parent) + os.sep
+_HERE = str(Path(__file__).parents[2]) + os.sep
 
 
 class EntryPointError(ZbotError):
@@ -83,7 +83,7 @@ def _place(executable: Executable) -> Path:
 
 
 def _run_file(path: str) -> NoReturn:
-    from zbot_cli.script import NothingToRunError, run_script  # noqa: PLC0415 - packages do without
+    from zbot_cli.commands.run.script import NothingToRunError, run_script  # noqa: PLC0415 - packages do without
 
     try:
         sys.exit(run_script(path))
