@@ -3,7 +3,7 @@
 Imports come after the first line that does something, for Ctrl-C may come before they are over.
 """
 
-from zbot_cli import interruption
+from zbot_cli.input import interruption
 
 interruption.end_at_once()
 

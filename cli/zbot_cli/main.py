@@ -9,8 +9,8 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from zbot_cli import interruption
-from zbot_cli.status import Status
+from zbot_cli.input import interruption
+from zbot_cli.output.exit_status import Status
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -127,7 +127,7 @@ def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
 
         return complete(words[1:], NOUNS)
     if any(word[:1] == "/" and word[1:2].isdigit() for word in words):
-        from zbot_cli import domain_names  # noqa: PLC0415 - only for names of another domain
+        from zbot_cli.input import domain_names  # noqa: PLC0415 - only for names of another domain
 
         words = domain_names.enter_domain(words) if noun in domain_names.NOUNS else words
     import typer  # noqa: PLC0415 - `zbot --help` and `zbot run` do without
@@ -201,7 +201,7 @@ def run_command(words: list[str]) -> int | Callable[[], NoReturn]:
     except ZbotError as error:
         if options.debug:
             raise
-        from zbot_cli.report import report  # noqa: PLC0415 - only for errors
+        from zbot_cli.output.report import report  # noqa: PLC0415 - only for errors
 
         return report(error)
     except BrokenPipeError:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import typer.main
 
-from zbot_cli.option_groups import spread
+from zbot_cli.input.option_groups import spread
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot_cli.check.package import check_package
+from zbot_cli.packages.check.package import check_package
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.command import zbot
-from zbot_cli.status import Status
+from zbot_cli.output.exit_status import Status
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -168,7 +168,7 @@ runpy.run_module("zbot_cli", run_name="__main__")
 @pytest.mark.parametrize(
     ("module", "words"),
     [
-        ("zbot_cli.status", ["--version"]),
+        ("zbot_cli.output.exit_status", ["--version"]),
         ("zbot_cli.commands.run", ["run", "talker"]),
         ("zbot.compat", ["run", "talker"]),
         ("zbot_cli.nouns", ["topic", "list"]),
@@ -183,7 +183,7 @@ def test_ctrl_c_while_the_command_is_being_loaded_is_quiet(module: str, words: l
 
 INTERRUPTED_END = """
 import runpy, signal, sys
-from zbot_cli import interruption
+from zbot_cli.input import interruption
 end_at_once = interruption.end_at_once
 def interrupted():
     if signal.getsignal(signal.SIGINT) is not signal.SIG_DFL:
@@ -204,7 +204,7 @@ def test_ctrl_c_between_a_command_and_the_end_is_quiet() -> None:
 
 DROPPED = """
 import signal, time, weakref
-from zbot_cli import interruption
+from zbot_cli.input import interruption
 interruption.end_at_once()
 interruption.raise_exception()
 thing = type("Thing", (), {})()

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from zbot_cli.domain_names import SeveralDomainsError, enter_domain
+from zbot_cli.input.domain_names import SeveralDomainsError, enter_domain
 
 
 @pytest.fixture(autouse=True)

@@ -10,7 +10,7 @@ import pytest
 
 from tests.cli.conftest import write_package
 from zbot_cli.commands.run import SeveralExecutablesError, find
-from zbot_cli.executables import all_packages, bundled_packages
+from zbot_cli.packages.executables import all_packages, bundled_packages
 
 if TYPE_CHECKING:
     from pathlib import Path

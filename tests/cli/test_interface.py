@@ -12,7 +12,7 @@ import yaml
 
 from tests.cli.command import zbot
 from zbot.interfaces import interface_names, packages
-from zbot_cli.types import InvalidTypeError, find_types, resolve_message_type
+from zbot_cli.domain.types import InvalidTypeError, find_types, resolve_message_type
 
 if TYPE_CHECKING:
     from pathlib import Path

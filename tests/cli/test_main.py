@@ -14,8 +14,8 @@ from zbot.errors import ZbotError
 from zbot_cli import main as main_module
 from zbot_cli.main import NOUNS, main, run_command
 from zbot_cli.nouns import load, verbs
-from zbot_cli.report import report
-from zbot_cli.status import Status
+from zbot_cli.output.exit_status import Status
+from zbot_cli.output.report import report
 
 if TYPE_CHECKING:
     from collections.abc import Callable

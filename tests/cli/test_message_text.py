@@ -14,8 +14,8 @@ from hypothesis import strategies
 import zbot  # noqa: F401 - makes the message packages importable
 from zbot.interfaces.field_path import FieldPath, FieldPathError
 from zbot.interfaces.yaml_text import dump
-from zbot_cli.message_text import Form, Formatter
-from zbot_cli.values import Template
+from zbot_cli.input.message_values import Template
+from zbot_cli.output.message_text import Form, Formatter
 
 from geometry_msgs.msg import Pose, PoseArray, PoseWithCovariance, Twist  # isort: skip
 from sensor_msgs.msg import JointState, LaserScan  # isort: skip

@@ -12,8 +12,8 @@ import zbot as library
 from tests.cli.command import zbot
 from zbot.parameters.file import sections
 from zbot.parameters.parameter import Parameter
-from zbot_cli.looking import hidden_node
-from zbot_cli.parameter_text import file_text, values_for
+from zbot_cli.domain.client import hidden_node
+from zbot_cli.output.parameter_text import file_text, values_for
 
 from rcl_interfaces.msg import (  # isort: skip
     FloatingPointRange,

@@ -15,7 +15,7 @@ from tests.cli.command import zbot
 from tests.cli.conftest import write_package
 from zbot.package.manifest import read_manifest
 from zbot.package.setup_file import declared_scripts, setup_arguments
-from zbot_cli.creation import known_licenses
+from zbot_cli.packages.creation import known_licenses
 
 if TYPE_CHECKING:
     from tests.cli.conftest import Command

@@ -10,9 +10,9 @@ import pytest
 from hypothesis import strategies
 
 import zbot  # noqa: F401 - makes the message packages importable
-from zbot_cli.filter import Filter, FilterError
-from zbot_cli.types import InvalidTypeError, looks_like_type, resolve_message_type
-from zbot_cli.values import PopulateError, Template, ValuesError, split_documents
+from zbot_cli.domain.types import InvalidTypeError, looks_like_type, resolve_message_type
+from zbot_cli.input.filter import Filter, FilterError
+from zbot_cli.input.message_values import PopulateError, Template, ValuesError, split_documents
 
 from geometry_msgs.msg import PoseArray, PoseStamped, PoseWithCovariance, Twist  # isort: skip
 from sensor_msgs.msg import JointState  # isort: skip

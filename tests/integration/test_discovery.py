@@ -20,7 +20,7 @@ from zbot.transport import config
 from zbot.transport.config import MEETING_PORT
 from zbot.transport.peering import MeetingWatch
 from zbot.transport.session import MeetingPoint, process_facts
-from zbot_cli.looking import client
+from zbot_cli.domain.client import client
 
 from std_msgs.msg import String
 

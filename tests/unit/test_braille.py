@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from zbot_cli.braille import Canvas, Curve, draw, span, ticks
+from zbot_cli.output.braille import Canvas, Curve, draw, span, ticks
 
 
 def test_dots_are_where_braille_has_them() -> None:

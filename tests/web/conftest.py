@@ -13,7 +13,7 @@ from urllib.parse import urlsplit
 import pytest
 
 from tests.conftest import Program, reserved_domain, wait_until
-from zbot_cli.looking import snapshot
+from zbot_cli.domain.client import snapshot
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -14,15 +14,15 @@ from zbot.package import packages
 from zbot.package.manifest import ManifestError, read_manifest
 from zbot.package.places import BUNDLED_NAMES
 from zbot.package.workspace import MANIFEST, package_folders, package_name
-from zbot_cli.check.package import check_package
-from zbot_cli.listing import new_app
-from zbot_cli.many_values import ManyValuesCommand
-from zbot_cli.status import Status
+from zbot_cli.input.many_values import ManyValuesCommand
+from zbot_cli.output.exit_status import Status
+from zbot_cli.output.listing import new_app
+from zbot_cli.packages.check.package import check_package
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from zbot_cli.check.problem import Problem
+    from zbot_cli.packages.check.problem import Problem
 
 app = new_app("Check packages; nothing needs building", has_verbs=False)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot_cli.status import Status
+from zbot_cli.output.exit_status import Status
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -71,7 +71,7 @@ def _options(command: Any) -> list[str]:
 
 
 def _executables(done: Sequence[str]) -> Iterable[str]:
-    from zbot_cli.executables import all_packages  # noqa: PLC0415 - only `run` asks
+    from zbot_cli.packages.executables import all_packages  # noqa: PLC0415 - only `run` asks
 
     packages = [package for package in all_packages() if package.executables]
     if not done:
@@ -83,13 +83,13 @@ def _executables(done: Sequence[str]) -> Iterable[str]:
 
 def _launch_files(done: Sequence[str]) -> Iterable[str]:
     import zbot.compat  # noqa: F401, PLC0415 - launch files import ROS 2's names
-    from zbot_cli.launch_file import candidates  # noqa: PLC0415 - only `launch` asks
+    from zbot_cli.packages.launch_file import candidates  # noqa: PLC0415 - only `launch` asks
 
     return candidates([word for word in done if not word.startswith("-")])
 
 
 def _topics(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.looking import snapshot  # noqa: PLC0415 - only live names ask
+    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - only live names ask
 
     names = [name for name, _ in snapshot().topics()]
     return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
@@ -97,15 +97,15 @@ def _topics(_: Sequence[str], unfinished: str) -> Iterable[str]:
 
 def _nodes(_: Sequence[str], unfinished: str) -> Iterable[str]:
     from zbot.graph.snapshot import full_names  # noqa: PLC0415 - as above
-    from zbot_cli.looking import snapshot  # noqa: PLC0415 - as above
+    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - as above
 
     names = full_names(snapshot().nodes)
     return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
 
 
 def _managed_nodes(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.looking import snapshot  # noqa: PLC0415 - only live names ask
-    from zbot_cli.managed_nodes import managed_nodes  # noqa: PLC0415 - as above
+    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - only live names ask
+    from zbot_cli.domain.managed_nodes import managed_nodes  # noqa: PLC0415 - as above
 
     names = managed_nodes(snapshot(), include_hidden=unfinished.lstrip("/").startswith("_"))
     return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
@@ -116,8 +116,8 @@ def _transitions(_: Sequence[str], __: str) -> Iterable[str]:
 
 
 def _parameters(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot_cli.looking import hidden_node  # noqa: PLC0415 - as above
-    from zbot_cli.parameters import RemoteParameters  # noqa: PLC0415 - as above
+    from zbot_cli.domain.client import hidden_node  # noqa: PLC0415 - as above
+    from zbot_cli.domain.parameters import RemoteParameters  # noqa: PLC0415 - as above
 
     with hidden_node("complete") as node:
         remote = RemoteParameters(node, 0)
@@ -130,28 +130,28 @@ def _parameter_to_set(done: Sequence[str], unfinished: str) -> Iterable[str]:
 
 
 def _topic_type(done: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.looking import full_name, snapshot  # noqa: PLC0415 - as above
+    from zbot_cli.domain.client import full_name, snapshot  # noqa: PLC0415 - as above
 
     found = dict(snapshot().topics()).get(full_name(done[0])) if done else None
     return found or _message_types(done, unfinished)
 
 
 def _actions(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.looking import snapshot  # noqa: PLC0415 - only live names ask
+    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - only live names ask
 
     names = [name for name, _ in snapshot().actions()]
     return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
 
 
 def _action_type(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot_cli.looking import full_name, snapshot  # noqa: PLC0415 - as above
+    from zbot_cli.domain.client import full_name, snapshot  # noqa: PLC0415 - as above
 
     found = dict(snapshot().actions()).get(full_name(done[0])) if done else None
     return found or _action_types(done, "")
 
 
 def _action_types(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot_cli.types import all_types  # noqa: PLC0415 - only types ask
+    from zbot_cli.domain.types import all_types  # noqa: PLC0415 - only types ask
 
     return (name for name in all_types() if "/action/" in name)
 
@@ -171,13 +171,13 @@ def _goal(done: Sequence[str], _: str) -> Iterable[str]:
 
 
 def _message_types(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot_cli.types import all_messages  # noqa: PLC0415 - only types ask
+    from zbot_cli.domain.types import all_messages  # noqa: PLC0415 - only types ask
 
     return all_messages()
 
 
 def _all_types(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot_cli.types import all_types  # noqa: PLC0415 - only types ask
+    from zbot_cli.domain.types import all_types  # noqa: PLC0415 - only types ask
 
     return all_types()
 
@@ -214,21 +214,21 @@ def _prototype(done: Sequence[str], _: str) -> Iterable[str]:
 
 
 def _services(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.looking import snapshot  # noqa: PLC0415 - only live names ask
+    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - only live names ask
 
     names = [name for name, _ in snapshot().services()]
     return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
 
 
 def _service_type(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot_cli.looking import full_name, snapshot  # noqa: PLC0415 - as above
+    from zbot_cli.domain.client import full_name, snapshot  # noqa: PLC0415 - as above
 
     found = dict(snapshot().services()).get(full_name(done[0])) if done else None
     return found or _service_types(done, "")
 
 
 def _service_types(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot_cli.types import all_types  # noqa: PLC0415 - only types ask
+    from zbot_cli.domain.types import all_types  # noqa: PLC0415 - only types ask
 
     return (name for name in all_types() if "/srv/" in name)
 

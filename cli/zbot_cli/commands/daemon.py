@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from zbot_cli.listing import new_app
+from zbot_cli.output.listing import new_app
 
 app = new_app("Say that no daemon is needed")
 

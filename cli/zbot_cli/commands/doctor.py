@@ -19,9 +19,9 @@ from zbot.graph.snapshot import Snapshot, full_names, processes
 from zbot.names import fully_qualified, is_hidden, nearest
 from zbot.transport import config
 from zbot.version import __version__
-from zbot_cli.listing import AsJson, new_app, print_json
-from zbot_cli.looking import client, snapshot_of
-from zbot_cli.status import Status
+from zbot_cli.domain.client import client, snapshot_of
+from zbot_cli.output.exit_status import Status
+from zbot_cli.output.listing import AsJson, new_app, print_json
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator

@@ -12,8 +12,8 @@ import typer
 from zbot.errors import ZbotError
 from zbot.graph.filters import Filters, Grouping, compile_filter
 from zbot.graph.view import BoxKind, Edge, GraphView, Mode, TopicView, view
-from zbot_cli.listing import AsJson, new_app, print_json
-from zbot_cli.looking import client, snapshot
+from zbot_cli.domain.client import client, snapshot
+from zbot_cli.output.listing import AsJson, new_app, print_json
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from zbot_cli.listing import new_app
+from zbot_cli.output.listing import new_app
 
 app = new_app("Link other machines to this one", has_verbs=False)
 

@@ -18,9 +18,9 @@ from zbot.interfaces import (
     packages,
 )
 from zbot.names import nearest
-from zbot_cli.definition import definition
-from zbot_cli.listing import AsJson, new_app, print_json
-from zbot_cli.types import all_types, find_types, type_hint
+from zbot_cli.domain.types import all_types, find_types, type_hint
+from zbot_cli.output.definition import definition
+from zbot_cli.output.listing import AsJson, new_app, print_json
 
 app = new_app("Look at message, service and action types")
 

@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from zbot_cli.listing import new_app
+from zbot_cli.output.listing import new_app
 
 app = new_app("Join a class, or another machine", has_verbs=False)
 

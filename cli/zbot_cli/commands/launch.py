@@ -18,9 +18,9 @@ from zbot.launch.introspector import LaunchIntrospector
 from zbot.launch.service import LaunchService
 from zbot.launch.source import AnyLaunchDescriptionSource
 from zbot.launch.substitution import TextSubstitution, describe
-from zbot_cli import launch_file
 from zbot_cli.commands.run import find as find_executable
-from zbot_cli.listing import new_app
+from zbot_cli.output.listing import new_app
+from zbot_cli.packages import launch_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

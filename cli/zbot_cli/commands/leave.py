@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from zbot_cli.listing import new_app
+from zbot_cli.output.listing import new_app
 
 app = new_app("Leave what this machine has joined", has_verbs=False)
 

@@ -8,7 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from zbot_cli.listing import (
+from zbot_cli.domain.client import hidden_node, snapshot
+from zbot_cli.domain.managed_nodes import ManagedNodes, NodeSilentError, managed_nodes
+from zbot_cli.output.exit_status import Status
+from zbot_cli.output.listing import (
     NO_DAEMON,
     VISIBLE_NODES,
     AsJson,
@@ -18,9 +21,6 @@ from zbot_cli.listing import (
     print_json,
     print_names,
 )
-from zbot_cli.looking import hidden_node, snapshot
-from zbot_cli.managed_nodes import ManagedNodes, NodeSilentError, managed_nodes
-from zbot_cli.status import Status
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -12,8 +12,8 @@ from zbot.errors import ZbotError
 from zbot.graph.snapshot import full_names
 from zbot.names import fully_qualified, is_hidden, nearest
 from zbot.wire.tokens import EntityKind
-from zbot_cli.listing import NO_DAEMON, AsJson, DaemonOptions, new_app, print_json
-from zbot_cli.looking import client, full_name, snapshot, snapshot_of
+from zbot_cli.domain.client import client, full_name, snapshot, snapshot_of
+from zbot_cli.output.listing import NO_DAEMON, AsJson, DaemonOptions, new_app, print_json
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import NamesAndTypes, Process, Snapshot

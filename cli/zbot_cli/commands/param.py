@@ -12,10 +12,12 @@ import typer
 from zbot.errors import ZbotError
 from zbot.parameters.file import sections
 from zbot.parameters.parameter import NoParametersError, Parameter
-from zbot_cli.listing import VISIBLE_NODES, AsJson, NodeSearch, new_app, print_json
-from zbot_cli.looking import hidden_node
-from zbot_cli.many_values import ManyValuesCommand
-from zbot_cli.parameter_text import (
+from zbot_cli.domain.client import hidden_node
+from zbot_cli.domain.parameters import ANSWER_TIMEOUT_S, ParameterNotSetError, RemoteParameters
+from zbot_cli.input.many_values import ManyValuesCommand
+from zbot_cli.output.exit_status import Status
+from zbot_cli.output.listing import VISIBLE_NODES, AsJson, NodeSearch, new_app, print_json
+from zbot_cli.output.parameter_text import (
     description,
     description_lines,
     file_text,
@@ -24,8 +26,6 @@ from zbot_cli.parameter_text import (
     shown,
     values_for,
 )
-from zbot_cli.parameters import ANSWER_TIMEOUT_S, ParameterNotSetError, RemoteParameters
-from zbot_cli.status import Status
 
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence

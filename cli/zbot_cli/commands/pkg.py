@@ -13,13 +13,13 @@ from zbot.errors import ZbotError, nearest
 from zbot.package import PackageNotFoundError, package_prefix, package_share, packages
 from zbot.package.places import find_package
 from zbot.package.workspace import MANIFEST
-from zbot_cli import executables
 from zbot_cli.commands.run import PackageNotFoundError as UnknownPackageError
-from zbot_cli.creation import Plan, create, known_licenses
-from zbot_cli.executables import Executable, all_packages, program_file
-from zbot_cli.listing import AsJson, new_app, print_json
-from zbot_cli.many_values import ManyValuesCommand
-from zbot_cli.person import email_address, full_name
+from zbot_cli.input.many_values import ManyValuesCommand
+from zbot_cli.output.listing import AsJson, new_app, print_json
+from zbot_cli.packages import executables
+from zbot_cli.packages.author import email_address, full_name
+from zbot_cli.packages.creation import Plan, create, known_licenses
+from zbot_cli.packages.executables import Executable, all_packages, program_file
 
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element

@@ -7,7 +7,7 @@ from urllib.parse import urlencode
 
 import typer
 
-from zbot_cli.listing import new_app
+from zbot_cli.output.listing import new_app
 
 app = new_app("Plot numeric fields of topics", has_verbs=False)
 
@@ -47,7 +47,7 @@ def _draw_here(words: list[str], window_s: float, duration_s: float | None) -> N
     from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - as above
     from zbot.web.curve import split_curve  # noqa: PLC0415 - as above
     from zbot.web.system import System  # noqa: PLC0415 - as above
-    from zbot_cli.terminal_plot import TerminalPlot  # noqa: PLC0415 - as above
+    from zbot_cli.output.terminal_plot import TerminalPlot  # noqa: PLC0415 - as above
 
     install(SignalHandlerOptions.ALL)
     with System() as system:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 import typer
 
 from zbot.errors import SetupError
-from zbot_cli.listing import AsJson, new_app, print_json
-from zbot_cli.many_values import ManyValuesCommand
+from zbot_cli.input.many_values import ManyValuesCommand
+from zbot_cli.output.listing import AsJson, new_app, print_json
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from zbot_cli.listing import new_app
+from zbot_cli.output.listing import new_app
 
 app = new_app("Let a student see another's topics", has_verbs=False)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from zbot_cli.listing import AsJson, new_app, print_json
+from zbot_cli.output.listing import AsJson, new_app, print_json
 
 app = new_app("Show what this machine has joined", has_verbs=False)
 

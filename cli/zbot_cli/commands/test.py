@@ -12,8 +12,8 @@ import typer
 
 import zbot.compat
 from zbot.errors import ZbotError
-from zbot_cli.listing import new_app
-from zbot_cli.status import Status
+from zbot_cli.output.exit_status import Status
+from zbot_cli.output.listing import new_app
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

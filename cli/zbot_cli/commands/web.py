@@ -7,7 +7,7 @@ from typing import Annotated
 import typer
 
 from zbot.errors import ZbotError
-from zbot_cli.listing import new_app
+from zbot_cli.output.listing import new_app
 
 app = new_app("Show the running system in a browser", has_verbs=False)
 

@@ -10,10 +10,17 @@ import typer
 
 from zbot.names import fully_qualified, validate_topic_name
 from zbot.wire.tokens import EntityKind
-from zbot_cli.action_type import UnknownActionError, suggestion
-from zbot_cli.form_options import DEFAULT_FORM, FormOptions
-from zbot_cli.listing import AsJson, ShowTypes, new_app, print_entries, print_json, print_names
-from zbot_cli.looking import full_name, snapshot
+from zbot_cli.domain.action_types import UnknownActionError, suggestion
+from zbot_cli.domain.client import full_name, snapshot
+from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
+from zbot_cli.output.listing import (
+    AsJson,
+    ShowTypes,
+    new_app,
+    print_entries,
+    print_json,
+    print_names,
+)
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot

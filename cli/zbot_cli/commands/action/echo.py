@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ZbotError
 from zbot.interfaces.plain_value import json_value
 from zbot.qos import QoSProfile, qos_profile_action_status_default
-from zbot_cli.action_type import only_action_type, resolve_action_type, suggestion
-from zbot_cli.call_event import event_json, event_text
-from zbot_cli.listing import print_json
-from zbot_cli.looking import hidden_node
+from zbot_cli.domain.action_types import only_action_type, resolve_action_type, suggestion
+from zbot_cli.domain.client import hidden_node
+from zbot_cli.output.listing import print_json
+from zbot_cli.output.service_event import event_json, event_text
 
 if TYPE_CHECKING:
     from zbot.node.node import Node
-    from zbot_cli.message_text import Form, Formatter
+    from zbot_cli.output.message_text import Form, Formatter
 
 _DEPTH = QoSProfile(depth=100)
 _STEP_S = 0.5  # a signal does not end waiting for the graph
@@ -60,7 +60,7 @@ class ActionEcho:
     def __init__(
         self, name: str, type_word: str | None, interfaces: str | None, form: Form
     ) -> None:
-        from zbot_cli.message_text import Formatter  # noqa: PLC0415 - only echo formats messages
+        from zbot_cli.output.message_text import Formatter  # noqa: PLC0415 - only echo formats messages
 
         self._name = name
         self._type = None if type_word is None else resolve_action_type(type_word)

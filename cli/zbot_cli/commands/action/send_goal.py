@@ -7,16 +7,16 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot_cli.action_type import (
+from zbot_cli.domain.action_types import (
     action_class,
     only_action_type,
     resolve_action_type,
     suggestion,
 )
-from zbot_cli.listing import print_json
-from zbot_cli.looking import hidden_node
-from zbot_cli.status import Status
-from zbot_cli.values import PopulateError, Template
+from zbot_cli.domain.client import hidden_node
+from zbot_cli.input.message_values import PopulateError, Template
+from zbot_cli.output.exit_status import Status
+from zbot_cli.output.listing import print_json
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -215,7 +215,7 @@ class SendGoal:
 
 
 def _split(words: Sequence[str]) -> tuple[str | None, list[str]]:
-    from zbot_cli.types import looks_like_type  # noqa: PLC0415 - only here
+    from zbot_cli.domain.types import looks_like_type  # noqa: PLC0415 - only here
 
     if words and looks_like_type(words[0]):
         return resolve_action_type(words[0]), list(words[1:])

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from zbot_cli.listing import AsJson, new_app, print_json
-from zbot_cli.status import Status
+from zbot_cli.output.exit_status import Status
+from zbot_cli.output.listing import AsJson, new_app, print_json
 
 if TYPE_CHECKING:
     from zbot.classroom.record import ClassRecord

@@ -11,10 +11,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from zbot.errors import ZbotError
-from zbot_cli import executables
 from zbot_cli.commands.run.execution import become
-from zbot_cli.executables import BUNDLED, Executable, Package
-from zbot_cli.status import Status
+from zbot_cli.output.exit_status import Status
+from zbot_cli.packages import executables
+from zbot_cli.packages.executables import BUNDLED, Executable, Package
 
 if TYPE_CHECKING:
     import subprocess

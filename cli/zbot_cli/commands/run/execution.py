@@ -14,14 +14,14 @@ from typing import TYPE_CHECKING, Any, NoReturn
 
 from zbot.errors import ZbotError
 from zbot.package.workspace import stay_in_workspace
-from zbot_cli import interruption
-from zbot_cli.executables import is_file
+from zbot_cli.input import interruption
+from zbot_cli.packages.executables import is_file
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
     from types import TracebackType
 
-    from zbot_cli.executables import Executable
+    from zbot_cli.packages.executables import Executable
 
 _HERE = str(Path(__file__).parents[2]) + os.sep
 
@@ -69,7 +69,7 @@ def _run(executable: Executable, arguments: Sequence[str]) -> NoReturn:
     try:
         function = _function(executable)
     except EntryPointError as error:
-        from zbot_cli.report import report  # noqa: PLC0415 - only for errors
+        from zbot_cli.output.report import report  # noqa: PLC0415 - only for errors
 
         sys.exit(report(error))
     sys.exit(function())
@@ -88,7 +88,7 @@ def _run_file(path: str) -> NoReturn:
     try:
         sys.exit(run_script(path))
     except NothingToRunError as error:
-        from zbot_cli.report import report  # noqa: PLC0415 - only for errors
+        from zbot_cli.output.report import report  # noqa: PLC0415 - only for errors
 
         sys.exit(report(error))
 

@@ -9,8 +9,11 @@ import typer
 
 from zbot.names import is_hidden
 from zbot.wire.tokens import EntityKind
-from zbot_cli.form_options import DEFAULT_FORM, FormOptions
-from zbot_cli.listing import (
+from zbot_cli.domain.client import full_name, snapshot
+from zbot_cli.domain.service_types import NODE_SERVICE_TYPES, UnknownServiceError, known_services
+from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
+from zbot_cli.input.qos_options import NOT_TOLD, Choice, profile_lines
+from zbot_cli.output.listing import (
     NO_DAEMON,
     AsJson,
     DaemonOptions,
@@ -20,9 +23,6 @@ from zbot_cli.listing import (
     print_json,
     print_names,
 )
-from zbot_cli.looking import full_name, snapshot
-from zbot_cli.qos_options import NOT_TOLD, Choice, profile_lines
-from zbot_cli.service_type import NODE_SERVICE_TYPES, UnknownServiceError, known_services
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import NamesAndTypes, Snapshot

@@ -7,16 +7,16 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot_cli.listing import print_json
-from zbot_cli.looking import hidden_node
-from zbot_cli.pause import Pause
-from zbot_cli.service_type import (
+from zbot_cli.domain.client import hidden_node
+from zbot_cli.domain.pause import Pause
+from zbot_cli.domain.service_types import (
     check_served,
     resolve_service_type,
     served_type,
     service_class,
     suggestion,
 )
+from zbot_cli.output.listing import print_json
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
     from zbot.node.client import Client
     from zbot.node.node import Node
-    from zbot_cli.qos_options import Choice
-    from zbot_cli.values import Template
+    from zbot_cli.input.message_values import Template
+    from zbot_cli.input.qos_options import Choice
 
 _STEP_S = 0.5  # between two looks whether a signal came while the graph stays as it is
 
@@ -114,7 +114,7 @@ class ServiceCall:
             self._call(node, client, template)
 
     def _template(self, type_name: str) -> Template:
-        from zbot_cli.values import Template  # noqa: PLC0415 - lists do without
+        from zbot_cli.input.message_values import Template  # noqa: PLC0415 - lists do without
 
         return Template(service_class(type_name).Request, self._values)
 
@@ -190,7 +190,7 @@ def served_type_of(graph: Snapshot, name: str, wanted: str | None) -> str | None
 
 
 def _split(words: Sequence[str]) -> tuple[str | None, list[str]]:
-    from zbot_cli.types import looks_like_type  # noqa: PLC0415 - only here
+    from zbot_cli.domain.types import looks_like_type  # noqa: PLC0415 - only here
 
     if words and looks_like_type(words[0]):
         return resolve_service_type(words[0]), list(words[1:])

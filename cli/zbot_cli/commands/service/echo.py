@@ -5,24 +5,24 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING, Any
 
-from zbot_cli.call_event import event_json, event_text
-from zbot_cli.listing import print_json
-from zbot_cli.looking import hidden_node
-from zbot_cli.message_text import Formatter
-from zbot_cli.service_type import (
+from zbot_cli.domain.client import hidden_node
+from zbot_cli.domain.service_types import (
     SeveralServiceTypesError,
     known_services,
     resolve_service_type,
     service_class,
     suggestion,
 )
+from zbot_cli.output.listing import print_json
+from zbot_cli.output.message_text import Formatter
+from zbot_cli.output.service_event import event_json, event_text
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
     from zbot.node.node import Node
     from zbot.node.subscription import MessageInfo
-    from zbot_cli.message_text import Form
-    from zbot_cli.qos_options import Choice
+    from zbot_cli.input.qos_options import Choice
+    from zbot_cli.output.message_text import Form
 
 _STEP_S = 0.5  # a signal does not end waiting for the graph
 

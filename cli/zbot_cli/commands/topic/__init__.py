@@ -10,8 +10,10 @@ import typer
 from zbot.errors import ZbotError
 from zbot.names import is_hidden, nearest
 from zbot.wire.tokens import EndpointToken, EntityKind
-from zbot_cli.form_options import DEFAULT_FORM, FormOptions
-from zbot_cli.listing import (
+from zbot_cli.domain.client import client, full_name, snapshot, snapshot_of
+from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
+from zbot_cli.input.qos_options import NOT_TOLD, Choice, profile_lines
+from zbot_cli.output.listing import (
     NO_DAEMON,
     AsJson,
     DaemonOptions,
@@ -21,8 +23,6 @@ from zbot_cli.listing import (
     print_json,
     print_names,
 )
-from zbot_cli.looking import client, full_name, snapshot, snapshot_of
-from zbot_cli.qos_options import NOT_TOLD, Choice, profile_lines
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import NamesAndTypes, Snapshot

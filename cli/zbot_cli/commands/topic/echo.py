@@ -12,8 +12,8 @@ from zbot.executor.executor import SingleThreadedExecutor
 from zbot.node.qos_events import SubscriptionEventCallbacks
 from zbot.terminal_text import harmless
 from zbot.wire.tokens import EndpointToken, EntityKind
-from zbot_cli.looking import full_name, hidden_node
-from zbot_cli.topic_type import message_class, only_type, tell_waiting
+from zbot_cli.domain.client import full_name, hidden_node
+from zbot_cli.domain.topic_types import message_class, only_type, tell_waiting
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -22,9 +22,9 @@ if TYPE_CHECKING:
     from zbot.node.node import Node
     from zbot.node.qos_events import QoSMessageLostInfo
     from zbot.node.subscription import MessageInfo
-    from zbot_cli.filter import Filter
-    from zbot_cli.message_text import Form
-    from zbot_cli.qos_options import Choice
+    from zbot_cli.input.filter import Filter
+    from zbot_cli.input.qos_options import Choice
+    from zbot_cli.output.message_text import Form
 
 _CLEAR = "\033[H\033[2J"
 
@@ -81,7 +81,7 @@ class Echo:
         Raises:
             NothingReceivedError: The time limit passed without a message.
         """
-        from zbot_cli.message_text import Formatter  # noqa: PLC0415 - only echo formats messages
+        from zbot_cli.output.message_text import Formatter  # noqa: PLC0415 - only echo formats messages
 
         self._format = Formatter(self._form, with_topic=self._several)
         self._filter = _filter(self._form)
@@ -176,7 +176,7 @@ class Echo:
 def _filter(form: Form) -> Filter | None:
     if form.filter_expression is None:
         return None
-    from zbot_cli.filter import Filter  # noqa: PLC0415 - seldom used
+    from zbot_cli.input.filter import Filter  # noqa: PLC0415 - seldom used
 
     return Filter(form.filter_expression)
 
@@ -184,7 +184,7 @@ def _filter(form: Form) -> Filter | None:
 def _split(words: list[str]) -> tuple[list[str], str | None]:
     """Tell the type from the topics: it comes last, without a leading slash."""
     if len(words) > 1 and not words[-1].startswith("/") and "*" not in words[-1]:
-        from zbot_cli.types import resolve_message_type  # noqa: PLC0415 - only with a type
+        from zbot_cli.domain.types import resolve_message_type  # noqa: PLC0415 - only with a type
 
         if "/" in words[-1] or "." in words[-1]:
             return list(map(full_name, words[:-1])), resolve_message_type(words[-1])

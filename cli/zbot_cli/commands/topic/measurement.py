@@ -14,15 +14,15 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, Protocol
 
 from zbot.errors import ZbotError
-from zbot_cli.listing import print_json
-from zbot_cli.looking import full_name, hidden_node
+from zbot_cli.domain.client import full_name, hidden_node
+from zbot_cli.output.listing import print_json
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
     from zbot.node.node import Node
     from zbot.qos import QoSProfile
-    from zbot_cli.qos_options import Choice
+    from zbot_cli.input.qos_options import Choice
 
 _PERIOD_S = 1.0
 _DEPTH = 1000  # a figure is wrong if messages are dropped here
@@ -137,7 +137,7 @@ class Rates:
         """Return a meter for one topic."""
         accepts = None
         if self._filter is not None:
-            from zbot_cli.filter import Filter  # noqa: PLC0415 - seldom used
+            from zbot_cli.input.filter import Filter  # noqa: PLC0415 - seldom used
 
             accepts = Filter(self._filter).accepts
         return _IntervalMeter(self._window, accepts, now_ns)
@@ -340,7 +340,7 @@ def _announce(kind: Kind, name: str, *, known: bool, several: bool) -> None:
 
 
 def _listen(node: Node, name: str, meter: Meter, qos: QoSProfile) -> None:
-    from zbot_cli.topic_type import message_class, wait_for_type  # noqa: PLC0415 - few need types
+    from zbot_cli.domain.topic_types import message_class, wait_for_type  # noqa: PLC0415 - few need types
 
     qos.depth = max(qos.depth, _DEPTH)
     node.create_subscription(message_class(wait_for_type(node, name)), name, meter.add, qos)

@@ -9,16 +9,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot_cli.looking import full_name, hidden_node, snapshot
-from zbot_cli.pause import Pause
+from zbot_cli.domain.client import full_name, hidden_node, snapshot
+from zbot_cli.domain.pause import Pause
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from zbot.node.node import Node
     from zbot.node.publisher import Publisher
-    from zbot_cli.qos_options import Choice
-    from zbot_cli.values import Template
+    from zbot_cli.input.message_values import Template
+    from zbot_cli.input.qos_options import Choice
 
 
 class RateError(ZbotError):
@@ -131,7 +131,7 @@ class Pub:
     def run(self) -> None:
         """Check everything, wait for subscribers, and publish."""
         import zbot  # noqa: F401, PLC0415 - makes the message packages importable
-        from zbot_cli.topic_type import message_class  # noqa: PLC0415 - as above
+        from zbot_cli.domain.topic_types import message_class  # noqa: PLC0415 - as above
 
         self._pace.check()
         type_name, values = self._type_and_values()
@@ -143,11 +143,11 @@ class Pub:
             self._publish(node, publisher, templates)
 
     def _type_and_values(self) -> tuple[str, list[str]]:
-        from zbot_cli.types import looks_like_type, resolve_message_type  # noqa: PLC0415 - as above
+        from zbot_cli.domain.types import looks_like_type, resolve_message_type  # noqa: PLC0415 - as above
 
         if self._words and looks_like_type(self._words[0]):
             return resolve_message_type(self._words[0]), self._words[1:]
-        from zbot_cli.topic_type import only_type  # noqa: PLC0415 - as above
+        from zbot_cli.domain.topic_types import only_type  # noqa: PLC0415 - as above
 
         found = only_type(snapshot(), self._topic)
         if found is None:
@@ -155,7 +155,7 @@ class Pub:
         return found, self._words
 
     def _templates(self, message_type: type[Any], values: list[str]) -> list[Template]:
-        from zbot_cli.values import Template, split_documents  # noqa: PLC0415 - as above
+        from zbot_cli.input.message_values import Template, split_documents  # noqa: PLC0415 - as above
 
         if self._yaml_file is not None:
             documents = split_documents(read_values(self._yaml_file))

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 from zbot.interfaces.plain_value import json_value, plain
 from zbot.interfaces.yaml_text import dump
 from zbot.node.service_introspection import Step
-from zbot_cli.message_text import SEPARATOR
+from zbot_cli.output.message_text import SEPARATOR
 
 if TYPE_CHECKING:
-    from zbot_cli.message_text import Form
+    from zbot_cli.output.message_text import Form
 
 _NAMES = {step.value: step.name for step in Step}
 

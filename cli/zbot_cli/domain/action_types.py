@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.names import nearest
-from zbot_cli.types import all_types, find_types, learn, type_hint
+from zbot_cli.domain.types import all_types, find_types, learn, type_hint
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot

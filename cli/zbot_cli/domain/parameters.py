@@ -11,7 +11,7 @@ from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_service
 from zbot.names import fully_qualified, is_hidden, nearest
 from zbot.parameters.parameter import Parameter, guessed, parameter_value_to_python
-from zbot_cli.looking import full_name
+from zbot_cli.domain.client import full_name
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence

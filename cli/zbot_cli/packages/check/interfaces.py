@@ -11,14 +11,14 @@ from zbot.interfaces.parser import parse
 from zbot.interfaces.spec import ActionSpec, MessageSpec, ServiceSpec
 from zbot.package.cmake_file import read_cmake
 from zbot.package.workspace import MANIFEST
-from zbot_cli.check.problem import Problem
+from zbot_cli.packages.check.problem import Problem
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
     from zbot.interfaces.spec import Field, InterfaceSpec
-    from zbot_cli.check.subject import Subject
+    from zbot_cli.packages.check.subject import Subject
 
 _GROUP = "rosidl_interface_packages"
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 import typer
 
 if TYPE_CHECKING:
-    from zbot_cli.message_text import Form
+    from zbot_cli.output.message_text import Form
 
 
 @dataclass(frozen=True)
@@ -34,7 +34,7 @@ class FormOptions:
 
     def form(self, *, as_json: bool, **more: Any) -> Form:
         """Return the form of the messages; `more` are fields of it that not every verb has."""
-        from zbot_cli.message_text import Form  # noqa: PLC0415 - lists do without
+        from zbot_cli.output.message_text import Form  # noqa: PLC0415 - lists do without
 
         return Form(
             csv=self.csv,

@@ -10,7 +10,7 @@ from string import Template
 from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
-from zbot_cli import templates
+from zbot_cli.packages import templates
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -99,7 +99,7 @@ class Plan:
 
 def known_licenses() -> list[str]:
     """Return the identifiers of the licences whose texts are at hand."""
-    folder = files("zbot_cli") / "licenses"
+    folder = files("zbot_cli.packages") / "licenses"
     return sorted(entry.name.removesuffix(".txt") for entry in folder.iterdir())
 
 
@@ -267,6 +267,8 @@ def _cmake_lists(plan: Plan) -> str:
 def _license(plan: Plan) -> str:
     from datetime import datetime, timezone  # noqa: PLC0415 - as above
 
-    text = (files("zbot_cli") / "licenses" / f"{plan.license}.txt").read_text(encoding="utf-8")
+    text = (files("zbot_cli.packages") / "licenses" / f"{plan.license}.txt").read_text(
+        encoding="utf-8"
+    )
     year = datetime.now(tz=timezone.utc).year
     return Template(text).safe_substitute(year=year, holder=plan.maintainer)

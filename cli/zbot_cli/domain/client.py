@@ -11,7 +11,7 @@ from zbot.context import Context
 from zbot.errors import ExternalShutdownException
 from zbot.graph.snapshot import Snapshot
 from zbot.transport.config import DiscoveryRange, discovery_range
-from zbot_cli.status import Status
+from zbot_cli.output.exit_status import Status
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

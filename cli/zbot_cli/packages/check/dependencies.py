@@ -6,13 +6,13 @@ import ast
 from typing import TYPE_CHECKING
 
 from zbot.package.workspace import MANIFEST
-from zbot_cli.check.problem import Problem
+from zbot_cli.packages.check.problem import Problem
 
 if TYPE_CHECKING:
     from collections.abc import Container, Iterator
     from pathlib import Path
 
-    from zbot_cli.check.subject import Subject
+    from zbot_cli.packages.check.subject import Subject
 
 #: What launch files import comes with the `ros2 launch` that runs them.
 _OF_LAUNCH = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")

@@ -61,7 +61,7 @@ def learn(name: str) -> bool:
         InterfaceConflictError: A type inside it has another definition here.
     """
     from zbot.node.remote_types import learn_type  # noqa: PLC0415 - only for types of other machines
-    from zbot_cli.looking import client  # noqa: PLC0415 - as above
+    from zbot_cli.domain.client import client  # noqa: PLC0415 - as above
 
     if len(name.split("/")) != 3 or not all(part.isidentifier() for part in name.split("/")):
         return False
@@ -70,7 +70,7 @@ def learn(name: str) -> bool:
 
 
 def _used_types() -> list[str]:
-    from zbot_cli.looking import snapshot  # noqa: PLC0415 - only for types of other machines
+    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - only for types of other machines
 
     # An action is seen by its parts, like pkg/action/Name_SendGoal.
     return sorted({end.type_name.partition("_SendGoal")[0] for end in snapshot().endpoints})

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.names import fully_qualified, is_hidden, nearest
-from zbot_cli.looking import full_name
+from zbot_cli.domain.client import full_name
 
 from lifecycle_msgs.msg import Transition
 from lifecycle_msgs.srv import ChangeState, GetAvailableTransitions, GetState

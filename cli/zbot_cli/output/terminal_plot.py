@@ -10,7 +10,7 @@ import time
 from collections import deque
 from typing import TYPE_CHECKING
 
-from zbot_cli.braille import Curve, draw
+from zbot_cli.output.braille import Curve, draw
 
 if TYPE_CHECKING:
     from zbot.web.curve import Curves

@@ -6,12 +6,12 @@ from typing import TYPE_CHECKING
 
 from zbot.package.manifest import ManifestError, read_manifest
 from zbot.package.workspace import MANIFEST, package_name
-from zbot_cli.check.dependencies import check_dependencies
-from zbot_cli.check.entry_points import check_entry_points
-from zbot_cli.check.installation import check_installation
-from zbot_cli.check.interfaces import check_interfaces
-from zbot_cli.check.problem import Problem
-from zbot_cli.check.subject import Subject
+from zbot_cli.packages.check.dependencies import check_dependencies
+from zbot_cli.packages.check.entry_points import check_entry_points
+from zbot_cli.packages.check.installation import check_installation
+from zbot_cli.packages.check.interfaces import check_interfaces
+from zbot_cli.packages.check.problem import Problem
+from zbot_cli.packages.check.subject import Subject
 
 if TYPE_CHECKING:
     from collections.abc import Container

@@ -78,7 +78,7 @@ def message_class(type_name: str) -> type[Any]:
     try:
         return get_message(type_name)
     except LookupError:
-        from zbot_cli.types import learn  # noqa: PLC0415 - only for types of other machines
+        from zbot_cli.domain.types import learn  # noqa: PLC0415 - only for types of other machines
 
         if learn(type_name):
             return get_message(type_name)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from typing import TYPE_CHECKING
 
-from zbot_cli.status import Status
+from zbot_cli.output.exit_status import Status
 
 if TYPE_CHECKING:
     from zbot.errors import ZbotError

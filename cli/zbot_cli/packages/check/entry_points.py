@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 
 from zbot.errors import nearest
 from zbot.package.setup_file import SetupFileError, script_lines
-from zbot_cli.check.problem import Problem
-from zbot_cli.check.subject import line_of
-from zbot_cli.executables import import_paths, module_file
+from zbot_cli.packages.check.problem import Problem
+from zbot_cli.packages.check.subject import line_of
+from zbot_cli.packages.executables import import_paths, module_file
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-    from zbot_cli.check.subject import Subject
+    from zbot_cli.packages.check.subject import Subject
 
 
 def check_entry_points(subject: Subject) -> Iterator[Problem]:

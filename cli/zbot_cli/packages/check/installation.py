@@ -10,13 +10,13 @@ from zbot.package.places import Origin, Package
 from zbot.package.setup_file import SetupFileError, setup_arguments
 from zbot.package.view import files_below, installed_files
 from zbot.package.workspace import MANIFEST
-from zbot_cli.check.problem import Problem
-from zbot_cli.check.subject import line_of
+from zbot_cli.packages.check.problem import Problem
+from zbot_cli.packages.check.subject import line_of
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from zbot_cli.check.subject import Subject
+    from zbot_cli.packages.check.subject import Subject
 
 _BUILD_FILES = {
     "ament_python": "setup.py",

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 
 from zbot.package.setup_file import SetupFileError
 from zbot.package.view import files_below
-from zbot_cli.check.problem import Problem
-from zbot_cli.executables import program_files
+from zbot_cli.packages.check.problem import Problem
+from zbot_cli.packages.executables import program_files
 
 if TYPE_CHECKING:
     from pathlib import Path

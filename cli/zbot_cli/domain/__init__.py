@@ -1,0 +1,1 @@
+"""Domain of the running nodes: the command's client, and what it asks them."""

@@ -1,0 +1,1 @@
+"""Input: options, types and values as they are typed."""

@@ -1,0 +1,1 @@
+"""Output: listings, messages, plots and errors as text."""
