@@ -20,7 +20,8 @@ main()
 """
 NOT_IMPORTED = """
 import sys
-import zbot, zbot.compat, zbot_cli.main, zbot_cli.commands.web, zbot_cli.commands.plot, zbot_cli.commands.graph
+import zbot, zbot.compat, zbot_cli.main
+import zbot_cli.commands.web, zbot_cli.commands.plot, zbot_cli.commands.graph
 import zbot.web.system, zbot.web.server, zbot.web.curve, zbot.web.form
 print("imported:", sorted({"nicegui", "fastapi", "uvicorn", "psutil"} & sys.modules.keys()))
 """

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus, KeyValue
 
-from zbot.interfaces import lookup as lookup
+from zbot.interfaces import lookup
 from zbot.interfaces import slot_type as idl
 from zbot.interfaces.conversion import (
     convert_value,

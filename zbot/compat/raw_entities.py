@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+from zbot.executor import guard_condition, timer
 from zbot.executor.callback_group import ReentrantCallbackGroup
-from zbot.executor.executor import guard_condition, timer
 from zbot.executor.ready_queue import Mailbox
-from zbot.node.node import client, service, subscription
+from zbot.node import client, service, subscription
 from zbot.qos import PlainQoSProfile, QoSProfile
 from zbot.wire.tokens import EntityKind
 

@@ -75,7 +75,10 @@ class MessageInfo(TypedDict):
 
 
 class ContentFilterOptions(NamedTuple):
-    """Which messages a subscription wants; for `create_subscription`; see `zbot.interfaces.content_filter`."""
+    """Messages that a subscription wants: `create_subscription` takes it.
+
+    The expressions are those of `zbot.interfaces.content_filter`.
+    """
 
     filter_expression: str  #: an empty one lets every message through
     expression_parameters: list[str]  #: what `%0`, `%1` ... stand for, written as in an expression
@@ -232,7 +235,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         network.
 
         Args:
-            filter_expression: As in `zbot.interfaces.content_filter`; an empty one takes the filter away.
+            filter_expression: See `zbot.interfaces.content_filter`; an empty one removes the filter.
             expression_parameters: What `%0`, `%1` ... stand for.
 
         Raises:

@@ -1,1 +1,1 @@
-"""Changes to the host process: signal handlers, the exit, hooks, the garbage collector, the allocator."""
+"""Changes to the host process: signal handlers, the exit, hooks, memory."""

@@ -122,5 +122,5 @@ class ActionEcho:
         sys.stdout.flush()
 
 
-def _take_no_notice(missing: int) -> None:  # noqa: ARG001 - what a subscription calls
+def _take_no_notice(missing: int) -> None:
     return

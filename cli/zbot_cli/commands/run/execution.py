@@ -44,10 +44,7 @@ def become(executable: Executable, arguments: Sequence[str]) -> NoReturn:
         arguments: Its command line, without its own name.
     """
     import zbot.compat  # noqa: F401, PLC0415 - `import rclpy` and its like are zbot from now on
-    from zbot.process import (
-        at_exit,  # noqa: PLC0415 - Ctrl-C may come from now on
-        signals,  # noqa: PLC0415 - Ctrl-C may come from now on
-    )
+    from zbot.process import at_exit, signals  # noqa: PLC0415 - Ctrl-C may come from now on
 
     interruption.raise_exception()
     signals.install(signals.SignalHandlerOptions.SIGINT)
