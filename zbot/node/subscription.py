@@ -235,7 +235,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         network.
 
         Args:
-            filter_expression: See `zbot.interfaces.content_filter`; an empty one removes the filter.
+            filter_expression: See `zbot.interfaces.content_filter`; an empty one removes it.
             expression_parameters: What `%0`, `%1` ... stand for.
 
         Raises:

@@ -4,7 +4,7 @@ import shlex
 
 import pytest
 
-from tests.unit.test_graph_view import TALKING
+from tests.unit.graph.test_view import TALKING
 from zbot.graph.filters import Filters, Grouping
 from zbot.graph.view import Mode
 from zbot.web.graph_options import FLAGS, GraphOptions, filter_problem

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.unit.test_graph_view import TALKING, node, publishes, subscribes
+from tests.unit.graph.test_view import TALKING, node, publishes, subscribes
 from zbot.graph.diagram import draw, lines_of
 from zbot.graph.snapshot import Snapshot, Token
 from zbot.graph.style import style, text_width
