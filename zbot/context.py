@@ -6,7 +6,7 @@ import itertools
 import sys
 import threading
 import time
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import zenoh
 
@@ -32,8 +32,6 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.node.node import Node
-
 # A meeting point answers within 10 ms; within seconds where 40 nodes start at once on two cores.
 _LINK_TIMEOUT_S = 5.0
 # Linux may refuse a port to both of two processes that take it within the same microseconds (6 of
@@ -46,6 +44,24 @@ _MEET_TIMEOUT_S = 0.5
 # Multicast finds the others on a quiet network in 50 ms; nobody may be there.
 _FIND_TIMEOUT_S = 0.7
 _JOIN_TIMEOUT_S = 2.0  # threads end within a millisecond of their session
+
+
+class ContextNode(Protocol):
+    """What a context uses of a node."""
+
+    @property
+    def handle(self) -> object:
+        """The node's inner part."""
+        ...
+
+    @property
+    def executor(self) -> at_exit.Executor | None:
+        """The executor that runs the node's callbacks, if any."""
+        ...
+
+    def destroy_node(self) -> object:
+        """Remove the node from the graph."""
+        ...
 
 
 class Context:
@@ -73,7 +89,7 @@ class Context:
         # Weak: a signal may come between the making of one and the call that hands it to Zenoh.
         self._receivers: WeakSet[threading.Event] = WeakSet()
         self._entity_ids = itertools.count()
-        self._nodes: WeakSet[Node] = WeakSet()
+        self._nodes: WeakSet[ContextNode] = WeakSet()
         self.arguments = Arguments()
         self.dialect = NATIVE
         self._in_class = False
@@ -221,18 +237,23 @@ class Context:
 
     # -- nodes ---------------------------------------------------------------------------------
 
-    def add_node(self, node: Node) -> None:
+    def add_node(self, node: ContextNode) -> None:
         """Keep track of a node, weakly."""
         self._nodes.add(node)
 
-    def remove_node(self, node: Node) -> None:
+    def remove_node(self, node: ContextNode) -> None:
         """Forget a node."""
         self._nodes.discard(node)
 
     @property
-    def nodes(self) -> list[Node]:
+    def nodes(self) -> list[ContextNode]:
         """The nodes that were created and not yet destroyed."""
         return list(self._nodes)
+
+    @property
+    def executors(self) -> set[at_exit.Executor]:
+        """The executors that its nodes are in."""
+        return {node.executor for node in self._nodes if node.executor is not None}
 
     # -- session -------------------------------------------------------------------------------
 

@@ -25,6 +25,7 @@ from zbot.executor.callback_stack import callbacks
 from zbot.executor.task import Future, Task
 from zbot.executor.task_step import Step
 from zbot.executor.timer_queue import Agenda
+from zbot.process import signals
 from zbot.time import TimeoutObject
 from zbot.transport.wakeup import BinarySemaphore
 
@@ -36,14 +37,7 @@ if TYPE_CHECKING:
 
     from zbot.context import Context
     from zbot.executor.ready_queue import Entity, Mailbox
-    from zbot.node.node import Node
-
-_main_spins = 0
-
-
-def spinning_in_main_thread() -> bool:
-    """Return whether the main thread is inside an executor right now."""
-    return _main_spins > 0
+    from zbot.executor.spinnable import SpinnableNode
 
 
 def _deadline_ns(timeout_sec: float | None) -> int | None:
@@ -65,7 +59,7 @@ class Executor:
 
             context = get_default_context()
         self._context = context
-        self._nodes: list[Node] = []
+        self._nodes: list[SpinnableNode] = []
         self._ready: deque[Entity] = deque()
         self._queued: set[Entity] = set()
         self._refused = Refused()
@@ -96,7 +90,7 @@ class Executor:
         """The context whose shutdown ends spinning."""
         return self._context
 
-    def add_node(self, node: Node) -> bool:
+    def add_node(self, node: SpinnableNode) -> bool:
         """Take over a node's callbacks; `False` if they are this executor's already."""
         if self._is_shutdown:
             raise ShutdownError("this executor")
@@ -109,7 +103,7 @@ class Executor:
         node.handle.mailbox.attach(self, self._post)
         return True
 
-    def remove_node(self, node: Node) -> None:
+    def remove_node(self, node: SpinnableNode) -> None:
         """Leave a node's callbacks to others; nothing happens if it is not here."""
         if node in self._nodes:
             self._nodes.remove(node)
@@ -117,7 +111,7 @@ class Executor:
             node.handle.executor = None
             self._forget(node.handle.mailbox.entities)
 
-    def get_nodes(self) -> list[Node]:
+    def get_nodes(self) -> list[SpinnableNode]:
         """Return the nodes, in the order they were added."""
         return list(self._nodes)
 
@@ -250,9 +244,9 @@ class Executor:
     def wait_for_ready_callbacks(
         self,
         timeout_sec: float | TimeoutObject | None = None,
-        nodes: list[Node] | None = None,  # noqa: ARG002 - rclpy's signature
+        nodes: list[SpinnableNode] | None = None,  # noqa: ARG002 - rclpy's signature
         condition: Callable[[], bool] | None = None,
-    ) -> tuple[Task[None], Entity, Node | None]:
+    ) -> tuple[Task[None], Entity, SpinnableNode | None]:
         """Wait for one callback, for an executor of a program's own whose `spin_once` runs it.
 
         Args:
@@ -286,7 +280,7 @@ class Executor:
 
     def _wait_for_ready_callbacks(
         self, *args: Any, **kwargs: Any
-    ) -> Iterator[tuple[Task[None], Entity, Node | None]]:
+    ) -> Iterator[tuple[Task[None], Entity, SpinnableNode | None]]:
         # What rclpy's executors make of it, and those of programs that were derived from them.
         while True:
             yield self.wait_for_ready_callbacks(*args, **kwargs)
@@ -298,7 +292,7 @@ class Executor:
         finally:
             self._signal.set()  # it may have been another thread's: the entity may have more
 
-    def _node_of(self, entity: Entity) -> Node | None:
+    def _node_of(self, entity: Entity) -> SpinnableNode | None:
         owners = (node for node in self._nodes if node.handle.mailbox is entity.mailbox)
         return next(owners, None)
 
@@ -495,19 +489,18 @@ class Executor:
 
     @contextlib.contextmanager
     def _spins(self) -> Iterator[None]:
-        global _main_spins  # noqa: PLW0603 - signal handlers ask for it
         if not self._spinning.acquire(blocking=False):
             if self._spinner is not None:
                 raise ExecutorBusyError
             self._spinning.acquire()  # `wait_idle` holds it for a moment
         in_main = threading.current_thread() is threading.main_thread()
-        _main_spins += in_main
+        signals.MainThread.spins += in_main
         self._spinner = threading.get_ident()
         try:
             yield
         finally:
             self._spinner = None
-            _main_spins -= in_main
+            signals.MainThread.spins -= in_main
             self._spinning.release()
 
     # -- end -----------------------------------------------------------------------------------

@@ -13,18 +13,50 @@ import sys
 import threading
 import traceback
 from types import BuiltinFunctionType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from zbot.errors import ExternalShutdownException
 from zbot.transport.weak_set import WeakSet
 
 if TYPE_CHECKING:
-    from zbot.context import Context
+    import zenoh
 
 _PATIENCE_S = 0.3  # for a callback that is running when the program ends
 
+
+class OpenContext(Protocol):
+    """A context that has a session, as the end of the process sees it."""
+
+    @property
+    def sessions(self) -> list[zenoh.Session]:
+        """The Zenoh sessions that are open."""
+        ...
+
+    @property
+    def executors(self) -> set[Executor]:
+        """The executors that spin its nodes."""
+        ...
+
+    def interrupt(self) -> None:
+        """End all that spins."""
+
+    def shutdown(self) -> None:
+        """Close the session and everything in it; the second call does nothing."""
+
+    def close(self) -> None:
+        """Close the session, also where a signal has interrupted `shutdown()`."""
+
+
+class Executor(Protocol):
+    """An executor, as the end of the process sees it."""
+
+    def wait_idle(self, timeout_s: float, /) -> bool:
+        """Wait until nothing spins there."""
+        ...
+
+
 #: Every context that has a session.
-open_contexts: WeakSet[Context] = WeakSet()
+open_contexts: WeakSet[OpenContext] = WeakSet()
 
 
 class _Process:
@@ -85,7 +117,7 @@ def _end() -> None:
 def _close_contexts() -> None:
     _Process.ending = True
     for context in open_contexts:
-        executors = {node.executor for node in context.nodes if node.executor is not None}
+        executors = context.executors
         try:
             context.shutdown()
             if context in open_contexts:

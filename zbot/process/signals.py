@@ -17,25 +17,15 @@ import sys
 import threading
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
-from zbot.context import get_default_context
-from zbot.errors import (
-    ExternalShutdownException,
-    InvalidHandleError,
-    NotInitializedError,
-    SetupError,
-)
-from zbot.executor.executor import spinning_in_main_thread
-from zbot.executor.guard_condition import GuardCondition
+from zbot.errors import ExternalShutdownException, NotInitializedError, SetupError
 from zbot.process import at_exit
 from zbot.transport.foreign_call import is_uninterrupted
 from zbot.transport.weak_set import WeakSet
 
 if TYPE_CHECKING:
     from types import FrameType
-
-    from zbot.context import Context
 
 _PACKAGE = str(Path(__file__).parents[1]) + os.sep
 _TERMINATED = 128 + signal.SIGTERM
@@ -51,35 +41,15 @@ class SignalHandlerOptions(enum.Enum):
     ALL = 3
 
 
-class SignalHandlerGuardCondition(GuardCondition):
-    """Is triggered by Ctrl-C and SIGTERM, so that a `WaitSet` with it wakes up.
+class GuardCondition(Protocol):
+    """What a signal triggers."""
 
-    Args:
-        context: The context that must be alive; the default one if left out.
-
-    Raises:
-        NotInitializedError: It is not.
-    """
-
-    def __init__(self, context: Context | None = None) -> None:
-        if not (context or get_default_context()).ok():
-            raise NotInitializedError("a guard condition")
-        super().__init__()
-        _guards.add(self)
-
-    def destroy(self) -> None:
-        """Be triggered no more.
-
-        Raises:
-            InvalidHandleError: It was destroyed before.
-        """
-        if self not in _guards:
-            raise InvalidHandleError("the guard condition")
-        _guards.discard(self)
-        super().destroy()
+    def trigger(self) -> None:
+        """Wake up whoever waits for it; from any thread."""
 
 
-_guards: WeakSet[SignalHandlerGuardCondition] = WeakSet()
+#: The guard conditions that Ctrl-C and SIGTERM trigger.
+guard_conditions: WeakSet[GuardCondition] = WeakSet()
 
 
 class _Process:
@@ -89,6 +59,12 @@ class _Process:
     hooked = False
     got_sigterm = False
     dies_of_sigterm = False
+
+
+class MainThread:
+    """What the signal handlers know about the main thread."""
+
+    spins = 0  #: how many executors spin in it, each in a callback of the one before
 
 
 def install(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
@@ -126,13 +102,13 @@ def _replace(number: int, handler: Any) -> None:
 def _interrupt_contexts() -> None:
     for context in at_exit.open_contexts:
         context.interrupt()
-    if _guards:
+    if guard_conditions:
         # In a thread: who waits for one may hold its lock, and be what this signal interrupted.
         threading.Thread(target=_trigger_guards, daemon=True).start()
 
 
 def _trigger_guards() -> None:
-    for guard in _guards:
+    for guard in guard_conditions:
         guard.trigger()
 
 
@@ -178,7 +154,7 @@ def _on_sigterm(number: int, frame: FrameType | None) -> None:
         previous(number, frame)
         return
     _Process.got_sigterm = True
-    if spinning_in_main_thread():
+    if MainThread.spins:
         raise ExternalShutdownException
     _Process.dies_of_sigterm = True
     raise SystemExit(_TERMINATED)

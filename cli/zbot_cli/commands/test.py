@@ -106,11 +106,3 @@ def _run_pytest(paths: Sequence[Path], options: Sequence[str]) -> int:
         raise NoPytestError
     command = [sys.executable, "-m", "pytest", "-p", _PLUGIN, *map(str, paths), *options]
     return subprocess.run(command, check=False).returncode  # noqa: S603 - the user's own tests
-
-
-def main() -> None:
-    """Be ROS 2's `launch_test`."""
-    from zbot_cli.main import main as zbot_main  # noqa: PLC0415 - `zbot` has it already
-
-    sys.argv[1:1] = ["test"]
-    zbot_main()

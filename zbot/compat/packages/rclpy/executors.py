@@ -13,6 +13,9 @@ from zbot.executor.executor import Executor as Executor
 from zbot.executor.executor import SingleThreadedExecutor as SingleThreadedExecutor
 from zbot.executor.guard_condition import GuardCondition as GuardCondition
 from zbot.executor.multi_threaded_executor import MultiThreadedExecutor as MultiThreadedExecutor
+from zbot.executor.signal_guard_condition import (
+    SignalHandlerGuardCondition as SignalHandlerGuardCondition,
+)
 from zbot.executor.task import Future as Future
 from zbot.executor.task import Task as Task
 from zbot.executor.task import await_or_execute as await_or_execute
@@ -25,7 +28,6 @@ from zbot.node.client import Client as Client
 from zbot.node.service import Service as Service
 from zbot.node.subscription import MessageInfo as MessageInfo
 from zbot.node.subscription import Subscription as Subscription
-from zbot.process.signals import SignalHandlerGuardCondition as SignalHandlerGuardCondition
 from zbot.time import ClockType as ClockType
 from zbot.time import TimeoutObject as TimeoutObject
 from zbot.time import timeout_sec_to_nsec as timeout_sec_to_nsec

@@ -2,7 +2,9 @@
 
 from zbot.errors import InvalidHandleError as InvalidHandle
 from zbot.executor.guard_condition import GuardCondition as GuardCondition
-from zbot.process.signals import SignalHandlerGuardCondition as SignalHandlerGuardCondition
+from zbot.executor.signal_guard_condition import (
+    SignalHandlerGuardCondition as SignalHandlerGuardCondition,
+)
 from zbot.process.signals import SignalHandlerOptions as SignalHandlerOptions
 from zbot.process.signals import install as install_signal_handlers
 from zbot.process.signals import installed as get_current_signal_handlers_options

@@ -1,0 +1,41 @@
+"""Guard condition that a signal triggers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from zbot.context import get_default_context
+from zbot.errors import InvalidHandleError, NotInitializedError
+from zbot.executor.guard_condition import GuardCondition
+from zbot.process import signals
+
+if TYPE_CHECKING:
+    from zbot.context import Context
+
+
+class SignalHandlerGuardCondition(GuardCondition):
+    """Guard condition that Ctrl-C and SIGTERM trigger, so that a `WaitSet` with it wakes up.
+
+    Args:
+        context: The context that must be alive; the default one if left out.
+
+    Raises:
+        NotInitializedError: The context is not alive.
+    """
+
+    def __init__(self, context: Context | None = None) -> None:
+        if not (context or get_default_context()).ok():
+            raise NotInitializedError("a guard condition")
+        super().__init__()
+        signals.guard_conditions.add(self)
+
+    def destroy(self) -> None:
+        """Stop reacting to signals.
+
+        Raises:
+            InvalidHandleError: It was destroyed before.
+        """
+        if self not in signals.guard_conditions:
+            raise InvalidHandleError("the guard condition")
+        signals.guard_conditions.discard(self)
+        super().destroy()
