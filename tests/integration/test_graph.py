@@ -17,10 +17,9 @@ from zbot.errors import (
     InvalidNamespaceError,
     InvalidNodeNameError,
     InvalidTopicNameError,
-    NodeNameError,
-    UnknownNodeError,
 )
 from zbot.graph.endpoint_info import TopicEndpointTypeEnum
+from zbot.node.errors import NodeNameError, UnknownNodeError
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.wire.tokens import EndpointToken, NodeToken
 

@@ -13,7 +13,9 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from zbot.errors import CallbackSignatureError, InvalidHandleError, MessageTypeError
+from zbot.errors import InvalidHandleError
+from zbot.executor.errors import CallbackSignatureError
+from zbot.node.errors import MessageTypeError
 from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from zbot.wire.serialization import deserialize_message, serialize_message
 

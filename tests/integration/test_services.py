@@ -12,14 +12,9 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from zbot.errors import (
-    InvalidHandleError,
-    NotAMessageTypeError,
-    NotInitializedError,
-    RequestTypeError,
-    ResponseTypeError,
-    ServiceError,
-)
+from zbot.errors import InvalidHandleError, NotInitializedError
+from zbot.interfaces.errors import NotAMessageTypeError
+from zbot.node.errors import RequestTypeError, ResponseTypeError, ServiceError
 from zbot.wire.codec import codec_for
 
 from example_interfaces.srv import AddTwoInts

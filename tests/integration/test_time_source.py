@@ -9,8 +9,8 @@ import pytest
 
 import zbot
 import zbot.compat  # noqa: F401 - makes rclpy importable
-from zbot.errors import ClockTypeError
 from zbot.executor.clock import Clock, ROSClock
+from zbot.executor.errors import ClockTypeError
 from zbot.node.time_source import TimeSource
 from zbot.time import Time
 

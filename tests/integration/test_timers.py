@@ -12,13 +12,10 @@ import pytest
 
 import zbot
 from tests.conftest import allowed, wait_until
-from zbot.errors import (
-    ArgumentTypeError,
-    InvalidHandleError,
-    InvalidPeriodError,
-    RateInterruptedError,
-)
+from zbot.errors import ArgumentTypeError, InvalidHandleError
 from zbot.executor.clock import Clock
+from zbot.executor.errors import RateInterruptedError
+from zbot.node.errors import InvalidPeriodError
 from zbot.time import ClockType, Time
 
 from rosgraph_msgs.msg import Clock as ClockMessage

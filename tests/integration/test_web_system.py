@@ -9,7 +9,7 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from zbot.errors import ServiceError
+from zbot.node.errors import ServiceError
 from zbot.web.system import ReadOnlyError, System, answer
 from zbot.web.watch import NoTypeError
 

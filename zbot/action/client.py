@@ -17,13 +17,14 @@ from zbot.action.errors import ActionMessageError, NotAnActionTypeError
 from zbot.action.feedback import FeedbackSubscription
 from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalState
-from zbot.errors import InvalidHandleError, ServiceError
+from zbot.errors import InvalidHandleError
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.clock import Clock
 from zbot.executor.task import Future
 from zbot.executor.timer import Timer
 from zbot.executor.waitable import NumberOfEntities
 from zbot.interfaces import type_name
+from zbot.node.errors import ServiceError
 from zbot.qos import (
     QoSProfile,
     qos_profile_action_status_default,

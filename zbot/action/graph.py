@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Literal
 
-from zbot.errors import UnknownNodeError
 from zbot.graph.snapshot import full_names
 from zbot.names import fully_qualified
+from zbot.node.errors import UnknownNodeError
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:

@@ -11,8 +11,8 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.errors import HubPortError
-from zbot.errors import SessionError
 from zbot.transport.config import port_of
+from zbot.transport.errors import SessionError
 from zbot.transport.session import open_hub, process_facts
 from zbot.version import __version__
 

@@ -13,12 +13,12 @@ import zenoh
 
 from zbot.classroom.desk import ask
 from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key, nodes_selector
-from zbot.errors import CodecError
 from zbot.interfaces import get_message
 from zbot.log.announcement import notice_text
 from zbot.transport import admin_query
 from zbot.version import __version__
 from zbot.wire.codec import codec_for
+from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
     from zbot.classroom.serving import Serving

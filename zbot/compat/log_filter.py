@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, NamedTuple, TypedDict
 
 import zbot
-from zbot.errors import LogOptionError, NotAClockError
 from zbot.executor.clock import Clock
+from zbot.log.errors import LogOptionError, NotAClockError
 
 if TYPE_CHECKING:
     from types import FrameType

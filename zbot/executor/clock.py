@@ -12,7 +12,8 @@ import time
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Protocol, overload
 
-from zbot.errors import ArgumentTypeError, ClockTypeError, InvalidJumpError, NotInitializedError
+from zbot.errors import ArgumentTypeError, NotInitializedError
+from zbot.executor.errors import ClockTypeError, InvalidJumpError
 from zbot.time import ClockType, Duration, Time
 
 if TYPE_CHECKING:

@@ -13,15 +13,10 @@ import time
 from collections import deque
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import (
-    ConditionReachedException,
-    ExecutorBusyError,
-    ExternalShutdownException,
-    NotInitializedError,
-    ShutdownError,
-)
+from zbot.errors import ExternalShutdownException, NotInitializedError
 from zbot.executor.callback_group import ReentrantCallbackGroup, Refused
 from zbot.executor.callback_stack import callbacks
+from zbot.executor.errors import ConditionReachedException, ExecutorBusyError, ShutdownError
 from zbot.executor.task import Future, Task
 from zbot.executor.task_step import Step
 from zbot.executor.timer_queue import Agenda

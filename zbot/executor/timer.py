@@ -7,13 +7,9 @@ import inspect
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import (
-    CallbackSignatureError,
-    InvalidHandleError,
-    NotInitializedError,
-    RateInterruptedError,
-)
+from zbot.errors import InvalidHandleError, NotInitializedError
 from zbot.executor.clock import ROSClock
+from zbot.executor.errors import CallbackSignatureError, RateInterruptedError
 from zbot.time import ClockType, Duration, Time
 from zbot.transport.handle import Handle
 

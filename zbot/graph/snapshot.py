@@ -17,11 +17,12 @@ from typing import TYPE_CHECKING, Any, Literal, NamedTuple
 
 import zenoh
 
-from zbot.errors import InvalidNameError, TokenError
+from zbot.errors import InvalidNameError
 from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
 from zbot.transport import admin_query
 from zbot.transport.foreign_call import in_one_go
 from zbot.transport.wakeup import BinarySemaphore
+from zbot.wire.errors import TokenError
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
 if TYPE_CHECKING:

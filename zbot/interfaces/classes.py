@@ -9,8 +9,8 @@ import re
 from array import array
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import PositionalFieldError, UnknownFieldError
 from zbot.interfaces.array_value import elements_text, fixed_default, same_elements
+from zbot.interfaces.errors import PositionalFieldError, UnknownFieldError
 from zbot.interfaces.message import (
     Action,
     Impl,

@@ -9,7 +9,7 @@ import typing
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
-from zbot.errors import NotAMessageTypeError
+from zbot.interfaces.errors import NotAMessageTypeError
 from zbot.interfaces.grammar import (
     GrammarError,
     check_field_name,

@@ -8,8 +8,8 @@ from array import array
 from collections.abc import Collection, Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import FieldTypeError, FieldValueError
 from zbot.interfaces.array_value import DTYPES, fixed_array, is_ndarray, numpy
+from zbot.interfaces.errors import FieldTypeError, FieldValueError
 from zbot.interfaces.scalar_check import ScalarCheck, scalar_check
 
 if TYPE_CHECKING:

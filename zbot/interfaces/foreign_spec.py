@@ -5,8 +5,8 @@ from __future__ import annotations
 import importlib
 from typing import Any
 
-from zbot.errors import NotAMessageTypeError
 from zbot.interfaces import derived
+from zbot.interfaces.errors import NotAMessageTypeError
 from zbot.interfaces.registry import register_class
 from zbot.interfaces.spec import Field, FieldType, InterfaceSpec, Kind, MessageSpec
 

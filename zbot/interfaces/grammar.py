@@ -5,7 +5,7 @@ from __future__ import annotations
 import keyword
 import re
 
-from zbot.errors import nearest
+from zbot.errors import close_matches
 from zbot.interfaces.spec import PRIMITIVES, FieldType
 
 _PACKAGE = re.compile(r"(?!.*__)(?!.*_$)[a-z][a-z0-9_]*")
@@ -138,7 +138,7 @@ def _size(text: str, what: str, largest: int) -> int:
 def _unknown_primitive(name: str) -> str:
     if name in _MISTAKEN:
         return f"there is no type {name!r}: write {_MISTAKEN[name]}"
-    near = nearest(name, PRIMITIVES, 1)
+    near = close_matches(name, PRIMITIVES, 1)
     hint = f": did you mean {near[0]!r}?" if near else "; a message's name starts upper case"
     return f"there is no type {name!r}{hint}"
 

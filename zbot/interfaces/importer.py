@@ -7,9 +7,10 @@ from importlib.machinery import ModuleSpec
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import UnknownInterfaceError, nearest
+from zbot.errors import close_matches
 from zbot.interfaces import registry
 from zbot.interfaces.classes import module_name
+from zbot.interfaces.errors import UnknownInterfaceError
 from zbot.interfaces.registry import has_package
 from zbot.interfaces.spec import ActionSpec, ServiceSpec
 
@@ -122,7 +123,7 @@ class _KindModule(ModuleType):
         return ModuleSpec(fullname, _ModuleLoader(defined[0])) if defined else None
 
     def _missing(self, attribute: str) -> str:
-        near = nearest(attribute, self._names, 1)
+        near = close_matches(attribute, self._names, 1)
         hint = f"; did you mean {near[0]!r}?" if near else ""
         return f"cannot import name {attribute!r} from {self.__name__!r}{hint}"
 

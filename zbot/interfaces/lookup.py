@@ -5,8 +5,9 @@ from __future__ import annotations
 import warnings
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import UnknownInterfaceError, UnknownPackageError, ZbotError
+from zbot.errors import ZbotError
 from zbot.interfaces import registry
+from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.location import interface_files, package_folder
 from zbot.package import package_prefix

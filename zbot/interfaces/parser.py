@@ -5,8 +5,8 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from zbot.errors import InterfaceSyntaxError
 from zbot.interfaces import derived, grammar
+from zbot.interfaces.errors import InterfaceSyntaxError
 from zbot.interfaces.grammar import GrammarError
 from zbot.interfaces.literal import parse_value
 from zbot.interfaces.spec import (

@@ -6,8 +6,8 @@ import dataclasses
 import weakref
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import NotAMessageTypeError
 from zbot.interfaces import description, registry
+from zbot.interfaces.errors import NotAMessageTypeError
 from zbot.interfaces.message import Action, Message, Service
 from zbot.interfaces.spec import MessageSpec
 

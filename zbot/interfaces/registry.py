@@ -6,14 +6,14 @@ import threading
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import (
+from zbot.errors import close_matches
+from zbot.interfaces.classes import make_action, make_message, make_service
+from zbot.interfaces.errors import (
     InterfaceConflictError,
     InterfaceSyntaxError,
     UnknownInterfaceError,
     UnknownPackageError,
-    nearest,
 )
-from zbot.interfaces.classes import make_action, make_message, make_service
 from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.location import (
     definition_file,
@@ -111,7 +111,7 @@ def interface_names(package: str) -> list[str]:
     names = {f"{package}/{file.parent.name}/{file.stem}" for file in interface_files(package)}
     names |= {name for name in _registered if name.startswith(f"{package}/")}
     if not names:
-        raise UnknownPackageError(package, nearest(package, packages()))
+        raise UnknownPackageError(package, close_matches(package, packages()))
     return sorted(names)
 
 
@@ -204,7 +204,7 @@ def _unknown(name: str, package: str, short: str) -> UnknownPackageError | Unkno
         shorts = {full.rpartition("/")[2]: full for full in interface_names(package)}
     except UnknownPackageError as error:
         return error
-    return UnknownInterfaceError(name, tuple(shorts[near] for near in nearest(short, shorts)))
+    return UnknownInterfaceError(name, tuple(shorts[near] for near in close_matches(short, shorts)))
 
 
 def _made(spec: InterfaceSpec) -> type[Any]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import InterfaceSyntaxError
 from zbot.interfaces import derived, grammar
 from zbot.interfaces.description import (
     ARRAY,
@@ -16,6 +15,7 @@ from zbot.interfaces.description import (
     TYPE_IDS,
     hash_of,
 )
+from zbot.interfaces.errors import InterfaceSyntaxError
 from zbot.interfaces.grammar import GrammarError
 from zbot.interfaces.registry import get_spec, register_spec
 from zbot.interfaces.spec import Field, InterfaceSpec, MessageSpec, parts_of

@@ -10,7 +10,7 @@ import numbers
 import operator
 from typing import Any
 
-from zbot.errors import FieldTypeError, FieldValueError
+from zbot.interfaces.errors import FieldTypeError, FieldValueError
 from zbot.interfaces.spec import FLOAT32_MAX, INTEGER_RANGES, FieldType
 
 

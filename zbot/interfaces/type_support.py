@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, TypeVar
 
-from zbot.errors import InterfaceKindError
+from zbot.interfaces.errors import InterfaceKindError
 from zbot.interfaces.message import Action, Message, Service
 from zbot.interfaces.python_class import spec_of
 from zbot.interfaces.spec import MessageSpec, ServiceSpec

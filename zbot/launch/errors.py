@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING
 
-from zbot.errors import ZbotError, nearest
+from zbot.errors import ZbotError, close_matches
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -99,7 +99,7 @@ class LaunchArgumentError(LaunchError, RuntimeError, ValueError):
     def no_choice(cls, name: str, value: str, choices: Iterable[str]) -> LaunchArgumentError:
         """Return the error for a value that is none of the choices."""
         known = list(choices)
-        near = nearest(value, known, 1)
+        near = close_matches(value, known, 1)
         hint = f"did you mean {name}:={near[0]}?" if near else ""
         text = f"launch argument '{name}': the value '{value}' is not valid."
         return cls(f"{text} Valid options are: {known}", hint)

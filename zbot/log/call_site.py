@@ -6,7 +6,8 @@ import threading
 import time
 from typing import TYPE_CHECKING, NamedTuple, Protocol, TypedDict
 
-from zbot.errors import ArgumentTypeError, LogCallChangedError, LogOptionError, NotAClockError
+from zbot.errors import ArgumentTypeError
+from zbot.log.errors import LogCallChangedError, LogOptionError, NotAClockError
 
 if TYPE_CHECKING:
     from types import FrameType

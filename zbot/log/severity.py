@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from enum import IntEnum
 
-from zbot.errors import InvalidSeverityError
+from zbot.log.errors import InvalidSeverityError
 
 
 class LoggingSeverity(IntEnum):

@@ -17,15 +17,11 @@ from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar, cast
 
 import zenoh
 
-from zbot.errors import (
-    InvalidHandleError,
-    NotInitializedError,
-    RequestTypeError,
-    ServiceError,
-)
+from zbot.errors import InvalidHandleError, NotInitializedError
 from zbot.executor.callback_stack import callbacks, current_executor
 from zbot.executor.task import Future
 from zbot.interfaces import type_name
+from zbot.node.errors import RequestTypeError, ServiceError
 from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.transport.foreign_call import called_by_zenoh, in_one_go, keep_thread_state

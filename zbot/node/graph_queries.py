@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.errors import AskedNameError, InvalidNameError, UnknownNodeError
+from zbot.errors import InvalidNameError
 from zbot.graph.endpoint_info import TopicEndpointInfo
 from zbot.graph.snapshot import full_names
 from zbot.names import fully_qualified
+from zbot.node.errors import AskedNameError, UnknownNodeError
 from zbot.wire.tokens import EndpointToken, EntityKind
 
 if TYPE_CHECKING:

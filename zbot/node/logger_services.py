@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import InvalidSeverityError
 from zbot.log import get_logger_level, set_logger_level
+from zbot.log.errors import InvalidSeverityError
 from zbot.qos import qos_profile_services_default
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
 
 from zbot.context import get_default_context
-from zbot.errors import ArgumentTypeError, InvalidPeriodError, NodeNameError
+from zbot.errors import ArgumentTypeError
 from zbot.executor.guard_condition import GuardCondition
 from zbot.executor.timer import Rate, Timer
 from zbot.interfaces.type_support import check_is_valid_msg_type, check_is_valid_srv_type
@@ -16,6 +16,7 @@ from zbot.names import (
     validate_node_name,
 )
 from zbot.node.client import Client
+from zbot.node.errors import InvalidPeriodError, NodeNameError
 from zbot.node.graph_queries import GraphQueries
 from zbot.node.parameter_services import ParameterServices
 from zbot.node.parameters import NodeParameters, overrides_of

@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
 
-from zbot.errors import InvalidHandleError, MessageTypeError, NotInitializedError
+from zbot.errors import InvalidHandleError, NotInitializedError
 from zbot.interfaces import type_name
 from zbot.node.endpoint import TopicEndpoint
+from zbot.node.errors import MessageTypeError
 from zbot.process import blocked_put
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy

@@ -11,10 +11,10 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
 
-from zbot.errors import ResponseTypeError
 from zbot.interfaces import type_name
 from zbot.log import get_logger
 from zbot.node.deduplication import Repetitions
+from zbot.node.errors import ResponseTypeError
 from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.transport.foreign_call import called_by_zenoh, keep_thread_state

@@ -20,7 +20,8 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, NamedTuple, TypedDict, 
 
 import zenoh
 
-from zbot.errors import CallbackSignatureError, ZbotError
+from zbot.errors import ZbotError
+from zbot.executor.errors import CallbackSignatureError
 from zbot.interfaces import has_sequences
 from zbot.log import away_from_sinks, get_logger
 from zbot.names import ROSOUT_TOPIC

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ClockTypeError
 from zbot.executor.callback_group import MutuallyExclusiveCallbackGroup
 from zbot.executor.clock import ROSClock
+from zbot.executor.errors import ClockTypeError
 from zbot.node.parameters import USE_SIM_TIME
 from zbot.qos import QoSProfile, ReliabilityPolicy
 from zbot.time import ClockType, Time

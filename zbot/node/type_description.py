@@ -6,8 +6,8 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces import MessageSpec, get_spec, type_description, type_hash
+from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.late import LateService
 from zbot.node.parameters import START_TYPE_DESCRIPTION_SERVICE
 from zbot.node.service import Service

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.errors import ZbotError, nearest
+from zbot.errors import ZbotError, close_matches
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -22,7 +22,7 @@ class PackageNotFoundError(ZbotError, KeyError):
 
     def __init__(self, package: str, searched: Iterable[Path], known: Iterable[str] = ()) -> None:
         self.package, self.searched = package, [str(path) for path in searched]
-        near = nearest(package, known, 1)
+        near = close_matches(package, known, 1)
         self.hint = f"did you mean '{near[0]}'?" if near else ""
         super().__init__(f"package '{package}' not found, searching: {self.searched}")
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import InvalidParameterError, ParameterError, ZbotError, nearest
+from zbot.errors import InvalidParameterError, ParameterError, SetupError, ZbotError, close_matches
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -39,7 +39,9 @@ class ParameterNotDeclaredException(ParameterError, LookupError):
 
     def __init__(self, parameters: str | list[str], known: Iterable[str] = ()) -> None:
         super().__init__("Invalid access to undeclared parameter(s)", parameters)
-        self.suggestions = nearest(str(self.parameters[0]), known, 1) if self.parameters else ()
+        self.suggestions = (
+            close_matches(str(self.parameters[0]), known, 1) if self.parameters else ()
+        )
         if self.suggestions:
             self.args = (f"{self.args[0]}; did you mean {self.suggestions[0]!r}?",)
 
@@ -120,3 +122,31 @@ class InvalidQosOverridesError(ZbotError):
     def __init__(self, what: str, reason: str) -> None:
         self.what, self.reason = what, reason
         super().__init__(f"the QoS overrides of {what} are not valid: {reason}")
+
+
+class ArgumentsError(ZbotError, ValueError, RuntimeError):
+    """A word after `--ros-args` is not understood, or several words are none of its flags."""
+
+    def __init__(self, word: str | list[str], reason: str) -> None:
+        self.word, self.reason = word, reason
+        super().__init__(f"Failed to parse ROS arguments: {word!r}: {reason}")
+
+
+class ParameterValueError(ZbotError, ValueError):
+    """A text is no value that a parameter can have."""
+
+    def __init__(self, text: str, reason: str) -> None:
+        self.text, self.reason = text, reason
+        super().__init__(f"not a parameter's value: {text[:100]!r}: {reason}")
+
+
+class ParametersFileError(SetupError, ValueError, RuntimeError):
+    """A parameter file cannot be read or has another form than ROS 2 asks for."""
+
+    def __init__(self, path: str, reason: str) -> None:
+        self.path, self.reason = path, reason
+        super().__init__(f"cannot use the parameter file {path}: {reason}")
+
+
+class ParametersFileNotFoundError(ParametersFileError, FileNotFoundError):
+    """There is no such parameter file."""

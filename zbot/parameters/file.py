@@ -14,7 +14,7 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import (
+from zbot.parameters.errors import (
     ParametersFileError,
     ParametersFileNotFoundError,
     ParameterValueError,

@@ -6,7 +6,8 @@ import array
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast, overload
 
-from zbot.errors import ArgumentTypeError, ParameterValueError, ZbotError
+from zbot.errors import ArgumentTypeError, ZbotError
+from zbot.parameters.errors import ParameterValueError
 from zbot.parameters.file import matches, parse_value, sections
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ import re
 import sys
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from zbot.errors import ArgumentsError, InvalidNameError, ParameterValueError
+from zbot.errors import InvalidNameError
 from zbot.names import (
     expand_topic_name,
     split_fully_qualified,
@@ -15,6 +15,7 @@ from zbot.names import (
     validate_topic_name,
 )
 from zbot.parameters import file as parameter_file
+from zbot.parameters.errors import ArgumentsError, ParameterValueError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

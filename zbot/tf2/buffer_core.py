@@ -6,7 +6,7 @@ import math
 import threading
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import nearest
+from zbot.errors import close_matches
 from zbot.log import get_logger
 from zbot.tf2.errors import (
     ConnectivityException,
@@ -184,7 +184,7 @@ class BufferCore:
         up, up_fault = self._climb(source, stamp_ns, {target})
         down, down_fault = self._climb(target, stamp_ns, up)
         name = next(reversed(down))
-        if name in up:  # the nearest that is above both
+        if name in up:  # the close_matches that is above both
             return down[name].inverse() @ up[name], stamp_ns
         between = {name for names in self._path(target, source) for name in names}
         for ways, fault in ((up, up_fault), (down, down_fault)):
@@ -232,7 +232,7 @@ class BufferCore:
                 f"{fault}"
             )
         if not self._exists(name):
-            guess = nearest(name, self._names(), 1)
+            guess = close_matches(name, self._names(), 1)
             hint = f' Did you mean "{guess[0]}"?' if guess else ""
             raise LookupException(
                 f'"{name}" passed to lookupTransform argument {argument} does not exist.{hint}'

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 import zenoh
 
-from zbot.errors import ConfigError, DiscoveryRangeError, DomainIdError, PortError
 from zbot.transport import membership
+from zbot.transport.errors import ConfigError, DiscoveryRangeError, DomainIdError, PortError
 
 MAX_DOMAIN_ID = 232  #: ROS 2's own limit, kept so that lesson sheets stay true
 MEETING_PORT = 7450  #: domain 0 meets here on 127.0.0.1, domain n on 7450 + n

@@ -16,8 +16,8 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from zbot.errors import SessionError
 from zbot.transport import admin_query
+from zbot.transport.errors import SessionError
 from zbot.transport.foreign_call import in_one_go
 
 if TYPE_CHECKING:

@@ -18,9 +18,9 @@ from typing import Any
 
 import zenoh
 
-from zbot.errors import SessionError
 from zbot.transport import membership
 from zbot.transport.config import MEETING_PORT, DiscoveryRange, SessionConfig, hub_port
+from zbot.transport.errors import SessionError
 
 LOOPBACK = "127.0.0.1"
 _TAKEN_TIMEOUT_S = 0.1

@@ -11,9 +11,10 @@ import time
 from collections import deque
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from zbot.errors import CodecError, ZbotError
+from zbot.errors import ZbotError
 from zbot.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from zbot.web.meter import Meter
+from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence

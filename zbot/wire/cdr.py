@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from struct import Struct
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import CodecError, FieldTypeError, FieldValueError
 from zbot.interfaces import get_interface, message_spec_of
+from zbot.interfaces.errors import FieldTypeError, FieldValueError
+from zbot.wire.errors import CodecError
 from zbot.wire.messagepack import ITEM_SIZE
 from zbot.wire.payload import is_cdr
 

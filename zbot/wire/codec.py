@@ -13,11 +13,12 @@ from dataclasses import is_dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, Generic, Literal, NoReturn, TypeVar
 
-from zbot.errors import CodecError, ExternalShutdownException
+from zbot.errors import ExternalShutdownException
 from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.array_value import fixed_array
 from zbot.wire import check, generator
 from zbot.wire.check import Fault
+from zbot.wire.errors import CodecError
 from zbot.wire.generator import Layout, function_name, is_numeric_array
 from zbot.wire.keys import encoding
 from zbot.wire.lift import LARGE, lift_arrays

@@ -14,8 +14,8 @@ from enum import Enum
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from zbot.errors import TokenError
 from zbot.wire.attachment import GID_LENGTH
+from zbot.wire.errors import TokenError
 from zbot.wire.keys import SHARED_DOMAIN, SHARED_SPACE, domain_text, is_number
 from zbot.wire.qos import parse_qos, qos_text
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, ClassVar
 
 import typer
 
-from zbot.errors import ZbotError, nearest
+from zbot.errors import ZbotError, close_matches
 from zbot.package import packages
 from zbot.package.manifest import ManifestError, read_manifest
 from zbot.package.places import BUNDLED_NAMES
@@ -47,7 +47,7 @@ class UnknownPackagesError(ZbotError):
 
     def __init__(self, option: str, names: list[str], known: Iterable[str]) -> None:
         self.names = names
-        near = [nearest(name, known, 1) for name in names]
+        near = [close_matches(name, known, 1) for name in names]
         guesses = ", ".join(f"'{one[0]}'" for one in near if one)
         there = ", ".join(sorted(known)) or "none"
         self.hint = f"did you mean {guesses}?" if guesses else f"the packages here are: {there}"

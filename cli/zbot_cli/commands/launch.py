@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 import zbot.compat
-from zbot.errors import ZbotError, nearest
+from zbot.errors import ZbotError, close_matches
 from zbot.launch.actions.executable import PREFIX, PREFIX_FILTER
 from zbot.launch.actions.include import IncludeLaunchDescription
 from zbot.launch.arguments import declared_arguments, parse_arguments
@@ -115,7 +115,7 @@ def _likely_typos(
     found = () if description is None else declared_arguments(description, path=str(path))
     known = {one.action.name for one in found}
     for name in set(arguments) - known:
-        near = nearest(name, known, 1)
+        near = close_matches(name, known, 1)
         if near:
             yield f"no launch argument '{name}' is declared; did you mean '{near[0]}'?"
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, ClassVar
 
 import typer
 
-from zbot.errors import ZbotError, nearest
+from zbot.errors import ZbotError, close_matches
 from zbot.package import PackageNotFoundError, package_prefix, package_share, packages
 from zbot.package.places import find_package
 from zbot.package.workspace import MANIFEST
@@ -206,7 +206,7 @@ def xml(
 
     package = find_package(package_name)
     if package is None:
-        near = nearest(package_name, packages(), 1)
+        near = close_matches(package_name, packages(), 1)
         raise NoPackageError(package_name, f"did you mean '{near[0]}'?" if near else "")
     path = package.folder / MANIFEST
     if not path.is_file():

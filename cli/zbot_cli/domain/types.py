@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from zbot import interfaces  # its names are loaded when they are used: lists use none
-from zbot.errors import UnknownInterfaceError, UnknownPackageError, ZbotError
+from zbot.errors import ZbotError
+from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.kinds import KINDS
 from zbot.names import nearest
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ParameterValueError
 from zbot.interfaces import yaml_text
+from zbot.parameters.errors import ParameterValueError
 from zbot.parameters.file import matches, parse_value
 from zbot.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter, get_parameter_value
 

@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.errors import nearest
+from zbot.errors import close_matches
 from zbot.launch.errors import LaunchFileNotFoundError
 from zbot.package import PackageNotFoundError, package_share, packages
 from zbot.package.view import files_below
@@ -122,5 +122,5 @@ def _not_found(word: str) -> LaunchFileNotFoundError:
 
 
 def _guess(word: str, known: Iterable[str]) -> str:
-    near = nearest(word, known, 1)
+    near = close_matches(word, known, 1)
     return f"did you mean '{near[0]}'?" if near else ""

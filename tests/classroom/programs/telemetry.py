@@ -19,7 +19,7 @@ import time
 
 import zbot
 from zbot import HistoryPolicy, QoSProfile, ReliabilityPolicy
-from zbot.errors import ServiceError
+from zbot.node.errors import ServiceError
 
 from std_msgs.msg import String
 from std_srvs.srv import Trigger

@@ -28,7 +28,7 @@ from zbot.action import (
     GoalState,
     GoalTransitionError,
 )
-from zbot.errors import ServiceError
+from zbot.node.errors import ServiceError
 from zbot.time import ClockType, Time
 
 from action_msgs.srv import CancelGoal

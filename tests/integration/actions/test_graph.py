@@ -20,7 +20,8 @@ from zbot.action import (
     get_action_names_and_types,
     get_action_server_names_and_types_by_node,
 )
-from zbot.errors import InvalidServiceNameError, ServiceError, UnknownNodeError
+from zbot.errors import InvalidServiceNameError
+from zbot.node.errors import ServiceError, UnknownNodeError
 from zbot.node.service_introspection import ServiceIntrospectionState
 
 from action_msgs.msg import GoalStatusArray

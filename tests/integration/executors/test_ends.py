@@ -11,7 +11,8 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from tests.integration.executors.conftest import settle
-from zbot.errors import NotInitializedError, ShutdownError
+from zbot.errors import NotInitializedError
+from zbot.executor.errors import ShutdownError
 
 from std_msgs.msg import Int64
 

@@ -10,11 +10,8 @@ from unittest.mock import Mock
 import pytest
 
 import zbot
-from zbot.errors import (
-    ConditionReachedException,
-    ExternalShutdownException,
-    ShutdownError,
-)
+from zbot.errors import ExternalShutdownException
+from zbot.executor.errors import ConditionReachedException, ShutdownError
 from zbot.executor.executor import Executor
 from zbot.executor.task import await_or_execute
 from zbot.time import TimeoutObject

@@ -10,9 +10,9 @@ import pytest
 import zbot
 import zbot.compat  # noqa: F401 - makes rclpy importable
 from tests.conftest import wait_until
-from zbot.errors import ServiceError
 from zbot.executor.clock import Clock
 from zbot.executor.wait_set import WaitSet
+from zbot.node.errors import ServiceError
 
 from example_interfaces.srv import AddTwoInts
 from std_msgs.msg import String

@@ -11,7 +11,7 @@ import pytest
 import zbot
 from tests.conftest import allowed, wait_until
 from tests.integration.executors.conftest import complete
-from zbot.errors import ExecutorBusyError
+from zbot.executor.errors import ExecutorBusyError
 
 from std_msgs.msg import Int64
 

@@ -16,8 +16,8 @@ from zbot.compat.log_filter import (
     get_filters_from_kwargs,
     supported_filters,
 )
-from zbot.errors import LogOptionError, NotAClockError
 from zbot.executor.clock import Clock
+from zbot.log.errors import LogOptionError, NotAClockError
 from zbot.time import Time
 
 

@@ -8,8 +8,8 @@ import pytest
 
 import zbot.compat
 from zbot.compat.sample_messages import sample_messages, sample_services
-from zbot.errors import UnknownInterfaceError
 from zbot.interfaces import registry
+from zbot.interfaces.errors import UnknownInterfaceError
 from zbot.wire.serialization import deserialize_message, serialize_message
 
 MESSAGES = [name for name in registry.interface_names("test_msgs") if "/msg/" in name]

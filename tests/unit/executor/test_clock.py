@@ -8,14 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.errors import (
-    ArgumentTypeError,
-    ClockTypeError,
-    InvalidJumpError,
-    NotInitializedError,
-    ZbotError,
-)
+from zbot.errors import ArgumentTypeError, NotInitializedError, ZbotError
 from zbot.executor.clock import Clock, ClockChange, JumpThreshold, ROSClock, TimeJump
+from zbot.executor.errors import ClockTypeError, InvalidJumpError
 from zbot.time import ClockType, Duration, Time
 
 if TYPE_CHECKING:

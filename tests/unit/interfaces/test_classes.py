@@ -11,9 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from zbot.errors import FieldTypeError, PositionalFieldError, UnknownFieldError
 from zbot.interfaces import get_action, get_interface, get_message, get_service
 from zbot.interfaces.classes import make_message, module_name
+from zbot.interfaces.errors import FieldTypeError, PositionalFieldError, UnknownFieldError
 from zbot.interfaces.message import Message
 from zbot.interfaces.parser import parse_message
 

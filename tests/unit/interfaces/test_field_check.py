@@ -11,9 +11,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from zbot.errors import FieldTypeError, FieldValueError
 from zbot.interfaces import get_interface, get_message
 from zbot.interfaces.classes import make_message
+from zbot.interfaces.errors import FieldTypeError, FieldValueError
 from zbot.interfaces.parser import parse_message
 
 

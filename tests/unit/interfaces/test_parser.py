@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from zbot.errors import InterfaceSyntaxError
+from zbot.interfaces.errors import InterfaceSyntaxError
 from zbot.interfaces.parser import (
     parse,
     parse_action,

@@ -8,7 +8,6 @@ from typing import Annotated, Any, ClassVar
 
 import pytest
 
-from zbot.errors import NotAMessageTypeError
 from zbot.interfaces import (
     get_message,
     get_service,
@@ -17,6 +16,7 @@ from zbot.interfaces import (
     type_hash,
     type_name,
 )
+from zbot.interfaces.errors import NotAMessageTypeError
 from zbot.interfaces.spec import FieldType, MessageSpec, ServiceSpec
 
 from std_msgs.msg import String

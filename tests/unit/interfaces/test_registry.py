@@ -6,12 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.errors import (
-    InterfaceConflictError,
-    InterfaceSyntaxError,
-    UnknownInterfaceError,
-    UnknownPackageError,
-)
 from zbot.interfaces import (
     definition_text,
     get_action,
@@ -23,6 +17,12 @@ from zbot.interfaces import (
     packages,
     register_spec,
     type_name,
+)
+from zbot.interfaces.errors import (
+    InterfaceConflictError,
+    InterfaceSyntaxError,
+    UnknownInterfaceError,
+    UnknownPackageError,
 )
 from zbot.interfaces.location import shipped_packages
 from zbot.interfaces.parser import parse, parse_message

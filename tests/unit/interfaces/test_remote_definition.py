@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from zbot.errors import InterfaceConflictError, InterfaceSyntaxError, UnknownInterfaceError
 from zbot.interfaces import (
     MessageSpec,
     get_spec,
@@ -18,6 +17,11 @@ from zbot.interfaces import (
     type_hash,
 )
 from zbot.interfaces.description import hash_of
+from zbot.interfaces.errors import (
+    InterfaceConflictError,
+    InterfaceSyntaxError,
+    UnknownInterfaceError,
+)
 from zbot.interfaces.location import shipped_packages
 from zbot.interfaces.remote_definition import hash_among, specs_from, specs_from_sources
 

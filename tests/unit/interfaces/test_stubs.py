@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from zbot.errors import UnknownPackageError
+from zbot.interfaces.errors import UnknownPackageError
 from zbot.interfaces.location import shipped_packages
 from zbot.interfaces.parser import parse
 from zbot.interfaces.registry import register_spec

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from zbot.errors import InterfaceKindError, NotAMessageTypeError
+from zbot.interfaces.errors import InterfaceKindError, NotAMessageTypeError
 from zbot.interfaces.type_support import (
     check_for_type_support,
     check_is_valid_msg_type,

@@ -4,14 +4,9 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.errors import (
-    ArgumentTypeError,
-    LogCallChangedError,
-    LogOptionError,
-    NotAClockError,
-    ZbotError,
-)
+from zbot.errors import ArgumentTypeError, ZbotError
 from zbot.log import LoggingSeverity, get_logger
+from zbot.log.errors import LogCallChangedError, LogOptionError, NotAClockError
 from zbot.time import Time
 
 if TYPE_CHECKING:

@@ -5,13 +5,9 @@ from typing import TYPE_CHECKING
 import pytest
 
 from zbot import log
-from zbot.errors import (
-    ArgumentTypeError,
-    InvalidNameError,
-    InvalidSeverityError,
-    ZbotError,
-)
+from zbot.errors import ArgumentTypeError, InvalidNameError, ZbotError
 from zbot.log import LoggingSeverity, get_logger
+from zbot.log.errors import InvalidSeverityError
 
 if TYPE_CHECKING:
     from collections.abc import Callable

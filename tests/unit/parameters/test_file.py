@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.errors import ParametersFileError, ParameterValueError
+from zbot.parameters.errors import ParametersFileError, ParameterValueError
 from zbot.parameters.file import load, matches, parse_value, sections
 
 if TYPE_CHECKING:

@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 import zbot  # noqa: F401 - makes the message packages importable
-from zbot.errors import ArgumentTypeError, ParametersFileError
+from zbot.errors import ArgumentTypeError
+from zbot.parameters.errors import ParametersFileError
 from zbot.parameters.parameter import (
     NoParametersError,
     Parameter,

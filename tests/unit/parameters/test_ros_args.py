@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from zbot.errors import ArgumentsError, ParametersFileError
+from zbot.parameters.errors import ArgumentsError, ParametersFileError
 from zbot.parameters.ros_args import Arguments, LogLevel, ParametersFile, Remap, remove_ros_args
 
 if TYPE_CHECKING:

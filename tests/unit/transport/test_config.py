@@ -6,9 +6,10 @@ from typing import Any
 
 import pytest
 
-from zbot.errors import ConfigError, DiscoveryRangeError, DomainIdError, SetupError
+from zbot.errors import SetupError
 from zbot.transport import config
 from zbot.transport.config import DiscoveryRange, SessionConfig
+from zbot.transport.errors import ConfigError, DiscoveryRangeError, DomainIdError
 
 NO_FILE = SessionConfig("nothing", "{}")
 

@@ -11,10 +11,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import zbot  # noqa: F401 - makes the messages importable
-from zbot.errors import CodecError, NotAMessageTypeError
 from zbot.interfaces import get_message
+from zbot.interfaces.errors import NotAMessageTypeError
 from zbot.wire.cdr import cdr_codec_for
 from zbot.wire.codec import codec_for
+from zbot.wire.errors import CodecError
 from zbot.wire.serialization import deserialize_message, is_cdr, serialize_message
 
 from geometry_msgs.msg import PoseStamped

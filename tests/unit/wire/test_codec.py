@@ -9,9 +9,11 @@ from typing import Annotated, Any
 import msgpack  # type: ignore[import-untyped]
 import pytest
 
-from zbot.errors import CodecError, ExternalShutdownException, NotAMessageTypeError
+from zbot.errors import ExternalShutdownException
 from zbot.interfaces import get_interface, get_message
+from zbot.interfaces.errors import NotAMessageTypeError
 from zbot.wire.codec import codec_for
+from zbot.wire.errors import CodecError
 
 packb: Any = msgpack.packb
 

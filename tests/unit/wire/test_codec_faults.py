@@ -7,10 +7,10 @@ from typing import Any
 import msgpack  # type: ignore[import-untyped]
 import pytest
 
-from zbot.errors import CodecError
 from zbot.interfaces import get_message, register_spec
 from zbot.interfaces.parser import parse_message
 from zbot.wire.codec import codec_for
+from zbot.wire.errors import CodecError
 
 packb: Any = msgpack.packb
 

@@ -10,7 +10,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from zbot import interfaces
-from zbot.errors import CodecError
 from zbot.interfaces import (
     MessageSpec,
     ServiceSpec,
@@ -22,6 +21,7 @@ from zbot.interfaces import (
 )
 from zbot.interfaces.spec import INTEGER_RANGES, FieldType
 from zbot.wire.codec import codec_for
+from zbot.wire.errors import CodecError
 
 packb: Any = msgpack.packb
 

@@ -4,9 +4,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from zbot.errors import TokenError
 from zbot.qos import qos_profile_sensor_data
 from zbot.wire.attachment import GID_LENGTH
+from zbot.wire.errors import TokenError
 from zbot.wire.qos import qos_text
 from zbot.wire.tokens import (
     EndpointToken,

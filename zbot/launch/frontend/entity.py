@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, get_args
 
-from zbot.errors import nearest
+from zbot.errors import close_matches
 from zbot.launch.errors import CoercionError
 from zbot.launch.frontend.errors import (
     AttributeTypeError,
@@ -162,6 +162,6 @@ class Entity:
                 raise child.error(f"`{self.type_name}` has no `{child.type_name}` inside it")
         for name in self.attributes:
             if name not in self._used:
-                near = nearest(name, self._used, 1)
+                near = close_matches(name, self._used, 1)
                 hint = f"did you mean '{near[0]}'?" if near else ""
                 raise self.error(f"`{self.type_name}` has no attribute '{name}'", hint)

@@ -6,7 +6,7 @@ from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ZbotError, nearest
+from zbot.errors import ZbotError, close_matches
 from zbot.launch.action import Action
 from zbot.launch.condition import IfCondition, UnlessCondition
 from zbot.launch.description import LaunchDescription
@@ -89,7 +89,7 @@ class Parser:
         name = entity.type_name.replace("-", "_")
         build = ACTIONS.get(entity.type_name) or ACTIONS.get(name)
         if build is None:
-            near = nearest(name, ACTIONS, 1)
+            near = close_matches(name, ACTIONS, 1)
             hint = f"did you mean `{near[0]}`?" if near else ""
             raise entity.error(f"there is no action `{entity.type_name}`", hint)
         try:

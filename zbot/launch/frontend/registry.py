@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from zbot.errors import nearest
+from zbot.errors import close_matches
 from zbot.launch import substitutions as subs
 from zbot.launch.errors import ExposeError
 from zbot.launch.frontend.errors import SubstitutionSyntaxError
@@ -184,7 +184,7 @@ def make_substitution(name: str, arguments: list[list[Substitution]]) -> Substit
     if name in _ADDED:
         return _ADDED[name](arguments)
     if name not in _MAKERS:
-        near = nearest(name, [*_MAKERS, *_ADDED], 1)
+        near = close_matches(name, [*_MAKERS, *_ADDED], 1)
         guess = f"; did you mean '$({near[0]} ...)'?" if near else ""
         raise SubstitutionSyntaxError(f"there is no substitution '$({name} ...)'{guess}")
     make, least, largest = _MAKERS[name]

@@ -7,7 +7,7 @@ import secrets
 import socket
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import nearest
+from zbot.errors import close_matches
 from zbot.launch.errors import SubstitutionError
 from zbot.launch.substitution import Substitution, describe, normalize, perform
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def _guess(name: str, known: Any) -> str:
-    near = nearest(name, known, 1)
+    near = close_matches(name, known, 1)
     return f"did you mean '{near[0]}'?" if near else ""
 
 

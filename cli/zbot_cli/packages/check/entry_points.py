@@ -6,7 +6,7 @@ import ast
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from zbot.errors import nearest
+from zbot.errors import close_matches
 from zbot.package.setup_file import SetupFileError, script_lines
 from zbot_cli.packages.check.problem import Problem
 from zbot_cli.packages.check.subject import line_of
@@ -45,7 +45,7 @@ def _fault(subject: Subject, text: str) -> str:
     first = function.partition(".")[0]
     if "*" in names or first in names:
         return ""
-    near = nearest(first, names, 1)
+    near = close_matches(first, names, 1)
     hint = f"; did you mean '{near[0]}'?" if near else ""
     return f"'{name}' names {first}() in {path.name}, which has none{hint}"
 
@@ -58,7 +58,7 @@ def _hint(subject: Subject, module: str) -> str:
         for folder in map(Path, folders)
         if path.is_relative_to(folder)
     ]
-    near = nearest(module, known, 1)
+    near = close_matches(module, known, 1)
     return f"; did you mean {near[0]}?" if near else ""
 
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.errors import InterfaceSyntaxError, nearest
+from zbot.errors import close_matches
 from zbot.interfaces import interface_names
+from zbot.interfaces.errors import InterfaceSyntaxError
 from zbot.interfaces.kinds import KINDS
 from zbot.interfaces.parser import parse
 from zbot.interfaces.spec import ActionSpec, MessageSpec, ServiceSpec
@@ -71,7 +72,7 @@ def _check_type(subject: Subject, path: Path, field: Field, own: set[str]) -> It
     else:
         known = interface_names(package)
     if field.type.base not in known:
-        near = nearest(field.type.base, known, 1)
+        near = close_matches(field.type.base, known, 1)
         hint = f"; did you mean {near[0]}?" if near else ""
         yield Problem(path, field.line, f"there is no type {field.type.base}{hint}")
     elif package != subject.name and subject.manifest and package not in subject.manifest.named():

@@ -6,15 +6,11 @@ from zbot.compat.raw_entities import GuardCondition as GuardCondition
 from zbot.compat.raw_entities import Service as Service
 from zbot.compat.raw_entities import Subscription as Subscription
 from zbot.compat.raw_entities import Timer as Timer
-from zbot.errors import ArgumentsError as RCLInvalidROSArgsError
-from zbot.errors import ArgumentsError as UnknownROSArgsError
 from zbot.errors import InvalidHandleError as InvalidHandle
-from zbot.errors import TimerCancelledError as TimerCancelledError
-from zbot.errors import UnknownNodeError as NodeNameNonExistentError
-from zbot.errors import UnsupportedEventTypeError as UnsupportedEventTypeError
 from zbot.errors import ZbotError as RCLError
 from zbot.errors import ZbotError as RMWError
 from zbot.executor.clock import ClockChange as ClockChange
+from zbot.executor.errors import TimerCancelledError as TimerCancelledError
 from zbot.executor.executor import SingleThreadedExecutor as EventsExecutor
 from zbot.executor.wait_set import WaitSet as WaitSet
 from zbot.lifecycle import TransitionCallbackReturn as TransitionCallbackReturnType
@@ -23,9 +19,13 @@ from zbot.log import get_logger_level as rclpy_logging_get_logger_level
 from zbot.log import get_logging_directory as rclpy_logging_get_logging_directory
 from zbot.log import set_logger_level as rclpy_logging_set_logger_level
 from zbot.names import expand_topic_name as rclpy_expand_topic_name
+from zbot.node.errors import UnknownNodeError as NodeNameNonExistentError
+from zbot.node.errors import UnsupportedEventTypeError as UnsupportedEventTypeError
 from zbot.node.qos_events import EventHandle as EventHandle
 from zbot.node.qos_events import QoSPublisherEventType as rcl_publisher_event_type_t  # noqa: N813 - rclpy
 from zbot.node.qos_events import QoSSubscriptionEventType as rcl_subscription_event_type_t  # noqa: N813
+from zbot.parameters.errors import ArgumentsError as RCLInvalidROSArgsError
+from zbot.parameters.errors import ArgumentsError as UnknownROSArgsError
 from zbot.process.signals import SignalHandlerOptions as SignalHandlerOptions
 from zbot.process.signals import install as install_signal_handlers
 from zbot.process.signals import installed as get_current_signal_handlers_options

@@ -1,11 +1,11 @@
 """Events of quality of service."""
 
 from zbot.compat.annotation import EventHandlerData as EventHandlerData
-from zbot.errors import UnsupportedEventTypeError as UnsupportedEventTypeError
 from zbot.executor.callback_group import CallbackGroup as CallbackGroup
 from zbot.executor.waitable import NumberOfEntities as NumberOfEntities
 from zbot.executor.waitable import Waitable as Waitable
 from zbot.log import get_logger as get_logger
+from zbot.node.errors import UnsupportedEventTypeError as UnsupportedEventTypeError
 from zbot.node.qos_events import EventHandler as EventHandler
 from zbot.node.qos_events import EventHandler as QoSEventHandler
 from zbot.node.qos_events import IncompatibleTypeInfo as IncompatibleTypeInfo

@@ -6,10 +6,10 @@ from zbot.errors import InvalidNamespaceError as InvalidNamespaceException
 from zbot.errors import InvalidNodeNameError as InvalidNodeNameException
 from zbot.errors import InvalidServiceNameError as InvalidServiceNameException
 from zbot.errors import InvalidTopicNameError as InvalidTopicNameException
-from zbot.errors import NotAMessageTypeError as NoTypeSupportImportedException
 from zbot.errors import NotInitializedError as NotInitializedException
-from zbot.errors import RateInterruptedError as ROSInterruptException
-from zbot.errors import TimerCancelledError as TimerCancelledError
+from zbot.executor.errors import RateInterruptedError as ROSInterruptException
+from zbot.executor.errors import TimerCancelledError as TimerCancelledError
+from zbot.interfaces.errors import NotAMessageTypeError as NoTypeSupportImportedException
 from zbot.parameters.errors import InvalidParameterException as InvalidParameterException
 from zbot.parameters.errors import InvalidParameterTypeException as InvalidParameterTypeException
 from zbot.parameters.errors import InvalidParameterValueException as InvalidParameterValueException

@@ -3,12 +3,12 @@
 from zbot.compat.annotation import YieldedCallback as YieldedCallback
 from zbot.context import Context as Context
 from zbot.context import get_default_context as get_default_context
-from zbot.errors import ConditionReachedException as ConditionReachedException
 from zbot.errors import ExternalShutdownException as ExternalShutdownException
 from zbot.errors import InvalidHandleError as InvalidHandle
-from zbot.errors import ShutdownError as ShutdownException
-from zbot.errors import TimerCancelledError as TimerCancelledError
 from zbot.executor.clock import Clock as Clock
+from zbot.executor.errors import ConditionReachedException as ConditionReachedException
+from zbot.executor.errors import ShutdownError as ShutdownException
+from zbot.executor.errors import TimerCancelledError as TimerCancelledError
 from zbot.executor.executor import Executor as Executor
 from zbot.executor.executor import SingleThreadedExecutor as SingleThreadedExecutor
 from zbot.executor.guard_condition import GuardCondition as GuardCondition

@@ -7,7 +7,6 @@ from zbot.context import get_default_context as get_default_context
 from zbot.errors import InvalidHandleError as InvalidHandle
 from zbot.errors import InvalidTopicNameError as InvalidTopicNameException
 from zbot.errors import NotInitializedError as NotInitializedException
-from zbot.errors import UnknownNodeError as NodeNameNonExistentError
 from zbot.executor.callback_group import CallbackGroup as CallbackGroup
 from zbot.executor.callback_group import (
     MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup,
@@ -42,6 +41,7 @@ from zbot.names import validate_node_name as validate_node_name
 from zbot.names import validate_parameter_name as validate_parameter_name
 from zbot.names import validate_topic_name as validate_topic_name
 from zbot.node.client import Client as Client
+from zbot.node.errors import UnknownNodeError as NodeNameNonExistentError
 from zbot.node.logger_services import LoggingService as LoggingService
 from zbot.node.node import Node as Node
 from zbot.node.parameter_services import ParameterServices as ParameterService

@@ -15,7 +15,7 @@ from zbot.compat.annotation import PyCapsule as PyCapsule
 from zbot.compat.annotation import SendGoalService as SendGoalService
 from zbot.compat.annotation import SendGoalServiceRequest as SendGoalServiceRequest
 from zbot.compat.annotation import SendGoalServiceResponse as SendGoalServiceResponse
-from zbot.errors import NotAMessageTypeError as NoTypeSupportImportedException
+from zbot.interfaces.errors import NotAMessageTypeError as NoTypeSupportImportedException
 from zbot.interfaces.message import Action as Action
 from zbot.interfaces.message import Message as Msg
 from zbot.interfaces.message import Service as Srv

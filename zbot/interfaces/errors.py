@@ -1,0 +1,115 @@
+"""Errors of definitions, and of values that a field does not take."""
+
+from __future__ import annotations
+
+from zbot.errors import ZbotError, close_matches, did_you_mean, shortened
+
+
+class InterfaceSyntaxError(ZbotError, ValueError):
+    """A .msg, .srv or .action definition breaks the ROS 2 grammar.
+
+    Attributes:
+        file: The definition's file, or its type name when it has none.
+        line: Line number from 1, or 0 when the definition as a whole is wrong.
+        reason: The rule that it breaks, and what to write instead.
+    """
+
+    def __init__(self, file: str, line: int, source: str, reason: str) -> None:
+        self.file, self.line, self.source, self.reason = file, line, source, reason
+        where = f"{file}:{line}" if line else file
+        quoted = f"\n  {source.strip()}" if source.strip() else ""
+        super().__init__(f"{where}: {reason}{quoted}")
+
+
+class UnknownPackageError(ZbotError, ModuleNotFoundError, LookupError):
+    """No package of that name holds message, service or action definitions here."""
+
+    def __init__(self, package: str, suggestions: tuple[str, ...] = ()) -> None:
+        self.package, self.suggestions = package, suggestions
+        super().__init__(f"Unknown package {package!r}{did_you_mean(suggestions)}")
+
+
+class UnknownInterfaceError(ZbotError, AttributeError, LookupError):
+    """A known package has no message, service or action of that name."""
+
+    def __init__(self, name: str, suggestions: tuple[str, ...] = ()) -> None:
+        self.name, self.suggestions = name, suggestions
+        super().__init__(f"Unknown interface {name!r}{did_you_mean(suggestions)}")
+
+
+class FieldTypeError(ZbotError, TypeError, AssertionError):
+    """A message's field was given a value of the wrong Python type; ROS 2's classes assert it.
+
+    Attributes:
+        type_name: The message, e.g. `geometry_msgs/msg/Vector3`.
+        field: The field's name, with an index where one element is wrong: `ranges[3]`.
+        expected: What belongs there.
+        value: What was given.
+    """
+
+    def __init__(self, type_name: str, field: str, expected: str, value: object) -> None:
+        self.type_name, self.field, self.expected, self.value = type_name, field, expected, value
+        given = f"{type(value).__name__}: {shortened(value)}"
+        super().__init__(f"field {field!r} of {type_name} must be {expected}, not {given}")
+
+
+class FieldValueError(ZbotError, ValueError, AssertionError):
+    """A message's field was given a value of the right type that it cannot hold.
+
+    The attributes are those of `FieldTypeError`.
+    """
+
+    def __init__(self, type_name: str, field: str, expected: str, value: object) -> None:
+        self.type_name, self.field, self.expected, self.value = type_name, field, expected, value
+        given = shortened(value)
+        super().__init__(f"field {field!r} of {type_name} must be {expected}, not {given}")
+
+
+class UnknownFieldError(ZbotError, TypeError, AssertionError):
+    """A message was constructed with a field that its type does not have."""
+
+    def __init__(self, type_name: str, field: str, fields: tuple[str, ...]) -> None:
+        self.type_name, self.field, self.fields = type_name, field, fields
+        near = close_matches(field, fields, 1)
+        hint = f"; did you mean {near[0]!r}?" if near else f"; it has {', '.join(fields) or 'none'}"
+        super().__init__(f"{type_name} has no field {field!r}{hint}")
+
+
+class PositionalFieldError(ZbotError, TypeError):
+    """A message was constructed with values that do not say which field they are for."""
+
+    def __init__(self, type_name: str, fields: tuple[str, ...]) -> None:
+        self.type_name, self.fields = type_name, fields
+        short = type_name.rpartition("/")[2]
+        example = f"{fields[0]}=..." if fields else ""
+        super().__init__(f"name the fields of {type_name}: {short}({example})")
+
+
+class NotAMessageTypeError(ZbotError, TypeError, AttributeError):
+    """A class was used as a message, service or action type that is none, or cannot be one.
+
+    rclpy misses an attribute in such a class, and programs catch that.
+    """
+
+    def __init__(self, given: object, reason: str) -> None:
+        self.given, self.reason = given, reason
+        name = given.__qualname__ if isinstance(given, type) else repr(given)
+        super().__init__(f"{name} cannot be used as an interface type: {reason}")
+
+
+class InterfaceKindError(NotAMessageTypeError, RuntimeError):
+    """A class of another kind was used: a service where a message belongs, or the like."""
+
+    def __init__(self, given: object, expected: str) -> None:
+        super().__init__(given, f"it is not {expected}")
+        self.expected = expected
+
+
+class InterfaceConflictError(ZbotError, ValueError):
+    """A definition came from elsewhere under a name that has another definition here."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        super().__init__(
+            f"{name} is defined differently here: bring both machines to the same definition"
+        )

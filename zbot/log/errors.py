@@ -1,0 +1,53 @@
+"""Errors of loggers and their levels."""
+
+from __future__ import annotations
+
+from zbot.errors import ZbotError
+
+
+class InvalidSeverityError(ZbotError, ValueError, RuntimeError):
+    """A log severity is none of the five (rclpy: ValueError for numbers, RuntimeError for text)."""
+
+    def __init__(self, severity: object) -> None:
+        self.severity = severity
+        super().__init__(
+            f"{severity!r} is not a log severity: use DEBUG (10), INFO (20), WARN (30), "
+            "ERROR (40) or FATAL (50)"
+        )
+
+
+class LogOptionError(ZbotError, TypeError):
+    """A log call has an option that does not exist, or lacks the one that another needs."""
+
+    def __init__(self, option: str, reason: str) -> None:
+        self.option, self.reason = option, reason
+        super().__init__(f"log parameter {option!r} {reason}")
+
+
+class LogCallChangedError(ZbotError, ValueError):
+    """One line of a program makes a different log call than before.
+
+    Options such as `once` are remembered for each place in the source, so a place has to stay what
+    it was, as in rclpy.
+
+    Attributes:
+        what: What changed, e.g. `severity`.
+        place: File and line of the call.
+    """
+
+    def __init__(self, what: str, place: str) -> None:
+        self.what, self.place = what, place
+        super().__init__(
+            f"a log call's {what} cannot be changed between calls: "
+            f"write one call for each ({place})"
+        )
+
+
+class NotAClockError(ZbotError, ValueError):
+    """Something that is no clock was given where one is needed."""
+
+    def __init__(self, argument: str, value: object) -> None:
+        self.argument, self.value = argument, value
+        super().__init__(
+            f"{argument} must be a Clock instance, for example node.get_clock(), not {value!r}"
+        )
