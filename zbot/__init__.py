@@ -15,7 +15,7 @@ The names, arguments and meanings are those of ROS 2's rclpy.
 from typing import TYPE_CHECKING
 
 from zbot.interfaces.finder import install_importer
-from zbot.lazy_imports import late_names
+from zbot.lazy_imports import lazy_names
 from zbot.version import __version__ as __version__
 
 if TYPE_CHECKING:
@@ -111,7 +111,7 @@ _HOMES = {
     "Timer": "zbot.executor.timer",
 }
 
-__getattr__, __dir__ = late_names(__name__, _HOMES, "__version__")
+__getattr__, __dir__ = lazy_names(__name__, _HOMES, "__version__")
 
 # From here on `from std_msgs.msg import String` works, unless a real ROS 2 provides it.
 install_importer()

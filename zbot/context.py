@@ -20,7 +20,7 @@ from zbot.process.memory import spare_the_collector
 from zbot.transport import config, membership, shared_memory
 from zbot.transport.foreign_call import in_one_go, uninterrupted
 from zbot.transport.handle import Handle
-from zbot.transport.peering import MeetingWatch
+from zbot.transport.peering import Peering
 from zbot.transport.session import MeetingPoint, process_facts
 from zbot.transport.weak_set import WeakSet
 from zbot.version import __version__
@@ -81,7 +81,7 @@ class Context:
         self._interrupted = False
         self._session: zenoh.Session | None = None
         self._meeting: MeetingPoint | None = None
-        self._watch: MeetingWatch | None = None
+        self._watch: Peering | None = None
         self._graph: Graph | None = None
         self._wakers: list[Callable[[], None]] = []
         self._on_shutdown: list[Callable[[], None]] = []
@@ -368,7 +368,7 @@ class Context:
         at_exit.open_contexts.add(self)
         at_exit.hook()
         if watch:
-            self._watch = MeetingWatch(session, meeting, self.receiver)
+            self._watch = Peering(session, meeting, self.receiver)
             self._watch.start()
 
     def _check_linked(self, meeting: MeetingPoint) -> None:

@@ -14,7 +14,7 @@ from tests.classroom.talk import HERE, Talk, answers, dialling, free_port, open_
 from tests.conftest import Program, wait_until
 from zbot.classroom.keys import DESK_KEY, DOOR_KEY, here_key
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
-from zbot.security.pin import PinGuest
+from zbot.security.pin import PinClient
 from zbot.security.secret import Secret
 
 if TYPE_CHECKING:
@@ -150,7 +150,7 @@ class AttackedClass:
         """Join as number 19 with a program that is not zbot, and say that it is here."""
         with self.as_stranger() as stranger:
             wish = {"machine": "rogue", "host": "rogue", "name": "Rogue", "number": 19}
-            guest = PinGuest(Secret(PIN))
+            guest = PinClient(Secret(PIN))
             challenge = self.ask_door(stranger, {"op": "enrol", **guest.hello()})
             claim = {"op": "claim", **guest.claim(challenge, wish)}
             given = guest.opened(self.ask_door(stranger, claim))

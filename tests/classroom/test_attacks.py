@@ -27,7 +27,7 @@ from tests.conftest import wait_until
 from zbot.classroom.keys import DESK_KEY, DOOR_KEY, NOTICES_KEY, facts_key, here_key
 from zbot.log.announcement import NOTICE_KEY
 from zbot.security.access import MAX_MESSAGE_SIZE, credentials
-from zbot.security.pin import PinGuest
+from zbot.security.pin import PinClient
 from zbot.security.secret import Secret
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ asked = AttackedClass.ask_door
 
 def claimed(session: zenoh.Session, pin: str, wish: dict[str, Any]) -> dict[str, Any]:
     """Go through the door with a PIN; return the claim and its answer."""
-    guest = PinGuest(Secret(pin))
+    guest = PinClient(Secret(pin))
     challenge = asked(session, {"op": "enrol", **guest.hello()})
     if "refused" in challenge:
         return {"answer": challenge}
@@ -195,7 +195,7 @@ def test_replay_a_claim(stranger: zenoh.Session) -> None:
     assert "tag" in recorded["answer"]
     again = asked(stranger, recorded["claim"])
     assert again["refused"] == "question"
-    later = asked(stranger, {"op": "enrol", **PinGuest(Secret(PIN)).hello()})
+    later = asked(stranger, {"op": "enrol", **PinClient(Secret(PIN)).hello()})
     spliced = asked(stranger, {**recorded["claim"], "visit": later["visit"]})
     assert spliced["refused"] == "pin"
 
@@ -475,7 +475,7 @@ def test_messages_that_zenoh_cannot_carry_break_only_their_sender(
 
 
 def test_flood_the_door(room: AttackedClass, stranger: zenoh.Session) -> None:
-    hello = json.dumps({"op": "enrol", **PinGuest(Secret("0")).hello()})
+    hello = json.dumps({"op": "enrol", **PinClient(Secret("0")).hello()})
     waiting = [
         stranger.get(DOOR_KEY, zenoh.handlers.FifoChannel(1), payload=hello, timeout=20)
         for _ in range(600)

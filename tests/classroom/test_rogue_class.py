@@ -10,11 +10,11 @@ import pytest
 
 from tests.classroom.talk import HERE, free_port, open_session
 from zbot.classroom.address import Address
-from zbot.classroom.door import Wish
+from zbot.classroom.admission import AdmissionRequest
 from zbot.classroom.enrolment import knock
 from zbot.classroom.errors import NoHubError, RefusedError
 from zbot.classroom.keys import DOOR_KEY
-from zbot.security.pin import PinDoor, PinMessageError
+from zbot.security.pin import PinMessageError, PinServer
 from zbot.security.secret import Secret
 
 if TYPE_CHECKING:
@@ -52,7 +52,7 @@ def rogue(monkeypatch: pytest.MonkeyPatch, tmp_path: Any) -> Iterator[Callable[[
 
 
 def knock_at(address: Address) -> None:
-    knock(address, Wish("machine", "host"), lambda _name: PIN.reveal())
+    knock(address, AdmissionRequest("machine", "host"), lambda _name: PIN.reveal())
 
 
 HELLO = {"class": "x", "pin": True}
@@ -74,7 +74,7 @@ def test_a_senseless_challenge_is_a_sentence(
 def test_a_class_that_does_not_know_the_pin_hands_out_nothing(
     rogue: Callable[[Answer], Address],
 ) -> None:
-    door = PinDoor(Secret("000000"))
+    door = PinServer(Secret("000000"))
     seen = threading.Event()
 
     def answer(question: dict[str, Any]) -> dict[str, Any]:
@@ -91,7 +91,7 @@ def test_a_class_that_does_not_know_the_pin_hands_out_nothing(
 def test_a_membership_that_makes_no_sense_is_refused(
     rogue: Callable[[Answer], Address],
 ) -> None:
-    door = PinDoor(PIN)
+    door = PinServer(PIN)
 
     def answer(question: dict[str, Any]) -> dict[str, Any]:
         if question["op"] == "claim":

@@ -18,7 +18,7 @@ import zbot
 from tests.conftest import allowed, wait_until
 from zbot.transport import config
 from zbot.transport.config import MEETING_PORT
-from zbot.transport.peering import MeetingWatch
+from zbot.transport.peering import Peering
 from zbot.transport.session import MeetingPoint, process_facts
 from zbot_cli.domain.client import client
 
@@ -191,7 +191,7 @@ def test_two_who_missed_each_others_calls_are_introduced_again(
 def test_nobody_is_waited_for_once_the_session_is_closed(domain: int) -> None:
     point = MeetingPoint(config.load(), domain, config.discovery_range(), process_facts("0"))
     session = point.open_peer()
-    watch = MeetingWatch(session, point, zenoh.handlers.Callback)
+    watch = Peering(session, point, zenoh.handlers.Callback)
     session.close()
     begin = time.monotonic()
     assert not watch.wait_settled(60)

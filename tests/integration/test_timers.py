@@ -231,7 +231,7 @@ def test_simulated_time_wakes_nobody_before_a_timer_is_due(simulation: Simulatio
     simulation.go_to(10)
     timer = simulation.node.create_timer(1.0, lambda: None)
     wakes: list[float] = []
-    simulation.node.handle.mailbox.watch(
+    simulation.node.handle.ready_queue.watch(
         timer, lambda: wakes.append(simulation.clock.now().nanoseconds / 1e9)
     )
     for tenth in range(100, 121):

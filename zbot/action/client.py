@@ -11,12 +11,12 @@ import weakref
 from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
-from zbot.action.agenda import Agenda
 from zbot.action.client_goal_handle import ClientGoalHandle
 from zbot.action.errors import ActionMessageError, NotAnActionTypeError
 from zbot.action.feedback import FeedbackSubscription
 from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalState
+from zbot.action.work_queue import WorkQueue
 from zbot.errors import InvalidHandleError
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.clock import Clock
@@ -140,7 +140,7 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         )
         # No callbacks of the user run here, so nothing has to wait for a group's turn.
         free = ReentrantCallbackGroup()
-        self._answers = Agenda(node.handle.mailbox, free)
+        self._answers = WorkQueue(node.handle.ready_queue, free)
         self._timers: list[Timer] = []  # of goals that wait for a server
         self._status = node.create_subscription(
             impl.GoalStatusMessage,
@@ -266,17 +266,19 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
                 with contextlib.suppress(InvalidHandleError):
                     self._send(*sending)
 
-        mailbox, steady = self._node.handle.mailbox, Clock(clock_type=ClockType.STEADY_TIME)
-        timer = Timer(send, self._answers.callback_group, int(_STEP_S * S_TO_NS), steady, mailbox)
+        ready_queue, steady = self._node.handle.ready_queue, Clock(clock_type=ClockType.STEADY_TIME)
+        timer = Timer(
+            send, self._answers.callback_group, int(_STEP_S * S_TO_NS), steady, ready_queue
+        )
         self._timers.append(timer)
-        mailbox.add(timer)
+        ready_queue.add(timer)
 
     def _drop_timer(self, timer: Timer) -> bool:
         with self._lock:
             if timer not in self._timers:
                 return False
             self._timers.remove(timer)
-        self._node.handle.mailbox.remove(timer)
+        self._node.handle.ready_queue.remove(timer)
         timer.destroy()
         return True
 

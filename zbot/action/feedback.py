@@ -54,7 +54,7 @@ class FeedbackSubscription:
         self.msg_type = msg_type
         self.callback = callback
         self.callback_group = callback_group
-        self.mailbox = handle.mailbox
+        self.ready_queue = handle.ready_queue
         self.lost_count = 0  #: messages that came faster than the callback took them
         self._context = context
         self._goal_count = goal_count
@@ -74,7 +74,7 @@ class FeedbackSubscription:
         callback_group.add_entity(self)
         handle.subscriptions.append(cast("Any", self))  # it has what a node needs of one
         handle.adviser.add(self.token, handle.logger_name)
-        self.mailbox.add(self)
+        self.ready_queue.add(self)
 
     @property
     def handle(self) -> Any:
@@ -97,7 +97,7 @@ class FeedbackSubscription:
             self._queue.popleft()
             self.lost_count += 1
         self._queue.append(sample)
-        self.mailbox.post(self)
+        self.ready_queue.post(self)
 
     @property
     def is_empty(self) -> bool:

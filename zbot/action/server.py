@@ -9,13 +9,13 @@ from enum import Enum
 from functools import partial
 from typing import TYPE_CHECKING, Any, cast
 
-from zbot.action.agenda import Agenda
 from zbot.action.cancellation import ERROR_REJECTED, CancelQuery
 from zbot.action.errors import ActionMessageError, ExecuteCallbackError, NotAnActionTypeError
 from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalEvent, GoalState, GoalTransitionError
 from zbot.action.server_goal_handle import ServerGoalHandle
 from zbot.action.service import Reply, call, create_action_service
+from zbot.action.work_queue import WorkQueue
 from zbot.errors import InvalidHandleError
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.timer import Timer
@@ -148,7 +148,7 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         self._ended: deque[tuple[int, bytes]] = deque()  # when (the node's clock) and which goal
         group = callback_group or node.default_callback_group
         free = ReentrantCallbackGroup()  # here run no callbacks that a group could protect
-        self._executions = Agenda(node.handle.mailbox, free)
+        self._executions = WorkQueue(node.handle.ready_queue, free)
         self._expiry = self._make_timer(free)
         impl, name = action_type.Impl, f"{self._action_name}/_action"
         self._feedback = node.create_publisher(
@@ -184,9 +184,9 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         ]
 
     def _make_timer(self, group: CallbackGroup) -> Timer:
-        mailbox, period_ns = self._node.handle.mailbox, max(self._result_timeout_ns, 0)
-        timer = Timer(self._expire, group, period_ns, self._clock, mailbox, autostart=False)
-        mailbox.add(timer)
+        ready_queue, period_ns = self._node.handle.ready_queue, max(self._result_timeout_ns, 0)
+        timer = Timer(self._expire, group, period_ns, self._clock, ready_queue, autostart=False)
+        ready_queue.add(timer)
         return timer
 
     @property
@@ -442,7 +442,7 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         self._node.destroy_publisher(self._feedback)
         self._node.destroy_publisher(self._status)
         self._expiry.destroy()
-        self._node.handle.mailbox.remove(self._expiry)
+        self._node.handle.ready_queue.remove(self._expiry)
         self._executions.destroy()
 
     def __enter__(self) -> Self:

@@ -105,13 +105,13 @@ def create_action_service(
         srv_type,
         lambda request, response: start(callback(request, response)),
         handle.endpoint(EntityKind.SERVICE, node.resolve_service_name(name), srv_type, qos_profile),
-        mailbox=handle.mailbox,
+        ready_queue=handle.ready_queue,
         callback_group=callback_group,
         logger_name=handle.logger_name,
     )
     handle.services.append(service)
     callback_group.add_entity(service)
-    handle.mailbox.add(service)
+    handle.ready_queue.add(service)
     return service
 
 

@@ -9,22 +9,22 @@ import time
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.address import EVERYWHERE, Address
-from zbot.classroom.door import Door
+from zbot.classroom.admission import AdmissionService
+from zbot.classroom.attendance import Attendance
+from zbot.classroom.class_record import MOST_NOTICES, ClassRecord, user_of
 from zbot.classroom.errors import ClassroomError
 from zbot.classroom.hub import HubSettings
 from zbot.classroom.keys import DESK_KEY, DOOR_KEY, NOTICES_KEY
 from zbot.classroom.link import Link
-from zbot.classroom.record import MOST_NOTICES, ClassRecord, user_of
 from zbot.classroom.register import NumberError
-from zbot.classroom.seats import Seats
 from zbot.log.announcement import NOTICE_KEY
 from zbot.security.access import TEACHER, Share, teacher_access
 from zbot.transport import membership
 from zbot.transport.config import MAX_DOMAIN_ID
 
 if TYPE_CHECKING:
+    from zbot.classroom.hub_process import HubProcess
     from zbot.classroom.register import Student
-    from zbot.classroom.serving import Serving
 
 Document = dict[str, Any]
 
@@ -44,10 +44,10 @@ class Classroom:
     def __init__(self, record: ClassRecord, port: int) -> None:
         self._record = record
         self._port = port
-        self._seats = Seats()
+        self._seats = Attendance()
         self._lock = threading.RLock()  # the door and the desk have threads of their own
-        self._serving: Serving | None = None
-        self._door = Door(
+        self._serving: HubProcess | None = None
+        self._door = AdmissionService(
             record.name,
             record.pin,
             record.register,
@@ -79,7 +79,7 @@ class Classroom:
                 subject["interfaces"] = list(_LOOPBACK_INTERFACES)
             # What the lobby may, everybody may: a subject without conditions is anybody.
 
-    def equip(self, serving: Serving) -> None:
+    def equip(self, serving: HubProcess) -> None:
         """Open the door and the desk."""
         self._serving = serving
         serving.desk(DOOR_KEY, self._answer_door)

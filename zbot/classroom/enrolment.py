@@ -6,14 +6,14 @@ import time
 from dataclasses import asdict
 from typing import TYPE_CHECKING, Any
 
-from zbot.classroom.desk import ask
-from zbot.classroom.door import release_proof
+from zbot.classroom.admission import release_proof
 from zbot.classroom.errors import NoHubError, PinNeededError, RefusedError, SilentHubError
+from zbot.classroom.hub_queries import ask
 from zbot.classroom.keys import DOOR_KEY
 from zbot.classroom.link import IN_THE_CLEAR, Link
 from zbot.classroom.register import clean_name, clean_sentence
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
-from zbot.security.pin import PinGuest, WrongPinError
+from zbot.security.pin import PinClient, WrongPinError
 from zbot.security.secret import Secret
 from zbot.transport.membership import Membership
 from zbot.transport.session import open_hub_client
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     import zenoh
 
     from zbot.classroom.address import Address
-    from zbot.classroom.door import Wish
+    from zbot.classroom.admission import AdmissionRequest
 
     AskPin = Callable[[str], str | None]
 
@@ -33,7 +33,9 @@ _RELEASE_TIMEOUT_S = 1.0
 _LONGEST_WAIT_S = 30.0  # behind somebody who guesses PINs
 
 
-def knock(address: Address, wish: Wish, ask_pin: AskPin, link: Link = IN_THE_CLEAR) -> Membership:
+def knock(
+    address: Address, wish: AdmissionRequest, ask_pin: AskPin, link: Link = IN_THE_CLEAR
+) -> Membership:
     """Ask whoever is behind an address to be let in.
 
     Args:
@@ -67,7 +69,7 @@ class _Visit:
         self._address = address
         self._is_class = is_class  # known before it has said anything: only classes have users
 
-    def enrol(self, wish: Wish, ask_pin: AskPin) -> Membership:
+    def enrol(self, wish: AdmissionRequest, ask_pin: AskPin) -> Membership:
         begun = time.monotonic()
         greetings = ask(self._session, DOOR_KEY, {"op": "hello"}, timeout_s=_ANSWER_TIMEOUT_S)
         if not greetings:
@@ -79,7 +81,7 @@ class _Visit:
         pin = ask_pin(clean_name(str(hello.get("class")))) if hello.get("pin") else ""
         if pin is None:
             raise PinNeededError
-        guest = PinGuest(Secret(pin))
+        guest = PinClient(Secret(pin))
         challenge = self._ask("enrol", guest.hello())
         sealed = self._ask("claim", guest.claim(challenge, asdict(wish)))
         given = guest.opened(sealed)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from zbot.classroom.desk import ask
+from zbot.classroom.hub_queries import ask
 from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key, nodes_selector
 from zbot.interfaces import get_message
 from zbot.log.announcement import notice_text
@@ -21,7 +21,7 @@ from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
-    from zbot.classroom.serving import Serving
+    from zbot.classroom.hub_process import HubProcess
     from zbot.transport.membership import Membership
 
 _ERROR_LEVEL = 40  # rcl_interfaces/msg/Log: ERROR; FATAL is 50
@@ -45,7 +45,7 @@ class Presence:
         self._known: set[str] = set()
         self._codec = codec_for(get_message("rcl_interfaces/msg/Log"))
 
-    def equip(self, serving: Serving) -> None:
+    def equip(self, serving: HubProcess) -> None:
         """Begin to answer the teacher, and be seen."""
         number = self._joined.number
         self._session = serving.session

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.classroom import background
 from zbot.classroom.address import Address
-from zbot.classroom.desk import ask
+from zbot.classroom.hub_process import HUB_KEY
+from zbot.classroom.hub_queries import ask
 from zbot.classroom.link import Link
-from zbot.classroom.serving import HUB_KEY
 from zbot.security.errors import SecurityError
 from zbot.transport import membership
 from zbot.transport.config import hub_port

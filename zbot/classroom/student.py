@@ -10,15 +10,15 @@ from typing import TYPE_CHECKING
 
 from zbot.classroom import background, teacher
 from zbot.classroom.address import Address, own_addresses, parse_address
-from zbot.classroom.door import Wish
+from zbot.classroom.admission import AdmissionRequest
 from zbot.classroom.enrolment import knock, release
 from zbot.classroom.errors import AlreadyJoinedError
 from zbot.classroom.hub import HubSettings
+from zbot.classroom.hub_process import serve
 from zbot.classroom.join_code import decode, looks_like_code
 from zbot.classroom.link import Link
 from zbot.classroom.presence import Presence
 from zbot.classroom.probe import first_that_answers
-from zbot.classroom.serving import serve
 from zbot.classroom.state import hub_facts
 from zbot.security.secret import make_private_folder, write_private
 from zbot.transport import membership
@@ -72,7 +72,7 @@ def join(
     link = Link.named(keystore)
     address = find_hub(target)
     link.check_dialling(address)
-    wish = Wish(machine_id(), socket.gethostname(), name, number)
+    wish = AdmissionRequest(machine_id(), socket.gethostname(), name, number)
     with _without_membership():
         joined = replace(knock(address, wish, ask_pin, link), keystore=link.keystore)
     background.stop()

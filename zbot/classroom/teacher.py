@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.classroom import background
 from zbot.classroom.address import Address, own_addresses
-from zbot.classroom.check import check, snapshots
+from zbot.classroom.class_check import check, snapshots
+from zbot.classroom.class_record import ClassRecord, load_record, record_path
 from zbot.classroom.classroom import Classroom
-from zbot.classroom.desk import ask
 from zbot.classroom.errors import AlreadyJoinedError, ClassCommandError, NoClassError
+from zbot.classroom.hub_process import serve
+from zbot.classroom.hub_queries import ask
 from zbot.classroom.keys import DESK_KEY
 from zbot.classroom.link import Link
-from zbot.classroom.record import ClassRecord, load_record, record_path
-from zbot.classroom.serving import serve
 from zbot.security.access import TEACHER
 from zbot.transport import membership
 from zbot.transport.membership import Membership
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
     import zenoh
 
-    from zbot.classroom.check import Verdict
+    from zbot.classroom.class_check import Verdict
     from zbot.classroom.expectation import Expectation
     from zbot.graph.snapshot import Snapshot
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.executor import guard_condition, timer
 from zbot.executor.callback_group import ReentrantCallbackGroup
-from zbot.executor.ready_queue import Mailbox
+from zbot.executor.ready_queue import ReadyQueue
 from zbot.node import client, service, subscription
 from zbot.qos import PlainQoSProfile, QoSProfile
 from zbot.wire.tokens import EntityKind
@@ -18,16 +18,16 @@ from zbot.wire.tokens import EntityKind
 if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.executor.clock import Clock
-    from zbot.node.state import NodeHandle
+    from zbot.node.state import NodeState
     from zbot.transport.handle import Handle
 
 
 class _Own:
     """What these objects have in place of a node's executor."""
 
-    def __init__(self, node: NodeHandle) -> None:
+    def __init__(self, node: NodeState) -> None:
         self.options: dict[str, Any] = {
-            "mailbox": Mailbox(),
+            "ready_queue": ReadyQueue(),
             "callback_group": ReentrantCallbackGroup(),
             "logger_name": node.logger_name,
         }
@@ -38,7 +38,7 @@ def _profile(qos: PlainQoSProfile) -> QoSProfile:
 
 
 def Subscription(  # noqa: N802 - rclpy's name of a class
-    node: NodeHandle, msg_type: type[Any], topic: str, qos: PlainQoSProfile
+    node: NodeState, msg_type: type[Any], topic: str, qos: PlainQoSProfile
 ) -> subscription.SubscriptionHandle:
     """Listen to a topic."""
     name = node.resolve(topic, is_service=False)
@@ -52,7 +52,7 @@ def Subscription(  # noqa: N802 - rclpy's name of a class
 
 
 def Service(  # noqa: N802 - rclpy's name of a class
-    node: NodeHandle, srv_type: type[Any], service_name: str, qos: PlainQoSProfile
+    node: NodeState, srv_type: type[Any], service_name: str, qos: PlainQoSProfile
 ) -> service.ServiceHandle:
     """Serve a service."""
     name = node.resolve(service_name, is_service=True)
@@ -65,7 +65,7 @@ def Service(  # noqa: N802 - rclpy's name of a class
 
 
 def Client(  # noqa: N802 - rclpy's name of a class
-    node: NodeHandle, srv_type: type[Any], service_name: str, qos: PlainQoSProfile
+    node: NodeState, srv_type: type[Any], service_name: str, qos: PlainQoSProfile
 ) -> client.ClientHandle:
     """Call a service."""
     name = node.resolve(service_name, is_service=True)
@@ -92,4 +92,4 @@ def Timer(  # noqa: N802 - rclpy's name of a class
 ) -> timer.TimerHandle:
     """Make the waitable ready every period."""
     group = ReentrantCallbackGroup()
-    return timer.Timer(None, group, period_nsec, clock, Mailbox(), autostart=autostart).handle
+    return timer.Timer(None, group, period_nsec, clock, ReadyQueue(), autostart=autostart).handle

@@ -1,6 +1,6 @@
 """Executors: they wait for work of their nodes and run the callbacks.
 
-Nothing is polled. Entities post themselves to their node's mailbox when they may have work (from
+Nothing is polled. Entities post themselves to their node's ready queue when they may have work (from
 any thread); the executor pops them, takes one piece of work at a time in turn, and sleeps on one
 lock until the next post or the next timer.
 """
@@ -18,8 +18,8 @@ from zbot.executor.callback_group import ReentrantCallbackGroup, Refused
 from zbot.executor.callback_stack import callbacks
 from zbot.executor.errors import ConditionReachedException, ExecutorBusyError, ShutdownError
 from zbot.executor.task import Future, Task
-from zbot.executor.task_step import Step
-from zbot.executor.timer_queue import Agenda
+from zbot.executor.task_step import TaskStep
+from zbot.executor.timer_queue import TimerQueue
 from zbot.process import signals
 from zbot.time import TimeoutObject
 from zbot.transport.wakeup import BinarySemaphore
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.context import Context
-    from zbot.executor.ready_queue import Entity, Mailbox
+    from zbot.executor.ready_queue import Entity, ReadyQueue
     from zbot.executor.spinnable import SpinnableNode
 
 
@@ -58,7 +58,7 @@ class Executor:
         self._ready: deque[Entity] = deque()
         self._queued: set[Entity] = set()
         self._refused = Refused()
-        self._agenda = Agenda()
+        self._agenda = TimerQueue()
         self._signal = BinarySemaphore()
         self._is_shutdown = False
         # Whether somebody wants to be looked at before the same entity's next callback.
@@ -95,16 +95,16 @@ class Executor:
             node.executor.remove_node(node)
         self._nodes.append(node)
         node.handle.executor = self
-        node.handle.mailbox.attach(self, self._post)
+        node.handle.ready_queue.attach(self, self._post)
         return True
 
     def remove_node(self, node: SpinnableNode) -> None:
         """Leave a node's callbacks to others; nothing happens if it is not here."""
         if node in self._nodes:
             self._nodes.remove(node)
-            node.handle.mailbox.detach()
+            node.handle.ready_queue.detach()
             node.handle.executor = None
-            self._forget(node.handle.mailbox.entities)
+            self._forget(node.handle.ready_queue.entities)
 
     def get_nodes(self) -> list[SpinnableNode]:
         """Return the nodes, in the order they were added."""
@@ -139,7 +139,7 @@ class Executor:
 
     def schedule(self, task: Task[Any]) -> None:
         """Queue a task's next step; from any thread."""
-        self._post(Step(task))
+        self._post(TaskStep(task))
 
     def wake(self) -> None:
         """Let a waiting `spin_once` look for work, and ask all waitables; from any thread."""
@@ -201,9 +201,9 @@ class Executor:
         return None
 
     def _take(self, entity: Entity) -> tuple[Entity, Any] | None:
-        mailbox = entity.mailbox
-        if mailbox is not None and mailbox.executor is not self:
-            self._send_on(entity, mailbox)
+        ready_queue = entity.ready_queue
+        if ready_queue is not None and ready_queue.executor is not self:
+            self._send_on(entity, ready_queue)
             return None
         if not self._refused.begins(entity):
             return None  # it is posted again when the group is free
@@ -217,8 +217,8 @@ class Executor:
             self._agenda.put(entity, due)
         return None
 
-    def _send_on(self, entity: Entity, mailbox: Mailbox) -> None:
-        mailbox.post(entity)  # its node is, or went, to another executor
+    def _send_on(self, entity: Entity, ready_queue: ReadyQueue) -> None:
+        ready_queue.post(entity)  # its node is, or went, to another executor
         for waiting in self._refused.skipped(entity):
             self._queue(waiting)
 
@@ -288,7 +288,7 @@ class Executor:
             self._signal.set()  # it may have been another thread's: the entity may have more
 
     def _node_of(self, entity: Entity) -> SpinnableNode | None:
-        owners = (node for node in self._nodes if node.handle.mailbox is entity.mailbox)
+        owners = (node for node in self._nodes if node.handle.ready_queue is entity.ready_queue)
         return next(owners, None)
 
     def _execute(self, entity: Entity, taken: Any) -> None:
@@ -375,9 +375,9 @@ class Executor:
                 return
 
     def _serve_in_turn(self, entity: Entity) -> bool:
-        mailbox = entity.mailbox
-        if mailbox is not None and mailbox.executor is not self:
-            self._send_on(entity, mailbox)
+        ready_queue = entity.ready_queue
+        if ready_queue is not None and ready_queue.executor is not self:
+            self._send_on(entity, ready_queue)
             return False
         if any(outer is entity for _, outer in callbacks.stack):
             return False  # a callback never begins inside itself; it is asked again at its end

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from zbot.executor.callback_group import ReentrantCallbackGroup
-from zbot.executor.ready_queue import Mailbox
+from zbot.executor.ready_queue import ReadyQueue
 from zbot.transport.handle import Handle
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ class GuardCondition:
         callback: Called without arguments; may be a coroutine function.
         callback_group: Decides beside what it may run.
         context: Accepted: rclpy's guard conditions belong to one.
-        mailbox: The node's way to its executor; one that only a `WaitSet` looks at has none.
+        ready_queue: The node's way to its executor; one that only a `WaitSet` looks at has none.
     """
 
     due_ns: int | None = None
@@ -32,11 +32,11 @@ class GuardCondition:
         callback_group: CallbackGroup | None = None,
         context: object = None,  # noqa: ARG002 - rclpy's signature
         *,
-        mailbox: Mailbox | None = None,
+        ready_queue: ReadyQueue | None = None,
     ) -> None:
         self.callback = callback
         self.callback_group = callback_group or ReentrantCallbackGroup()
-        self.mailbox = mailbox or Mailbox()
+        self.ready_queue = ready_queue or ReadyQueue()
         self._triggered = False
 
     @property
@@ -52,7 +52,7 @@ class GuardCondition:
     def trigger(self) -> None:
         """Ask for the callback to be run; from any thread."""
         self._triggered = True
-        self.mailbox.post(self)
+        self.ready_queue.post(self)
 
     def take(self) -> object | None:
         """Return something if it was triggered since the last time."""

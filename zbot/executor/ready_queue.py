@@ -17,8 +17,8 @@ class Entity(Protocol):
     callback_group: CallbackGroup
 
     @property
-    def mailbox(self) -> Mailbox | None:
-        """Its node's mailbox; `None` for what belongs to an executor itself."""
+    def ready_queue(self) -> ReadyQueue | None:
+        """Its node's ready queue; `None` for what belongs to an executor itself."""
 
     @property
     def due_ns(self) -> int | None:
@@ -31,7 +31,7 @@ class Entity(Protocol):
         """Run the user's callback for what was taken; may return a coroutine."""
 
 
-class Mailbox:
+class ReadyQueue:
     """One node's slot for an executor: what is posted while it has none is asked for later.
 
     Entities keep their work themselves, so a post carries no data and may come too often.

@@ -8,7 +8,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from zbot.executor.executor import Executor
-    from zbot.executor.ready_queue import Mailbox
+    from zbot.executor.ready_queue import ReadyQueue
     from zbot.executor.waitable import WaitableEntity
 
 
@@ -18,7 +18,7 @@ class SpinnableState(Protocol):
     executor: Executor | None
 
     @property
-    def mailbox(self) -> Mailbox:
+    def ready_queue(self) -> ReadyQueue:
         """The queue through which the node's entities ask to be run."""
         ...
 

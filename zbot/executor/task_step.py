@@ -13,12 +13,12 @@ if TYPE_CHECKING:
 _ALWAYS = ReentrantCallbackGroup()
 
 
-class Step:
+class TaskStep:
     """A task's next step, as work in the queue: once, for the one after it is scheduled anew."""
 
     __slots__ = ("_is_taken", "callback_group", "task")
     due_ns: int | None = None
-    mailbox = None
+    ready_queue = None
 
     def __init__(self, task: Task[Any]) -> None:
         self.task = task

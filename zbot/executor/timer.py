@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.clock import Clock
-    from zbot.executor.ready_queue import Mailbox
+    from zbot.executor.ready_queue import ReadyQueue
 
 
 class TimerInfo:
@@ -62,7 +62,7 @@ class Timer:
         callback_group: Decides beside what it may run.
         period_ns: Nanoseconds, 0 or more.
         clock: The clock that it follows.
-        mailbox: The node's way to its executor.
+        ready_queue: The node's way to its executor.
         autostart: Whether it runs before the first `reset()`.
     """
 
@@ -72,14 +72,14 @@ class Timer:
         callback_group: CallbackGroup,
         period_ns: int,
         clock: Clock,
-        mailbox: Mailbox,
+        ready_queue: ReadyQueue,
         *,
         autostart: bool = True,
     ) -> None:
         self.callback = callback
         self.callback_group = callback_group
         self._clock = clock
-        self.mailbox = mailbox
+        self.ready_queue = ready_queue
         self._period_ns = period_ns
         self._is_canceled = not autostart
         self._is_destroyed = False
@@ -112,7 +112,7 @@ class Timer:
     def timer_period_ns(self, value: int) -> None:
         self._period_ns = int(value)
         self._next_ns = self._last_ns + self._period_ns
-        self.mailbox.post(self)
+        self.ready_queue.post(self)
 
     @property
     def due_ns(self) -> int | None:
@@ -136,10 +136,10 @@ class Timer:
         is_simulated, now = self._is_simulated, self._now_ns()
         if is_simulated is not self._was_simulated or now < self._last_ns:
             self._restart()
-            self.mailbox.post(self)
+            self.ready_queue.post(self)
         elif now >= self._next_ns and not self._is_canceled:
             # Not at each step, which nearly all of a node's timers have to let pass.
-            self.mailbox.post(self)
+            self.ready_queue.post(self)
 
     def take(self) -> TimerInfo | None:
         """Return the call that is due, and schedule the next one."""
@@ -200,7 +200,7 @@ class Timer:
             raise InvalidHandleError("the timer")
         self._restart()
         self._is_canceled = False
-        self.mailbox.post(self)
+        self.ready_queue.post(self)
 
     def time_since_last_call(self) -> int:
         """Return nanoseconds since the last call, or since the start."""

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from zbot.executor.ready_queue import Entity
 
 
-class Agenda:
+class TimerQueue:
     """Entities that want to run later, each at one time, the earliest first.
 
     For the spinning thread alone, but for `forget`.

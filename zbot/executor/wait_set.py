@@ -124,10 +124,10 @@ class WaitSet:
         """Call a quick function whenever one of the objects may have become ready."""
         for handles in self._handles.values():
             for handle in handles:
-                handle.entity.mailbox.watch(handle.entity, waker)
+                handle.entity.ready_queue.watch(handle.entity, waker)
 
     def forget_waker(self, waker: Callable[[], object]) -> None:
         """Call a function of `remember_waker` no more."""
         for handles in self._handles.values():
             for handle in handles:
-                handle.entity.mailbox.unwatch(handle.entity, waker)
+                handle.entity.ready_queue.unwatch(handle.entity, waker)

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from types import TracebackType
 
     from zbot.executor.callback_group import CallbackGroup
-    from zbot.executor.ready_queue import Mailbox
+    from zbot.executor.ready_queue import ReadyQueue
     from zbot.executor.task import Future
 
 T = TypeVar("T")
@@ -96,13 +96,13 @@ class WaitableEntity:
 
     Args:
         waitable: The program's own work.
-        mailbox: Its node's way to the executor.
+        ready_queue: Its node's way to the executor.
     """
 
-    def __init__(self, waitable: Waitable[Any], mailbox: Mailbox) -> None:
+    def __init__(self, waitable: Waitable[Any], ready_queue: ReadyQueue) -> None:
         self.waitable = waitable
         self.callback_group = waitable.callback_group
-        self.mailbox = mailbox
+        self.ready_queue = ready_queue
         self._waited_for = WaitSet()
         self._is_destroyed = False
 
@@ -135,4 +135,4 @@ class WaitableEntity:
         self._waited_for = WaitSet()
 
     def _post(self) -> None:
-        self.mailbox.post(self)
+        self.ready_queue.post(self)

@@ -3,7 +3,7 @@
 from typing import TYPE_CHECKING
 
 from zbot.interfaces.finder import install_importer as install_importer
-from zbot.lazy_imports import late_names
+from zbot.lazy_imports import lazy_names
 
 if TYPE_CHECKING:
     from zbot.interfaces.message import Action as Action
@@ -64,4 +64,4 @@ _HOMES = {
     "ServiceSpec": "zbot.interfaces.spec",
 }
 
-__getattr__, __dir__ = late_names(__name__, _HOMES, "install_importer")
+__getattr__, __dir__ = lazy_names(__name__, _HOMES, "install_importer")

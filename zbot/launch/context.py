@@ -19,8 +19,8 @@ from zbot.launch.errors import (
     describe,
 )
 from zbot.launch.event import Shutdown
-from zbot.launch.family import Family
 from zbot.launch.journal import Journal
+from zbot.launch.process_group import ProcessGroup
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Mapping, Sequence
@@ -290,9 +290,9 @@ class LaunchContext:
         return journal
 
     @cached_property
-    def family(self) -> Family:
+    def family(self) -> ProcessGroup:
         """The processes of this launch."""
-        family = Family()
+        family = ProcessGroup()
         self.on_close(family.close)
         return family
 

@@ -56,7 +56,7 @@ class TimerEvent(Event):
         self.timer_action = timer_action
 
 
-class HurryUp(Event):
+class TimerSkipped(Event):
     """Ctrl-C was pressed again: processes that do not end are to get the next signal now."""
 
-    name = "zbot.launch.HurryUp"
+    name = "zbot.launch.TimerSkipped"

@@ -10,12 +10,12 @@ import subprocess
 import sys
 from typing import TYPE_CHECKING, Any, cast
 
-from zbot.launch.family import send
+from zbot.launch.process_group import send
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from zbot.launch.family import Family
+    from zbot.launch.process_group import ProcessGroup
 
 # For what is still in the pipes of a process that ended; whoever inherited them may keep them open.
 _DRAIN_S = 0.5
@@ -66,7 +66,7 @@ class ChildProcess:
         transport: asyncio.SubprocessTransport,
         protocol: _Protocol,
         terminals: Sequence[tuple[asyncio.BaseTransport, _Terminal]],
-        family: Family,
+        family: ProcessGroup,
     ) -> None:
         self._transport, self._protocol = transport, protocol
         self._terminals, self._family = terminals, family
@@ -121,7 +121,7 @@ async def start(
     has_terminal: bool,
     stdin: int | None,
     on_data: Callable[[int, bytes], None],
-    family: Family,
+    family: ProcessGroup,
 ) -> ChildProcess:
     """Start a process.
 

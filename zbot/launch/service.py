@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.launch.context import LaunchContext
 from zbot.launch.errors import LaunchFileError
-from zbot.launch.event import HurryUp, IncludeLaunchDescriptionEvent, Shutdown
+from zbot.launch.event import IncludeLaunchDescriptionEvent, Shutdown, TimerSkipped
 from zbot.launch.event_handler import OnIncludeLaunchDescription
 from zbot.launch.log import launch_config
 from zbot.launch.signal_manager import AsyncSafeSignalManager
@@ -195,7 +195,7 @@ class LaunchService:
                 self._logger_name,
                 f"user interrupted again ({name}): processes get the next signal now",
             )
-            self.emit_event(HurryUp())
+            self.emit_event(TimerSkipped())
         elif number == signal.SIGINT:
             warn(self._logger_name, "user interrupted with ctrl-c (SIGINT)")
             self.emit_event(Shutdown(reason="ctrl-c (SIGINT)", due_to_sigint=True))

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from zbot.launch import process
 from zbot.launch.errors import LaunchFileError, ProgramError
-from zbot.launch.event import HurryUp, Shutdown
+from zbot.launch.event import Shutdown, TimerSkipped
 from zbot.launch.event_handler import EventHandler
 from zbot.launch.output import OutputLines
 from zbot.launch.process_event import (
@@ -205,7 +205,7 @@ class Supervisor:
             EventHandler(matcher=is_for_this(SignalProcess), entities=self._on_signal),
             EventHandler(matcher=is_for_this(ShutdownProcess), entities=self._on_stop),
             EventHandler(matcher=lambda e: isinstance(e, Shutdown), entities=self._on_stop),
-            EventHandler(matcher=lambda e: isinstance(e, HurryUp), entities=self._on_hurry),
+            EventHandler(matcher=lambda e: isinstance(e, TimerSkipped), entities=self._on_hurry),
             EventHandler(matcher=is_stdin, entities=self._on_stdin),
         ]
 

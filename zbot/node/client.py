@@ -26,7 +26,7 @@ from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.transport.foreign_call import called_by_zenoh, in_one_go, keep_thread_state
 from zbot.transport.handle import Handle
-from zbot.transport.wakeup import LONGEST_WAIT_S, BinarySemaphore, Haste
+from zbot.transport.wakeup import LONGEST_WAIT_S, BinarySemaphore, BusyWait
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
 from zbot.wire.codec import CodecError
 from zbot.wire.error_reply import unpack_error
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.executor import Executor
-    from zbot.executor.ready_queue import Mailbox
+    from zbot.executor.ready_queue import ReadyQueue
     from zbot.node.service import Service
     from zbot.wire.tokens import EndpointToken
 
@@ -143,7 +143,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         context: The session to call through.
         srv_type: Service class.
         token: Who and where this client is.
-        mailbox: The node's way to its executor.
+        ready_queue: The node's way to its executor.
         callback_group: Decides beside what the callbacks of its futures may run.
         logger_name: The node's logger.
     """
@@ -156,14 +156,14 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         srv_type: type[Any],
         token: EndpointToken,
         *,
-        mailbox: Mailbox,
+        ready_queue: ReadyQueue,
         callback_group: CallbackGroup,
         logger_name: str,
     ) -> None:
         self.srv_type = srv_type
         self.srv_name = token.name
         self.callback_group = callback_group
-        self.mailbox = mailbox
+        self.ready_queue = ready_queue
         self.on_response: Callable[[int], object] | None = None  #: told of each response; be quick
         self._context = context
         self._token = token
@@ -178,7 +178,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._pending: dict[_Response[ResponseT], int] = {}
         self._completed: deque[_Response[ResponseT]] = deque()
         self._arrival = BinarySemaphore()
-        self._haste = Haste()
+        self._busy_wait = BusyWait()
         self._listener: Any = None
         self._querier: Any = context.session.declare_querier(
             dialect.topic_key(context.get_domain_id(), token.name)
@@ -332,7 +332,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             while serve():
                 pass
             left = LONGEST_WAIT_S if deadline is None else deadline - time.monotonic()
-            self._haste.begin(arrivals.qsize)
+            self._busy_wait.begin(arrivals.qsize)
             try:
                 arrived = arrivals.get(timeout=max(0.0, min(left, LONGEST_WAIT_S)))
             except Empty:
@@ -340,7 +340,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
                     sentence = f"{self.service_name}: there was no response in time"
                     raise TimeoutError(sentence) from None
                 continue
-            self._haste.end(came=True)
+            self._busy_wait.end(came=True)
             if arrived == attempt:
                 return None
             if arrived is _WOKEN:
@@ -439,7 +439,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
             if self._pending.pop(response, None) is None:
                 return  # nobody waits any more
         executor = current_executor()
-        if reply is not None and executor is not None and executor is self.mailbox.executor:
+        if reply is not None and executor is not None and executor is self.ready_queue.executor:
             # The server's callback may have more to do: who spins until then sees it done.
             callbacks.at_end(partial(self._finish, response, reply))
         else:
@@ -478,7 +478,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         # its own call is over, and serves it too, would never take the others.
         if response.has_callbacks or not self._completed:
             self._completed.append(response)
-        self.mailbox.post(self)
+        self.ready_queue.post(self)
 
     @property
     def has_work(self) -> bool:
@@ -496,7 +496,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         """Run the callbacks of a call's future."""
         for callback in response.pop_callbacks():
             outcome = callback(response)
-            executor: Any = self.mailbox.executor
+            executor: Any = self.ready_queue.executor
             if inspect.iscoroutine(outcome) and executor is not None:
                 executor.create_task(outcome)
 

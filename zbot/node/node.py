@@ -20,12 +20,12 @@ from zbot.node.errors import InvalidPeriodError, NodeNameError
 from zbot.node.graph_queries import GraphQueries
 from zbot.node.parameter_services import ParameterServices
 from zbot.node.parameters import NodeParameters, overrides_of
-from zbot.node.private_aliases import NodeInsides
+from zbot.node.private_aliases import PrivateAliases
 from zbot.node.publisher import Publisher
 from zbot.node.qos_events import PublisherEventCallbacks, SubscriptionEventCallbacks
 from zbot.node.rosout import Rosout
 from zbot.node.service import Service
-from zbot.node.state import NodeHandle
+from zbot.node.state import NodeState
 from zbot.node.subscription import ContentFilterOptions, Subscription
 from zbot.node.time_source import TimeSource
 from zbot.node.type_description import TypeDescriptionService
@@ -70,7 +70,7 @@ class _Listing:
         return iter(list(getattr(node.handle, self._attribute)))
 
 
-class Node(GraphQueries, NodeInsides, NodeParameters):
+class Node(GraphQueries, PrivateAliases, NodeParameters):
     """A participant of the graph, as in rclpy.
 
     Args:
@@ -131,7 +131,7 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
         space = space if space.startswith("/") else f"/{space}"
         validate_namespace(space)
         overrides = overrides_of(arguments.parameters_for(fully_qualified(space, name)))
-        self._zbot_handle = handle = NodeHandle(context, arguments, name, space)
+        self._zbot_state = handle = NodeState(context, arguments, name, space)
         context.add_node(self)
         self._zbot_logger = get_logger(handle.logger_name)
         self._zbot_rosout = Rosout(self, as_profile(rosout_qos_profile)) if enable_rosout else None
@@ -155,50 +155,50 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
     def _zbot_add_parameter_events(self) -> None:
         from rcl_interfaces.msg import ParameterEvent  # noqa: PLC0415 - made at first import
 
-        self._zbot_handle.parameter_events = Node.create_publisher(
+        self._zbot_state.parameter_events = Node.create_publisher(
             self, ParameterEvent, "/parameter_events", qos_profile_parameter_events
         )
 
     # -- who it is -----------------------------------------------------------------------------
 
     @property
-    def handle(self) -> NodeHandle:
+    def handle(self) -> NodeState:
         """The node's own state; not for user code."""
-        return self._zbot_handle
+        return self._zbot_state
 
     @property
     def context(self) -> Context:
         """The context that the node lives in."""
-        return self._zbot_handle.context
+        return self._zbot_state.context
 
     @property
     def executor(self) -> Executor | None:
         """The executor that runs its callbacks, if any; set it to move the node there."""
-        return self._zbot_handle.executor
+        return self._zbot_state.executor
 
     @executor.setter
     def executor(self, new_executor: Executor | None) -> None:
-        current = self._zbot_handle.executor
+        current = self._zbot_state.executor
         if current is new_executor:
             return
         if current is not None:
             current.remove_node(self)
-        self._zbot_handle.executor = None
+        self._zbot_state.executor = None
         # An executor of another make only says whether it took the node.
         if new_executor is not None and new_executor.add_node(self):
-            self._zbot_handle.executor = new_executor
+            self._zbot_state.executor = new_executor
 
     def get_name(self) -> str:
         """Return the base name."""
-        return self._zbot_handle.token.node
+        return self._zbot_state.token.node
 
     def get_namespace(self) -> str:
         """Return the absolute namespace."""
-        return self._zbot_handle.token.namespace
+        return self._zbot_state.token.namespace
 
     def get_fully_qualified_name(self) -> str:
         """Return namespace and name."""
-        return self._zbot_handle.full_name
+        return self._zbot_state.full_name
 
     def get_logger(self) -> Logger:
         """Return the logger that writes under the node's name."""
@@ -206,7 +206,7 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
 
     def get_clock(self) -> Clock:
         """Return the node's clock: the system's time, or simulated time."""
-        return self._zbot_handle.clock
+        return self._zbot_state.clock
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
         """Return the full name of a topic: expanded, and remapped unless `only_expand`.
@@ -225,7 +225,7 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
         return self._zbot_resolve(service, only_expand=only_expand, is_service=True)
 
     def _zbot_resolve(self, name: str, *, only_expand: bool, is_service: bool) -> str:
-        return self._zbot_handle.resolve(name, only_expand=only_expand, is_service=is_service)
+        return self._zbot_state.resolve(name, only_expand=only_expand, is_service=is_service)
 
     # -- what it has ---------------------------------------------------------------------------
 
@@ -272,7 +272,7 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
         handle.publishers.append(publisher)
         handle.adviser.add(token, handle.logger_name)
         events = event_callbacks or PublisherEventCallbacks()
-        events.attach(publisher, handle.mailbox, handle.context.graph)
+        events.attach(publisher, handle.ready_queue, handle.context.graph)
         return cast("Publisher[MsgT]", publisher)
 
     def create_subscription(
@@ -318,7 +318,7 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
             msg_type,
             callback,
             handle.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, qos),
-            mailbox=handle.mailbox,
+            ready_queue=handle.ready_queue,
             callback_group=callback_group or self.default_callback_group,
             raw=raw,
             logger_name=handle.logger_name,
@@ -329,7 +329,7 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
         handle.adviser.add(subscription.token, handle.logger_name)
         handle.add(subscription)
         events = event_callbacks or SubscriptionEventCallbacks()
-        events.attach(subscription, handle.mailbox, handle.context.graph)
+        events.attach(subscription, handle.ready_queue, handle.context.graph)
         subscription.start()
         return subscription
 
@@ -365,7 +365,7 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
             srv_type,
             callback,
             handle.endpoint(EntityKind.SERVICE, name, srv_type, as_profile(qos_profile)),
-            mailbox=handle.mailbox,
+            ready_queue=handle.ready_queue,
             callback_group=callback_group or self.default_callback_group,
             logger_name=handle.logger_name,
         )
@@ -403,7 +403,7 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
             handle.context,
             srv_type,
             handle.endpoint(EntityKind.CLIENT, name, srv_type, as_profile(qos_profile)),
-            mailbox=handle.mailbox,
+            ready_queue=handle.ready_queue,
             callback_group=callback_group or self.default_callback_group,
             logger_name=handle.logger_name,
         )
@@ -441,7 +441,7 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
             callback_group or self.default_callback_group,
             int(float(timer_period_sec) * S_TO_NS),
             clock or handle.clock,
-            handle.mailbox,
+            handle.ready_queue,
             autostart=autostart,
         )
         handle.timers.append(timer)
@@ -454,7 +454,7 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
         """Create a callback that any thread can ask for with `trigger()`."""
         handle = self._zbot_alive()
         group = callback_group or self.default_callback_group
-        guard = GuardCondition(callback, group, mailbox=handle.mailbox)
+        guard = GuardCondition(callback, group, ready_queue=handle.ready_queue)
         handle.guards.append(guard)
         handle.add(guard)
         return guard
@@ -465,12 +465,12 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
 
     def remove_waitable(self, waitable: Waitable[Any]) -> None:
         """Run a waitable no more; nothing happens if it is not this node's."""
-        self._zbot_handle.remove_waitable(waitable)
+        self._zbot_state.remove_waitable(waitable)
 
     @property
     def waitables(self) -> Iterator[Waitable[Any]]:
         """The waitables that were added."""
-        return iter([entity.waitable for entity in self._zbot_handle.waitables])
+        return iter([entity.waitable for entity in self._zbot_state.waitables])
 
     def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
         """Create a rate whose `sleep()` gives a loop `frequency` turns a second.
@@ -502,10 +502,10 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
             return profile
         from zbot.parameters.qos_overrides import overridden  # noqa: PLC0415 - few nodes have options
 
-        return overridden(self._zbot_handle.parameters, entity, topic, profile, options)
+        return overridden(self._zbot_state.parameters, entity, topic, profile, options)
 
-    def _zbot_alive(self) -> NodeHandle:
-        handle = self._zbot_handle
+    def _zbot_alive(self) -> NodeState:
+        handle = self._zbot_state
         if handle.is_destroyed:
             from zbot.errors import InvalidHandleError  # noqa: PLC0415 - the rare case
 
@@ -516,35 +516,35 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
 
     def destroy_publisher(self, publisher: Publisher[Any]) -> bool:
         """Destroy a publisher; return whether it was this node's."""
-        if publisher in self._zbot_handle.publishers:
-            self._zbot_handle.adviser.remove(publisher.token)
-        return self._zbot_remove(self._zbot_handle.publishers, publisher)
+        if publisher in self._zbot_state.publishers:
+            self._zbot_state.adviser.remove(publisher.token)
+        return self._zbot_remove(self._zbot_state.publishers, publisher)
 
     def destroy_subscription(self, subscription: Subscription[Any]) -> bool:
         """Destroy a subscription; return whether it was this node's."""
-        if subscription in self._zbot_handle.subscriptions:
-            self._zbot_handle.adviser.remove(subscription.token)
-        return self._zbot_remove(self._zbot_handle.subscriptions, subscription)
+        if subscription in self._zbot_state.subscriptions:
+            self._zbot_state.adviser.remove(subscription.token)
+        return self._zbot_remove(self._zbot_state.subscriptions, subscription)
 
     def destroy_service(self, service: Service[Any, Any]) -> bool:
         """Destroy a service; return whether it was this node's."""
-        return self._zbot_remove(self._zbot_handle.services, service)
+        return self._zbot_remove(self._zbot_state.services, service)
 
     def destroy_client(self, client: Client[Any, Any]) -> bool:
         """Destroy a client; return whether it was this node's."""
-        return self._zbot_remove(self._zbot_handle.clients, client)
+        return self._zbot_remove(self._zbot_state.clients, client)
 
     def destroy_timer(self, timer: Timer) -> bool:
         """Destroy a timer; return whether it was this node's."""
-        return self._zbot_remove(self._zbot_handle.timers, timer)
+        return self._zbot_remove(self._zbot_state.timers, timer)
 
     def destroy_guard_condition(self, guard: GuardCondition) -> bool:
         """Destroy a guard condition; return whether it was this node's."""
-        return self._zbot_remove(self._zbot_handle.guards, guard)
+        return self._zbot_remove(self._zbot_state.guards, guard)
 
     def destroy_rate(self, rate: Rate) -> bool:
         """Destroy a rate; return whether it was this node's."""
-        handle = self._zbot_handle
+        handle = self._zbot_state
         return self._zbot_remove(handle.rates, rate) and self._zbot_remove(
             handle.timers, rate.timer
         )
@@ -553,18 +553,18 @@ class Node(GraphQueries, NodeInsides, NodeParameters):
         if entity not in owned:
             return False
         owned.remove(entity)
-        self._zbot_handle.mailbox.remove(cast("Any", entity))
+        self._zbot_state.ready_queue.remove(cast("Any", entity))
         cast("Any", entity).destroy()
         return True
 
     def destroy_node(self) -> None:
         """Leave the graph with everything the node owns; may be called twice."""
-        handle = self._zbot_handle
+        handle = self._zbot_state
         if handle.is_destroyed:
             return
         handle.is_destroyed = True
         # One of another make has nothing of the node, and is not told, as in rclpy.
-        if handle.executor is not None and handle.executor is handle.mailbox.executor:
+        if handle.executor is not None and handle.executor is handle.ready_queue.executor:
             handle.executor.remove_node(self)
         if self._zbot_rosout is not None:
             self._zbot_rosout.close()

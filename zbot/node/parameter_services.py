@@ -16,7 +16,7 @@ from zbot.wire.tokens import EntityKind
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.node.state import NodeHandle
+    from zbot.node.state import NodeState
 
 #: The services with their types' hashes, which a ROS 2 type never changes: a node that nobody asks
 #: needs neither their classes nor their definitions, which take as long as all the rest of it.
@@ -56,7 +56,7 @@ class ParameterServices:
         resolve: Turns the name of a service into its full name, remapped.
     """
 
-    def __init__(self, handle: NodeHandle, resolve: Callable[..., str]) -> None:
+    def __init__(self, handle: NodeState, resolve: Callable[..., str]) -> None:
         self._store = handle.parameters
         for name, (type_name, type_hash) in SERVICES.items():
             full = resolve(f"{handle.full_name}/{name}", only_expand=False, is_service=True)
@@ -66,7 +66,7 @@ class ParameterServices:
                 LateService(type_name),
                 getattr(self, f"_{name}"),
                 handle.named_endpoint(EntityKind.SERVICE, full, named_type, qos_profile_parameters),
-                mailbox=handle.mailbox,
+                ready_queue=handle.ready_queue,
                 callback_group=handle.default_callback_group,
                 logger_name=handle.logger_name,
             )

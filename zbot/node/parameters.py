@@ -15,7 +15,7 @@ from zbot.parameters.validation import REL_TOL, Descriptor
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-    from zbot.node.state import NodeHandle
+    from zbot.node.state import NodeState
     from zbot.parameters.store import ParameterStore
 
     from rcl_interfaces.msg import (
@@ -55,7 +55,7 @@ class _View:
 class NodeParameters:
     """rclpy's parameter methods, for whoever has a `ParameterStore`."""
 
-    _zbot_handle: NodeHandle
+    _zbot_state: NodeState
 
     PARAM_REL_TOL = REL_TOL  #: how close a double has to be to a step or to the end of its range
 
@@ -68,7 +68,7 @@ class NodeParameters:
 
     @property
     def _zbot_parameters(self) -> ParameterStore:
-        return self._zbot_handle.parameters
+        return self._zbot_state.parameters
 
     def _zbot_declare_overrides(self) -> None:
         """Declare what the command line has, each as the type that it is there."""

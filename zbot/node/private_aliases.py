@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from zbot.executor.callback_group import CallbackGroup
 
 
-class _Inside:
+class _Alias:
     """Reads something of a node; a program may set an attribute of that name for itself."""
 
     def __init__(self, path: str) -> None:
@@ -21,22 +21,22 @@ class _Inside:
         return self if node is None else self._read(node)
 
 
-class NodeInsides:
+class PrivateAliases:
     """A node's logger, clock and lists, as `self._logger.info(...)` finds them in rclpy.
 
     The lists are the node's own, so what is taken out of one is not destroyed with the node.
     """
 
-    _logger: Any = _Inside("_zbot_logger")
-    _clock: Any = _Inside("_zbot_handle.clock")
-    _context: Any = _Inside("_zbot_handle.context")
-    _publishers: Any = _Inside("_zbot_handle.publishers")
-    _subscriptions: Any = _Inside("_zbot_handle.subscriptions")
-    _services: Any = _Inside("_zbot_handle.services")
-    _clients: Any = _Inside("_zbot_handle.clients")
-    _timers: Any = _Inside("_zbot_handle.timers")
-    _guards: Any = _Inside("_zbot_handle.guards")
-    _default_callback_group: Any = _Inside("_zbot_handle.default_callback_group")
+    _logger: Any = _Alias("_zbot_logger")
+    _clock: Any = _Alias("_zbot_state.clock")
+    _context: Any = _Alias("_zbot_state.context")
+    _publishers: Any = _Alias("_zbot_state.publishers")
+    _subscriptions: Any = _Alias("_zbot_state.subscriptions")
+    _services: Any = _Alias("_zbot_state.services")
+    _clients: Any = _Alias("_zbot_state.clients")
+    _timers: Any = _Alias("_zbot_state.timers")
+    _guards: Any = _Alias("_zbot_state.guards")
+    _default_callback_group: Any = _Alias("_zbot_state.default_callback_group")
 
     @property
     def default_callback_group(self) -> CallbackGroup:

@@ -12,7 +12,7 @@ from enum import Enum
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from zbot.executor.clock import Clock
-from zbot.executor.ready_queue import Mailbox
+from zbot.executor.ready_queue import ReadyQueue
 from zbot.executor.timer import Timer
 from zbot.qos import LivelinessPolicy, QoSPolicyKind
 from zbot.time import ClockType
@@ -120,17 +120,17 @@ class EventHandler:
     Args:
         callback: Takes the event's info.
         callback_group: Decides beside what it may run.
-        mailbox: The node's way to its executor.
+        ready_queue: The node's way to its executor.
     """
 
     def __init__(
-        self, callback: Callable[[Any], Any], callback_group: CallbackGroup, mailbox: Mailbox
+        self, callback: Callable[[Any], Any], callback_group: CallbackGroup, ready_queue: ReadyQueue
     ) -> None:
         self.callback = callback
         self.callback_group = callback_group
-        self.mailbox = mailbox
+        self.ready_queue = ready_queue
         self._infos: deque[Any] = deque()
-        mailbox.add(self)
+        ready_queue.add(self)
 
     @property
     def due_ns(self) -> int | None:
@@ -140,7 +140,7 @@ class EventHandler:
     def tell(self, info: Any) -> None:
         """Queue an event; from any thread."""
         self._infos.append(info)
-        self.mailbox.post(self)
+        self.ready_queue.post(self)
 
     def take(self) -> Any | None:
         """Return the oldest event, if any."""
@@ -160,7 +160,7 @@ class EventHandler:
 
     def destroy(self) -> None:
         """Call the callback no more."""
-        self.mailbox.remove(self)
+        self.ready_queue.remove(self)
         self._infos.clear()
 
 
@@ -168,9 +168,9 @@ class _NeverHandler(EventHandler):
     """Stands for an event that cannot come, such as one of two incompatible profiles."""
 
     def __init__(
-        self, callback: Callable[[Any], Any], callback_group: CallbackGroup, mailbox: Mailbox
+        self, callback: Callable[[Any], Any], callback_group: CallbackGroup, ready_queue: ReadyQueue
     ) -> None:
-        self.callback, self.callback_group, self.mailbox = callback, callback_group, mailbox
+        self.callback, self.callback_group, self.ready_queue = callback, callback_group, ready_queue
         self._infos = deque()  # and unknown to the executor, which it never needs
 
 
@@ -181,12 +181,12 @@ class _PartnerHandler(EventHandler):
         self,
         callback: Callable[[Any], Any],
         callback_group: CallbackGroup,
-        mailbox: Mailbox,
+        ready_queue: ReadyQueue,
         *,
         own: EndpointToken,
         graph: Graph,
     ) -> None:
-        super().__init__(callback, callback_group, mailbox)
+        super().__init__(callback, callback_group, ready_queue)
         published = own.kind is EntityKind.PUBLISHER
         self._partner = EntityKind.SUBSCRIPTION if published else EntityKind.PUBLISHER
         self._own = own
@@ -250,7 +250,7 @@ class _SilenceHandler(EventHandler):
         self,
         callback: Callable[[Any], Any],
         callback_group: CallbackGroup,
-        mailbox: Mailbox,
+        ready_queue: ReadyQueue,
         *,
         period: Duration,
         count: Callable[[], int],
@@ -261,8 +261,8 @@ class _SilenceHandler(EventHandler):
         self._last = count()
         self._total = 0
         steady = Clock(clock_type=ClockType.STEADY_TIME)
-        self._timer = Timer(None, callback_group, period.nanoseconds, steady, mailbox)
-        super().__init__(callback, callback_group, mailbox)  # last: it may be asked at once
+        self._timer = Timer(None, callback_group, period.nanoseconds, steady, ready_queue)
+        super().__init__(callback, callback_group, ready_queue)  # last: it may be asked at once
 
     @property
     def due_ns(self) -> int | None:
@@ -318,31 +318,31 @@ def _make_handler(
     kind: EventKind,
     callback: Callable[[Any], Any],
     endpoint: Any,
-    mailbox: Mailbox,
+    ready_queue: ReadyQueue,
     graph: Graph,
 ) -> EventHandler:
     """Return what follows one kind of event of a publisher or subscription."""
     group, own = endpoint.callback_group, endpoint.token
     if kind in _PARTNERS:
-        return _PARTNERS[kind](callback, group, mailbox, own=own, graph=graph)
+        return _PARTNERS[kind](callback, group, ready_queue, own=own, graph=graph)
     if kind is _S.RCL_SUBSCRIPTION_MESSAGE_LOST:
-        loss = _LossHandler(callback, group, mailbox)
+        loss = _LossHandler(callback, group, ready_queue)
         endpoint.report_losses_to(loss.add)
         return loss
     period, silence = own.qos.deadline, _SilenceHandler
     if kind is _P.RCL_PUBLISHER_LIVELINESS_LOST:
         period, silence = own.qos.liveliness_lease_duration, _LeaseHandler
         if own.qos.liveliness is not LivelinessPolicy.MANUAL_BY_TOPIC:
-            return _NeverHandler(callback, group, mailbox)
+            return _NeverHandler(callback, group, ready_queue)
     if kind in _INCOMPATIBLE_QOS or not _is_finite(period):
-        return _NeverHandler(callback, group, mailbox)
+        return _NeverHandler(callback, group, ready_queue)
 
     def count() -> int:
         messages: int = endpoint.sent_count if kind in _P else endpoint.received_count
         return messages
 
     info = type(_NOTHING[kind])
-    return silence(callback, group, mailbox, period=period, count=count, info=info)
+    return silence(callback, group, ready_queue, period=period, count=count, info=info)
 
 
 _PARTNERS: dict[EventKind, type[_PartnerHandler]] = {
@@ -397,7 +397,7 @@ class EventHandle(Handle[EventHandler]):
     def __init__(self, parent: Handle[Any], kind: EventKind) -> None:
         endpoint = parent.entity
         graph = endpoint.context.graph
-        super().__init__(_make_handler(kind, _ignore, endpoint, Mailbox(), graph))
+        super().__init__(_make_handler(kind, _ignore, endpoint, ReadyQueue(), graph))
         self._nothing = _NOTHING[kind]
 
     def take_event(self) -> Any:
@@ -414,14 +414,14 @@ class _EventCallbacks:
     def _by_kind(self) -> dict[EventKind, Callable[[Any], Any] | None]:
         raise NotImplementedError
 
-    def attach(self, endpoint: Any, mailbox: Mailbox, graph: Graph) -> None:
+    def attach(self, endpoint: Any, ready_queue: ReadyQueue, graph: Graph) -> None:
         """Make the handlers of a publisher or subscription; its `destroy()` ends them."""
         for kind, callback in self._by_kind().items():
             if callback is not None:
-                handler = _make_handler(kind, callback, endpoint, mailbox, graph)
+                handler = _make_handler(kind, callback, endpoint, ready_queue, graph)
             elif self.use_default_callbacks and kind in _DEFAULTS:
                 # Type clashes are told of all endpoints alike, in one place: zbot.node.diagnostics.
-                handler = _NeverHandler(_ignore, endpoint.callback_group, mailbox)
+                handler = _NeverHandler(_ignore, endpoint.callback_group, ready_queue)
             else:
                 continue
             endpoint.event_handlers.append(handler)

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from zbot.context import Context
     from zbot.executor.callback_group import CallbackGroup
-    from zbot.executor.ready_queue import Mailbox
+    from zbot.executor.ready_queue import ReadyQueue
     from zbot.wire.tokens import EndpointToken
 
 RequestT = TypeVar("RequestT")
@@ -50,7 +50,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         callback: Takes a request and an empty response, and returns a response; may be a coroutine
             function.
         token: Who and where this server is.
-        mailbox: The node's way to its executor.
+        ready_queue: The node's way to its executor.
         callback_group: Decides beside what the callback may run.
         logger_name: The node's logger.
     """
@@ -64,7 +64,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         callback: Callable[[RequestT, ResponseT], Any],
         token: EndpointToken,
         *,
-        mailbox: Mailbox,
+        ready_queue: ReadyQueue,
         callback_group: CallbackGroup,
         logger_name: str,
     ) -> None:
@@ -72,7 +72,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self.srv_name = token.name
         self.callback = callback
         self.callback_group = callback_group
-        self.mailbox = mailbox
+        self.ready_queue = ready_queue
         self.watchers: list[Callable[[], object]] = []  #: called in Zenoh's thread for each request
         self._context = context
         self._token = token
@@ -139,7 +139,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
             self._drop_queries()
         for watcher in list(self.watchers):
             watcher()
-        self.mailbox.post(self)
+        self.ready_queue.post(self)
 
     @property
     def has_work(self) -> bool:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import InvalidHandleError
 from zbot.executor.callback_group import CallbackGroup, MutuallyExclusiveCallbackGroup
 from zbot.executor.clock import ROSClock
-from zbot.executor.ready_queue import Mailbox
+from zbot.executor.ready_queue import ReadyQueue
 from zbot.executor.waitable import WaitableEntity
 from zbot.interfaces import type_hash, type_name
 from zbot.names import (
@@ -39,7 +39,7 @@ if TYPE_CHECKING:
     from zbot.wire.tokens import EntityKind
 
 
-class NodeHandle:
+class NodeState:
     """What a node keeps for itself.
 
     It is one attribute, so that students can call theirs `timer`, `publisher`, `name`, `_state` ...
@@ -54,7 +54,7 @@ class NodeHandle:
     def __init__(self, context: Context, arguments: Arguments, name: str, namespace: str) -> None:
         self.context = context
         self.arguments = arguments
-        self.mailbox = Mailbox()
+        self.ready_queue = ReadyQueue()
         self.executor: Executor | None = None
         self.default_callback_group: CallbackGroup = MutuallyExclusiveCallbackGroup()
         self.publishers: list[Publisher[Any]] = []
@@ -130,15 +130,15 @@ class NodeHandle:
 
     def add_waitable(self, waitable: Waitable[Any]) -> None:
         """Let the node's executor run a program's own kind of work."""
-        entity = WaitableEntity(waitable, self.mailbox)
+        entity = WaitableEntity(waitable, self.ready_queue)
         self.waitables.append(entity)
-        self.mailbox.add(entity)
+        self.ready_queue.add(entity)
 
     def remove_waitable(self, waitable: Waitable[Any]) -> None:
         """Forget a program's own kind of work; nothing happens if it is unknown."""
         for entity in [one for one in self.waitables if one.waitable is waitable]:
             self.waitables.remove(entity)
-            self.mailbox.remove(entity)
+            self.ready_queue.remove(entity)
             entity.destroy()
 
     def destroy_when_not_in_use(self) -> None:
@@ -147,7 +147,7 @@ class NodeHandle:
             if node.handle is self:
                 node.destroy_node()
 
-    def __enter__(self) -> NodeHandle:
+    def __enter__(self) -> NodeState:
         with self._lock:
             # As in rclpy, whoever uses it already may go on to the end of the outermost block.
             if self.is_destroyed and not self._users:
@@ -168,7 +168,7 @@ class NodeHandle:
     def add(self, entity: Any) -> None:
         """Let the node's executor run what an entity has to do."""
         entity.callback_group.add_entity(entity)
-        self.mailbox.add(entity)
+        self.ready_queue.add(entity)
 
     def _tell(self, changes: Changes) -> None:
         """Publish what happened to the parameters on `/parameter_events`."""

@@ -30,7 +30,7 @@ from zbot.process import blocked_put
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, HistoryPolicy
 from zbot.transport.handle import Handle
-from zbot.transport.wakeup import LARGE_MOMENT_NS, Haste
+from zbot.transport.wakeup import LARGE_MOMENT_NS, BusyWait
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.codec import CodecError
 from zbot.wire.dialect import other_type
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 
     from zbot.context import Context
     from zbot.executor.callback_group import CallbackGroup
-    from zbot.executor.ready_queue import Mailbox
+    from zbot.executor.ready_queue import ReadyQueue
     from zbot.interfaces.content_filter import ContentFilter
     from zbot.wire.tokens import EndpointToken
 
@@ -114,7 +114,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         callback: Takes the message, or the message and its `MessageInfo`; may be a coroutine
             function.
         token: Who and where this subscription is.
-        mailbox: The node's way to its executor.
+        ready_queue: The node's way to its executor.
         callback_group: Decides beside what the callback may run.
         raw: Hand each message to the callback as the bytes of ROS 2's CDR; with `"payload"`, as
             the bytes that were sent, undecoded.
@@ -140,7 +140,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         callback: Callable[..., Any],
         token: EndpointToken,
         *,
-        mailbox: Mailbox,
+        ready_queue: ReadyQueue,
         callback_group: CallbackGroup,
         raw: bool | Literal["payload"],
         logger_name: str,
@@ -159,7 +159,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._loss_listeners: list[Callable[[int], None]] = []
         self._context = context
         self._token = token
-        self.mailbox = mailbox
+        self.ready_queue = ready_queue
         self._logger_name = logger_name
         decode = context.dialect.codec_for(msg_type).decode
         self._decode: Callable[[Any], Any] = decode
@@ -183,12 +183,12 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             blocked_put.own_queues.add(self)
         self._armed = threading.Lock()
         self._is_waiting = False
-        self._haste = Haste()
+        self._busy_wait = BusyWait()
         self._is_destroyed = False
         self._liveliness = context.graph.announce(token)
 
     def start(self) -> None:
-        """Begin to listen; the executor learns of messages through the mailbox."""
+        """Begin to listen; the executor learns of messages through the ready_queue."""
         self._armed.acquire()
         self._context.start_thread(f"zbot {self.topic_name}", self._listen, self._rearm)
 
@@ -269,10 +269,10 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
                 sample = receive()
             except zenoh.ZError:
                 return  # undeclared, or the session was closed
-            self._haste.end(came=True)
+            self._busy_wait.end(came=True)
             queue.append(sample)
             self._is_waiting = True
-            self.mailbox.post(self)
+            self.ready_queue.post(self)
             armed.acquire()
 
     def take(self) -> zenoh.Sample | None:
@@ -285,7 +285,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             try:
                 # The loop is C's.
                 queue.extend(islice(iter(self.next_sample, None), self._most))
-                if not (queue or self._haste.begin(self._fetch)):
+                if not (queue or self._busy_wait.begin(self._fetch)):
                     self._rearm()
             except zenoh.ZError:
                 return None  # another thread undeclared it or closed the session just now
@@ -356,7 +356,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         payload = sample.payload.to_bytes()
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
-            self._haste.moment_ns = LARGE_MOMENT_NS
+            self._busy_wait.moment_ns = LARGE_MOMENT_NS
         try:
             message = self._decode(payload)
         except CodecError as exc:

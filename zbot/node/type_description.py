@@ -71,7 +71,7 @@ class TypeDescriptionService:
             handle.named_endpoint(
                 EntityKind.SERVICE, name, SERVICE_TYPE, qos_profile_services_default
             ),
-            mailbox=handle.mailbox,
+            ready_queue=handle.ready_queue,
             callback_group=handle.default_callback_group,
             logger_name=handle.logger_name,
         )

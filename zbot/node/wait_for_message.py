@@ -6,7 +6,7 @@ import time
 from typing import TYPE_CHECKING, Any, Literal, TypeVar
 
 from zbot.executor.callback_group import ReentrantCallbackGroup
-from zbot.executor.ready_queue import Mailbox
+from zbot.executor.ready_queue import ReadyQueue
 from zbot.node.subscription import Subscription
 from zbot.qos import as_profile
 from zbot.transport.wakeup import LONGEST_WAIT_S, BinarySemaphore
@@ -43,8 +43,8 @@ def wait_for_message(
         InvalidTopicNameError: The name breaks ROS 2's grammar.
     """
     arrived: list[MsgT] = []
-    signal, mailbox = BinarySemaphore(), Mailbox()
-    mailbox.attach(None, lambda _: signal.set())
+    signal, ready_queue = BinarySemaphore(), ReadyQueue()
+    ready_queue.attach(None, lambda _: signal.set())
     handle, context = node.handle, node.context
     name = node.resolve_topic_name(topic)
     token = handle.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, as_profile(qos_profile))
@@ -53,7 +53,7 @@ def wait_for_message(
         msg_type,
         arrived.append,
         token,
-        mailbox=mailbox,
+        ready_queue=ready_queue,
         callback_group=ReentrantCallbackGroup(),
         raw=False,
         logger_name=handle.logger_name,

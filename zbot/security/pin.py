@@ -1,6 +1,6 @@
 """A class's PIN: how a student shows that it knows it, and gets a secret of its own for that.
 
-Student (`PinGuest`) and teacher's hub (`PinDoor`) exchange four small documents over any transport,
+Student (`PinClient`) and teacher's hub (`PinServer`) exchange four small documents over any transport,
 a readable one too: neither the PIN nor what is asked for and answered can be found out from them,
 and none works a second time.
 
@@ -72,7 +72,7 @@ class PinMessageError(PinError, ValueError):
         super().__init__(f"the PIN could not be checked ({reason}): join again")
 
 
-class PinGuest:
+class PinClient:
     """One attempt to get in, on the student's side.
 
     Args:
@@ -134,7 +134,7 @@ class Admission:
         return {"answer": data.hex(), "tag": _tag(self._key, "answer", data)}
 
 
-class PinDoor:
+class PinServer:
     """The teacher's side. Safe to use from several threads.
 
     Args:

@@ -38,7 +38,7 @@ _INTRODUCTION_PAUSE_S = 0.02
 _END_S = 2.0  # the thread ends within a millisecond of its session
 
 
-class MeetingWatch:
+class Peering:
     """Keeps the meeting port open, and the session linked to all others, for as long as it lives.
 
     One thread waits, without polling, for links to come and go. When the router's link goes, it

@@ -31,7 +31,7 @@ LARGE_MOMENT_NS = 3_000_000
 _yield: Callable[[], None] = getattr(os, "sched_yield", partial(time.sleep, 0))
 
 
-class Haste:
+class BusyWait:
     """Tells whether one more short wait is to be expected, and waits through it awake.
 
     Threads that share one may sleep, or stay awake for a moment, where it was not worth it.
@@ -70,7 +70,7 @@ class BinarySemaphore:
         self._lock = threading.Lock()
         self._lock.acquire()
         self._is_set = partial(self._lock.acquire, blocking=False)
-        self._haste = Haste()
+        self._busy_wait = BusyWait()
 
     def set(self) -> None:
         """Let the present or next `wait` return; from any thread."""
@@ -81,8 +81,8 @@ class BinarySemaphore:
 
     def wait(self, timeout_s: float) -> bool:
         """Wait at most `timeout_s` seconds and `LONGEST_WAIT_S`; return whether it was set."""
-        if timeout_s > _MOMENT_NS / 1e9 and self._haste.begin(self._is_set):
+        if timeout_s > _MOMENT_NS / 1e9 and self._busy_wait.begin(self._is_set):
             return True
         was_set = self._lock.acquire(timeout=min(timeout_s, LONGEST_WAIT_S))
-        self._haste.end(came=was_set)
+        self._busy_wait.end(came=was_set)
         return was_set

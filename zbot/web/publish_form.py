@@ -12,7 +12,7 @@ from zbot.web.form_view import FormView
 
 if TYPE_CHECKING:
     from zbot.web.panel import Part
-    from zbot.web.repetition import Repetition
+    from zbot.web.repeated_publishing import RepeatedPublishing
     from zbot.web.watch import Watch
 
 _FASTEST_HZ = 1000.0
@@ -51,7 +51,7 @@ def add_publish_form(part: Part, watch: Watch) -> None:
 class _PublishForm:
     def __init__(self, part: Part, topic: str, type_name: str, message_type: type[Any]) -> None:
         self.part, self.topic, self.type_name = part, topic, type_name
-        self.repetition: Repetition | None = None
+        self.repetition: RepeatedPublishing | None = None
         self.view = FormView(message_type, self.changed)
         with ui.element("div").classes("zb-row"):
             self.once = ui.button("Publish once", on_click=self.publish).props("unelevated dense")

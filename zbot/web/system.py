@@ -20,7 +20,7 @@ from zbot.node.remote_types import learn_type
 from zbot.qos import qos_profile_rosout_default
 from zbot.web.lease import Leases
 from zbot.web.log_ring import LogRing
-from zbot.web.repetition import Repetition
+from zbot.web.repeated_publishing import RepeatedPublishing
 from zbot.web.watch import Feed, NoTypeError, Watch, profile_for
 
 if TYPE_CHECKING:
@@ -289,7 +289,7 @@ class System:
 
     def repeat(
         self, topic: str, type_name: str, make: Callable[[], Any], rate_hz: float
-    ) -> Repetition:
+    ) -> RepeatedPublishing:
         """Publish at a rate until what is returned is released.
 
         Args:
@@ -302,7 +302,7 @@ class System:
             ReadOnlyError: The page may only look.
             NoTypeError: Nobody knows the type.
         """
-        return Repetition(self.node, self.publisher(topic, type_name), make, rate_hz)
+        return RepeatedPublishing(self.node, self.publisher(topic, type_name), make, rate_hz)
 
     def client(self, name: str, type_name: str) -> Lease[Client[Any, Any]]:
         """Return a lease of a service's client; await its answers with `answer`.

@@ -32,8 +32,8 @@ def hub(
         parse_address,
     )
     from zbot.classroom.hub import HubSettings  # noqa: PLC0415 - as above
+    from zbot.classroom.hub_process import serve  # noqa: PLC0415 - as above
     from zbot.classroom.link import Link  # noqa: PLC0415 - as above
-    from zbot.classroom.serving import serve  # noqa: PLC0415 - as above
 
     addresses = [parse_address(word) for word in listen or [EVERYWHERE]]
     dialled = [parse_address(word) for word in connect or []]

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.executor.ready_queue import Mailbox
+from zbot.executor.ready_queue import ReadyQueue
 from zbot.executor.wait_set import WaitSet
 from zbot.transport.handle import Handle
 
@@ -16,7 +16,7 @@ class LateTimer:
     due_ns = 0
 
     def __init__(self) -> None:
-        self.mailbox = Mailbox()
+        self.ready_queue = ReadyQueue()
         self._looks: Iterator[bool] = iter([False, False, True])
 
     @property

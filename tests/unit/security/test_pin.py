@@ -6,10 +6,10 @@ from typing import Any
 import pytest
 
 from zbot.security.pin import (
-    PinDoor,
+    PinClient,
     PinError,
-    PinGuest,
     PinMessageError,
+    PinServer,
     TooManyGuessesError,
     WrongPinError,
     random_pin,
@@ -34,38 +34,38 @@ def clock() -> Clock:
 
 
 @pytest.fixture
-def door(clock: Clock) -> PinDoor:
-    return PinDoor(PIN, clock)
+def door(clock: Clock) -> PinServer:
+    return PinServer(PIN, clock)
 
 
-def claim(door: PinDoor, pin: Secret = PIN, guest: PinGuest | None = None) -> dict[str, Any]:
-    guest = guest or PinGuest(pin)
+def claim(door: PinServer, pin: Secret = PIN, guest: PinClient | None = None) -> dict[str, Any]:
+    guest = guest or PinClient(pin)
     return guest.claim(door.challenge(guest.hello()), WISH)
 
 
-def test_who_knows_the_pin_is_let_in_and_alone_reads_the_answer(door: PinDoor) -> None:
-    guest = PinGuest(PIN)
+def test_who_knows_the_pin_is_let_in_and_alone_reads_the_answer(door: PinServer) -> None:
+    guest = PinClient(PIN)
     admission = door.admit(claim(door, guest=guest))
     assert admission.wish == WISH
     sealed = admission.seal({"secret": "0123456789abcdef" * 5})
     assert guest.opened(sealed) == {"secret": "0123456789abcdef" * 5}
     assert b"0123456789abcdef" not in bytes.fromhex(sealed["answer"])
     with pytest.raises(PinMessageError):
-        PinGuest(PIN).opened(sealed)
+        PinClient(PIN).opened(sealed)
 
 
-def test_blanks_around_a_typed_pin_do_not_matter(door: PinDoor) -> None:
+def test_blanks_around_a_typed_pin_do_not_matter(door: PinServer) -> None:
     assert door.admit(claim(door, Secret(" 471100\n"))).wish == WISH
 
 
-def test_another_pin_is_refused_and_counted(door: PinDoor) -> None:
+def test_another_pin_is_refused_and_counted(door: PinServer) -> None:
     with pytest.raises(WrongPinError, match="wrong PIN"):
         door.admit(claim(door, Secret("471101")))
     assert door.wrong == 1
 
 
-def test_neither_pin_nor_wrong_pin_can_be_read_on_the_way(door: PinDoor) -> None:
-    guest = PinGuest(PIN)
+def test_neither_pin_nor_wrong_pin_can_be_read_on_the_way(door: PinServer) -> None:
+    guest = PinClient(PIN)
     said = [guest.hello()]
     said += [door.challenge(said[0])]
     said += [guest.claim(said[1], WISH)]
@@ -77,18 +77,18 @@ def test_neither_pin_nor_wrong_pin_can_be_read_on_the_way(door: PinDoor) -> None
         assert word.encode() not in carried
 
 
-def test_a_recorded_claim_is_worth_nothing(door: PinDoor) -> None:
+def test_a_recorded_claim_is_worth_nothing(door: PinServer) -> None:
     recorded = claim(door)
     door.admit(recorded)
     with pytest.raises(PinMessageError, match="tried twice"):
         door.admit(recorded)
-    later = PinGuest(PIN)
+    later = PinClient(PIN)
     visit = door.challenge(later.hello())["visit"]
     with pytest.raises(WrongPinError):
         door.admit(recorded | {"visit": visit})
 
 
-def test_a_claim_that_was_changed_on_the_way_is_refused(door: PinDoor) -> None:
+def test_a_claim_that_was_changed_on_the_way_is_refused(door: PinServer) -> None:
     honest = claim(door)
     flipped = bytearray.fromhex(honest["claim"])
     flipped[-3] ^= 1
@@ -97,7 +97,7 @@ def test_a_claim_that_was_changed_on_the_way_is_refused(door: PinDoor) -> None:
         door.admit(changed)
 
 
-def test_a_visit_ends_after_a_while(door: PinDoor, clock: Clock) -> None:
+def test_a_visit_ends_after_a_while(door: PinServer, clock: Clock) -> None:
     late = claim(door)
     clock.now += 31
     with pytest.raises(PinMessageError, match="too long"):
@@ -105,15 +105,15 @@ def test_a_visit_ends_after_a_while(door: PinDoor, clock: Clock) -> None:
 
 
 def test_who_does_not_know_the_pin_cannot_play_the_teacher() -> None:
-    guest = PinGuest(PIN)
-    rogue = PinDoor(Secret("000000"))
+    guest = PinClient(PIN)
+    rogue = PinServer(Secret("000000"))
     with pytest.raises(WrongPinError):
         rogue.admit(claim(rogue, guest=guest))
     with pytest.raises(PinMessageError, match="somebody who knows it"):
         guest.opened({"answer": "00" * 40, "tag": "0" * 64})
 
 
-def test_guessing_is_slowed_down_and_a_student_gets_in_again(door: PinDoor, clock: Clock) -> None:
+def test_guessing_is_slowed_down_and_a_student_gets_in_again(door: PinServer, clock: Clock) -> None:
     for number in range(10):
         with pytest.raises(WrongPinError):
             door.admit(claim(door, Secret(f"{number:06d}")))
@@ -124,7 +124,7 @@ def test_guessing_is_slowed_down_and_a_student_gets_in_again(door: PinDoor, cloc
     assert door.admit(claim(door)).wish == WISH
 
 
-def test_a_minute_of_guessing_is_worth_forty_guesses_at_most(door: PinDoor, clock: Clock) -> None:
+def test_a_minute_of_guessing_is_worth_forty_guesses_at_most(door: PinServer, clock: Clock) -> None:
     for _ in range(60):
         clock.now += 1
         with pytest.raises((WrongPinError, TooManyGuessesError)):
@@ -132,7 +132,7 @@ def test_a_minute_of_guessing_is_worth_forty_guesses_at_most(door: PinDoor, cloc
     assert door.wrong <= 40
 
 
-def test_guesses_prepared_at_once_count_each(door: PinDoor) -> None:
+def test_guesses_prepared_at_once_count_each(door: PinServer) -> None:
     prepared = [claim(door, Secret(f"{number:06d}")) for number in range(30)]
     for one in prepared:
         with pytest.raises(PinError):
@@ -140,12 +140,12 @@ def test_guesses_prepared_at_once_count_each(door: PinDoor) -> None:
     assert door.wrong == 10
 
 
-def test_the_right_pin_costs_no_guess(door: PinDoor) -> None:
+def test_the_right_pin_costs_no_guess(door: PinServer) -> None:
     for _ in range(30):
         door.admit(claim(door))
 
 
-def test_a_class_that_joins_at_once_gets_in(door: PinDoor) -> None:
+def test_a_class_that_joins_at_once_gets_in(door: PinServer) -> None:
     claims = [claim(door) for _ in range(40)]
     assert all(door.admit(one).wish == WISH for one in claims)
 
@@ -166,13 +166,13 @@ def test_a_class_that_joins_at_once_gets_in(door: PinDoor) -> None:
     ],
     ids=lambda hello: str(hello)[:24],
 )
-def test_nonsense_for_a_first_word_is_refused(door: PinDoor, hello: dict[str, Any]) -> None:
+def test_nonsense_for_a_first_word_is_refused(door: PinServer, hello: dict[str, Any]) -> None:
     with pytest.raises(PinMessageError):
         door.challenge(hello)
 
 
 @pytest.mark.parametrize("changed", [{"visit": "x"}, {"visit": 3}, {"claim": "\ud800"}])
-def test_a_claim_without_a_visit_is_refused(door: PinDoor, changed: dict[str, Any]) -> None:
+def test_a_claim_without_a_visit_is_refused(door: PinServer, changed: dict[str, Any]) -> None:
     with pytest.raises(PinMessageError):
         door.admit(claim(door) | changed)
 
@@ -180,7 +180,7 @@ def test_a_claim_without_a_visit_is_refused(door: PinDoor, changed: dict[str, An
 @pytest.mark.parametrize(
     "changed", [{"proof": "é"}, {"proof": 3}, {"proof": None}, {"claim": "00"}]
 )
-def test_a_claim_without_a_proof_is_refused(door: PinDoor, changed: dict[str, Any]) -> None:
+def test_a_claim_without_a_proof_is_refused(door: PinServer, changed: dict[str, Any]) -> None:
     with pytest.raises(WrongPinError):
         door.admit(claim(door) | changed)
 
@@ -191,7 +191,7 @@ def test_a_claim_without_a_proof_is_refused(door: PinDoor, changed: dict[str, An
 )
 def test_a_student_refuses_a_senseless_challenge(challenge: dict[str, Any]) -> None:
     with pytest.raises(PinMessageError):
-        PinGuest(PIN).claim(challenge, WISH)
+        PinClient(PIN).claim(challenge, WISH)
 
 
 def test_a_random_pin_has_six_digits() -> None:

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import pytest
 
 from zbot.transport import wakeup as module
-from zbot.transport.wakeup import LARGE_MOMENT_NS, BinarySemaphore, Haste
+from zbot.transport.wakeup import LARGE_MOMENT_NS, BinarySemaphore, BusyWait
 
 
 def test_a_wait_returns_for_what_was_set_before_it() -> None:
@@ -59,7 +59,7 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
     return clock
 
 
-def wait(haste: Haste, clock: Clock, *, comes_after_us: int, came: bool = True) -> int:
+def wait(haste: BusyWait, clock: Clock, *, comes_after_us: int, came: bool = True) -> int:
     """Wait once; how often it looked for what comes."""
     looks, end_us = 0, clock.now_us + comes_after_us
 
@@ -76,14 +76,14 @@ def wait(haste: Haste, clock: Clock, *, comes_after_us: int, came: bool = True) 
 
 
 def test_after_a_short_wait_the_next_ones_stay_awake(clock: Clock) -> None:
-    haste = Haste()
+    haste = BusyWait()
     assert wait(haste, clock, comes_after_us=100) == 0
     assert wait(haste, clock, comes_after_us=100) == 10
     assert wait(haste, clock, comes_after_us=100) == 10
 
 
 def test_after_a_long_wait_the_next_one_sleeps(clock: Clock) -> None:
-    haste = Haste()
+    haste = BusyWait()
     wait(haste, clock, comes_after_us=100)
     assert wait(haste, clock, comes_after_us=1000) == 50  # it gave up after half a millisecond
     assert wait(haste, clock, comes_after_us=100) == 0
@@ -91,13 +91,13 @@ def test_after_a_long_wait_the_next_one_sleeps(clock: Clock) -> None:
 
 
 def test_where_large_messages_come_longer_waits_are_short(clock: Clock) -> None:
-    haste = Haste()
+    haste = BusyWait()
     haste.moment_ns = LARGE_MOMENT_NS
     wait(haste, clock, comes_after_us=2000)
     assert wait(haste, clock, comes_after_us=2000) == 200
 
 
 def test_an_end_of_patience_tells_nothing(clock: Clock) -> None:
-    haste = Haste()
+    haste = BusyWait()
     wait(haste, clock, comes_after_us=100, came=False)
     assert wait(haste, clock, comes_after_us=100) == 0

@@ -13,7 +13,7 @@ from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import AsJson, new_app, print_json
 
 if TYPE_CHECKING:
-    from zbot.classroom.record import ClassRecord
+    from zbot.classroom.class_record import ClassRecord
     from zbot.transport.membership import Membership
 
 app = new_app("Open a class, and look after it")

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.classroom.register import Register, TakenError, clean_name
 from zbot.errors import SetupError
-from zbot.security.pin import PinDoor, TooManyGuessesError, WrongPinError
+from zbot.security.pin import PinServer, TooManyGuessesError, WrongPinError
 from zbot.security.secret import Secret
 from zbot.version import __version__
 
@@ -34,7 +34,7 @@ _REFUSALS: tuple[tuple[type[SetupError], str], ...] = (
 
 
 @dataclass(frozen=True)
-class Wish:
+class AdmissionRequest:
     """What a student would like to be."""
 
     machine: str  #: tells this laptop from others
@@ -43,7 +43,7 @@ class Wish:
     number: int | None = None  #: the student's; the class chooses one if it is left out
 
     @classmethod
-    def of(cls, document: Document) -> Wish:
+    def of(cls, document: Document) -> AdmissionRequest:
         """Read what came from a laptop; what makes no sense is left out."""
         number = document.get("number")
         return cls(
@@ -62,7 +62,7 @@ def release_proof(claim: str) -> str:
     return hmac.new(claim.encode(), b"release", "sha256").hexdigest()
 
 
-class Door:
+class AdmissionService:
     """Lets laptops in.
 
     Args:
@@ -84,7 +84,7 @@ class Door:
     ) -> None:
         self._class_name = class_name
         self._has_pin = bool(pin)
-        self._pin_door = PinDoor(Secret(pin))
+        self._pin_door = PinServer(Secret(pin))
         self._register = register
         self._credentials = credentials
         self._changed = changed
@@ -112,7 +112,7 @@ class Door:
 
     def _claim(self, question: Document) -> Document:
         admission = self._pin_door.admit(question)
-        wish = Wish.of(admission.wish)
+        wish = AdmissionRequest.of(admission.wish)
         student = self._register.claim(wish.number, wish.name, wish.machine, wish.host)
         self._changed(student.number)
         return admission.seal(

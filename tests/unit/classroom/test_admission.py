@@ -5,9 +5,9 @@ from typing import Any
 
 import pytest
 
-from zbot.classroom.door import Door, Wish, release_proof
+from zbot.classroom.admission import AdmissionRequest, AdmissionService, release_proof
 from zbot.classroom.register import Register
-from zbot.security.pin import PinError, PinGuest
+from zbot.security.pin import PinClient, PinError
 from zbot.security.secret import Secret
 
 Document = dict[str, Any]
@@ -19,7 +19,7 @@ class Class:
     def __init__(self, pin: str = "") -> None:
         self.register = Register({3: "Ana"})
         self.changed: list[int] = []
-        self.door = Door(
+        self.door = AdmissionService(
             "Robots",
             pin,
             self.register,
@@ -27,8 +27,8 @@ class Class:
             changed=self.changed.append,
         )
 
-    def knock(self, wish: Wish, pin: str = "") -> Document:
-        guest = PinGuest(Secret(pin))
+    def knock(self, wish: AdmissionRequest, pin: str = "") -> Document:
+        guest = PinClient(Secret(pin))
         challenge = self.door.answer({"op": "enrol", **guest.hello()})
         sealed = self.door.answer({"op": "claim", **guest.claim(challenge, asdict(wish))})
         return sealed if "refused" in sealed else guest.opened(sealed)
@@ -42,7 +42,7 @@ def test_whoever_asks_is_told_what_class_it_is() -> None:
 
 def test_a_laptop_gets_a_number_and_what_goes_with_it() -> None:
     lesson = Class("1234")
-    given = lesson.knock(Wish("m1", "laptop", "Cem", 17), "1234")
+    given = lesson.knock(AdmissionRequest("m1", "laptop", "Cem", 17), "1234")
     assert given["number"] == 17
     assert given["name"] == "Cem"
     assert given["secret"] == "s17"
@@ -51,43 +51,45 @@ def test_a_laptop_gets_a_number_and_what_goes_with_it() -> None:
 
 def test_a_wrong_pin_is_refused_and_nothing_is_claimed() -> None:
     lesson = Class("1234")
-    assert lesson.knock(Wish("m1", "laptop"), "1111")["refused"] == "pin"
+    assert lesson.knock(AdmissionRequest("m1", "laptop"), "1111")["refused"] == "pin"
     assert not lesson.register.students
 
 
 def test_a_taken_number_is_refused_with_the_holders_name() -> None:
     lesson = Class()
-    lesson.knock(Wish("m1", "laptop", "Cem", 17))
-    answer = lesson.knock(Wish("m2", "laptop", "Eve", 17))
+    lesson.knock(AdmissionRequest("m1", "laptop", "Cem", 17))
+    answer = lesson.knock(AdmissionRequest("m2", "laptop", "Eve", 17))
     assert answer["refused"] == "taken"
     assert "Cem" in answer["sentence"]
 
 
 def test_a_number_out_of_range_is_refused() -> None:
-    assert "from 1 to 232" in Class().knock(Wish("m1", "laptop", number=999))["sentence"]
+    assert (
+        "from 1 to 232" in Class().knock(AdmissionRequest("m1", "laptop", number=999))["sentence"]
+    )
 
 
 def test_a_claim_cannot_be_used_twice() -> None:
     lesson = Class()
-    guest = PinGuest(Secret(""))
+    guest = PinClient(Secret(""))
     challenge = lesson.door.answer({"op": "enrol", **guest.hello()})
-    claim = {"op": "claim", **guest.claim(challenge, asdict(Wish("m1", "laptop")))}
+    claim = {"op": "claim", **guest.claim(challenge, asdict(AdmissionRequest("m1", "laptop")))}
     guest.opened(lesson.door.answer(claim))
     assert "refused" in lesson.door.answer(claim)
 
 
 def test_what_was_claimed_is_bound_to_the_proof() -> None:
     lesson = Class()
-    guest = PinGuest(Secret(""))
+    guest = PinClient(Secret(""))
     challenge = lesson.door.answer({"op": "enrol", **guest.hello()})
-    claim = guest.claim(challenge, asdict(Wish("m1", "laptop", number=17)))
+    claim = guest.claim(challenge, asdict(AdmissionRequest("m1", "laptop", number=17)))
     claim["claim"] = claim["claim"].replace("7", "8") if "7" in claim["claim"] else "00"
     assert "refused" in lesson.door.answer({"op": "claim", **claim})
 
 
 def test_only_the_holder_gives_a_number_back() -> None:
     lesson = Class()
-    given = lesson.knock(Wish("m1", "laptop", number=17))
+    given = lesson.knock(AdmissionRequest("m1", "laptop", number=17))
     stolen = {"op": "release", "number": 17, "proof": release_proof("guess")}
     assert lesson.door.answer(stolen) == {"released": False}
     assert 17 in lesson.register.students
@@ -101,7 +103,7 @@ def test_guessing_is_slowed_down() -> None:
     answers = []
     for number in range(20):
         try:
-            answers.append(lesson.knock(Wish("m", "laptop"), f"{number:04}"))
+            answers.append(lesson.knock(AdmissionRequest("m", "laptop"), f"{number:04}"))
         except PinError as error:
             answers.append({"refused": type(error).__name__})
     kinds = [answer["refused"] for answer in answers]
@@ -132,7 +134,9 @@ def test_nonsense_is_answered_and_changes_nothing(question: Document) -> None:
 
 
 def test_a_wish_is_read_with_care() -> None:
-    read = Wish.of({"machine": "x" * 1000, "host": "\x1b[1m", "name": 7, "number": "17"})
+    read = AdmissionRequest.of(
+        {"machine": "x" * 1000, "host": "\x1b[1m", "name": 7, "number": "17"}
+    )
     assert len(read.machine) <= 64
     assert read.host == "[1m"
     assert read.name == "7"

@@ -17,7 +17,7 @@ from typing import Any
 _GUARDIAN = str(Path(__file__).with_name("guardian.py"))
 
 
-class Family:
+class ProcessGroup:
     """Knows the process groups of a launch, and lets the guardian know."""
 
     def __init__(self) -> None:

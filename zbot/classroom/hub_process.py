@@ -11,8 +11,8 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.classroom import background
-from zbot.classroom.desk import Desk
 from zbot.classroom.hub import HubSettings, dialled_links, open_router
+from zbot.classroom.hub_queries import HubQueries
 from zbot.version import __version__
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ _JOIN_TIMEOUT_S = 2.0
 _TICK_S = 0.5 if sys.platform == "win32" else None
 
 
-class Serving:
+class HubProcess:
     """A hub that is open.
 
     Args:
@@ -45,13 +45,13 @@ class Serving:
         self.reopen = wake
         self._settings = settings
         self._threads: list[threading.Thread] = []
-        self._desks: list[Desk] = []
+        self._desks: list[HubQueries] = []
         self.tell: dict[str, Callable[[], Any]] = {}  #: more that `zbot status` shows, by name
         self.desk(f"{HUB_KEY}/{os.getpid()}", self._facts)
 
     def desk(self, key: str, answer: Callable[[dict[str, Any]], dict[str, Any] | None]) -> None:
         """Answer queries on a key for as long as the hub is open."""
-        desk = Desk(self.session, key, answer)
+        desk = HubQueries(self.session, key, answer)
         self._desks.append(desk)
         self.join_later(desk.thread)
 
@@ -114,7 +114,7 @@ def serve(
     role: str,
     settings: Callable[[], HubSettings],
     on_ready: Callable[[], None],
-    equip: Callable[[Serving], None] | None = None,
+    equip: Callable[[HubProcess], None] | None = None,
 ) -> None:
     """Be this machine's hub until a signal comes.
 
@@ -132,7 +132,7 @@ def serve(
         tell = on_ready
         while not signals.is_over:
             present = settings()
-            serving = Serving(open_router(present), present, signals.reopen)
+            serving = HubProcess(open_router(present), present, signals.reopen)
             try:
                 if equip is not None:
                     equip(serving)

@@ -9,29 +9,29 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.executor.callback_group import CallbackGroup
-    from zbot.executor.ready_queue import Mailbox
+    from zbot.executor.ready_queue import ReadyQueue
 
 
-class Agenda:
+class WorkQueue:
     """Functions that wait for the executor, which may come later than they do.
 
     Args:
-        mailbox: The node's way to its executor.
+        ready_queue: The node's way to its executor.
         callback_group: Decides beside what a function may run.
     """
 
     due_ns: int | None = None
 
-    def __init__(self, mailbox: Mailbox, callback_group: CallbackGroup) -> None:
-        self.mailbox = mailbox
+    def __init__(self, ready_queue: ReadyQueue, callback_group: CallbackGroup) -> None:
+        self.ready_queue = ready_queue
         self.callback_group = callback_group
         self._functions: deque[Callable[[], Any]] = deque()
-        mailbox.add(self)
+        ready_queue.add(self)
 
     def add(self, function: Callable[[], Any]) -> None:
         """Let the executor call a function or coroutine function; from any thread."""
         self._functions.append(function)
-        self.mailbox.post(self)
+        self.ready_queue.post(self)
 
     def take(self) -> Callable[[], Any] | None:
         """Return the function whose turn it is, if any."""
@@ -46,5 +46,5 @@ class Agenda:
 
     def destroy(self) -> None:
         """Forget what waits."""
-        self.mailbox.remove(self)
+        self.ready_queue.remove(self)
         self._functions.clear()

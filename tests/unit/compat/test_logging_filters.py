@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from zbot.compat.log_filter import (
+from zbot.compat.logging_filters import (
     CallerId,
     LoggingFilter,
     Once,

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from zbot.classroom.desk import document_of
+from zbot.classroom.hub_queries import document_of
 from zbot.classroom.keys import facts_key, here_key
 from zbot.classroom.register import clean_name
 from zbot.names import fully_qualified, is_hidden
@@ -21,7 +21,7 @@ from zbot.wire.tokens import NodeToken, parse_token
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-    from zbot.classroom.serving import Serving
+    from zbot.classroom.hub_process import HubProcess
 
 _FACTS_TIMEOUT_S = 1.0
 _LATEST_NS = 1 << 63  # the latest that clocks show; a number in JSON may have thousands of digits
@@ -29,7 +29,7 @@ _NODE_TOKENS = "@zbot/*/*/*/*/NN/**"
 
 
 @dataclass
-class Seat:
+class ConnectedLaptop:
     """What is known of a student's laptop."""
 
     is_here: bool = False
@@ -40,20 +40,20 @@ class Seat:
     clock_offset_s: float | None = None  #: how far its clock is ahead of the teacher's
 
 
-class Seats:
+class Attendance:
     """Follows who comes and goes.
 
     All methods may be called from any thread.
     """
 
     def __init__(self) -> None:
-        self._seats: dict[int, Seat] = {}
+        self._seats: dict[int, ConnectedLaptop] = {}
         self._lock = threading.Lock()
-        self._serving: Serving | None = None
+        self._serving: HubProcess | None = None
         self._watched: dict[int, Any] = {}
         self._arrivals: queue.SimpleQueue[tuple[int, bool] | None] = queue.SimpleQueue()
 
-    def equip(self, serving: Serving, numbers: Iterable[int]) -> None:
+    def equip(self, serving: HubProcess, numbers: Iterable[int]) -> None:
         """Begin to watch, with a hub that was opened."""
         with self._lock:
             self._serving = serving
@@ -81,7 +81,7 @@ class Seats:
 
     def _note(self, number: int, is_here: bool) -> None:
         with self._lock:
-            seat = self._seats.setdefault(number, Seat())
+            seat = self._seats.setdefault(number, ConnectedLaptop())
             if seat.is_here != is_here:
                 seat.is_here, seat.since_ns = is_here, time.time_ns()
 
@@ -93,10 +93,10 @@ class Seats:
         if watched is not None:
             watched.undeclare()
 
-    def seat(self, number: int) -> Seat:
+    def seat(self, number: int) -> ConnectedLaptop:
         """Return what is known of a laptop."""
         with self._lock:
-            return self._seats.setdefault(number, Seat())
+            return self._seats.setdefault(number, ConnectedLaptop())
 
     def present(self) -> list[int]:
         """Return the numbers of the laptops that are there."""

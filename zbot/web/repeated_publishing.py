@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from zbot.web.lease import Lease
 
 
-class Repetition:
+class RepeatedPublishing:
     """Publishes at a rate, in the node's thread, until it is released.
 
     Args:

@@ -20,7 +20,7 @@ _LARGEST_ANSWER = 16 * 1024 * 1024  # a class of 232 with a hundred nodes each
 Answer = dict[str, Any]
 
 
-class Desk:
+class HubQueries:
     """Answers the queries on one key, one after the other, in a thread of its own.
 
     Its `thread` ends when the session is closed.
