@@ -11,18 +11,18 @@ import sys
 import threading
 import time
 from contextlib import contextmanager
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import hypothesis
 import pytest
 
 import zbot
-from zbot.log.registry import HUB
+from zbot.log.registry import REGISTRY
 from zbot.transport.config import MAX_DOMAIN_ID, MEETING_PORT
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
-    from pathlib import Path
 
     from zbot.log.record import Record
 
@@ -38,6 +38,10 @@ hypothesis.settings.load_profile("zbot")
 # Every worker would rewrite the tests' assertions, and every program compile zbot, again.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
+
+# The programs that tests start import the same zbot as the tests: that of the checkout.
+_ROOT = Path(__file__).parents[1]
+os.environ["PYTHONPATH"] = os.pathsep.join(str(_ROOT / folder) for folder in ("", "cli", "nodes"))
 
 _RESERVATION_PORT = MEETING_PORT + 1000
 _PREFIXES = ("ZBOT_", "ROS_", "RCUTILS_", "ZENOH_", "AMENT_", "COLCON_")
@@ -171,9 +175,9 @@ class Spinner:
 def logged() -> Iterator[list[Record]]:
     """Return a list that fills with every log line of this process."""
     records: list[Record] = []
-    HUB.add_sink("", records.append)
+    REGISTRY.add_sink("", records.append)
     yield records
-    HUB.remove_sink("", records.append)
+    REGISTRY.remove_sink("", records.append)
 
 
 @pytest.fixture

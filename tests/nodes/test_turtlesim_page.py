@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import urllib.request
 from typing import TYPE_CHECKING
@@ -104,7 +105,8 @@ def test_without_the_extra_it_says_how_to_get_it_and_runs_on(
 ) -> None:
     hidden = "import sys; sys.modules['nicegui'] = None\n"
     (tmp_path / "sitecustomize.py").write_text(hidden, encoding="utf-8")
-    program = start(*RUN, env={"PYTHONPATH": str(tmp_path)})
+    path = os.pathsep.join((str(tmp_path), os.environ["PYTHONPATH"]))
+    program = start(*RUN, env={"PYTHONPATH": path})
     program.wait_for(HINT)
     assert start("zbot", "topic", "echo", "--once", "/turtle1/pose").wait(20) == 0
     assert opened(visited) == []
