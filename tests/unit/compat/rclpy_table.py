@@ -1,98 +1,158 @@
-"""The table of rclpy's public names: which zbot has, which not, and why.
+"""Table of rclpy's public names: present or absent in zbot, with the reason.
 
 Write it with: python -m tests.unit.compat.rclpy_table
 """
 
 from __future__ import annotations
 
+import dis
 import importlib
+import inspect
 import json
+import types
 from pathlib import Path
+from typing import Any
 
 import zbot.compat  # noqa: F401 - makes rclpy importable
+from zbot import ReentrantCallbackGroup
 
 HERE = Path(__file__).parent
 TABLE = HERE.parents[2] / "docs" / "rclpy.md"
+#: Every public name of rclpy 9.1 by its module; of a class, its public members.
+NAMES: dict[str, dict[str, list[str] | None]] = json.loads(
+    (HERE / "rclpy_names.json").read_text(encoding="utf-8")
+)
 _HEAD = """\
 # rclpy's names in zbot
 
-Every public module, class, function and method of rclpy 9.1 (ROS 2 Kilted), and whether a program
-finds it here. This page is written by `python -m tests.unit.compat.rclpy_table`; a test keeps it
-true.
+This page lists every public module, class, function and method of rclpy 9.1 (ROS 2 Kilted).
 
-Some of what programs meet differs on purpose:
+* **present**: the name is there. `tests/unit/compat/test_rclpy_calls.py` calls each of its methods.
+* **partly**: the class is there. The listed methods are absent, have no effect, or do less.
+* **no-op**: programs can import the name, but it has no effect. Annotations use it.
+* **absent**: the name is not there.
 
-* A call of a service that has no server, or whose server ends, fails at once with a `ServiceError`;
-  in rclpy its future stays pending for ever.
-* What a node owns leaves the graph with its node, an action server too; in rclpy that stays until
-  its own `destroy()`.
-* A rate sleeps without an executor that spins in another thread.
-* A `MultiThreadedExecutor` has at least two threads unless it is told otherwise.
+`python -m tests.unit.compat.rclpy_table` writes this page. A test compares it with the code.
+
+zbot differs from rclpy on purpose in these points:
+
+* A call of a service without a server fails at once with a `ServiceError`. A call whose server
+  ends fails too. In rclpy the future stays pending for ever.
+* The entities of a node leave the graph with the node, an action server too. In rclpy the action
+  server stays until its own `destroy()`.
+* A rate sleeps also when no executor spins in another thread.
+* A `MultiThreadedExecutor` has at least two threads if the program does not give a number.
 
 """
-#: Why something is not there; by module, by `module.name`, or by the name alone.
+#: Reasons for absent names; by module, by `module.name`, or by the name alone.
 WHY = {
-    "add_to_wait_set": "takes a wait set of the C library",
-    "is_ready": "takes a wait set of the C library",
-    "get_num_entities": "counts what goes into a wait set of the C library",
-    "take_data": "takes from the C library what its wait set found",
-    "execute": "works on what the C library's wait set found",
-    "notify_goal_done": "tells the C library that an answer is due",
+    "add_to_wait_set": "needs a wait set of the C library",
+    "is_ready": "needs a wait set of the C library",
+    "get_num_entities": "counts entities for a wait set of the C library",
+    "take_data": "needs a wait set of the C library",
+    "execute": "needs a wait set of the C library",
+    "notify_goal_done": "works on the C library",
     "get_c_duration": "returns a struct of the C library",
-    "track_node": "holds nodes of the C library",
-    "untrack_node": "holds nodes of the C library",
+    "track_node": "takes nodes of the C library",
+    "untrack_node": "takes nodes of the C library",
     "create_event_handlers": "makes handles of the C library",
+}
+#: Methods that do less than in rclpy, by class and method.
+LIMITED = {
+    "Publisher.assert_liveliness": "subscriptions see no lost `MANUAL_BY_TOPIC` lease",
+    "Publisher.wait_for_all_acked": "`False` where other programs receive reliably: no "
+    "acknowledgement comes from them",
+}
+#: Names without effect, for annotations only, as in rclpy.
+ANNOTATIONS = {
+    *("rclpy.action.client.SendGoalKWargs", "rclpy.clock.TimeJumpDictionary"),
+    *(
+        "rclpy.lifecycle.node.CreateLifecyclePublisherArgs",
+        "rclpy.lifecycle.node.LifecycleNodeArgs",
+    ),
+    *("rclpy.type_hash.TypeHashDictionary",),
+    *(f"rclpy.type_support.{name}" for name in NAMES["rclpy.type_support"] if name[0].isupper()),
 }
 
 
-def why(module: str, name: str, member: str = "") -> str:
-    """Return why a name is absent, or an empty text."""
-    for key in (member, name, f"{module}.{name}", module):
-        if key in WHY:
-            return WHY[key]
-    return ""
-
-
-def rows(module_name: str, names: dict[str, list[str] | None]) -> list[str]:
-    """Return the lines of one module."""
+def find(module: str, name: str) -> Any:
+    """Return the object of a name of a module; `None` if it is absent."""
     try:
-        module: object = importlib.import_module(module_name)
+        return getattr(importlib.import_module(module), name, None)
     except ImportError:
-        module = None
-    lines = []
-    for name, members in names.items():
-        found = getattr(module, name, None)
-        if found is None:
-            lines.append(f"| `{name}` | absent | {why(module_name, name)} |")
-            continue
-        missing = [one for one in members or () if not _has(found, one)]
-        reasons = {why(module_name, name, member) for member in missing} - {""}
-        note = f"without {', '.join(f'`{one}`' for one in missing)}" if missing else ""
-        note += f": {'; '.join(sorted(reasons))}" if reasons else ""
-        lines.append(f"| `{name}` | present | {note} |")
-    return lines
+        return None
+
+
+def absent_members(found: object, members: list[str] | None) -> list[str]:
+    """Return the members that objects of a class do not have."""
+    return [member for member in members or () if not _has(found, member)]
 
 
 def _has(found: object, member: str) -> bool:
-    """Return whether objects of a class have a member; aliases and fields count."""
     fields: dict[str, object] = getattr(found, "__dataclass_fields__", {})
     annotated: dict[str, object] = getattr(found, "__annotations__", {})
-    # In this order: a property that lists a node's parts cannot be asked of the class.
+    # `hasattr` is last: a property that lists a node's entities cannot be read from the class.
     return member in dir(found) or member in fields or member in annotated or hasattr(found, member)
+
+
+def idle_members(found: object, members: list[str] | None) -> list[str]:
+    """Return the methods of a class that do nothing for any arguments."""
+    if found is ReentrantCallbackGroup:
+        return []  # it lets every callback run, as in rclpy
+    return [one for one in members or () if is_idle(inspect.getattr_static(found, one, None))]
+
+
+def is_idle(function: object) -> bool:
+    """Return whether a function has no statement but its docstring, or returns a constant."""
+    if not isinstance(function, types.FunctionType):
+        return False
+    code = function.__code__
+    return not code.co_names and not code.co_freevars and not _loads(code)
+
+
+def _loads(code: types.CodeType) -> bool:
+    """Return whether a function reads its arguments or computes anything."""
+    idle = {"RESUME", "NOP", "LOAD_CONST", "RETURN_VALUE", "RETURN_CONST", "LOAD_SMALL_INT"}
+    return any(step.opname not in idle for step in dis.get_instructions(code))
+
+
+def row(module: str, name: str, members: list[str] | None) -> str:
+    """Return the table row of one name."""
+    found = find(module, name)
+    if found is None:
+        return f"| `{name}` | absent | {WHY.get(name, '')} |"
+    if f"{module}.{name}" in ANNOTATIONS or is_idle(found):
+        return f"| `{name}` | no-op | |"
+    absent, idle = absent_members(found, members), idle_members(found, members)
+    notes = [f"absent: {_listed(absent)}"] if absent else []
+    notes += [f"no effect: {_listed(idle)}"] if idle else []
+    limited = {one: LIMITED.get(f"{name}.{one}") for one in members or ()}
+    notes += [f"limited: `{one}` ({why})" for one, why in limited.items() if why]
+    return f"| `{name}` | {'partly' if notes else 'present'} | {'; '.join(notes)} |"
+
+
+def _listed(members: list[str]) -> str:
+    reasons: dict[str, list[str]] = {}
+    for member in members:
+        reasons.setdefault(WHY.get(member, ""), []).append(f"`{member}`")
+    return ", ".join(
+        ", ".join(group) + (f" ({reason})" if reason else "") for reason, group in reasons.items()
+    )
 
 
 def table() -> str:
     """Return the whole page."""
-    known = json.loads((HERE / "rclpy_names.json").read_text(encoding="utf-8"))
-    blocks, present, total = [], 0, 0
-    for module, names in sorted(known.items()):
-        lines = rows(module, names)
-        present += sum("| present |" in line for line in lines)
-        total += len(lines)
-        head = f"## {module}\n\n| name | | |\n|---|---|---|\n"
-        blocks.append(head + "\n".join(lines) + "\n")
-    count = f"{present} of {total} names are there.\n\n"
-    return _HEAD + count + "\n".join(blocks)
+    blocks, lines = [], []
+    for module, names in sorted(NAMES.items()):
+        rows = [row(module, name, members) for name, members in names.items()]
+        lines += rows
+        blocks.append(
+            f"## {module}\n\n| name | state | |\n|---|---|---|\n" + "\n".join(rows) + "\n"
+        )
+    states = ("present", "partly", "no-op", "absent")
+    counts = {state: sum(f"| {state} |" in line for line in lines) for state in states}
+    summary = ", ".join(f"{count} {state}" for state, count in counts.items())
+    return f"{_HEAD}Of {len(lines)} names: {summary}.\n\n" + "\n".join(blocks)
 
 
 def main() -> None:

@@ -1,4 +1,4 @@
-"""`rclpy.impl.rcutils_logger`'s filters, called as its own loggers call them."""
+"""Tests of the filters of `rclpy.impl.rcutils_logger`, called as its loggers call them."""
 
 from __future__ import annotations
 
@@ -70,14 +70,14 @@ def test_throttle_admits_a_call_when_the_duration_is_over() -> None:
     assert admitted == [True, False, True, False, True]
 
 
-def test_a_filter_says_what_it_needs() -> None:
+def test_a_filter_names_missing_parameters() -> None:
     with pytest.raises(LogOptionError, match="'once' is missing"):
         Once.initialize_context({})
     with pytest.raises(NotAClockError):
         Throttle.initialize_context({}, throttle_duration_sec=1.0, throttle_time_source_type=3)
 
 
-def test_a_filter_of_a_programs_own_takes_part() -> None:
+def test_a_filter_of_a_program_is_applied() -> None:
     class Never(LoggingFilter):
         params = {"never": None}  # type: ignore[typeddict-unknown-key]  # noqa: RUF012
 
@@ -92,9 +92,9 @@ def test_a_filter_of_a_programs_own_takes_part() -> None:
         del supported_filters["never"]  # type: ignore[arg-type]
 
 
-def test_a_call_is_known_by_its_place() -> None:
+def test_a_log_call_is_identified_by_its_place() -> None:
     first, second = CallerId(), CallerId()
-    assert first.function_name == "test_a_call_is_known_by_its_place"
+    assert first.function_name == "test_a_log_call_is_identified_by_its_place"
     assert first.file_path == __file__
     assert second.line_number == first.line_number
     assert first != second

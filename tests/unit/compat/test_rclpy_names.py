@@ -1,4 +1,4 @@
-"""`import rclpy`: the names that programs use are zbot's."""
+"""Tests of `import rclpy`: the names that programs use are zbot's."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ MODULES = sorted(
     ".".join(path.relative_to(PACKAGES).with_suffix("").parts).removesuffix(".__init__")
     for path in PACKAGES.rglob("*.py")
 )
-#: Names that most programs import, from a count over public ones.
+#: Names that most programs import, counted in public repositories.
 USED = """
 rclpy: init shutdown spin ok spin_once spin_until_future_complete create_node Parameter Future
 rclpy.node: Node Publisher Subscription
@@ -129,13 +129,13 @@ def test_every_module_can_be_imported(module: str) -> None:
 
 
 @pytest.mark.parametrize("line", USED.split("\n")[1:-1])
-def test_the_names_that_programs_use_are_there(line: str) -> None:
+def test_the_names_that_programs_use_exist(line: str) -> None:
     module_name, _, names = line.partition(": ")
     module = importlib.import_module(module_name)
     assert [name for name in names.split() if not hasattr(module, name)] == []
 
 
-def test_a_node_is_a_node() -> None:
+def test_rclpys_node_is_zbots_node() -> None:
     assert importlib.import_module("rclpy.node").Node is zbot.Node
 
 
@@ -144,7 +144,7 @@ def test_submodules_need_no_import_of_their_own() -> None:
     subprocess.run([sys.executable, "-c", source], check=True, timeout=30)
 
 
-def test_what_is_not_there_is_said_as_python_does() -> None:
+def test_a_missing_name_raises_pythons_error() -> None:
     with pytest.raises(AttributeError, match="has no attribute 'spinn'"):
         importlib.import_module("rclpy").spinn  # noqa: B018
 

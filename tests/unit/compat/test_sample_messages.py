@@ -1,4 +1,4 @@
-"""Filled messages to test with."""
+"""Tests of sample messages with filled fields."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_a_type_that_does_not_exist_is_refused() -> None:
         sample_messages("test_msgs/msg/Strng")
 
 
-def test_they_have_the_names_of_ros() -> None:
+def test_the_modules_have_the_names_of_ros() -> None:
     assert zbot.compat
     fixtures = importlib.import_module("test_msgs.message_fixtures")
     assert len(fixtures.get_test_msg("Strings")) == 3
