@@ -1,7 +1,7 @@
-"""Measure zbot beside raw eclipse-zenoh and, where its wheels are, rclpy; print medians and ratios.
+"""Measure zbot, raw eclipse-zenoh and, where it is installed, rclpy; print medians and ratios.
 
 Run: make bench            (or: python -m benchmarks --quick)
-     ZBOT_ROS2_PYTHON=path/to/python names an interpreter that has the ROS 2 wheels.
+     ZBOT_ROS2_PYTHON=path/to/python names an interpreter with the wheels of ROS 2.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ _IDLE_S = 10.0
 
 
 class Report:
-    """Prints lines and keeps them for the results file."""
+    """Lines of the results file, which are also printed."""
 
     def __init__(self) -> None:
         self.lines: list[str] = []
@@ -56,7 +56,7 @@ def environment(name: str) -> dict[str, str]:
     domain = str(next(number for number in _DOMAIN if is_free(MEETING_PORT + number)))
     env = {**os.environ, "BENCH_PORT": port, "ZBOT_DOMAIN_ID": domain}
     if name == "rclpy":
-        # Its interpreter starts itself again and hands these on; ours must not inherit them.
+        # rclpy's interpreter starts itself again with these; zbot's processes must not inherit them.
         env |= {"ROS_DOMAIN_ID": domain[-2:], "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST"}
     return env
 
@@ -68,7 +68,7 @@ def python(name: str) -> str:
 def run_pair(name: str, background: str, foreground: str, size: int, count: int) -> str:
     env = environment(name)
     words = [python(name), "-c"]
-    # What a contestant says when it is ended is no result.
+    # Output of a contestant at its end is not a result.
     helper = subprocess.Popen(
         [*words, background, str(size), str(count)], env=env, stderr=subprocess.DEVNULL
     )
@@ -107,7 +107,7 @@ def latency_table(report: Report, rounds: int) -> None:
     for size, label in SIZES:
         count = 300 if size > 100_000 else 2000
         trips: dict[str, list[list[float]]] = {name: [] for name in contestants()}
-        for _ in range(rounds):  # interleaved: whatever else the machine does hits all alike
+        for _ in range(rounds):  # interleaved: other load affects all contestants
             for name in trips:
                 trips[name].append(sorted(round_trip(name, size, count)))
         raw = statistics.median(statistics.median(run) for run in trips["raw"])
@@ -125,8 +125,8 @@ def service_table(report: Report, rounds: int) -> None:
     for _ in range(rounds):
         for name in trips:
             server, caller = SERVICES[name]
-            told = run_pair(name, server, caller, len(request), 2000)
-            trips[name].append(sorted(trip / 1000 for trip in json.loads(told)))
+            output = run_pair(name, server, caller, len(request), 2000)
+            trips[name].append(sorted(trip / 1000 for trip in json.loads(output)))
     raw = statistics.median(statistics.median(run) for run in trips["raw"])
     for name, runs in trips.items():
         p50 = statistics.median(statistics.median(run) for run in runs)
@@ -140,14 +140,14 @@ def throughput_table(report: Report, rounds: int) -> None:
     for size, label in SIZES:
         count = 1500 if size > 100_000 else 300_000
         runs: dict[str, list[dict[str, float]]] = {name: [] for name in contestants()}
-        # The rate of raw Zenoh jumps between runs, by a factor of two: more of them. rclpy's does
-        # not, and takes a minute.
+        # The rate of raw Zenoh varies by a factor of two between runs: it has more runs. That of
+        # rclpy does not vary, and a run of it takes a minute.
         for turn in range(3 * rounds):
             for name in runs if turn < rounds else ("raw", "zbot"):
                 try:
                     runs[name].append(throughput(name, size, count))
                 except subprocess.CalledProcessError as exc:
-                    if name != "rclpy":  # its interpreter now and then ends without a word
+                    if name != "rclpy":  # its interpreter sometimes ends without a message
                         raise
                     print(f"rclpy ended with {exc.returncode}", file=sys.stderr)
         rates = {
@@ -198,7 +198,7 @@ def start_table(report: Report, rounds: int) -> None:
     arrived: list[float] = []
     with zbot.init(args=[]):
         node = zbot.Node("stopwatch")
-        from std_msgs.msg import String  # noqa: PLC0415 - importable once zbot is
+        from std_msgs.msg import String  # noqa: PLC0415 - importable after zbot
 
         node.create_subscription(String, "first", lambda _: arrived.append(time.perf_counter()), 10)
         took = []

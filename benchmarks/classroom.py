@@ -1,9 +1,9 @@
-"""Hold a class of thirty laptops with five nodes each, all on this machine, and measure it.
+"""Measure a class of thirty laptops with five nodes each, all on this machine.
 
 Run: python -m benchmarks.classroom [--laptops 30] [--nodes 5] [--pin] [--netem-minutes 10] [--write]
 
-Needs Linux, root and iproute2 (tests/classroom/rig.py), and for the full size 8 GB of memory. One
-machine does the work of thirty here, so what takes processor time takes longer than in a class.
+Needs Linux, root and iproute2 (tests/classroom/testbed.py), and for the full size 8 GB of memory. One
+machine does the work of thirty, so work of the processor takes longer than in a real class.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import zbot
+from tests.classroom.impairment import Impairment, impair
 from tests.classroom.lesson import Lesson, Node, hub_pid
 from tests.classroom.machine import PROGRAMS
-from tests.classroom.rig import Rig, obstacle
-from tests.classroom.weather import Weather, spoil
+from tests.classroom.testbed import LanTestbed, missing_requirement
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -43,9 +43,9 @@ RESULTS = Path(__file__).parent / "CLASSROOM.md"
 
 
 class Report:
-    """A table of what was measured and what it may be at most; printed as it grows.
+    """Table of measured values and their limits; each row is printed at once.
 
-    Each row ends with the load of the machine at that time: other work slows all of this down.
+    Each row ends with the load of the machine at that time: other work slows everything down.
     """
 
     def __init__(self) -> None:
@@ -91,21 +91,21 @@ def measure_beginning(report: Report, lesson: Lesson) -> None:
     lesson.join()
     joined = time.monotonic() - begun
     report.row("all laptops have joined, four at a time", joined)
-    before = lesson.rig.teacher.traffic()
+    before = lesson.testbed.teacher.traffic()
     lesson.start_nodes(by_turns=True)
     report.row(
         "all nodes are seen by the teacher, after the last one's start", lesson.seen_after_s, 10
     )
-    carried = lesson.rig.teacher.traffic() - before
+    carried = lesson.testbed.teacher.traffic() - before
     megabytes = (carried.received_bytes + carried.sent_bytes) / 1e6
     report.row("the teacher's interface carried meanwhile", megabytes, None, "MB")
 
 
-def measure_newcomers(report: Report, lesson: Lesson) -> None:
+def measure_new_nodes(report: Report, lesson: Lesson) -> None:
     after_start: list[float] = []
     after_birth: list[float] = []
     for number in range(10):
-        laptop = lesson.rig.laptops[-1 - number % len(lesson.rig.laptops)]
+        laptop = lesson.testbed.laptops[-1 - number % len(lesson.testbed.laptops)]
         node = (lesson.number_of(laptop), f"/newcomer{number}")
         begun = time.monotonic()
         program = laptop.start("pupil.py", node[1][1:], "pupil0")
@@ -121,32 +121,32 @@ def has(node: Node) -> Callable[[set[Node]], bool]:
     return lambda nodes: node in nodes
 
 
-def measure_idleness(report: Report, lesson: Lesson) -> None:
-    pid = hub_pid(lesson.rig.teacher)
-    before, used = lesson.rig.teacher.traffic(), cpu_s(pid)
+def measure_idle_costs(report: Report, lesson: Lesson) -> None:
+    pid = hub_pid(lesson.testbed.teacher)
+    before, used = lesson.testbed.teacher.traffic(), cpu_s(pid)
     time.sleep(IDLE_S)
-    carried = lesson.rig.teacher.traffic() - before
+    carried = lesson.testbed.teacher.traffic() - before
     kilobytes = (carried.received_bytes + carried.sent_bytes) / 1000 / IDLE_S
     packets = (carried.received_packets + carried.sent_packets) / IDLE_S
     report.row("idle traffic at the teacher, both ways", kilobytes, 5, "kB/s")
     report.row("packets of it", packets, None, "/s")
     report.row("processor time of the teacher's hub", (cpu_s(pid) - used) / IDLE_S * 100, None, "%")
     report.row("memory of the teacher's hub", resident_mb(pid), None, "MB")
-    laptops = [resident_mb(hub_pid(laptop)) for laptop in lesson.rig.laptops]
+    laptops = [resident_mb(hub_pid(laptop)) for laptop in lesson.testbed.laptops]
     report.row("memory of a laptop's hub, median", statistics.median(laptops), None, "MB")
 
 
 def measure_losses(report: Report, lesson: Lesson) -> None:
     lost, back = [], []
     for number in range(TRIES):
-        laptop = lesson.rig.laptops[number % len(lesson.rig.laptops)]
-        for cut, mend in (
-            (laptop.leave_air, laptop.return_to_air),
+        laptop = lesson.testbed.laptops[number % len(lesson.testbed.laptops)]
+        for cut, repair in (
+            (laptop.disconnect, laptop.reconnect),
             (laptop.unplug, laptop.plug_in),
         ):
             gone = time_until_gone(lesson, laptop, cut)
             lost.append(gone)
-            back.append(time_until_back(lesson, mend))
+            back.append(time_until_back(lesson, repair))
     report.row(f"a lost laptop is shown, worst of {len(lost)}", max(lost), 5)
     report.row(f"it is back after its Wi-Fi is, worst of {len(back)}", max(back))
 
@@ -158,9 +158,9 @@ def time_until_gone(lesson: Lesson, laptop: Machine, cut: Callable[[], None]) ->
     return lesson.watch.until(lambda seen: not nodes & seen) - begun
 
 
-def time_until_back(lesson: Lesson, mend: Callable[[], object]) -> float:
+def time_until_back(lesson: Lesson, repair: Callable[[], object]) -> float:
     begun = time.monotonic()
-    mend()
+    repair()
     return max(0.0, lesson.watch.until(lesson.all_there, 60) - begun)
 
 
@@ -168,11 +168,11 @@ def measure_restarts(report: Report, lesson: Lesson) -> None:
     took, opened, carried = [], [], []
     for _ in range(TRIES):
         lesson.kill_hub()
-        before, begun = lesson.rig.teacher.traffic(), time.monotonic()
+        before, begun = lesson.testbed.teacher.traffic(), time.monotonic()
         lesson.open_class()
         opened.append(time.monotonic() - begun)
         took.append(max(opened[-1], lesson.watch.until(lesson.all_there, 60) - begun))
-        traffic = lesson.rig.teacher.traffic() - before
+        traffic = lesson.testbed.teacher.traffic() - before
         carried.append((traffic.received_bytes + traffic.sent_bytes) / 1e6)
     report.row(f"all are back after the hub was killed, worst of {TRIES}", max(took), 3)
     report.row("from the command on, which itself took up to", max(opened))
@@ -180,7 +180,7 @@ def measure_restarts(report: Report, lesson: Lesson) -> None:
 
 
 def measure_commands(report: Report, lesson: Lesson) -> None:
-    teacher = lesson.rig.teacher
+    teacher = lesson.testbed.teacher
     listed = teacher.run("zbot", "class", "list", "--json")
     here = sum(len(row["nodes"]) for row in json.loads(listed.out)["students"] if row["here"])
     report.row(f"`zbot class list`, which shows {here} nodes", listed.took_s)
@@ -194,7 +194,7 @@ def measure_refusals(report: Report, lesson: Lesson, laptop: Machine) -> None:
     code = lesson.code
     typo = code[:-1] + ("2" if code[-1] != "2" else "3")
     report.row("wrong code", refusal(laptop, typo, "typo"), 2)
-    report.row("dead teacher", refusal(laptop, "10.77.200.1", "nobody answers"), 2)
+    report.row("dead teacher", refusal(laptop, "10.77.200.1", "no machine answers"), 2)
     if lesson.has_pin:
         report.row("wrong PIN", refusal(laptop, code, "wrong PIN"), 2)
     laptop.block_port(7447)
@@ -209,25 +209,25 @@ def refusal(laptop: Machine, target: str, words: str) -> float:
 
 
 def measure_flood(report: Report, lesson: Lesson) -> None:
-    flooded, other = lesson.rig.laptops[0], lesson.rig.laptops[1]
-    teacher = lesson.rig.teacher.start("hear.py", "2/ana/words", "1/flood")
+    flooded, other = lesson.testbed.laptops[0], lesson.testbed.laptops[1]
+    teacher = lesson.testbed.teacher.start("hear.py", "2/ana/words", "1/flood")
     teacher.wait_for("hearing")
     ana = other.start("pupil.py", "ana", "ana", "--hz", "200")
     ana.wait_for("hears")
-    # What it costs its own laptop is this machine's processor here: it may have what is left.
+    # All laptops share this machine's processor: the flood gets only what the others leave.
     flood = flooded.start("nice", "-n", "19", sys.executable, str(PROGRAMS / "flood.py"))
     flood.wait_for("flood")
     time.sleep(FLOOD_S)
     for program in (flood, ana, teacher):
         program.stop(timeout_s=20)
     heard = json.loads(teacher.lines[-1])
-    # The flood's rhythm (flood.py): the second in which it begins or ends is neither.
+    # The flood's schedule (flood.py): seconds in which it begins or ends are not counted.
     with_flood, without = (by_second(heard["delays_us"], phase) for phase in (1, 3))
     p99 = [
         percentile([one for second in part for one in second], 0.99) / 1000
         for part in (with_flood, without)
     ]
-    # Other work on this machine only adds, so the better seconds tell more; the best alone is luck.
+    # Other work only adds delay: the best quarter of the seconds has the least of it.
     better = [
         percentile([percentile(second, 0.99) for second in part], 0.25) / 1000
         for part in (with_flood, without)
@@ -260,12 +260,12 @@ def measure_end(report: Report, lesson: Lesson) -> None:
 
 
 def measure_sleep(report: Report, lesson: Lesson, nodes: int) -> None:
-    """Stop all processes of a laptop for a while, with nodes that did not see the rest.
+    """Stop all processes of a laptop for a while, with nodes that took no part in the rest.
 
-    While a real laptop sleeps its clock stands still; that of this machine goes on, so its
-    processes wake to links on 127.0.0.1 that ran out. What they lose by that is theirs alone.
+    The clock of a sleeping laptop stops, but the clock of this machine does not: after the sleep,
+    links on 127.0.0.1 have expired. Messages lost by this are local to that laptop.
     """
-    laptop = lesson.rig.laptops[0]
+    laptop = lesson.testbed.laptops[0]
     for position in range(nodes):
         lesson.start_node(laptop, f"pupil{position}", f"pupil{(position + 1) % nodes}")
     lesson.watch.until(lesson.all_there, 60)
@@ -284,12 +284,12 @@ def hold_lesson(report: Report, options: argparse.Namespace) -> None:
         f"{options.laptops} laptops with {options.nodes} nodes each, "
         f"{'with' if pin else 'without'} a PIN"
     )
-    with Rig(options.laptops + 1) as rig:
-        late = rig.laptops.pop()
-        lesson = Lesson(rig, options.nodes, pin=pin, hz=HZ)
+    with LanTestbed(options.laptops + 1) as testbed:
+        late = testbed.laptops.pop()
+        lesson = Lesson(testbed, options.nodes, pin=pin, hz=HZ)
         measure_beginning(report, lesson)
-        measure_newcomers(report, lesson)
-        measure_idleness(report, lesson)
+        measure_new_nodes(report, lesson)
+        measure_idle_costs(report, lesson)
         measure_losses(report, lesson)
         measure_restarts(report, lesson)
         measure_commands(report, lesson)
@@ -302,28 +302,28 @@ def hold_lesson(report: Report, options: argparse.Namespace) -> None:
 # -- bad Wi-Fi -------------------------------------------------------------------------------------
 
 
-def endure_weather(report: Report, minutes: float) -> None:
-    weather = Weather(delay_ms=20, jitter_ms=10, loss=0.02)
-    with Rig(1) as rig:
-        lesson, laptop = Lesson(rig, 1), rig.laptops[0]
+def measure_bad_wifi(report: Report, minutes: float) -> None:
+    impairment = Impairment(delay_ms=20, jitter_ms=10, loss=0.02)
+    with LanTestbed(1) as testbed:
+        lesson, laptop = Lesson(testbed, 1), testbed.laptops[0]
         lesson.join()
-        means = spoil(rig, weather, [laptop])
+        means = impair(testbed, impairment, [laptop])
         report.head(
             f"{minutes:g} minutes of 20 ± 10 ms and 2 % loss each way ({means}), cut for {CUT_S:.0f} s"
         )
         domain = lesson.domain_of(laptop)
-        room = rig.teacher.start("control_room.py", env=domain)
+        room = testbed.teacher.start("control_room.py", env=domain)
         room.wait_for("receiving")
         telemetry = laptop.start("telemetry.py", env=domain)
         first = int(room.wait_for("first").split()[1])
-        watched = {"teacher's hub": hub_pid(rig.teacher), "laptop's hub": hub_pid(laptop)}
+        watched = {"teacher's hub": hub_pid(testbed.teacher), "laptop's hub": hub_pid(laptop)}
         watched |= {"receiving node": room.process.pid, "sending node": telemetry.process.pid}
         time.sleep(minutes * 60 / 4)
         before = {what: resident_mb(pid) for what, pid in watched.items()}
         time.sleep(minutes * 60 / 4)
-        laptop.leave_air()
+        laptop.disconnect()
         time.sleep(CUT_S)
-        laptop.return_to_air()
+        laptop.reconnect()
         time.sleep(minutes * 60 / 2)
         after = {what: resident_mb(pid) for what, pid in watched.items()}
         telemetry.stop(timeout_s=20)
@@ -331,16 +331,16 @@ def endure_weather(report: Report, minutes: float) -> None:
         room.stop(timeout_s=20)
     for what, pid_before in before.items():
         report.row(f"growth of the {what}", after[what] - pid_before, 5, "MB")
-    tell_of_numbers(report, first, json.loads(telemetry.lines[-1]), json.loads(room.lines[-1]))
+    report_numbers(report, first, json.loads(telemetry.lines[-1]), json.loads(room.lines[-1]))
 
 
-def tell_of_numbers(report: Report, first: int, sent: dict[str, Any], got: dict[str, Any]) -> None:
+def report_numbers(report: Report, first: int, sent: dict[str, Any], got: dict[str, Any]) -> None:
     report.row("numbers sent, reliable and keep all", sent["sent"] - first + 1, None, "")
     report.row("received", got["received"], None, "")
     report.row("gaps, of which the cut is one", len(got["gaps"]), 1, "")
-    report.row("lost in the cut, and told of", got["told_lost"], None, "")
+    report.row("lost in the cut and reported", got["told_lost"], None, "")
     unknown = sent["sent"] - first + 1 - got["received"] - got["told_lost"]
-    report.row("lost without a word", unknown, 0, "")
+    report.row("lost and not reported", unknown, 0, "")
     report.row("slowest to arrive", got["slowest_ms"], None, "ms")
     report.row("longest that a publish() took", sent["longest_publish_ms"], None, "ms")
     outcomes = [outcome for _, outcome in sent["calls"]]
@@ -354,11 +354,11 @@ def main() -> int:
     parser.add_argument("--laptops", type=int, default=30)
     parser.add_argument("--nodes", type=int, default=5)
     parser.add_argument("--pin", action="store_true", help="ask for a PIN")
-    parser.add_argument("--netem-minutes", type=float, default=0, help="bad Wi-Fi for so long, too")
+    parser.add_argument("--netem-minutes", type=float, default=0, help="duration of bad Wi-Fi")
     parser.add_argument("--only-netem", action="store_true", help="no lesson")
     parser.add_argument("--write", action="store_true", help="write benchmarks/CLASSROOM.md")
     options = parser.parse_args()
-    reason = obstacle()
+    reason = missing_requirement()
     if reason is not None:
         print(reason, file=sys.stderr)
         return 1
@@ -374,7 +374,7 @@ def main() -> int:
     if not options.only_netem:
         hold_lesson(report, options)
     if options.netem_minutes:
-        endure_weather(report, options.netem_minutes)
+        measure_bad_wifi(report, options.netem_minutes)
     if options.write:
         RESULTS.write_text("\n".join(report.lines) + "\n", encoding="utf-8")
     return 1 if report.failures else 0

@@ -1,8 +1,8 @@
-"""The programs that are measured, each as Python source run in a process of its own.
+"""Programs that are measured, as Python source; each runs in a process of its own.
 
 Every contestant does the same work: `zbot` and `rclpy` (where its wheels are installed) with typed
 messages, a String up to 4 KiB and a UInt8MultiArray of 1 MB; `raw` is eclipse-zenoh alone, with
-bytes of the same size. One-way messages are numbered, and what is missing is counted.
+bytes of the same size. One-way messages are numbered, and missing ones are counted.
 """
 
 from __future__ import annotations
@@ -132,7 +132,7 @@ print(json.dumps(trips[COUNT // 10:])); session.close()
 """
 )
 
-# Loss is counted here as zbot counts it, by numbers: they are the first eight of a message's bytes.
+# Losses are counted as zbot counts them, by numbers: the first eight bytes of each message.
 RAW_SINK = (
     RAW_HEAD
     + """
@@ -209,8 +209,8 @@ print(json.dumps(trips[COUNT // 10:]))
 """
 )
 
-# rclpy's publisher raises when its queue is full, and what a subscriber cannot take is overwritten: what
-# is counted is what its callback got in five seconds of flood.
+# rclpy's publisher raises when its queue is full, and a slow subscriber's messages are overwritten:
+# the messages that reach the callback in five seconds are counted.
 RCLPY_SINK = (
     RCLPY_HEAD
     + """
@@ -238,8 +238,8 @@ while time.perf_counter() < end: publisher.publish(sample)
 """
 )
 
-# Services: AddTwoInts, whose request is SIZE bytes with zbot; SetBool with rclpy, whose wheels do not
-# have the other.
+# Services: AddTwoInts, whose request has SIZE bytes with zbot; SetBool with rclpy, whose wheels do
+# not have AddTwoInts.
 ZBOT_SERVER = """
 import zbot
 from example_interfaces.srv import AddTwoInts

@@ -1,4 +1,4 @@
-"""Callbacks that wait with `await`: one thread, two services, and nobody is held up."""
+"""Callbacks that wait with `await`: one thread runs two services, and neither blocks the other."""
 
 import zbot
 

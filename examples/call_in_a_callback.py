@@ -1,6 +1,6 @@
-"""A timer that calls a service and waits for the answer, in a node with one thread.
+"""Timer callback that calls a service and waits for the response, in a node with one thread.
 
-The service may even be the node's own: while it waits, the callback serves it.
+The service is the node's own: while the timer callback waits, the thread runs the service callback.
 """
 
 import zbot

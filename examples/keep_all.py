@@ -1,4 +1,4 @@
-"""What a slow callback misses: the profile of its subscription decides."""
+"""Two subscriptions with a slow callback: depth 1 drops messages, keep-all gets all of them."""
 
 import time
 

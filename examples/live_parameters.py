@@ -1,4 +1,4 @@
-"""A parameter with a range and a meaning: `zbot param describe /blinker rate`."""
+"""Parameter with a range and a description: `zbot param describe /blinker rate`."""
 
 import zbot
 from zbot import Parameter

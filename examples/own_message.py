@@ -1,4 +1,4 @@
-"""A message type of your own: a dataclass is one, with nothing to build."""
+"""Message type of your own, written as a dataclass; nothing has to be built."""
 
 from dataclasses import dataclass, field
 

@@ -1,4 +1,4 @@
-"""Read a zbot topic with nothing but eclipse-zenoh and msgpack; docs/wire.md tells how."""
+"""Read a zbot topic with only eclipse-zenoh and msgpack; docs/wire.md explains the format."""
 
 import os
 

@@ -1,4 +1,4 @@
-"""Start a simulated robot: base, laser, inertial sensor, camera and navigation.
+"""Simulated robot: base, laser, inertial sensor, camera and navigation.
 
 Run: zbot launch zbot_nodes robot.launch.py
      zbot launch zbot_nodes robot.launch.py patrol:=false     (it waits for goals and commands)
@@ -16,7 +16,7 @@ def generate_launch_description() -> LaunchDescription:
         "patrol",
         default_value="true",
         choices=["true", "false"],
-        description="Drive around the room until somebody gives a goal",
+        description="Drive around the room until a goal is set",
     )
     parts = [
         Node(package="zbot_nodes", executable=f"robot_{part}", output="screen")

@@ -1,4 +1,4 @@
-"""A talker and a listener, in a namespace if one is given.
+"""A talker and a listener, optionally in a namespace.
 
 Run: zbot launch talker_listener
      zbot launch talker_listener namespace:=demo

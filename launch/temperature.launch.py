@@ -1,4 +1,4 @@
-"""Two nodes as processes of their own: a temperature sensor, and a monitor that warns.
+"""Two nodes in separate processes: a temperature sensor, and a monitor that warns.
 
 Run: zbot launch temperature
 """

@@ -1,4 +1,4 @@
-"""What every test gets: a domain of its own, a clean environment, processes seen to end."""
+"""Fixtures of all tests: a domain of their own, a clean environment, and ended processes."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
     from zbot.log.record import Record
 
-# How long an example takes says something about the machine that other tests are busy on.
+# No deadline: other tests use the machine at the same time and slow examples down.
 hypothesis.settings.register_profile(
     "zbot",
     hypothesis.settings(),
@@ -35,11 +35,11 @@ hypothesis.settings.register_profile(
 )
 hypothesis.settings.load_profile("zbot")
 
-# Every worker would rewrite the tests' assertions, and every program compile zbot, again.
+# Bytecode is kept: otherwise every worker and every program would compile everything again.
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
 
-# The programs that tests start import the same zbot as the tests: that of the checkout.
+# Programs that tests start import the same zbot as the tests: that of the checkout.
 _ROOT = Path(__file__).parents[1]
 os.environ["PYTHONPATH"] = os.pathsep.join(str(_ROOT / folder) for folder in ("", "cli", "nodes"))
 
@@ -54,21 +54,21 @@ def clean_environment(
     for name in list(os.environ):
         if name.startswith(_PREFIXES) and name != "ZBOT_ROS2_PREFIX":
             monkeypatch.delenv(name)
-    monkeypatch.setenv("ZBOT_NO_BROWSER", "1")  # no pages on the desktop of who runs the tests
-    # The machine may have joined a class, and have a hub: no test is to meet it.
+    monkeypatch.setenv("ZBOT_NO_BROWSER", "1")  # open no pages on this desktop
+    # The machine may have joined a class and run a hub: tests must not connect to it.
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path_factory.getbasetemp() / "no_settings"))
-    monkeypatch.setenv("ZBOT_HUB_PORT", "9")  # "discard", where nobody listens
+    monkeypatch.setenv("ZBOT_HUB_PORT", "9")  # "discard": an unused port
 
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_auto_num_workers() -> int:
-    """Return how many workers `-n auto` starts: tests wait for processes half of the time."""
+    """Return the number of workers of `-n auto`: tests wait for processes half of the time."""
     return 2 * (os.cpu_count() or 1)
 
 
 @pytest.fixture
 def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
-    """Return a domain that nobody on this machine uses, and put it into the environment."""
+    """Return an unused domain of this machine, and put it into the environment."""
     with reserved_domain() as reserved:
         monkeypatch.setenv("ZBOT_DOMAIN_ID", str(reserved))
         yield reserved
@@ -76,11 +76,11 @@ def domain(monkeypatch: pytest.MonkeyPatch) -> Iterator[int]:
 
 @contextmanager
 def reserved_domain() -> Iterator[int]:
-    """Keep a domain that nobody on this machine uses for the length of a block."""
+    """Reserve an unused domain of this machine until the end of a block."""
     first = time.monotonic_ns() // 1000 % MAX_DOMAIN_ID
     for offset in range(MAX_DOMAIN_ID):
         candidate = 1 + (first + offset) % MAX_DOMAIN_ID
-        # A meeting port is free now and then while its test runs: a second port reserves it.
+        # A meeting port may be free for moments of its test: a second port reserves it.
         with _bound(_RESERVATION_PORT + candidate) as is_ours:
             if is_ours and _is_free(MEETING_PORT + candidate):
                 yield candidate
@@ -107,9 +107,9 @@ def _is_free(port: int) -> bool:
 
 
 def allowed(limit_s: float) -> float:
-    """Return how long something may take that takes `limit_s` on a machine with nothing else to do.
+    """Return a time limit in seconds for the present load; `limit_s` is that of an idle machine.
 
-    Where there is three times as much to do as the processors can, three times as long is allowed.
+    A load of three times the number of processors allows three times as long.
     """
     workers = int(os.environ.get("PYTEST_XDIST_WORKER_COUNT", "1"))
     load = os.getloadavg()[0] if hasattr(os, "getloadavg") else 0.0  # Windows has none
@@ -117,7 +117,7 @@ def allowed(limit_s: float) -> float:
 
 
 def wait_until(condition: Callable[[], bool], timeout_s: float = 5.0) -> bool:
-    """Wait until a condition holds; return whether it did in the time that is `allowed()`."""
+    """Wait until a condition holds; return whether it did within `allowed(timeout_s)`."""
     deadline = time.monotonic() + allowed(timeout_s)
     pause = threading.Event()
     while not condition():
@@ -144,7 +144,7 @@ def make_context(domain: int) -> Iterator[Callable[[], zbot.Context]]:
 
 
 class Spinner:
-    """Spins nodes of one context in a thread, until the test ends."""
+    """Thread that spins nodes of one context until the test ends."""
 
     def __init__(self, *nodes: zbot.Node, executor: zbot.Executor | None = None) -> None:
         self.executor = executor or zbot.SingleThreadedExecutor(context=nodes[0].context)
@@ -159,7 +159,7 @@ class Spinner:
             self.executor.spin()
         except zbot.ExternalShutdownException:
             return
-        except BaseException as exc:  # noqa: BLE001 - the test looks at it
+        except BaseException as exc:  # noqa: BLE001 - the test checks it
             self.error = exc
 
     def stop(self) -> None:
@@ -195,7 +195,7 @@ def spin(make_context: object) -> Iterator[Callable[..., Spinner]]:  # noqa: ARG
 
 
 class Program:
-    """A Python program in a process of its own, whose lines a test can wait for."""
+    """Process of a program, whose lines of output a test can wait for."""
 
     def __init__(
         self, command: list[str], cwd: Path, env: dict[str, str], stdin: int = subprocess.DEVNULL
@@ -221,14 +221,14 @@ class Program:
         self._queue.put(None)
 
     def wait_for_rate(self, rate_hz: float, within_hz: float) -> None:
-        """Wait for a report of `topic hz`; the first may tell how a busy machine stood still."""
-        told = [float(self.wait_for("average rate: ").rpartition(" ")[2])]
-        while abs(told[-1] - rate_hz) > within_hz:
-            assert len(told) < 10, told
-            told.append(float(self.wait_for("average rate: ").rpartition(" ")[2]))
+        """Wait for a rate reported by `topic hz`; the first ones may be low on a busy machine."""
+        rates = [float(self.wait_for("average rate: ").rpartition(" ")[2])]
+        while abs(rates[-1] - rate_hz) > within_hz:
+            assert len(rates) < 10, rates
+            rates.append(float(self.wait_for("average rate: ").rpartition(" ")[2]))
 
     def wait_for(self, text: str, timeout_s: float = 10.0) -> str:
-        """Return the next line that contains `text`; fail if it does not come."""
+        """Return the next line that contains `text`; fail at the timeout or at the end."""
         deadline = time.monotonic() + allowed(timeout_s)
         while True:
             try:
@@ -262,7 +262,7 @@ class Program:
 
 @pytest.fixture
 def start(domain: int, tmp_path: Path) -> Iterator[Callable[..., Program]]:  # noqa: ARG001 - by $
-    """Return a function that starts a program: Python source, or the words of a command."""
+    """Return a function that starts a program: Python source or the words of a command."""
     running: list[Program] = []
     counter = iter(range(1000))
 

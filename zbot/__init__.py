@@ -31,17 +31,19 @@ if TYPE_CHECKING:
     from zbot.executor.clock import Clock as Clock
     from zbot.executor.clock import ROSClock as ROSClock
     from zbot.executor.executor import Executor as Executor
-    from zbot.executor.executor import SingleThreadedExecutor as SingleThreadedExecutor
     from zbot.executor.multi_threaded_executor import MultiThreadedExecutor as MultiThreadedExecutor
+    from zbot.executor.single_threaded_executor import (
+        SingleThreadedExecutor as SingleThreadedExecutor,
+    )
     from zbot.executor.task import Future as Future
     from zbot.executor.task import Task as Task
     from zbot.executor.timer import Rate as Rate
     from zbot.executor.timer import Timer as Timer
     from zbot.log import LoggingSeverity as LoggingSeverity
     from zbot.log import get_logger as get_logger
+    from zbot.node.message_info import MessageInfo as MessageInfo
     from zbot.node.node import Node as Node
     from zbot.node.publisher import Publisher as Publisher
-    from zbot.node.subscription import MessageInfo as MessageInfo
     from zbot.node.subscription import Subscription as Subscription
     from zbot.parameters.parameter import Parameter as Parameter
     from zbot.process.signals import SignalHandlerOptions as SignalHandlerOptions
@@ -64,9 +66,9 @@ if TYPE_CHECKING:
     from zbot.time import Duration as Duration
     from zbot.time import Time as Time
 
-# Where each name lives: it is imported when it is first used, because a command that lists topics
-# must not wait for executors.
-_HOMES = {
+# The module of each name. A name is imported at its first use, because a command that lists topics
+# must not wait for the import of executors.
+_MODULES = {
     "CallbackGroup": "zbot.executor.callback_group",
     "MutuallyExclusiveCallbackGroup": "zbot.executor.callback_group",
     "ReentrantCallbackGroup": "zbot.executor.callback_group",
@@ -78,7 +80,7 @@ _HOMES = {
     "Executor": "zbot.executor.executor",
     "ExternalShutdownException": "zbot.errors",
     "MultiThreadedExecutor": "zbot.executor.multi_threaded_executor",
-    "SingleThreadedExecutor": "zbot.executor.executor",
+    "SingleThreadedExecutor": "zbot.executor.single_threaded_executor",
     "LoggingSeverity": "zbot.log",
     "get_logger": "zbot.log",
     "Node": "zbot.node.node",
@@ -100,7 +102,7 @@ _HOMES = {
     "spin_until_future_complete": "zbot.runtime",
     "try_shutdown": "zbot.runtime",
     "SignalHandlerOptions": "zbot.process.signals",
-    "MessageInfo": "zbot.node.subscription",
+    "MessageInfo": "zbot.node.message_info",
     "Subscription": "zbot.node.subscription",
     "Future": "zbot.executor.task",
     "Task": "zbot.executor.task",
@@ -111,7 +113,7 @@ _HOMES = {
     "Timer": "zbot.executor.timer",
 }
 
-__getattr__, __dir__ = lazy_names(__name__, _HOMES, "__version__")
+__getattr__, __dir__ = lazy_names(__name__, _MODULES, "__version__")
 
-# From here on `from std_msgs.msg import String` works, unless a real ROS 2 provides it.
+# This lets `from std_msgs.msg import String` work where a real ROS 2 does not provide it.
 install_importer()

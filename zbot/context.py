@@ -1,4 +1,4 @@
-"""A context: one Zenoh session, one domain, and the life from `init()` to `shutdown()`."""
+"""Context of a process: one domain and one Zenoh session, from `init()` to `shutdown()`."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ import zenoh
 from zbot.errors import ArgumentTypeError, ContextInitializedError, NotInitializedError
 from zbot.graph.snapshot import Graph
 from zbot.log import configure, get_logger, get_logging_severity_from_string
-from zbot.log.announcement import NOTICE_KEY, log_notice
+from zbot.log.teacher_notice import NOTICE_KEY, log_notice
 from zbot.parameters.ros_args import Arguments
 from zbot.process import at_exit, blocked_put
-from zbot.process.memory import spare_the_collector
+from zbot.process.memory import freeze_garbage_collector
 from zbot.transport import config, membership, shared_memory
-from zbot.transport.foreign_call import in_one_go, uninterrupted
+from zbot.transport.foreign_call import defers_signals, without_interruption
 from zbot.transport.handle import Handle
 from zbot.transport.peering import Peering
 from zbot.transport.session import MeetingPoint, process_facts
 from zbot.transport.weak_set import WeakSet
 from zbot.version import __version__
-from zbot.wire.dialect import IN_CLASS, NATIVE
+from zbot.wire.dialect import CLASSROOM, NATIVE
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -32,26 +32,25 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-# A meeting point answers within 10 ms; within seconds where 40 nodes start at once on two cores.
+# A router answers within 10 ms, or within seconds when 40 nodes start at once on two cores.
 _LINK_TIMEOUT_S = 5.0
-# Linux may refuse a port to both of two processes that take it within the same microseconds (6 of
-# 100 times), as those of a launch file do: whoever finds nobody behind it tries again so often.
+# Pause between attempts to open the router. When two processes take a port within the same
+# microseconds, Linux may refuse it to both. Processes of a launch file do so (6 of 100 times).
 _HOLD_PAUSE_S = 0.1
-# The longest that a first look at the graph, and a first message, wait: 2 ms are usual, a busy
-# machine needs more.
-_SETTLE_TIMEOUT_S = 2.0
-_MEET_TIMEOUT_S = 0.5
-# Multicast finds the others on a quiet network in 50 ms; nobody may be there.
+# Longest waits of the first graph query and of the first message. They usually take 2 ms.
+_DISCOVERY_TIMEOUT_S = 2.0
+_PEERS_TIMEOUT_S = 0.5
+# On a quiet network, multicast finds routers within 50 ms. There may be no router.
 _FIND_TIMEOUT_S = 0.7
-_JOIN_TIMEOUT_S = 2.0  # threads end within a millisecond of their session
+_JOIN_TIMEOUT_S = 2.0  # threads end within a millisecond after their session
 
 
 class ContextNode(Protocol):
-    """What a context uses of a node."""
+    """The part of a node that a context uses."""
 
     @property
     def handle(self) -> object:
-        """The node's inner part."""
+        """The internal state of the node."""
         ...
 
     @property
@@ -65,13 +64,13 @@ class ContextNode(Protocol):
 
 
 class Context:
-    """What the nodes of a process share.
+    """Domain and Zenoh session that the nodes of a process share.
 
-    The session is opened when the first node needs it. All methods may be called from any thread.
+    The first node opens the session. All methods may be called from any thread.
 
     Args:
-        mode: `peer` for a process with nodes; `client` for a tool that only looks in, through the
-            domain's router, and sees everything with its first query.
+        mode: `peer` for a process with nodes, or `client` for a tool. A client connects only to the
+            domain's router, and gets the complete graph with its first query.
     """
 
     def __init__(self, *, mode: Literal["peer", "client"] = "peer") -> None:
@@ -81,21 +80,21 @@ class Context:
         self._interrupted = False
         self._session: zenoh.Session | None = None
         self._meeting: MeetingPoint | None = None
-        self._watch: Peering | None = None
+        self._peering: Peering | None = None
         self._graph: Graph | None = None
         self._wakers: list[Callable[[], None]] = []
         self._on_shutdown: list[Callable[[], None]] = []
         self._threads: dict[threading.Thread, Callable[[], object]] = {}
-        # Weak: a signal may come between the making of one and the call that hands it to Zenoh.
+        # Weak references, because a signal may come before Zenoh gets a new receiver.
         self._receivers: WeakSet[threading.Event] = WeakSet()
         self._entity_ids = itertools.count()
         self._nodes: WeakSet[ContextNode] = WeakSet()
         self.arguments = Arguments()
         self.dialect = NATIVE
         self._in_class = False
-        self.is_student = False  #: whether this machine takes part in a class as a student's
+        self.is_student = False  #: whether this is a student's machine in a classroom
 
-    # -- life ----------------------------------------------------------------------------------
+    # -- init and shutdown ---------------------------------------------------------------------
 
     def init(
         self,
@@ -104,17 +103,17 @@ class Context:
         initialize_logging: bool = True,
         domain_id: int | None = None,
     ) -> None:
-        """Read the arguments and the domain. Nothing is opened yet.
+        """Read the arguments and the domain, without opening a session.
 
         Args:
-            args: The command line with its `--ros-args`; `sys.argv` if left out.
-            initialize_logging: Whether log options among the arguments take effect.
-            domain_id: 0 to 232; `$ZBOT_DOMAIN_ID` or `$ROS_DOMAIN_ID`, else 0, if left out.
+            args: The command line with its `--ros-args`; `None` means `sys.argv`.
+            initialize_logging: Whether the log options of the arguments apply.
+            domain_id: 0 to 232. `None` means `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
 
         Raises:
-            ContextInitializedError: It was called before.
+            ContextInitializedError: `init` was called before.
             ArgumentsError: The `--ros-args` are malformed.
-            UnicodeEncodeError: The given `args` have half a surrogate pair, as in rclpy.
+            UnicodeEncodeError: The `args` contain half a surrogate pair, as in rclpy.
             DomainIdError: The domain is out of range.
         """
         "".join(args or ()).encode()
@@ -126,13 +125,13 @@ class Context:
             joined = membership.load()
             self._in_class = joined is not None and joined.in_class
             self.is_student = joined is not None and joined.role == "student"
-            self.dialect = IN_CLASS if self._in_class else NATIVE
+            self.dialect = CLASSROOM if self._in_class else NATIVE
             if initialize_logging:
                 _configure_logging(self.arguments)
             self._state = "valid"
 
     def ok(self) -> bool:
-        """Return whether it is initialised, not shut down and not interrupted by a signal."""
+        """Return whether the context is initialised, not shut down, and not interrupted."""
         return self._state == "valid" and not self._interrupted
 
     def get_domain_id(self) -> int:
@@ -142,31 +141,31 @@ class Context:
 
     @property
     def is_closed(self) -> bool:
-        """Whether there is no open session (any more)."""
+        """Whether there is no open session."""
         return self._session is None or self._session.is_closed()
 
     @property
     def is_valid(self) -> bool:
-        """Whether it is initialised and not shut down; a signal may have interrupted it."""
+        """Whether the context is initialised and not shut down. It may be interrupted."""
         return self._state == "valid"
 
     @property
     def is_over(self) -> bool:
-        """Whether it was shut down: it cannot be initialised again."""
+        """Whether the context was shut down. Then it cannot be initialised again."""
         return self._state == "shut down"
 
     @property
     def is_interrupted(self) -> bool:
-        """Whether a signal asked everything to end."""
+        """Whether a signal interrupted the context."""
         return self._interrupted
 
     def interrupt(self) -> None:
-        """Let everything that spins end; publishing stays possible until `shutdown()`."""
+        """Let all `spin` calls return. Publishing stays possible until `shutdown()`."""
         self._interrupted = True
         self._wake()
 
     def shutdown(self) -> None:
-        """Close the session and everything in it; the second call does nothing."""
+        """Close the session and all its entities. The second call does nothing."""
         with self._lock:
             if self._state != "valid":
                 return
@@ -180,7 +179,7 @@ class Context:
             self.close()
 
     def try_shutdown(self) -> None:
-        """Shut down if that has not been done yet."""
+        """Shut down if the context is not shut down yet."""
         self.shutdown()
 
     def destroy(self) -> None:
@@ -188,27 +187,27 @@ class Context:
         self.shutdown()
 
     def on_shutdown(self, callback: Callable[[], None]) -> None:
-        """Call a function once, at the beginning of `shutdown()`; also before `init()`.
+        """Add a callback that `shutdown()` calls first. Callbacks may be added before `init()`.
 
         Raises:
-            ArgumentTypeError: It is no function.
+            ArgumentTypeError: The callback is not a function.
         """
         if not callable(callback):
             raise ArgumentTypeError("callback", "a function", callback)
         self._on_shutdown.append(callback)
 
     def add_waker(self, waker: Callable[[], None]) -> None:
-        """Call a quick function whenever somebody who waits should look at `ok()` again."""
+        """Add a function that lets a waiting thread check `ok()` again. It must return quickly."""
         with self._lock:
             self._wakers.append(waker)
 
     def remove_waker(self, waker: Callable[[], None]) -> None:
-        """Stop calling a function; nothing happens if it is unknown."""
+        """Remove a function of `add_waker`. Nothing happens if it was not added."""
         with self._lock:
             if waker in self._wakers:
                 self._wakers.remove(waker)
 
-    @uninterrupted
+    @defers_signals
     def _wake(self) -> None:
         for waker in list(self._wakers):
             waker()
@@ -232,27 +231,27 @@ class Context:
 
     @property
     def handle(self) -> Handle[Context]:
-        """Rclpy's name for the context's inner part."""
+        """A handle of the context, as in rclpy."""
         return Handle(self)
 
     # -- nodes ---------------------------------------------------------------------------------
 
     def add_node(self, node: ContextNode) -> None:
-        """Keep track of a node, weakly."""
+        """Add a node, with a weak reference."""
         self._nodes.add(node)
 
     def remove_node(self, node: ContextNode) -> None:
-        """Forget a node."""
+        """Remove a node."""
         self._nodes.discard(node)
 
     @property
     def nodes(self) -> list[ContextNode]:
-        """The nodes that were created and not yet destroyed."""
+        """The nodes that are not destroyed."""
         return list(self._nodes)
 
     @property
     def executors(self) -> set[at_exit.Executor]:
-        """The executors that its nodes are in."""
+        """The executors of the context's nodes."""
         return {node.executor for node in self._nodes if node.executor is not None}
 
     # -- session -------------------------------------------------------------------------------
@@ -262,9 +261,9 @@ class Context:
         """The Zenoh session, opened at first use.
 
         Raises:
-            NotInitializedError: Before `init()` or after `shutdown()`.
-            SessionError: Zenoh cannot open one.
-            ConfigError: The Zenoh configuration file is unusable.
+            NotInitializedError: `init()` was not called, or `shutdown()` was called.
+            SessionError: Zenoh cannot open the session.
+            ConfigError: The Zenoh configuration file cannot be read or is invalid.
         """
         if self._session is None:
             with self._lock:
@@ -277,13 +276,13 @@ class Context:
         return session
 
     def share(self, payload: bytes) -> Any:
-        """Return a large payload in memory that this machine's programs share, if they may."""
+        """Put a large payload into shared memory if the session uses it, and return the payload."""
         shares = self._meeting is not None and self._meeting.shares_memory
         return shared_memory.place(payload) if shares else payload
 
     @property
     def graph(self) -> Graph:
-        """Who is there in the domain, seen through this context's session."""
+        """The graph of the domain, as this context's session sees it."""
         if self._graph is None:
             with self._lock:
                 if self._graph is None:
@@ -292,7 +291,7 @@ class Context:
                         self.dialect,
                         self._domain,
                         asks_first=self._mode == "client",
-                        settle=self.settle,
+                        settle=self.wait_for_discovery,
                         receiver=self.receiver,
                     )
         return self._graph
@@ -303,18 +302,18 @@ class Context:
         return str(self.session.info.zid())
 
     def next_entity_id(self) -> int:
-        """Return a number that no other node or endpoint of the context has."""
+        """Return a new number for a node or endpoint of the context."""
         return next(self._entity_ids)
 
     def connect(self, *, wait: bool = False) -> bool:
-        """Open a client's session if anybody is there.
+        """Open a client's session if the domain has a router.
 
         Args:
-            wait: Keep the meeting port open oneself when nobody does, so that others can come
-                later.
+            wait: Whether to open the domain's router here if there is none. Nodes that start later
+                connect to it.
 
         Returns:
-            Whether there is a session now.
+            Whether the session is open.
         """
         with self._lock:
             self._require("connect()")
@@ -322,16 +321,16 @@ class Context:
                 self._open_client(self._new_meeting(), wait=wait)
             return self._session is not None
 
-    def settle(self) -> None:
-        """Wait, at most 2 s, until every session of the domain has answered this one."""
-        watch = self._watch
-        if watch is not None and self._mode == "peer" and not self.session.is_closed():
-            watch.wait_settled(_SETTLE_TIMEOUT_S)
+    def wait_for_discovery(self) -> None:
+        """Wait until every session of the domain has answered this session, at most 2 s."""
+        peering = self._peering
+        if peering is not None and self._mode == "peer" and not self.session.is_closed():
+            peering.wait_for_answers(_DISCOVERY_TIMEOUT_S)
 
-    def meet(self) -> None:
-        """Wait, at most 0.5 s, until everybody's present subscriptions are known here."""
-        if self._mode == "peer" and self._watch is not None:
-            self._watch.wait_settled(_MEET_TIMEOUT_S)
+    def wait_for_peers(self) -> None:
+        """Wait until this session knows all present subscriptions, at most 0.5 s."""
+        if self._mode == "peer" and self._peering is not None:
+            self._peering.wait_for_answers(_PEERS_TIMEOUT_S)
 
     def _new_meeting(self) -> MeetingPoint:
         reach = config.discovery_range()
@@ -342,41 +341,43 @@ class Context:
         if self._mode == "client":
             self._open_client(meeting, wait=True)
             return
-        meeting.hold()
+        meeting.open_router()
         session = meeting.open_peer()
-        self._adopt(session, meeting)
+        self._set_session(session, meeting)
         if self._in_class:
-            in_one_go(session.declare_subscriber, NOTICE_KEY, self.receiver(log_notice))
+            without_interruption(session.declare_subscriber, NOTICE_KEY, self.receiver(log_notice))
         self._check_linked(meeting)
 
     def _open_client(self, meeting: MeetingPoint, *, wait: bool) -> None:
         session, deadline = meeting.open_client(), time.monotonic() + _LINK_TIMEOUT_S
         while session is None and (wait or meeting.reaches_out):
-            if meeting.hold():
-                meeting.wait_found(_FIND_TIMEOUT_S)
+            if meeting.open_router():
+                meeting.wait_for_routers(_FIND_TIMEOUT_S)
             session = meeting.open_client()
             if session is None:
                 if time.monotonic() > deadline:
                     break
                 time.sleep(_HOLD_PAUSE_S)
         if session is not None:
-            self._adopt(session, meeting, watch=wait)
+            self._set_session(session, meeting, watch=wait)
 
-    def _adopt(self, session: zenoh.Session, meeting: MeetingPoint, *, watch: bool = True) -> None:
-        # In this order: a Ctrl-C in between must find everything that is to be closed.
+    def _set_session(
+        self, session: zenoh.Session, meeting: MeetingPoint, *, watch: bool = True
+    ) -> None:
+        # The order matters. After a Ctrl-C in between, `close` must find all that is open.
         self._session, self._meeting = session, meeting
         at_exit.open_contexts.add(self)
-        at_exit.hook()
+        at_exit.register()
         if watch:
-            self._watch = Peering(session, meeting, self.receiver)
-            self._watch.start()
+            self._peering = Peering(session, meeting, self.receiver)
+            self._peering.start()
 
     def _check_linked(self, meeting: MeetingPoint) -> None:
-        watch, deadline = self._watch, time.monotonic() + _LINK_TIMEOUT_S
+        peering, deadline = self._peering, time.monotonic() + _LINK_TIMEOUT_S
         pause_s = _HOLD_PAUSE_S
-        if watch is None or config.discovery_range() is config.DiscoveryRange.OFF:
+        if peering is None or config.discovery_range() is config.DiscoveryRange.OFF:
             return
-        while not watch.wait_linked(min(pause_s, deadline - time.monotonic())):
+        while not peering.wait_for_router(min(pause_s, deadline - time.monotonic())):
             if self.is_over:
                 return
             if time.monotonic() >= deadline:
@@ -385,12 +386,12 @@ class Context:
                     "port; other nodes will not be found (choose another domain: ZBOT_DOMAIN_ID=7)"
                 )
                 return
-            meeting.hold()
+            meeting.open_router()
             pause_s *= 2
 
     @property
     def sessions(self) -> list[zenoh.Session]:
-        """What is open: the session, and the router that the domain meets at, if it is here."""
+        """The open sessions: the nodes' session, and the domain's router if it runs here."""
         router = None if self._meeting is None else self._meeting.router
         return [one for one in (self._session, router) if one is not None]
 
@@ -399,12 +400,12 @@ class Context:
     ) -> None:
         """Run a function in a thread that `shutdown()` waits for.
 
-        Python kills the threads that are left at its end, and one that is inside Zenoh then takes
-        the whole process down.
+        Python kills the threads that still run at its exit. Killing a thread inside Zenoh crashes
+        the process.
 
         Args:
-            name: Shown by debuggers.
-            run: Must end when the session is closed and `wake` was called.
+            name: Name of the thread, for debuggers.
+            run: The function, which must end after the session was closed and `wake` was called.
             wake: Called after the session was closed.
         """
 
@@ -416,17 +417,17 @@ class Context:
 
         thread = threading.Thread(target=body, name=name, daemon=True)
         self._threads[thread] = wake
-        in_one_go(thread.start)
+        without_interruption(thread.start)
 
     def receiver(self, receive: Callable[[Any], object]) -> Any:
-        """Return what Zenoh calls a function through, in a thread that `shutdown()` waits for.
+        """Return a Zenoh handler that calls a function in a thread that `shutdown()` waits for.
 
-        That thread is Zenoh's own and sleeps until something comes; one of ours that waits for a
-        channel of Zenoh's is woken ten times a second. It has room for 256 events, and the session
-        stands still while that is full.
+        The thread belongs to Zenoh and sleeps until an event comes. A Python thread that waits for
+        a channel of Zenoh wakes up ten times a second. The handler's queue holds 256 events, and a
+        full queue blocks the session.
 
         Args:
-            receive: Must be quick.
+            receive: The function, which must return quickly.
         """
         ended = threading.Event()
 
@@ -440,22 +441,22 @@ class Context:
     def _join_threads(self) -> None:
         for thread, wake in list(self._threads.items()):
             wake()
-            # One whose start was interrupted by a signal has no ident.
+            # A thread whose start was interrupted by a signal has no ident.
             if thread is not threading.current_thread() and thread.ident is not None:
                 thread.join(_JOIN_TIMEOUT_S)
         for ended in self._receivers:
             ended.wait(_JOIN_TIMEOUT_S)
 
-    @uninterrupted
+    @defers_signals
     def close(self) -> None:
-        """Close the session: the last part of `shutdown()`, for when a signal interrupted that."""
-        # The session first: that ends the threads which wait for its data (see docs/wire.md).
+        """Close the session, as the last part of `shutdown()`, even if a signal interrupts that."""
+        # The session is closed first, because this ends the threads that wait for its data.
         if self._session is not None:
-            blocked_put.release(self.sessions)
+            blocked_put.cancel_all(self.sessions)
             self._session.close()
         self._join_threads()
-        if self._watch is not None:
-            self._watch.join()
+        if self._peering is not None:
+            self._peering.join()
         if self._meeting is not None:
             self._meeting.close()
         at_exit.open_contexts.discard(self)
@@ -479,16 +480,16 @@ _default_lock = threading.Lock()
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:
-    """Return the process's context; a new one after the last was shut down.
+    """Return the process's default context, or a new context if the last one was shut down.
 
     Args:
-        shutting_down: Whether the last one will do, as for whoever is about to end it.
+        shutting_down: Whether to return the last context even if it was shut down.
     """
-    global _default  # noqa: PLW0603 - one per process is what it is
+    global _default  # noqa: PLW0603 - there is one per process
     with _default_lock:
         if _default is None or (_default.is_over and not shutting_down):
             _default = Context()
         return _default
 
 
-spare_the_collector()
+freeze_garbage_collector()

@@ -1,8 +1,8 @@
-"""What can go wrong, as one tree of exceptions.
+"""Exceptions that several parts of zbot raise, in one tree below `ZbotError`.
 
-Each class also inherits the builtin that a stranger would catch. The constructor takes facts and
-keeps them as attributes; the class writes the sentence: what is wrong, the offending value, and
-what to do.
+Each class also inherits the builtin exception that fits, e.g. `ValueError`. A constructor takes
+facts and keeps them as attributes. The class writes the message: what is wrong, the value, and what
+to do.
 """
 
 from __future__ import annotations
@@ -14,19 +14,19 @@ if TYPE_CHECKING:
 
 
 class ZbotError(Exception):
-    """Root of everything that zbot raises on purpose."""
+    """Root of all exceptions that zbot raises on purpose."""
 
 
 def close_matches(name: str, known: Iterable[str], count: int = 3) -> tuple[str, ...]:
     """Return up to `count` of the `known` names that are similar to `name`, best first."""
-    from difflib import get_close_matches  # noqa: PLC0415 - 3 ms that only a mistake needs
+    from difflib import get_close_matches  # noqa: PLC0415 - 3 ms, only needed after an error
 
     by_lower = {candidate.lower(): candidate for candidate in known}
     return tuple(by_lower[near] for near in get_close_matches(name.lower(), by_lower, count))
 
 
 def did_you_mean(suggestions: tuple[str, ...]) -> str:
-    """Return the end of a sentence that offers other names; empty without suggestions."""
+    """Return `; did you mean 'a' or 'b'?` for the suggestions; empty if there are none."""
     return f"; did you mean {' or '.join(map(repr, suggestions))}?" if suggestions else ""
 
 
@@ -48,22 +48,22 @@ class InvalidNameError(ZbotError, ValueError):
     """A node, namespace, topic or service name breaks the ROS 2 grammar.
 
     Attributes:
-        name_type: What the name names, e.g. `topic name`.
+        name_type: The kind of name, e.g. `topic name`.
         name: The name as it was given.
-        error_msg: The rule that it breaks.
-        invalid_index: Index in `name` of the first character that breaks it.
+        error_msg: The rule that the name breaks.
+        invalid_index: Index in `name` of the first invalid character.
     """
 
     def __init__(self, name_type: str, name: str, error_msg: str, invalid_index: int) -> None:
         self.name_type, self.name = name_type, name
         self.error_msg, self.invalid_index = error_msg, invalid_index
-        # repr may escape characters: count what it prints before the invalid one.
+        # repr may escape characters: count the printed characters before the invalid one.
         column = len(repr(name[:invalid_index])) - 1
         super().__init__(f"Invalid {name_type}: {error_msg}:\n  {name!r}\n  {' ' * column}^")
 
 
 class InvalidNodeNameError(InvalidNameError):
-    """A node's name is empty, too long or has a character that names may not have."""
+    """A node's name is empty, too long or has a forbidden character."""
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("node name", name, error_msg, invalid_index)
@@ -77,25 +77,25 @@ class InvalidNamespaceError(InvalidNameError):
 
 
 class InvalidTopicNameError(InvalidNameError):
-    """A topic's name breaks the grammar, before or after it was expanded."""
+    """A topic's name breaks the grammar, before or after its expansion."""
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("topic name", name, error_msg, invalid_index)
 
 
 class InvalidServiceNameError(InvalidNameError):
-    """A service's name breaks the grammar, before or after it was expanded."""
+    """A service's name breaks the grammar, before or after its expansion."""
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("service name", name, error_msg, invalid_index)
 
 
 class ParameterError(ZbotError):
-    """Root of what can go wrong with a node's parameters.
+    """Root of the errors about a node's parameters.
 
     Attributes:
-        error_msg: What is wrong.
-        parameters: The names concerned.
+        error_msg: The problem.
+        parameters: Names of the parameters that have it.
     """
 
     def __init__(self, error_msg: str, parameters: str | list[str]) -> None:
@@ -105,14 +105,14 @@ class ParameterError(ZbotError):
 
 
 class InvalidParameterError(ParameterError, ValueError):
-    """A parameter's name is not acceptable, e.g. empty."""
+    """A parameter's name is invalid, e.g. empty."""
 
     def __init__(self, parameter_name: str) -> None:
         super().__init__("Invalid parameter name", parameter_name)
 
 
 class ClockMismatchError(ZbotError, TypeError):
-    """Times of two kinds of clock were compared or subtracted."""
+    """Times of two different clock types were compared or subtracted."""
 
     def __init__(self, first: str, second: str) -> None:
         self.first, self.second = first, second
@@ -123,7 +123,7 @@ class ClockMismatchError(ZbotError, TypeError):
 
 
 class NegativeTimeError(ZbotError, ValueError):
-    """A point in time would lie before its clock's zero."""
+    """A point in time is before its clock's zero."""
 
     def __init__(self, value: float) -> None:
         self.value = value
@@ -140,11 +140,11 @@ class TimeOverflowError(ZbotError, OverflowError):
 
 
 class SetupError(ZbotError):
-    """The surroundings of a program are wrong, not its code: no line of it is worth showing."""
+    """The environment of a program is wrong, not its code, so a traceback would not help."""
 
 
 class NotInitializedError(ZbotError, RuntimeError):
-    """Something needs a context that is initialised and not yet shut down."""
+    """An operation needs a context that is initialised and not yet shut down."""
 
     def __init__(self, what: str = "this") -> None:
         self.what = what
@@ -152,7 +152,7 @@ class NotInitializedError(ZbotError, RuntimeError):
 
 
 class InvalidHandleError(ZbotError, RuntimeError):
-    """An object is used after it, or its node, was destroyed."""
+    """An object was used after it, or its node, was destroyed."""
 
     def __init__(self, what: str = "the object") -> None:
         self.what = what
@@ -160,7 +160,7 @@ class InvalidHandleError(ZbotError, RuntimeError):
 
 
 class InvalidQoSProfileError(ZbotError, ValueError):
-    """A quality of service profile lacks a policy or has one that does not exist."""
+    """A QoS profile lacks a policy or has a policy value that does not exist."""
 
     def __init__(self, reason: str) -> None:
         self.reason = reason
@@ -168,7 +168,7 @@ class InvalidQoSProfileError(ZbotError, ValueError):
 
 
 class QoSArgumentError(ZbotError, TypeError):
-    """Neither a quality of service profile nor the depth of a queue was given."""
+    """A value is neither a QoS profile nor the depth of a queue."""
 
     def __init__(self, value: object) -> None:
         self.value = value
@@ -186,12 +186,12 @@ class UnknownQoSKeyError(ZbotError, KeyError):
         super().__init__(f"{kind} has no {key!r}: use one of {', '.join(known)}")
 
     def __str__(self) -> str:
-        # KeyError would print the sentence as a quoted key.
+        # KeyError would print the message in quotes, like a key.
         return str(self.args[0])
 
 
 class ContextInitializedError(ZbotError, RuntimeError):
-    """A context is initialised a second time."""
+    """A context was initialised a second time."""
 
     def __init__(self) -> None:
         super().__init__(

@@ -1,4 +1,4 @@
-"""Public names of a package that are imported when they are first used."""
+"""Import of a package's public names at their first use."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ def lazy_names(
     """Return the functions `__getattr__` and `__dir__` of a package.
 
     Args:
-        package: Its name, `zbot`.
-        homes: The module that each name comes from, `zbot.node.node`.
-        present: Names that are public and there already.
+        package: Name of the package, such as `zbot`.
+        homes: The module of each name, such as `zbot.node.node`.
+        present: Public names that the package defines itself.
     """
 
     def imported(name: str) -> Any:

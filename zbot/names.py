@@ -1,7 +1,7 @@
-"""ROS 2's rules for node, namespace, topic, service and parameter names.
+"""Rules of ROS 2 for node, namespace, topic, service and parameter names.
 
-Text in, text out. The rules and their order are those of ROS 2's own validators; only letters and
-digits of ASCII count as such. Errors say which character is wrong and point at it.
+The rules and their order are those of ROS 2's own validators. Only ASCII letters and digits are
+letters and digits. An error names the wrong character and points at it.
 """
 
 from __future__ import annotations
@@ -36,9 +36,9 @@ __all__ = [
     "validate_topic_name",
 ]
 
-#: where nodes publish their log lines
+#: topic on which nodes publish their log lines
 ROSOUT_TOPIC = "/rosout"
-#: what follows an action's name in that of the service which takes its goals
+#: suffix of an action's name in the name of its send-goal service
 SEND_GOAL = "/_action/send_goal"
 
 MAX_TOPIC_NAME_LENGTH = 247  # ROS 2: 255 less 8 for a middleware's own prefix
@@ -47,39 +47,39 @@ MAX_NAMESPACE_LENGTH = 245  # ROS 2: a topic's length less "/" and one character
 
 _WORD = re.compile(r"[A-Za-z0-9_]*")
 _ABSOLUTE = re.compile(r"[A-Za-z0-9_/]*")
-# "~" in front, then plain characters and {substitutions} that do not start with a digit.
+# An optional "~", then plain characters and {substitutions} that do not start with a digit.
 _RELATIVE = re.compile(r"~?(?:[A-Za-z0-9_/]|\{(?![0-9])[A-Za-z0-9_]*\})*")
 _DIGIT_TOKEN = re.compile(r"(?:^|/)[0-9]")
 _NUMBERS = re.compile(r"[0-9]+")
 _SUBSTITUTION = re.compile(r"\{([A-Za-z0-9_]*)\}")
 
-#: what is wrong and the index of the character that is
+#: the rule that a name breaks, and the index of the first wrong character
 Fault = tuple[str, int]
 
 
 def validate_node_name(node_name: str) -> Literal[True]:
-    """Accept a node's base name, without any namespace.
+    """Check a node's base name, without a namespace.
 
     Raises:
-        InvalidNodeNameError: It is empty, too long, starts with a digit or has a character other
-            than letters, digits and `_`.
-        ArgumentTypeError: It is no string.
+        InvalidNodeNameError: The name is empty, too long, starts with a digit or has a character
+            other than letters, digits and `_`.
+        ArgumentTypeError: The name is not a string.
     """
-    fault = _node_name_fault(_text("node name", node_name))
+    fault = _node_name_fault(_require_string("node name", node_name))
     if fault is not None:
         raise InvalidNodeNameError(node_name, *fault)
     return True
 
 
 def validate_namespace(namespace: str) -> Literal[True]:
-    """Accept an absolute namespace: `/`, `/robot_1`, `/fleet/robot_1`.
+    """Check an absolute namespace: `/`, `/robot_1`, `/fleet/robot_1`.
 
     Raises:
-        InvalidNamespaceError: It is not absolute, ends with `/`, repeats `/`, is too long or has a
-            forbidden character.
-        ArgumentTypeError: It is no string.
+        InvalidNamespaceError: The namespace is not absolute, ends with `/`, repeats `/`, is too
+            long or has a forbidden character.
+        ArgumentTypeError: The namespace is not a string.
     """
-    if _text("namespace", namespace) == "/":
+    if _require_string("namespace", namespace) == "/":
         return True
     fault = _absolute_fault("namespace", namespace, MAX_NAMESPACE_LENGTH)
     if fault is not None:
@@ -88,55 +88,55 @@ def validate_namespace(namespace: str) -> Literal[True]:
 
 
 def validate_topic_name(name: str, *, is_service: bool = False) -> Literal[True]:
-    """Accept a topic or service name as a program writes it, before it is expanded.
+    """Check a topic or service name as a program writes it, before its expansion.
 
-    That is a relative (`scan`), private (`~/scan`) or absolute (`/scan`) name, with or without
-    `{substitutions}`. A repeated `/` passes here, as in ROS 2; it is refused once expanded.
+    The name is relative (`scan`), private (`~/scan`) or absolute (`/scan`), with or without
+    `{substitutions}`. A repeated `/` is accepted here, as in ROS 2, and rejected after expansion.
 
     Raises:
         InvalidTopicNameError: The name breaks the grammar.
-        InvalidServiceNameError: Instead, where `is_service` is set.
-        ArgumentTypeError: It is no string.
+        InvalidServiceNameError: The same, if `is_service` is set.
+        ArgumentTypeError: The name is not a string.
     """
     kind = "service name" if is_service else "topic name"
-    fault = _relative_fault(kind, _text(kind, name))
+    fault = _relative_fault(kind, _require_string(kind, name))
     if fault is not None:
         raise (InvalidServiceNameError if is_service else InvalidTopicNameError)(name, *fault)
     return True
 
 
 def validate_full_topic_name(name: str, *, is_service: bool = False) -> Literal[True]:
-    """Accept a fully qualified topic or service name, nothing left to expand.
+    """Check a fully qualified topic or service name, after its expansion.
 
     Raises:
         InvalidTopicNameError: The name breaks the grammar or has more than 247 characters.
-        InvalidServiceNameError: Instead, where `is_service` is set.
-        ArgumentTypeError: It is no string.
+        InvalidServiceNameError: The same, if `is_service` is set.
+        ArgumentTypeError: The name is not a string.
     """
     kind = "service name" if is_service else "topic name"
-    fault = _absolute_fault(kind, _text(kind, name), MAX_TOPIC_NAME_LENGTH)
+    fault = _absolute_fault(kind, _require_string(kind, name), MAX_TOPIC_NAME_LENGTH)
     if fault is not None:
         raise (InvalidServiceNameError if is_service else InvalidTopicNameError)(name, *fault)
     return True
 
 
 def validate_parameter_name(name: str) -> Literal[True]:
-    """Accept any parameter name that is not empty; ROS 2 asks no more.
+    """Check that a parameter name is not empty, which is ROS 2's only rule.
 
     Raises:
-        InvalidParameterError: It is empty.
-        ArgumentTypeError: It is no string.
+        InvalidParameterError: The name is empty.
+        ArgumentTypeError: The name is not a string.
     """
-    if not _text("parameter name", name):
+    if not _require_string("parameter name", name):
         raise InvalidParameterError(name)
     return True
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
-    """Return the absolute form of a name: `~`, `{node}`, `{ns}` replaced, namespace put before it.
+    """Return the absolute form of a name: `~`, `{node}` and `{ns}` replaced, namespace added.
 
-    The result may still break the rules for full names (`/{ns}/a` gives `//ns/a`), as in ROS 2:
-    pass it to `validate_full_topic_name` after remapping.
+    The result may still break the rules for full names (`/{ns}/a` gives `//ns/a`), as in ROS 2.
+    Pass the result to `validate_full_topic_name` after remapping.
 
     Raises:
         InvalidTopicNameError: The name breaks the grammar or has an unknown `{substitution}`.
@@ -168,15 +168,15 @@ def split_fully_qualified(name: str) -> tuple[str, str]:
 
 
 def is_hidden(name: str) -> bool:
-    """Tell whether tools leave the name out of their lists: a token of it starts with `_`."""
+    """Return whether tools leave the name out of their lists: one of its tokens starts with `_`."""
     return name.startswith("_") or "/_" in name
 
 
 def nearest(name: str, candidates: Iterable[str]) -> str | None:
-    """Return the candidate that `name` may be a typo of, or None.
+    """Return the candidate that is most similar to a mistyped `name`, or None.
 
-    At most two characters may differ, one in names of less than six. Names that differ in numbers
-    only (`/robot1/scan`, `/robot2/scan`) are siblings, not typos.
+    At most two characters may differ, or one in a name shorter than six. Names that differ only in
+    their numbers (`/robot1/scan`, `/robot2/scan`) are not typos of each other.
     """
     limit = min(2, len(name.replace("/", "")) // 3)
     pattern = _NUMBERS.sub("0", name)
@@ -189,7 +189,7 @@ def nearest(name: str, candidates: Iterable[str]) -> str | None:
     return best[1] if best[0] <= limit else None
 
 
-def _text(what: str, value: str) -> str:
+def _require_string(what: str, value: str) -> str:
     if not isinstance(value, str):
         raise ArgumentTypeError(what, "a string", value)
     return value
@@ -290,7 +290,7 @@ def _substitute(original: str, name: str, node: str, namespace: str) -> str:
 
 
 def _edit_distance(a: str, b: str, limit: int) -> int:
-    """Count insertions, deletions and replacements from a to b, exactly up to `limit` only."""
+    """Return the number of edits from a to b, or `limit + 1` if there are more than `limit`."""
     row = list(range(len(b) + 1))
     for i, left in enumerate(a, 1):
         previous, row[0] = row[0], i

@@ -1,9 +1,9 @@
-"""Quality of service: how a topic's messages are kept, delivered and watched over.
+"""Quality of service (QoS) profiles: how messages are queued, delivered and monitored.
 
-In zbot every pair of profiles can talk; a profile says what each side does with its messages.
+In zbot all profiles are compatible. A profile says how its own side treats messages.
 """
 
-# ruff: noqa: PLE0237  the policies are descriptors, which keep their values in the slots
+# ruff: noqa: PLE0237  the policies are descriptors that keep their values in the slots
 from __future__ import annotations
 
 import warnings
@@ -52,7 +52,7 @@ __all__ = [
 
 
 class QoSPolicyKind(IntEnum):
-    """The policies that a profile is made of, with the numbers of ROS 2."""
+    """Policies of a profile, with ROS 2's numbers."""
 
     INVALID = 1
     DURABILITY = 2
@@ -67,16 +67,16 @@ class QoSPolicyKind(IntEnum):
 
 
 class QoSPolicyEnum(IntEnum):
-    """A policy's values, also known by short keys: `best_effort` for `BEST_EFFORT`."""
+    """Base of a policy's values; each has a short key: `best_effort` for `BEST_EFFORT`."""
 
     @classmethod
     def short_keys(cls) -> list[str]:
-        """Return the values as a person types them."""
+        """Return the short keys of all values."""
         return [name.lower() for name in cls.__members__ if not name.startswith("RMW")]
 
     @classmethod
     def get_from_short_key(cls, name: str) -> int:
-        """Return the value of a short key, whatever its case.
+        """Return the value of a short key in upper or lower case.
 
         Raises:
             UnknownQoSKeyError: There is no such value.
@@ -88,13 +88,13 @@ class QoSPolicyEnum(IntEnum):
 
     @property
     def short_key(self) -> str:
-        """The value as a person types it."""
+        """The value's short key."""
         return self.name.lower()
 
 
-# The RMW_... members are the names of ROS 2's first years, which programs still use.
+# The RMW_... members are old ROS 2 names that programs still use.
 class HistoryPolicy(QoSPolicyEnum):
-    """Which messages wait for a slow partner: the last `depth`, or all of them."""
+    """Which messages a queue keeps for a slow receiver: the last `depth` or all."""
 
     SYSTEM_DEFAULT = 0
     KEEP_LAST = 1
@@ -121,7 +121,7 @@ class ReliabilityPolicy(QoSPolicyEnum):
 
 
 class DurabilityPolicy(QoSPolicyEnum):
-    """Whether a late subscriber still gets the messages sent before it came."""
+    """Whether a late subscriber still gets the messages sent before it existed."""
 
     SYSTEM_DEFAULT = 0
     TRANSIENT_LOCAL = 1
@@ -135,7 +135,7 @@ class DurabilityPolicy(QoSPolicyEnum):
 
 
 class LivelinessPolicy(QoSPolicyEnum):
-    """Who says that a publisher is alive: the library, or the program itself."""
+    """Who asserts that a publisher is alive: the library or the program."""
 
     SYSTEM_DEFAULT = 0
     AUTOMATIC = 1
@@ -145,7 +145,7 @@ class LivelinessPolicy(QoSPolicyEnum):
     RMW_QOS_POLICY_LIVELINESS_SYSTEM_DEFAULT = 0
     RMW_QOS_POLICY_LIVELINESS_AUTOMATIC = 1
     RMW_QOS_POLICY_LIVELINESS_MANUAL_BY_TOPIC = 3
-    RMW_QOS_POLICY_DURABILITY_UNKNOWN = 4  # rclpy's slip of the pen, which programs may have copied
+    RMW_QOS_POLICY_DURABILITY_UNKNOWN = 4  # rclpy's typo, which programs may use
 
 
 QoSHistoryPolicy = HistoryPolicy
@@ -153,7 +153,7 @@ QoSReliabilityPolicy = ReliabilityPolicy
 QoSDurabilityPolicy = DurabilityPolicy
 QoSLivelinessPolicy = LivelinessPolicy
 
-#: As strict as the partners found at creation allow.
+#: As strict as the endpoints allow that exist at creation.
 DeadlineBestAvailable = Duration(nanoseconds=2**63 - 2)
 LivelinessLeaseDurationeBestAvailable = Duration(nanoseconds=2**63 - 2)  # spelt as in rclpy
 
@@ -162,12 +162,12 @@ _ValueT = TypeVar("_ValueT", Duration, bool)
 _DefaultT = TypeVar("_DefaultT")
 
 
-def _or(value: _DefaultT | None, default: _DefaultT) -> _DefaultT:
+def _default_if_none(value: _DefaultT | None, default: _DefaultT) -> _DefaultT:
     return default if value is None else value
 
 
 class _Policy(Generic[_PolicyT]):
-    """A settable policy: one of its enum's members, or their number."""
+    """Descriptor of a policy that is a member of an enum; it can be set to the number too."""
 
     def __init__(self, policy: type[_PolicyT]) -> None:
         self._policy = policy
@@ -197,7 +197,7 @@ class _Policy(Generic[_PolicyT]):
 
 
 class _Value(Generic[_ValueT]):
-    """A settable value of one Python type."""
+    """Descriptor of a policy that has one Python type."""
 
     def __init__(self, kind: type[_ValueT]) -> None:
         self._kind: type[_ValueT] = kind
@@ -225,21 +225,21 @@ class QoSProfile:
     """A set of policies for a publisher, subscription, service or client.
 
     Args:
-        history: Which messages wait for a slow partner; with `depth` alone, the last ones.
-        depth: How many messages wait, with `KEEP_LAST`.
-        reliability: Reliable unless said otherwise.
-        durability: Volatile unless said otherwise; `TRANSIENT_LOCAL` serves late subscribers.
-        lifespan: Age after which a message is no longer delivered; zero means never.
-        deadline: Longest time between two messages; zero means any.
-        liveliness: Who says that a publisher is alive.
-        liveliness_lease_duration: Time without such a sign after which it counts as dead; zero
-            means never.
-        avoid_ros_namespace_conventions: Kept for programs that set it; zbot adds no prefixes.
+        history: Which messages the queue keeps; `KEEP_LAST` if only `depth` is given.
+        depth: Length of the queue with `KEEP_LAST`, in messages.
+        reliability: `RELIABLE` by default.
+        durability: `VOLATILE` by default; `TRANSIENT_LOCAL` serves late subscribers.
+        lifespan: Age after which a message is not delivered any more; zero means no limit.
+        deadline: Longest time between two messages; zero means no limit.
+        liveliness: Who asserts that a publisher is alive.
+        liveliness_lease_duration: Time without an assertion after which a publisher counts as dead;
+            zero means no limit.
+        avoid_ros_namespace_conventions: No effect, because zbot adds no prefixes to names.
 
     Raises:
         InvalidQoSProfileError: Neither history nor depth is given, `KEEP_LAST` has no depth, or
             a number is out of range.
-        ArgumentTypeError: An argument is of another type than it must be.
+        ArgumentTypeError: An argument has the wrong type.
     """
 
     __slots__ = (
@@ -279,19 +279,21 @@ class QoSProfile:
             raise InvalidQoSProfileError("give it a depth, a history policy or both")
         self.history = HistoryPolicy.KEEP_LAST if history is None else history
         if depth is None and self.history == HistoryPolicy.KEEP_LAST:
-            raise InvalidQoSProfileError("history KEEP_LAST needs a depth: how many messages?")
+            raise InvalidQoSProfileError("history KEEP_LAST needs a depth, in messages")
         self.depth = 10 if depth is None else depth
-        self.reliability = _or(reliability, ReliabilityPolicy.RELIABLE)
-        self.durability = _or(durability, DurabilityPolicy.VOLATILE)
-        self.lifespan = _or(lifespan, Duration())
-        self.deadline = _or(deadline, Duration())
-        self.liveliness = _or(liveliness, LivelinessPolicy.SYSTEM_DEFAULT)
-        self.liveliness_lease_duration = _or(liveliness_lease_duration, Duration())
-        self.avoid_ros_namespace_conventions = _or(avoid_ros_namespace_conventions, False)
+        self.reliability = _default_if_none(reliability, ReliabilityPolicy.RELIABLE)
+        self.durability = _default_if_none(durability, DurabilityPolicy.VOLATILE)
+        self.lifespan = _default_if_none(lifespan, Duration())
+        self.deadline = _default_if_none(deadline, Duration())
+        self.liveliness = _default_if_none(liveliness, LivelinessPolicy.SYSTEM_DEFAULT)
+        self.liveliness_lease_duration = _default_if_none(liveliness_lease_duration, Duration())
+        self.avoid_ros_namespace_conventions = _default_if_none(
+            avoid_ros_namespace_conventions, False
+        )
 
     @property
     def depth(self) -> int:
-        """How many messages wait for a slow partner, with `KEEP_LAST`."""
+        """Length of the queue with `KEEP_LAST`, in messages."""
         return self._depth
 
     @depth.setter
@@ -308,7 +310,7 @@ class QoSProfile:
         self._depth = value
 
     def get_c_qos_profile(self) -> PlainQoSProfile:
-        """Return the policies as rclpy hands them to its C library."""
+        """Return the policies in the form that rclpy passes to its C library."""
         return PlainQoSProfile(self)
 
     def __eq__(self, other: object) -> bool:
@@ -316,7 +318,7 @@ class QoSProfile:
             return NotImplemented
         return all(getattr(self, slot) == getattr(other, slot) for slot in self.__slots__)
 
-    __hash__ = None  # type: ignore[assignment]  # its policies can be set: no key for a dict
+    __hash__ = None  # type: ignore[assignment]  # mutable, so not hashable
 
     def __str__(self) -> str:
         values = ((name, getattr(self, name)) for name in _FIELDS)
@@ -344,10 +346,10 @@ _FIELDS = (
 
 
 def as_profile(qos_or_depth: QoSProfile | int) -> QoSProfile:
-    """Return the profile itself, or the default one with the depth given.
+    """Return the given profile, or the default profile with the given depth.
 
     Raises:
-        QoSArgumentError: It is neither a profile nor an integer.
+        QoSArgumentError: The value is neither a profile nor an integer.
         InvalidQoSProfileError: The depth is negative.
     """
     if isinstance(qos_or_depth, QoSProfile):
@@ -365,21 +367,21 @@ qos_profile_unknown = QoSProfile(
     liveliness=LivelinessPolicy.UNKNOWN,
 )
 qos_profile_default = QoSProfile(depth=10)
-#: Every policy as the receiving side prefers it.
+#: Every policy has the middleware's default.
 qos_profile_system_default = QoSProfile(
     history=HistoryPolicy.SYSTEM_DEFAULT,
     depth=0,
     reliability=ReliabilityPolicy.SYSTEM_DEFAULT,
     durability=DurabilityPolicy.SYSTEM_DEFAULT,
 )
-#: For sensors: the newest readings matter, a lost one does not.
+#: For sensors: the newest readings matter, and a lost reading does not.
 qos_profile_sensor_data = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
 qos_profile_services_default = QoSProfile(depth=10)
-#: For parameters: like services, with room for many requests at once.
+#: For parameters: like services, with a longer queue for many requests at once.
 qos_profile_parameters = QoSProfile(depth=1000)
 qos_profile_parameter_events = QoSProfile(depth=1000)
 qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-#: As strict as the partners found at creation allow.
+#: As strict as the endpoints allow that exist at creation.
 qos_profile_best_available = QoSProfile(
     depth=10,
     reliability=ReliabilityPolicy.BEST_AVAILABLE,
@@ -388,14 +390,14 @@ qos_profile_best_available = QoSProfile(
     liveliness=LivelinessPolicy.BEST_AVAILABLE,
     liveliness_lease_duration=LivelinessLeaseDurationeBestAvailable,
 )
-#: For `/rosout`: a late reader gets the log lines of the last ten seconds.
+#: For `/rosout`: a late subscriber gets the log lines of the last ten seconds.
 qos_profile_rosout_default = QoSProfile(
     depth=1000, durability=DurabilityPolicy.TRANSIENT_LOCAL, lifespan=Duration(seconds=10)
 )
 
 
 class QoSPresetProfiles(Enum):
-    """The profiles that ROS 2 names. Equal ones are one member, under the first name."""
+    """Predefined profiles of ROS 2; equal profiles are aliases of one member."""
 
     UNKNOWN = qos_profile_unknown
     DEFAULT = qos_profile_default
@@ -410,12 +412,12 @@ class QoSPresetProfiles(Enum):
 
     @classmethod
     def short_keys(cls) -> list[str]:
-        """Return the names as a person types them."""
+        """Return the short keys of all profiles."""
         return [name.lower() for name in cls.__members__]
 
     @classmethod
     def get_from_short_key(cls, name: str) -> QoSProfile:
-        """Return the profile of a short key, whatever its case.
+        """Return the profile of a short key in upper or lower case.
 
         Raises:
             UnknownQoSKeyError: There is no such profile.
@@ -427,17 +429,17 @@ class QoSPresetProfiles(Enum):
 
 
 class PlainQoSProfile:
-    """A profile's policies by their names; rclpy keeps them in a structure of its C library.
+    """Policies of a profile by name, in place of rclpy's C structure.
 
     Args:
-        profile: Whose policies; later changes of it are not seen.
+        profile: The profile whose policies are copied.
     """
 
     def __init__(self, profile: QoSProfile) -> None:
         self._policies = {name: getattr(profile, name) for name in _FIELDS}
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the policies as `QoSProfile(**policies)` takes them."""
+        """Return the policies as keyword arguments of `QoSProfile`."""
         return dict(self._policies)
 
     @classmethod
@@ -451,7 +453,7 @@ class PlainQoSProfile:
 
 
 class QoSCompatibility(Enum):
-    """The answer of `qos_check_compatible`."""
+    """Result of `qos_check_compatible`."""
 
     OK = 0
     WARNING = 1
@@ -462,14 +464,14 @@ def qos_check_compatible(
     publisher_qos: QoSProfile,  # noqa: ARG001 - rclpy's signature
     subscription_qos: QoSProfile,  # noqa: ARG001 - rclpy's signature
 ) -> tuple[QoSCompatibility, str]:
-    """Tell whether two profiles can talk, and why not: in zbot every pair can."""
+    """Return whether two profiles are compatible, and the reason if not: in zbot all are."""
     return QoSCompatibility.OK, ""
 
 
 def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
-    """Return the policy's name, e.g. `RELIABILITY` for 16.
+    """Return a policy's name, e.g. `RELIABILITY` for 16.
 
     Raises:
-        ValueError: There is no such policy.
+        ValueError: There is no policy with that number.
     """
     return QoSPolicyKind(policy_kind).name

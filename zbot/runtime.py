@@ -1,4 +1,4 @@
-"""The functions of a first program: `init`, `spin`, `ok`, `shutdown`."""
+"""Functions for the default context and executor: `init`, `ok`, `spin`, `shutdown`."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.context import get_default_context
 from zbot.errors import NotInitializedError
-from zbot.executor.executor import SingleThreadedExecutor
+from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.node.endpoint import RMW_IDENTIFIER
 from zbot.node.node import Node
 from zbot.process import signals
@@ -25,7 +25,7 @@ _executors: dict[int, Executor] = {}
 
 
 class InitContextManager:
-    """What `init()` returns: leave the `with` block, and the context is shut down.
+    """Context manager that `init()` returns. The end of its `with` block shuts the context down.
 
     Args:
         context: The context that was initialised.
@@ -53,16 +53,17 @@ def init(
     domain_id: int | None = None,
     signal_handler_options: SignalHandlerOptions | None = None,
 ) -> InitContextManager:
-    """Begin: read the command line, choose the domain, and see to it that Ctrl-C ends cleanly.
+    """Initialise a context from the command line, and install signal handlers.
 
     Args:
-        args: The command line with its `--ros-args`; `sys.argv` if left out.
-        context: The context to initialise; the default one if left out.
-        domain_id: 0 to 232; from the environment if left out.
-        signal_handler_options: Which signals to handle; all for the default context, else none.
+        args: The command line with its `--ros-args`; `None` means `sys.argv`.
+        context: The context to initialise. `None` means the default context.
+        domain_id: 0 to 232. `None` means `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
+        signal_handler_options: Signals to handle. `None` means all signals for the default context,
+            and no signals for other contexts.
 
     Raises:
-        ContextInitializedError: It was called before, without a `shutdown()` since.
+        ContextInitializedError: The context is already initialised.
         ArgumentsError: The `--ros-args` are malformed.
         DomainIdError: The domain is out of range.
     """
@@ -76,21 +77,22 @@ def init(
 
 
 def ok(*, context: Context | None = None) -> bool:
-    """Return whether to go on: initialised, not shut down, no Ctrl-C yet."""
+    """Return whether the context is initialised, not shut down, and not interrupted."""
     return (get_default_context() if context is None else context).ok()
 
 
 def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
-    """End: close the context's session and everything in it.
+    """Shut down a context: close its session and all its entities.
 
-    The default context may be shut down twice: a first program ends like that after Ctrl-C.
+    The default context may be shut down twice, as simple programs do after Ctrl-C.
 
     Args:
-        context: The context to shut down; the default one if left out.
-        uninstall_handlers: Whether to give the signals back; done for the default context.
+        context: The context to shut down. `None` means the default context.
+        uninstall_handlers: Whether to restore the former signal handlers. `None` means only for the
+            default context.
 
     Raises:
-        NotInitializedError: The given context is not initialised, or was shut down before.
+        NotInitializedError: The given context is not initialised, or is already shut down.
     """
     if context is not None and not context.is_valid:
         raise NotInitializedError("shutdown(context=...)")
@@ -98,23 +100,23 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
 
 
 def try_shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
-    """Do what `shutdown()` does if that has not been done yet."""
+    """Shut down a context if it is not shut down yet. See `shutdown`."""
     chosen = get_default_context() if context is None else context
     executor = _executors.pop(id(chosen), None)
     if executor is not None:
-        executor.shutdown(0)  # first, so that whoever is in `spin()` returns without an exception
+        executor.shutdown(0)  # first, so that `spin()` returns without an exception
     chosen.shutdown()
     if uninstall_handlers or (uninstall_handlers is None and context is None):
         signals.uninstall()
 
 
 def create_node(node_name: str, **options: Any) -> Node:
-    """Create a node; the options are those of `Node`."""
+    """Create a node. The options are the arguments of `Node`."""
     return Node(node_name, **options)
 
 
 def get_global_executor(context: Context | None = None) -> Executor:
-    """Return the executor that the module's `spin` functions use."""
+    """Return the executor that the `spin` functions of this module use."""
     context = get_default_context() if context is None else context
     executor = _executors.get(id(context))
     if executor is None or executor.context is not context:
@@ -123,7 +125,7 @@ def get_global_executor(context: Context | None = None) -> Executor:
 
 
 @contextlib.contextmanager
-def _holding(node: Node, executor: Executor | None) -> Iterator[Executor]:
+def _added_to_executor(node: Node, executor: Executor | None) -> Iterator[Executor]:
     executor = _executor_of(node) if executor is None else executor
     before = node.executor
     added = executor.add_node(node)
@@ -137,7 +139,7 @@ def _holding(node: Node, executor: Executor | None) -> Iterator[Executor]:
 
 
 def _executor_of(node: Node) -> Executor:
-    # Who is spun already stays where it is: the global executor would take it away.
+    # Adding a node to the global executor would remove it from an executor that spins.
     executor = node.executor
     if executor is not None and executor.is_spinning:
         return executor
@@ -147,21 +149,21 @@ def _executor_of(node: Node) -> Executor:
 def spin(node: Node, executor: Executor | None = None) -> None:
     """Run a node's callbacks until its context is shut down.
 
-    Returns when a callback or another thread calls `shutdown()`.
+    The call ends when a callback or another thread calls `shutdown()`.
 
     Raises:
-        KeyboardInterrupt: Ctrl-C; nothing is printed when nobody catches it.
-        ExternalShutdownException: The context was shut down by a signal, or by its own method.
+        KeyboardInterrupt: The user pressed Ctrl-C. If nothing catches it, nothing is printed.
+        ExternalShutdownException: A signal or the context's own method shut the context down.
     """
-    with _holding(node, executor) as chosen:
+    with _added_to_executor(node, executor) as chosen:
         chosen.spin()
 
 
 def spin_once(
     node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None
 ) -> None:
-    """Run one callback, waiting for it at most `timeout_sec` seconds (`None`: for ever)."""
-    with _holding(node, executor) as chosen:
+    """Run one callback. Wait for it at most `timeout_sec` seconds (`None` means no limit)."""
+    with _added_to_executor(node, executor) as chosen:
         chosen.spin_once(timeout_sec)
 
 
@@ -172,15 +174,15 @@ def spin_until_future_complete(
     timeout_sec: float | None = None,
 ) -> None:
     """Run a node's callbacks until the future is done, at most `timeout_sec` seconds."""
-    with _holding(node, executor) as chosen:
+    with _added_to_executor(node, executor) as chosen:
         chosen.spin_until_future_complete(future, timeout_sec)
 
 
 def get_rmw_implementation_identifier() -> str:
-    """Return what carries the messages, as ROS 2's programs ask for it."""
+    """Return the name of the middleware."""
     return RMW_IDENTIFIER
 
 
 def get_available_rmw_implementations() -> set[str]:
-    """Return everything that could carry the messages: there is one."""
+    """Return the names of all middlewares. zbot has one."""
     return {get_rmw_implementation_identifier()}

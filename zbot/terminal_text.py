@@ -1,28 +1,25 @@
-"""Text of strangers, as it may be shown on a terminal."""
+"""Text from other programs, made safe to print on a terminal."""
 
 from __future__ import annotations
 
 
-def plain(text: str, longest: int) -> str:
-    """Return a text in one line, without anything that moves a cursor or turns the writing round.
+def single_line(text: str, longest: int) -> str:
+    """Return a text in one line, without control or direction characters.
 
-    Control characters and the like become spaces; of several spaces one remains.
+    Every character that is not printable becomes a space; several spaces become one.
 
     Args:
-        text: From anywhere.
-        longest: How many characters remain at most.
+        text: Text from any source.
+        longest: Maximum number of characters in the result.
     """
     shown = "".join(char if char.isprintable() else " " for char in text)
     return " ".join(shown.split())[:longest].rstrip()
 
 
-def harmless(text: str) -> str:
-    """Return a text of several lines whose control characters are shown rather than obeyed.
+def escape_control_characters(text: str) -> str:
+    r"""Return a text with its control characters written as escapes, e.g. `\x1b`.
 
-    Line ends and tabs stay what they are.
-
-    Args:
-        text: From anywhere.
+    Line ends and tabs are kept.
     """
     return "".join(char if char.isprintable() or char in "\n\t" else _shown(char) for char in text)
 

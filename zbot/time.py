@@ -1,4 +1,4 @@
-"""Points in time and spans between them, in whole nanoseconds, as ROS 2 counts them."""
+"""Points in time and durations, in whole nanoseconds, as in ROS 2."""
 
 from __future__ import annotations
 
@@ -17,27 +17,27 @@ from zbot.errors import (
 __all__ = ["S_TO_NS", "ClockType", "Duration", "Infinite", "Time"]
 
 S_TO_NS = 1_000_000_000
-_LIMIT = 2**63  # ROS 2 keeps nanoseconds in a signed 64 bit number
-_LONGEST_IN_MESSAGE = 2**31 * S_TO_NS - 1  # the seconds of builtin_interfaces are an int32
+_LIMIT = 2**63  # ROS 2 keeps nanoseconds in a signed 64-bit integer
+_LONGEST_IN_MESSAGE = 2**31 * S_TO_NS - 1  # builtin_interfaces keeps seconds in an int32
 
 
 class ClockType(Enum):
-    """What a time counts from: only times of the same clock type can be compared."""
+    """Type of a clock; only times of the same clock type can be compared."""
 
     UNINITIALIZED = 0
-    ROS_TIME = 1  #: the node's own time: the system's, or simulated from `/clock`
-    SYSTEM_TIME = 2  #: since the Unix epoch; jumps when somebody sets the clock
-    STEADY_TIME = 3  #: since some moment before the program; never jumps
+    ROS_TIME = 1  #: the node's time: system time, or simulated time from `/clock`
+    SYSTEM_TIME = 2  #: since the Unix epoch; jumps when the system's clock is set
+    STEADY_TIME = 3  #: since an arbitrary moment before the program's start; never jumps
 
 
 class Duration:
-    """A span of time, possibly negative."""
+    """A span of time, which can be negative."""
 
     def __init__(self, *, seconds: float = 0, nanoseconds: float = 0) -> None:
-        """Add up seconds and nanoseconds; fractions of a nanosecond are cut off.
+        """Add seconds and nanoseconds; fractions of a nanosecond are cut off.
 
         Raises:
-            ArgumentTypeError: An argument is no number.
+            ArgumentTypeError: An argument is not a number.
             TimeOverflowError: The sum does not fit in 64 bits (292 years), or is not finite.
         """
         self._nanoseconds = _total("duration", seconds, nanoseconds)
@@ -53,16 +53,16 @@ class Duration:
         return cls(nanoseconds=_LIMIT - 1 if total == _LONGEST_IN_MESSAGE else total)
 
     def to_msg(self) -> Any:
-        """Return a `builtin_interfaces/msg/Duration`; its range is about 68 years either way.
+        """Return a `builtin_interfaces/msg/Duration`, whose range is about -68 to 68 years.
 
-        `Infinite` becomes the longest one, and that becomes `Infinite` again.
+        `Infinite` becomes the longest such message, and `from_msg` turns that into `Infinite`.
         """
         infinite = self._nanoseconds == _LIMIT - 1
         return _to_message("Duration", _LONGEST_IN_MESSAGE if infinite else self._nanoseconds)
 
     @property
     def nanoseconds(self) -> int:
-        """The whole span, in nanoseconds."""
+        """The duration in nanoseconds."""
         return self._nanoseconds
 
     def __repr__(self) -> str:
@@ -120,7 +120,7 @@ class Duration:
 
 
 class Time:
-    """A point in time of one kind of clock, never before that clock's zero."""
+    """A point in time of one clock type, not before the clock's zero."""
 
     def __init__(
         self,
@@ -129,10 +129,10 @@ class Time:
         nanoseconds: float = 0,
         clock_type: ClockType = ClockType.SYSTEM_TIME,
     ) -> None:
-        """Add up seconds and nanoseconds; fractions of a nanosecond are cut off.
+        """Add seconds and nanoseconds; fractions of a nanosecond are cut off.
 
         Raises:
-            ArgumentTypeError: An argument is no number, or `clock_type` no `ClockType`.
+            ArgumentTypeError: An argument is not a number, or `clock_type` is not a `ClockType`.
             NegativeTimeError: An argument is below zero.
             TimeOverflowError: The sum does not fit in 64 bits (292 years), or is not finite.
         """
@@ -145,11 +145,11 @@ class Time:
 
     @classmethod
     def from_msg(cls, msg: Any, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
-        """Return the value of a `builtin_interfaces/msg/Time`, which does not tell its clock.
+        """Return the value of a `builtin_interfaces/msg/Time`, which does not name its clock.
 
         Raises:
             ArgumentTypeError: The message has no `sec` and `nanosec`.
-            NegativeTimeError: The message is of a moment before the clock's zero.
+            NegativeTimeError: The message's time is before the clock's zero.
         """
         nanoseconds = _from_message("builtin_interfaces/msg/Time", msg)
         return cls(nanoseconds=nanoseconds, clock_type=clock_type)
@@ -165,11 +165,11 @@ class Time:
 
     @property
     def clock_type(self) -> ClockType:
-        """The kind of clock that the time was read from."""
+        """The type of the clock that gave the time."""
         return self._clock_type
 
     def seconds_nanoseconds(self) -> tuple[int, int]:
-        """Return whole seconds and the nanoseconds that remain."""
+        """Return the whole seconds and the remaining nanoseconds."""
         return divmod(self._nanoseconds, S_TO_NS)
 
     def __repr__(self) -> str:
@@ -232,7 +232,9 @@ class Time:
 
 def _total(what: str, seconds: float, nanoseconds: float) -> int:
     try:
-        total = int(_plain("seconds", seconds) * S_TO_NS) + int(_plain("nanoseconds", nanoseconds))
+        total = int(_number("seconds", seconds) * S_TO_NS) + int(
+            _number("nanoseconds", nanoseconds)
+        )
     except (ValueError, OverflowError):  # not a number, infinite
         raise TimeOverflowError(what, seconds, nanoseconds) from None
     if not -_LIMIT <= total < _LIMIT:
@@ -240,8 +242,8 @@ def _total(what: str, seconds: float, nanoseconds: float) -> int:
     return total
 
 
-def _plain(argument: str, value: float) -> float:
-    """Return Python's own number: a numpy int32 would overflow when it is multiplied."""
+def _number(argument: str, value: float) -> float:
+    """Return the value as a Python number: a numpy int32 would overflow in a multiplication."""
     if isinstance(value, (int, float)):
         return value
     if isinstance(value, numbers.Integral):
@@ -260,26 +262,26 @@ def _from_message(type_name: str, msg: Any) -> int:
 
 
 def _to_message(name: str, nanoseconds: int) -> Any:
-    # Not at the top: message classes are made from definitions, a layer above this one.
+    # Imported here because message classes belong to a layer above this one.
     message = getattr(importlib.import_module("builtin_interfaces.msg"), name)
     seconds, rest = divmod(nanoseconds, S_TO_NS)
     return message(sec=seconds, nanosec=rest)
 
 
-#: Longer than anything: what a deadline or lifespan that never passes is set to.
+#: The longest duration; a deadline or lifespan of this length never expires.
 Infinite = Duration(nanoseconds=_LIMIT - 1)
 
 
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
-    """Return a timeout in nanoseconds; -1 for `None` and for less than 0: no timeout."""
+    """Return a timeout in nanoseconds, or -1 (no timeout) for `None` and for less than 0."""
     return -1 if timeout_sec is None or timeout_sec < 0 else int(timeout_sec * S_TO_NS)
 
 
 class TimeoutObject:
-    """A timeout in seconds that may be changed between two waits.
+    """A timeout that can be changed between two waits.
 
     Args:
-        timeout: Seconds.
+        timeout: The timeout in seconds.
     """
 
     timeout: float

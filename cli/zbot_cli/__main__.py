@@ -1,11 +1,11 @@
-"""`zbot`, and `python -m zbot_cli`: the way into the command.
+"""Program of `zbot` and `python -m zbot_cli`.
 
-Imports come after the first line that does something, for Ctrl-C may come before they are over.
+Ctrl-C is handled before the other imports, because it may come while they run.
 """
 
-from zbot_cli.input import interruption
+from zbot_cli.input import keyboard_interrupt
 
-interruption.end_at_once()
+keyboard_interrupt.end_process_on_ctrl_c()
 
 from zbot_cli.main import main  # noqa: E402
 

@@ -1,6 +1,6 @@
-"""The `zbot` command: nouns, found when they are named, and the one place where errors become text.
+"""Entry point of the `zbot` command: finds the noun, runs it, and prints errors.
 
-A noun's module is imported when it is used: `zbot --help` must answer before a student wonders.
+Only the module of the noun that is used gets imported, so that `zbot --help` is fast.
 """
 
 from __future__ import annotations
@@ -9,38 +9,38 @@ import os
 import sys
 from typing import TYPE_CHECKING, Any, NoReturn
 
-from zbot_cli.input import interruption
+from zbot_cli.input import keyboard_interrupt
 from zbot_cli.output.exit_status import Status
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-#: Every noun, with the line that `zbot --help` shows.
+#: All nouns, with the line that `zbot --help` shows.
 NOUNS = {
-    "action": "Look at actions, and send goals",
+    "action": "Look at actions and send goals",
     "build": "Check packages; nothing needs building",
-    "class": "Open a class, and look after it",
+    "class": "Start and manage a class",
     "completion": "Complete words in your shell with Tab",
     "daemon": "Say that no daemon is needed",
-    "doctor": "Check what could be wrong",
+    "doctor": "Check this machine and the domain for problems",
     "graph": "Show which nodes talk to each other",
     "hub": "Link other machines to this one",
     "interface": "Look at message, service and action types",
-    "join": "Join a class, or another machine",
+    "join": "Join a class or another machine",
     "launch": "Run a launch file",
-    "leave": "Leave what this machine has joined",
-    "lifecycle": "Lead managed nodes through their lives",
+    "leave": "Leave the class or machine joined before",
+    "lifecycle": "Look at managed nodes, change their states",
     "node": "Look at nodes",
     "param": "Look at parameters and set them",
-    "pkg": "Find packages, and create them",
+    "pkg": "Find and create packages",
     "plot": "Plot numeric fields of topics",
     "run": "Run a node",
     "security": "Make certificates for machines",
-    "service": "Look at services, and call them",
-    "share": "Let a student see another's topics",
-    "status": "Show what this machine has joined",
-    "test": "Run tests, with launch files beside them",
-    "topic": "Look at topics, listen and publish",
+    "service": "Look at services and call them",
+    "share": "Let one student read another's topics",
+    "status": "Show the class or machine joined",
+    "test": "Run tests and launch tests",
+    "topic": "Look at topics, print and publish messages",
     "web": "Show the running system in a browser",
 }
 _ALIASES = {"wtf": "doctor"}
@@ -48,10 +48,10 @@ _HIDDEN = {"complete"}
 
 
 def _version() -> str:
-    import platform  # noqa: PLC0415 - only --version asks
-    from importlib.metadata import version  # noqa: PLC0415 - only --version asks
+    import platform  # noqa: PLC0415 - needed only for --version
+    from importlib.metadata import version  # noqa: PLC0415 - needed only for --version
 
-    from zbot.version import __version__  # noqa: PLC0415 - only --version asks
+    from zbot.version import __version__  # noqa: PLC0415 - needed only for --version
 
     return (
         f"zbot {__version__} (eclipse-zenoh {version('eclipse-zenoh')}, "
@@ -76,11 +76,11 @@ Options:
 Commands:
 {nouns}
 
-  Call `zbot COMMAND --help` for more."""
+  `zbot COMMAND --help` shows the options of a command."""
 
 
 class _Options:
-    """What stands before the noun."""
+    """Options before the noun."""
 
     def __init__(self, words: list[str]) -> None:
         self.debug = False
@@ -93,23 +93,23 @@ class _Options:
         if option == "--debug":
             self.debug = True
         elif option == "--version":
-            _end(_version())
+            _print_and_exit(_version())
         elif option in {"-h", "--help"}:
-            _end(_help())
+            _print_and_exit(_help())
         elif option == "--config":
             if not value and not self.words:
-                _refuse("Option '--config' requires a file.")
+                _exit_with_usage_error("Option '--config' requires a file.")
             os.environ["ZBOT_CONFIG"] = value or self.words.pop(0)
         else:
-            _refuse(f"No such option: {option}")
+            _exit_with_usage_error(f"No such option: {option}")
 
 
-def _end(text: str) -> NoReturn:
+def _print_and_exit(text: str) -> NoReturn:
     print(text)
     sys.exit(Status.OK)
 
 
-def _refuse(text: str) -> NoReturn:
+def _exit_with_usage_error(text: str) -> NoReturn:
     print(f"Error: {text}\nTry 'zbot --help' for help.", file=sys.stderr)
     sys.exit(Status.USAGE)
 
@@ -117,20 +117,20 @@ def _refuse(text: str) -> NoReturn:
 def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
     noun = _ALIASES.get(words[0], words[0])
     if noun not in NOUNS and noun not in _HIDDEN:
-        _refuse_noun(words[0])
+        _exit_unknown_noun(words[0])
     if noun == "run":
-        from zbot_cli.commands.run import run  # noqa: PLC0415 - without typer: it must start at once
+        from zbot_cli.commands.run import run  # noqa: PLC0415 - does not import typer, which starts slowly
 
         return run(words[1:])
     if noun == "complete":
-        from zbot_cli.commands.complete import complete  # noqa: PLC0415 - only shells ask
+        from zbot_cli.commands.complete import complete  # noqa: PLC0415 - needed only for shells
 
         return complete(words[1:], NOUNS)
     if any(word[:1] == "/" and word[1:2].isdigit() for word in words):
         from zbot_cli.input import domain_names  # noqa: PLC0415 - only for names of another domain
 
-        words = domain_names.enter_domain(words) if noun in domain_names.NOUNS else words
-    import typer  # noqa: PLC0415 - `zbot --help` and `zbot run` do without
+        words = domain_names.select_domain(words) if noun in domain_names.NOUNS else words
+    import typer  # noqa: PLC0415 - not needed by `zbot --help` and `zbot run`
 
     from zbot_cli.nouns import load  # noqa: PLC0415 - as above
 
@@ -147,8 +147,8 @@ def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
 
 
 def _report_usage(error: Any) -> int:
-    # typer brings click along, under a name that changes between its versions: go by what errors
-    # can do.
+    # typer contains a copy of click whose module name depends on its version, so click's error
+    # classes cannot be imported: their attributes are used instead.
     if type(error).__name__ == "NoArgsIsHelpError":
         print(error.format_message())
         return Status.OK
@@ -156,11 +156,12 @@ def _report_usage(error: Any) -> int:
     return int(error.exit_code)
 
 
-def _refuse_noun(word: str) -> NoReturn:
+def _exit_unknown_noun(word: str) -> NoReturn:
     from zbot.names import nearest  # noqa: PLC0415 - only for mistakes
 
     guess = nearest(word, NOUNS)
-    _refuse(f"No such command '{word}'." + (f" Did you mean '{guess}'?" if guess else ""))
+    question = f" Did you mean '{guess}'?" if guess else ""
+    _exit_with_usage_error(f"No such command '{word}'.{question}")
 
 
 def _flush() -> None:
@@ -171,7 +172,7 @@ def _flush() -> None:
 
 
 def _silence_stdout() -> None:
-    # Python flushes once more at exit; the reader (`| head`) has gone.
+    # The reader (`| head`) has closed the pipe, and Python flushes once more at exit.
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
@@ -189,12 +190,12 @@ def run_command(words: list[str]) -> int | Callable[[], NoReturn]:
         words: Everything after `zbot`.
 
     Returns:
-        Its exit code; of `zbot run`, the program that this process is to become.
+        The exit code. For `zbot run`: a function that runs the program and ends the process.
     """
     options = _Options(words)
     if not options.words:
-        _end(_help())
-    from zbot.errors import ZbotError  # noqa: PLC0415 - `zbot --help` does without
+        _print_and_exit(_help())
+    from zbot.errors import ZbotError  # noqa: PLC0415 - not needed by `zbot --help`
 
     try:
         return _run_noun(options.words)
@@ -212,22 +213,22 @@ def run_command(words: list[str]) -> int | Callable[[], NoReturn]:
 
 
 def main() -> NoReturn:
-    """Run the command line of this process, and end it."""
+    """Run the command line of this process, and end the process."""
     _set_up_streams()
     try:
-        interruption.raise_exception()
+        keyboard_interrupt.raise_on_ctrl_c()
         outcome = run_command(sys.argv[1:])
-    except KeyboardInterrupt:  # before or after the command itself
+    except KeyboardInterrupt:  # `run_command` catches those during the command
         outcome = Status.INTERRUPTED
-    # All is done and said, or a program is about to take over.
-    interruption.end_at_once()
+    # From here on Ctrl-C ends the process: nothing is left to clean up.
+    keyboard_interrupt.end_process_on_ctrl_c()
     if callable(outcome):
-        outcome()  # what it raises is the program's own
+        outcome()  # the program's exceptions are not caught: Python prints their tracebacks
     _flush()
     sys.exit(outcome)
 
 
 def launch_test() -> NoReturn:
-    """Run ROS 2's command `launch_test`, which is `zbot test`."""
+    """Run the command line of ROS 2's `launch_test` as `zbot test`."""
     sys.argv[1:1] = ["test"]
     main()

@@ -1,4 +1,4 @@
-"""Two simulators, each in a namespace of its own: /turtlesim1/turtlesim and /turtlesim2/turtlesim.
+"""Two simulators in separate namespaces: /turtlesim1/turtlesim and /turtlesim2/turtlesim.
 
 Run:   zbot launch turtlesim multisim.launch.py
 Drive: zbot run turtlesim turtle_teleop_key --ros-args -r __ns:=/turtlesim1

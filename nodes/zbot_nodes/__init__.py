@@ -1,1 +1,1 @@
-"""The bundled nodes: each one is a page that can be read aloud."""
+"""Nodes that come with zbot; each is one short file."""

@@ -1,4 +1,4 @@
-"""Ask a server for the sum of two integers, and end with its answer.
+"""Ask a server for the sum of two integers, and log its response.
 
 Run:  zbot run add_two_ints_client 2 3
 Asks: add_two_ints (example_interfaces/srv/AddTwoInts)
@@ -14,7 +14,7 @@ from example_interfaces.srv import AddTwoInts
 
 
 class AddTwoIntsClient(zbot.Node):
-    """Calls the service as soon as there is a server."""
+    """Calls the service as soon as it has a server."""
 
     def __init__(self) -> None:
         super().__init__("add_two_ints_client")
@@ -29,7 +29,7 @@ class AddTwoIntsClient(zbot.Node):
 
 
 def main() -> None:
-    """Ask once, for 2 + 3 unless the command line has other numbers."""
+    """Ask once, for the numbers of the command line or for 2 + 3."""
     parser = argparse.ArgumentParser(prog="add_two_ints_client", description=__doc__)
     parser.add_argument("a", type=int, nargs="?", default=2)
     parser.add_argument("b", type=int, nargs="?", default=3)

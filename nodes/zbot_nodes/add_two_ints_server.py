@@ -1,4 +1,4 @@
-"""Add two integers for whoever asks.
+"""Add two integers for every client.
 
 Run:    zbot run add_two_ints_server
 Serves: add_two_ints (example_interfaces/srv/AddTwoInts)

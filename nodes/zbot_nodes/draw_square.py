@@ -1,4 +1,4 @@
-"""Let a turtle draw squares, for ever.
+"""Let a turtle draw squares until Ctrl-C.
 
 Run:        zbot run turtlesim draw_square
 Subscribes: turtle1/pose (turtlesim/msg/Pose)
@@ -20,7 +20,7 @@ _STILL = 0.0001
 
 
 class State(Enum):
-    """What the turtle does at present."""
+    """Present movement of the turtle."""
 
     FORWARD = "forward"
     STOP_FORWARD = "stop forward"
@@ -29,12 +29,12 @@ class State(Enum):
 
 
 class DrawSquare(zbot.Node):
-    """Goes ahead, stops, turns left, stops, and again."""
+    """Drives ahead, stops, turns left, stops, and starts again."""
 
     def __init__(self) -> None:
         super().__init__("draw_square")
         self.twist_pub = self.create_publisher(Twist, "turtle1/cmd_vel", 1)
-        self.pose_sub = self.create_subscription(Pose, "turtle1/pose", self.look, 1)
+        self.pose_sub = self.create_subscription(Pose, "turtle1/pose", self.locate, 1)
         self.reset_client = self.create_client(Empty, "reset")
         self.state = State.FORWARD
         self.pose: Pose | None = None
@@ -42,42 +42,42 @@ class DrawSquare(zbot.Node):
         self.poses_to_ignore = math.inf
         self.create_timer(0.016, self.step)
         self.reset_client.wait_for_service()
-        self.reset_client.call_async(Empty.Request()).add_done_callback(self.begin)
+        self.reset_client.call_async(Empty.Request()).add_done_callback(self.accept_poses)
 
-    def begin(self, _reset: zbot.Future[Empty.Response]) -> None:
-        """Look from now on; one pose from before the reset may still be on its way."""
+    def accept_poses(self, _reset: zbot.Future[Empty.Response]) -> None:
+        """Use poses after the reset; one pose from before it may still arrive."""
         self.poses_to_ignore = 1
 
-    def look(self, pose: Pose) -> None:
-        """Remember where the turtle is."""
+    def locate(self, pose: Pose) -> None:
+        """Store the pose of the turtle."""
         if self.poses_to_ignore:
             self.poses_to_ignore -= 1
         else:
             self.pose = pose
 
     def step(self) -> None:
-        """Do the next thing, 62 times a second."""
+        """Check the goal and send the next command, 62 times a second."""
         pose = self.pose
         if pose is None:
             return
         if self.goal is None:
-            self.aim(pose, ahead=_SIDE)
+            self.set_goal(pose, ahead=_SIDE)
         elif self.state is State.FORWARD:
-            self.go_on(self.has_reached(pose), State.STOP_FORWARD, forward=1.0)
+            self.move_or_stop(self.has_reached(pose), State.STOP_FORWARD, forward=1.0)
         elif self.state is State.TURN:
-            self.go_on(self.has_reached(pose), State.STOP_TURN, turn=0.4)
+            self.move_or_stop(self.has_reached(pose), State.STOP_TURN, turn=0.4)
         elif self.has_stopped(pose):
             self.get_logger().info("Reached goal")
             if self.state is State.STOP_FORWARD:
                 self.state = State.TURN
-                self.aim(pose, turn=math.pi / 2)
+                self.set_goal(pose, turn=math.pi / 2)
             else:
                 self.state = State.FORWARD
-                self.aim(pose, ahead=_SIDE)
+                self.set_goal(pose, ahead=_SIDE)
         else:
             self.command()
 
-    def aim(self, pose: Pose, ahead: float = 0.0, turn: float = 0.0) -> None:
+    def set_goal(self, pose: Pose, ahead: float = 0.0, turn: float = 0.0) -> None:
         """Set the next goal."""
         theta = math.remainder(pose.theta + turn, 2 * math.pi)
         x = pose.x + math.cos(pose.theta) * ahead
@@ -86,7 +86,7 @@ class DrawSquare(zbot.Node):
         self.get_logger().info(f"New goal [{x:f} {y:f}, {theta:f}]")
 
     def has_reached(self, pose: Pose) -> bool:
-        """Return whether the goal is near enough."""
+        """Return whether the turtle is near enough to the goal."""
         if self.goal is None:
             return False
         x, y, theta = self.goal
@@ -98,10 +98,10 @@ class DrawSquare(zbot.Node):
         """Return whether the turtle stands still."""
         return abs(pose.angular_velocity) < _STILL and abs(pose.linear_velocity) < _STILL
 
-    def go_on(
+    def move_or_stop(
         self, is_there: bool, following: State, forward: float = 0.0, turn: float = 0.0
     ) -> None:
-        """Move, or begin to stop."""
+        """Keep moving, or begin to stop."""
         if is_there:
             self.state = following
             self.command()
@@ -109,7 +109,7 @@ class DrawSquare(zbot.Node):
             self.command(forward, turn)
 
     def command(self, forward: float = 0.0, turn: float = 0.0) -> None:
-        """Give the turtle a velocity."""
+        """Publish a velocity for the turtle."""
         twist = Twist()
         twist.linear.x = forward
         twist.angular.z = turn

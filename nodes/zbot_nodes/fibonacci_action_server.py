@@ -16,7 +16,7 @@ Goal = ServerGoalHandle[Fibonacci.Goal, Fibonacci.Result, Fibonacci.Feedback]
 
 
 class FibonacciActionServer(zbot.Node):
-    """Tells each number as feedback, and all of them as the result."""
+    """Sends the numbers so far as feedback, and all of them as the result."""
 
     def __init__(self) -> None:
         super().__init__("fibonacci_action_server")
@@ -30,7 +30,7 @@ class FibonacciActionServer(zbot.Node):
         )
 
     def execute_callback(self, goal_handle: Goal) -> Fibonacci.Result:
-        """Reach one goal."""
+        """Execute one goal."""
         self.get_logger().info("Executing goal...")
         feedback_msg = Fibonacci.Feedback()
         feedback_msg.partial_sequence = [0, 1]
@@ -52,7 +52,7 @@ class FibonacciActionServer(zbot.Node):
 def main() -> None:
     """Run until Ctrl-C."""
     with zbot.init():
-        # With several threads, one can hear of a cancel while another one sleeps.
+        # With several threads, one can receive a cancel request while another one sleeps.
         zbot.spin(FibonacciActionServer(), executor=zbot.MultiThreadedExecutor())
 
 

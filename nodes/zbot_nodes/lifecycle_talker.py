@@ -27,7 +27,7 @@ class LifecycleTalker(LifecycleNode):
         self.timer: zbot.Timer | None = None
 
     def greet(self) -> None:
-        """Publish one greeting, which goes nowhere while the node is not active."""
+        """Publish one greeting; it is not sent while the node is not active."""
         if self.publisher is None:
             return
         msg = String()
@@ -54,24 +54,24 @@ class LifecycleTalker(LifecycleNode):
         return super().on_activate(state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Silence the publisher."""
+        """Stop the publisher from publishing."""
         self.get_logger().info("on_deactivate() is called.")
         return super().on_deactivate(state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Give the publisher and the timer back."""
-        self.give_back()
+        """Destroy the publisher and the timer."""
+        self.destroy_entities()
         self.get_logger().info("on_cleanup() is called.")
         return super().on_cleanup(state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Give the publisher and the timer back for good."""
-        self.give_back()
+        """Destroy the publisher and the timer before the end."""
+        self.destroy_entities()
         self.get_logger().info("on_shutdown() is called.")
         return super().on_shutdown(state)
 
-    def give_back(self) -> None:
-        """Destroy what `on_configure` made, if it did."""
+    def destroy_entities(self) -> None:
+        """Destroy the publisher and the timer, if `on_configure` made them."""
         if self.timer is not None:
             self.destroy_timer(self.timer)
         if self.publisher is not None:

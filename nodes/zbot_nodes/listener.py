@@ -1,4 +1,4 @@
-"""Repeat what the talker says.
+"""Log the messages of the talker.
 
 Run:        zbot run listener
 Subscribes: chatter (std_msgs/String)
@@ -10,7 +10,7 @@ from std_msgs.msg import String
 
 
 class Listener(zbot.Node):
-    """Logs every greeting it hears."""
+    """Logs every greeting that it receives."""
 
     def __init__(self) -> None:
         super().__init__("listener")

@@ -1,4 +1,4 @@
-"""Let one turtle do what another one does.
+"""Let one turtle repeat the movements of another.
 
 Run:        zbot run turtlesim mimic --ros-args -r input/pose:=turtle1/pose \
                 -r output/cmd_vel:=turtle2/cmd_vel
@@ -13,7 +13,7 @@ from turtlesim.msg import Pose
 
 
 class MimicNode(zbot.Node):
-    """Turns the velocities of a pose into a command."""
+    """Publishes the velocities of a pose as a command."""
 
     def __init__(self) -> None:
         super().__init__("turtle_mimic")

@@ -1,4 +1,4 @@
-"""Tell whether the temperature is high, low or normal.
+"""Log whether the temperature is high, low or normal.
 
 Run:        zbot run monitor
 Subscribes: temperature (std_msgs/Float32), degrees Celsius
@@ -13,7 +13,7 @@ LOW_C = 22.0
 
 
 class TemperatureMonitor(zbot.Node):
-    """Logs every reading, and warns of high ones."""
+    """Logs every reading, and warns about high ones."""
 
     def __init__(self) -> None:
         super().__init__("temperature_monitor")

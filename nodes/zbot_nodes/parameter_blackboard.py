@@ -1,4 +1,4 @@
-"""Keep whatever parameters others set: a place to try commands on, without declaring anything.
+"""Accept all parameters without declaring them, to try `zbot param`.
 
 Run:  zbot run parameter_blackboard --ros-args -p colour:=green
 Set:  zbot param set /parameter_blackboard size 3
@@ -9,7 +9,7 @@ import zbot
 
 
 class ParameterBlackboard(zbot.Node):
-    """Takes every parameter, those of the command line and of files from the beginning."""
+    """Accepts every parameter; those of the command line and of files are set at the start."""
 
     def __init__(self) -> None:
         super().__init__(

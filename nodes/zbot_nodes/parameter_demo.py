@@ -1,4 +1,4 @@
-"""Drive at a speed that others can set.
+"""Drive at a speed that is a parameter.
 
 Run:        zbot run parameter_demo --ros-args -p speed:=0.8
 Look:       zbot param describe /parameter_demo speed
@@ -20,7 +20,7 @@ from rcl_interfaces.msg import (
 
 
 class ParameterDemo(zbot.Node):
-    """Says how it drives once a second, and whenever someone changes that."""
+    """Logs its speed once a second, and every change of a parameter."""
 
     def __init__(self) -> None:
         super().__init__("parameter_demo")
@@ -41,23 +41,23 @@ class ParameterDemo(zbot.Node):
             ParameterDescriptor(description="Radius in metres", read_only=True),
         )
         self.add_on_set_parameters_callback(self.check)
-        self.add_post_set_parameters_callback(self.tell)
+        self.add_post_set_parameters_callback(self.log_changes)
         self.timer = self.create_timer(1.0, self.drive)
 
     def check(self, parameters: list[zbot.Parameter[Any]]) -> SetParametersResult:
-        """Refuse a driver without a name."""
+        """Reject an empty name of the driver."""
         for parameter in parameters:
             if parameter.name == "driver" and not parameter.value:
                 return SetParametersResult(successful=False, reason="a driver needs a name")
         return SetParametersResult(successful=True)
 
-    def tell(self, parameters: list[zbot.Parameter[Any]]) -> None:
-        """Say what has changed."""
+    def log_changes(self, parameters: list[zbot.Parameter[Any]]) -> None:
+        """Log the parameters that have changed."""
         for parameter in parameters:
             self.get_logger().info(f"{parameter.name} is now {parameter.value}")
 
     def drive(self) -> None:
-        """Say how it drives."""
+        """Log the driver, the speed and the turns of the wheels."""
         driver = self.get_parameter("driver").value
         speed = self.get_parameter("speed").value
         turns = speed / (2 * 3.141592653589793 * self.get_parameter("wheel.radius").value)

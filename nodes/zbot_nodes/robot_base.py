@@ -1,4 +1,4 @@
-"""Drive a simulated robot on two wheels, and tell where it is.
+"""Drive a simulated robot on two wheels, and publish its pose.
 
 Run:        zbot run robot_base
 Subscribes: cmd_vel (geometry_msgs/Twist); without a command for a second, the robot stops
@@ -25,12 +25,12 @@ MAX_SPEED_M_S = 1.0
 MAX_TURN_RAD_S = 2.0
 WHEEL_RADIUS_M = 0.05
 WHEEL_DISTANCE_M = 0.3
-#: Where the sensors are mounted, in metres before and above the robot's middle.
+#: Positions of the sensors, in metres ahead of and above the robot's centre.
 MOUNTS = {"laser": (0.0, 0.2), "imu_link": (0.0, 0.1), "camera_link": (0.15, 0.3)}
 
 
 class Base(zbot.Node):
-    """Moves as it is told, except through walls."""
+    """Moves as commanded, except through walls."""
 
     def __init__(self) -> None:
         super().__init__("base_controller")
@@ -47,27 +47,27 @@ class Base(zbot.Node):
         latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         self.mount_publisher = self.create_publisher(TFMessage, "/tf_static", latched)
         self.mount_publisher.publish(TFMessage(transforms=[*map(self.mount, MOUNTS)]))
-        self.subscription = self.create_subscription(Twist, "cmd_vel", self.obey, 10)
+        self.subscription = self.create_subscription(Twist, "cmd_vel", self.accept, 10)
         self.timer = self.create_timer(PERIOD_S, self.step)
-        self.get_logger().info("Base ready: it drives as /cmd_vel says")
+        self.get_logger().info("Base ready: commands on /cmd_vel")
 
-    def obey(self, msg: Twist) -> None:
-        """Take a command, as fast as the motors allow."""
+    def accept(self, msg: Twist) -> None:
+        """Set the velocity of a command, limited to what the motors can do."""
         self.speed = max(-MAX_SPEED_M_S, min(MAX_SPEED_M_S, msg.linear.x))
         self.turn = max(-MAX_TURN_RAD_S, min(MAX_TURN_RAD_S, msg.angular.z))
         self.last_command = self.get_clock().now()
 
     def step(self) -> None:
-        """Move for one period, and tell everybody."""
+        """Move for one period, and publish."""
         age = self.get_clock().now() - self.last_command
         if age.nanoseconds > COMMAND_LASTS_S * 1e9:
             self.speed = self.turn = 0.0
         speed = self.move()
-        self.tell(speed)
-        self.tell_wheels(speed)
+        self.publish_pose(speed)
+        self.publish_wheels(speed)
 
     def move(self) -> float:
-        """Turn, and go ahead unless a wall is there; return the speed."""
+        """Turn, and move ahead unless a wall is there; return the speed."""
         x, y, yaw = self.pose
         yaw = turn_to(yaw + self.turn * PERIOD_S)
         ahead_x = x + self.speed * PERIOD_S * math.cos(yaw)
@@ -79,7 +79,7 @@ class Base(zbot.Node):
         self.pose = Pose(x, y, yaw) if blocked else Pose(ahead_x, ahead_y, yaw)
         return 0.0 if blocked else self.speed
 
-    def tell(self, speed: float) -> None:
+    def publish_pose(self, speed: float) -> None:
         """Publish the pose, the speed and the transform."""
         odom = Odometry(child_frame_id="base_link")
         odom.header.stamp = self.get_clock().now().to_msg()
@@ -94,8 +94,8 @@ class Base(zbot.Node):
         moved = self.transform("odom", "base_link", at, odom.pose.pose.orientation)
         self.tf_publisher.publish(TFMessage(transforms=[moved]))
 
-    def tell_wheels(self, speed: float) -> None:
-        """Publish how far each wheel has turned, and how fast it does."""
+    def publish_wheels(self, speed: float) -> None:
+        """Publish the angle and speed of each wheel."""
         msg = JointState(name=["wheel_left_joint", "wheel_right_joint"])
         msg.header.stamp = self.get_clock().now().to_msg()
         for wheel, side in enumerate((-1, 1)):
@@ -106,14 +106,14 @@ class Base(zbot.Node):
         self.joint_publisher.publish(msg)
 
     def mount(self, sensor: str) -> TransformStamped:
-        """Return where a sensor is on the robot."""
+        """Return the transform of a sensor on the robot."""
         before, above = MOUNTS[sensor]
         return self.transform("base_link", sensor, Vector3(x=before, z=above), Quaternion())
 
     def transform(
         self, parent: str, child: str, at: Vector3, turned: Quaternion
     ) -> TransformStamped:
-        """Return where one frame is in another, now."""
+        """Return the transform of one frame in another, stamped with the present time."""
         msg = TransformStamped(child_frame_id=child)
         msg.header.stamp = self.get_clock().now().to_msg()
         msg.header.frame_id = parent

@@ -1,6 +1,6 @@
-"""See the walls of the room, as a simulated camera.
+"""Take images of the room, as a simulated camera.
 
-Run:       zbot run robot_camera     (beside zbot run robot_base)
+Run:       zbot run robot_camera     (together with zbot run robot_base)
 Publishes: camera/image_raw (sensor_msgs/Image), colour, 320 x 240, 15 times a second;
            camera/camera_info (sensor_msgs/CameraInfo) with each image
 Try:       zbot topic hz /camera/image_raw
@@ -19,16 +19,16 @@ from sensor_msgs.msg import CameraInfo, Image
 PERIOD_S = 1 / 15
 WIDTH, HEIGHT = 320, 240
 FOCAL_LENGTH_PX = 277.0  # 60 degrees from the left edge to the right one
-EYE_M = 0.3  # above the floor, as high above it as half of a wall
-SKY, FLOOR = 255, 0  # brightness; a wall's is between the two
+EYE_M = 0.3  # height above the floor: half of the height of a wall
+SKY, FLOOR = 255, 0  # brightness; walls have values in between
 
 
 def colour_table(sky: int, wall: float, floor: int) -> bytes:
-    """Return how much of one colour each brightness has."""
+    """Return the value of one colour channel for each brightness."""
     return bytes([floor, *(int(wall * shade) for shade in range(1, 255)), sky])
 
 
-#: Red, green and blue: a light blue sky, walls of brick, a grey floor.
+#: Red, green and blue: a light blue sky, brick-red walls, a grey floor.
 COLOURS = (colour_table(170, 1.0, 90), colour_table(210, 0.6, 90), colour_table(250, 0.4, 90))
 
 
@@ -44,16 +44,16 @@ class Camera(zbot.Node):
         self.info_publisher = self.create_publisher(
             CameraInfo, "camera/camera_info", qos_profile_sensor_data
         )
-        self.subscription = self.create_subscription(Odometry, TRUTH, self.feel, 10)
+        self.subscription = self.create_subscription(Odometry, TRUTH, self.locate, 10)
         self.timer = self.create_timer(PERIOD_S, self.shoot)
         self.get_logger().info("Camera ready: images on /camera/image_raw")
 
-    def feel(self, msg: Odometry) -> None:
-        """Be where the robot is."""
+    def locate(self, msg: Odometry) -> None:
+        """Store the pose of the robot."""
         self.pose = pose_of(msg)
 
     def shoot(self) -> None:
-        """Publish one image, and how the camera sees."""
+        """Publish one image and the camera's parameters."""
         image = Image(width=WIDTH, height=HEIGHT, encoding="rgb8", step=3 * WIDTH)
         image.header.stamp = self.get_clock().now().to_msg()
         image.header.frame_id = "camera_link"
@@ -65,7 +65,7 @@ class Camera(zbot.Node):
         self.info_publisher.publish(info)
 
     def draw(self) -> bytes:
-        """Return the image, row by row, three bytes a pixel."""
+        """Return the image row by row, three bytes per pixel."""
         shades = b"".join(self.column(number) for number in range(WIDTH))
         pixels = bytearray(3 * WIDTH * HEIGHT)
         for row in range(HEIGHT):
@@ -76,7 +76,7 @@ class Camera(zbot.Node):
         return bytes(pixels)
 
     def column(self, number: int) -> bytes:
-        """Return one column from top to bottom, a byte a pixel."""
+        """Return one column from top to bottom, one byte per pixel."""
         x, y, yaw = self.pose
         angle = math.atan((WIDTH / 2 - number) / FOCAL_LENGTH_PX)
         depth = distance(x, y, yaw + angle) * math.cos(angle)

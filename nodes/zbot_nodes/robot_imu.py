@@ -1,6 +1,6 @@
-"""Feel how the robot turns and speeds up, as a simulated inertial sensor.
+"""Measure rotation and acceleration of the robot, as a simulated inertial sensor.
 
-Run:       zbot run robot_imu        (beside zbot run robot_base)
+Run:       zbot run robot_imu        (together with zbot run robot_base)
 Publishes: imu (sensor_msgs/Imu), a hundred times a second
 Try:       zbot topic echo /imu --field angular_velocity.z
 """
@@ -21,19 +21,19 @@ PUSH_NOISE_M_S2 = 0.02
 
 
 class InertialSensor(zbot.Node):
-    """Tells orientation, turning and acceleration, each with a small error."""
+    """Publishes orientation, rotation and acceleration, each with a small error."""
 
     def __init__(self) -> None:
         super().__init__("imu")
         self.motion = Odometry()
         self.last_speed = 0.0
         self.publisher = self.create_publisher(Imu, "imu", qos_profile_sensor_data)
-        self.subscription = self.create_subscription(Odometry, TRUTH, self.feel, 10)
+        self.subscription = self.create_subscription(Odometry, TRUTH, self.locate, 10)
         self.timer = self.create_timer(PERIOD_S, self.publish_reading)
-        self.get_logger().info("Inertial sensor ready: turning and acceleration on /imu")
+        self.get_logger().info("Inertial sensor ready: rotation and acceleration on /imu")
 
-    def feel(self, msg: Odometry) -> None:
-        """Move as the robot does."""
+    def locate(self, msg: Odometry) -> None:
+        """Store the pose and the velocity of the robot."""
         self.motion = msg
 
     def publish_reading(self) -> None:
@@ -46,7 +46,7 @@ class InertialSensor(zbot.Node):
         gain = (moves.linear.x - self.last_speed) / PERIOD_S
         self.last_speed = moves.linear.x
         msg.linear_acceleration.x = gain + random.gauss(0.0, PUSH_NOISE_M_S2)
-        # In a curve, the robot is pushed towards the inside of it.
+        # In a curve, the acceleration points to the inside of the curve.
         msg.linear_acceleration.y = moves.linear.x * moves.angular.z
         msg.linear_acceleration.z = GRAVITY_M_S2 + random.gauss(0.0, PUSH_NOISE_M_S2)
         self.publisher.publish(msg)

@@ -1,6 +1,6 @@
-"""Measure the distance to the walls all around, as a simulated laser scanner.
+"""Measure the distances to the walls in all directions, as a simulated laser scanner.
 
-Run:       zbot run robot_laser      (beside zbot run robot_base)
+Run:       zbot run robot_laser      (together with zbot run robot_base)
 Publishes: scan (sensor_msgs/LaserScan), 360 distances ten times a second
 Try:       zbot topic echo /scan --field ranges[0]
 """
@@ -22,22 +22,22 @@ NOISE_M = 0.01
 
 
 class Laser(zbot.Node):
-    """Looks once around, ten times a second; the first ray points ahead."""
+    """Scans in a full circle ten times a second; the first ray points ahead."""
 
     def __init__(self) -> None:
         super().__init__("laser_scanner")
         self.pose = Pose()
         self.publisher = self.create_publisher(LaserScan, "scan", qos_profile_sensor_data)
-        self.subscription = self.create_subscription(Odometry, TRUTH, self.feel, 10)
+        self.subscription = self.create_subscription(Odometry, TRUTH, self.locate, 10)
         self.timer = self.create_timer(PERIOD_S, self.scan)
         self.get_logger().info("Laser ready: distances on /scan")
 
-    def feel(self, msg: Odometry) -> None:
-        """Be where the robot is."""
+    def locate(self, msg: Odometry) -> None:
+        """Store the pose of the robot."""
         self.pose = pose_of(msg)
 
     def scan(self) -> None:
-        """Publish one turn."""
+        """Publish one scan."""
         msg = LaserScan(angle_max=2 * math.pi, angle_increment=2 * math.pi / RAYS)
         msg.header.stamp = self.get_clock().now().to_msg()
         msg.header.frame_id = "laser"

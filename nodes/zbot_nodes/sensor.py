@@ -12,7 +12,7 @@ from std_msgs.msg import Float32
 
 
 class TemperatureSensor(zbot.Node):
-    """Reads 20 to 30 degrees, anew every second."""
+    """Publishes a random temperature from 20 to 30 degrees every second."""
 
     def __init__(self) -> None:
         super().__init__("temperature_sensor")

@@ -1,8 +1,8 @@
-"""Tell everybody, for ever, where one frame is in another.
+"""Publish a transform that does not change, until Ctrl-C.
 
 Run:       zbot run tf2_ros static_transform_publisher --x 0.1 --yaw 1.57 \
                --frame-id base_link --child-frame-id laser
-Publishes: /tf_static (tf2_msgs/msg/TFMessage), kept for latecomers
+Publishes: /tf_static (tf2_msgs/msg/TFMessage), kept for late subscribers
 """
 
 import argparse
@@ -26,20 +26,20 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
         parser.add_argument(f"--{name}", type=float, default=0.0)
     parser.add_argument("--qw", type=float, default=1.0)
     parser.add_argument("--frame-id", required=True, help="the parent's name")
-    parser.add_argument("--child-frame-id", required=True, help="the frame that is told of")
+    parser.add_argument("--child-frame-id", required=True, help="the child frame's name")
     if len(words) in _OLD_STYLE and not any(word.startswith("--") for word in words):
         turn = ("yaw", "pitch", "roll") if len(words) == _OLD_STYLE[0] else ("qx", "qy", "qz", "qw")
         names = ("x", "y", "z", *turn, "frame-id", "child-frame-id")
         words = [f"--{name}={word}" for name, word in zip(names, words, strict=True)]
     options = parser.parse_args(words)
-    fault = _fault(options)
-    if fault:
-        parser.error(fault)
+    problem = _problem(options)
+    if problem:
+        parser.error(problem)
     return options
 
 
-def _fault(options: argparse.Namespace) -> str:
-    """Return what would make listeners ignore the transform; nothing if it is fine."""
+def _problem(options: argparse.Namespace) -> str:
+    """Return a reason why listeners would ignore the transform; an empty text if there is none."""
     if options.frame_id.strip("/") == options.child_frame_id.strip("/"):
         return f"cannot publish a transform from {options.frame_id!r} to itself"
     numbers = (options.qx, options.qy, options.qz, options.qw)
@@ -51,10 +51,10 @@ def _fault(options: argparse.Namespace) -> str:
 
 
 def rotation(options: argparse.Namespace) -> Quaternion:
-    """Return the rotation that was asked for, by angles in rad or as a quaternion."""
+    """Return the rotation that the options give as angles in rad or as a quaternion."""
     roll, pitch, yaw = options.roll / 2, options.pitch / 2, options.yaw / 2
     if not (roll or pitch or yaw):
-        # 0.7 and 0.7 are meant as a quarter turn, but too short for listeners to take.
+        # Listeners ignore quaternions whose length is not 1, such as 0.7 and 0.7.
         return normalized((options.qx, options.qy, options.qz, options.qw))
     about_x: Quaternion = (math.sin(roll), 0.0, 0.0, math.cos(roll))
     about_y: Quaternion = (0.0, math.sin(pitch), 0.0, math.cos(pitch))
@@ -66,7 +66,7 @@ class StaticTransformPublisher(zbot.Node):
     """Publishes one transform, once."""
 
     def __init__(self, options: argparse.Namespace) -> None:
-        # Several of them are the rule: each gets a name of its own.
+        # Often several run at the same time, so each gets its own name.
         super().__init__(f"static_transform_publisher_{os.getpid()}")
         message = TransformStamped(child_frame_id=options.child_frame_id)
         message.header.frame_id = options.frame_id

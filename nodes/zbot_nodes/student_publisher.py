@@ -1,4 +1,4 @@
-"""The assignment's publisher: a student id and a random number.
+"""Publish a student id and a random number: the publisher of the assignment.
 
 Run:       zbot run student_publisher              (or: zbot run student_publisher S1234567)
 Publishes: student_id (std_msgs/String) and random_number (std_msgs/Int32), once a second
@@ -13,10 +13,10 @@ from std_msgs.msg import Int32, String
 
 
 class StudentPublisher(zbot.Node):
-    """Publishes who it is and a number from 1 to 100, every second.
+    """Publishes the student id and a number from 1 to 100, every second.
 
     Args:
-        student_id: Whose node this is.
+        student_id: The id to publish.
     """
 
     def __init__(self, student_id: str) -> None:

@@ -1,4 +1,4 @@
-"""The assignment's subscriber: show that the publisher's messages arrive.
+"""Log the messages of the publisher: the subscriber of the assignment.
 
 Run:        zbot run student_subscriber
 Subscribes: student_id (std_msgs/String) and random_number (std_msgs/Int32)

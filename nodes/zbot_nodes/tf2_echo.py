@@ -1,4 +1,4 @@
-"""Print where one frame is in another, once a second.
+"""Print the transform between two frames, once a second.
 
 Run:        zbot run tf2_ros tf2_echo map base_link [RATE]
 Subscribes: /tf and /tf_static (tf2_msgs/msg/TFMessage)
@@ -31,22 +31,22 @@ def angles(q: Quaternion) -> Vector:
 
 
 def three(numbers: Vector) -> str:
-    """Return three numbers as tf2_echo writes them."""
+    """Return three numbers as ROS 2's tf2_echo prints them."""
     return "[" + ", ".join(f"{number:.3f}" for number in numbers) + "]"
 
 
 class TF2Echo(zbot.Node):
-    """Looks up one transform again and again."""
+    """Looks up one transform periodically."""
 
     def __init__(self, source: str, target: str, rate: float) -> None:
         super().__init__("tf2_echo")
         self.source, self.target = source, target
         self.buffer = Buffer()
         self.listener = TransformListener(self.buffer, self)
-        self.create_timer(1.0 / rate, self.look)
+        self.create_timer(1.0 / rate, self.print_transform)
 
-    def look(self) -> None:
-        """Print the transform, or why there is none."""
+    def print_transform(self) -> None:
+        """Print the transform, or the reason why there is none."""
         try:
             found = self.buffer.lookup_transform(self.source, self.target, zbot.Time())
         except TransformException as error:

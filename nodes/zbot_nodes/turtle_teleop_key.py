@@ -22,9 +22,9 @@ Reading from keyboard
 Use arrow keys to move the turtle.
 Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rotation.
 'Q' to quit."""
-#: What the last character of an arrow key's sequence does: forward and turn.
+#: Velocities, forward and turn, by the last character of an arrow key's sequence.
 _ARROWS = {"A": (1.0, 0.0), "B": (-1.0, 0.0), "C": (0.0, -1.0), "D": (0.0, 1.0)}
-#: The letters lie around F as the headings around a turtle that looks at G.
+#: Headings in rad; the keys lie around F on the keyboard in the directions of their headings.
 _HEADINGS = {
     "g": 0.0,
     "t": 0.7854,
@@ -38,7 +38,7 @@ _HEADINGS = {
 
 
 class TeleopTurtle(zbot.Node):
-    """Turns keys into commands."""
+    """Publishes a command for each key."""
 
     def __init__(self) -> None:
         super().__init__("teleop_turtle")
@@ -51,7 +51,7 @@ class TeleopTurtle(zbot.Node):
         self.goal: Any = None
 
     def press(self, key: str) -> None:
-        """Do what a key stands for; others do nothing."""
+        """Publish the command of a key; a key without a command is ignored."""
         if key in _ARROWS:
             forward, turn = _ARROWS[key]
             twist = Twist()
@@ -64,17 +64,17 @@ class TeleopTurtle(zbot.Node):
             self.goal.cancel_goal_async()
 
     def turn_to(self, theta: float) -> None:
-        """Ask the turtle to turn to a heading."""
+        """Send a goal to turn the turtle to a heading."""
         if not self.rotate.server_is_ready():
             self.get_logger().warning(
                 "turtle1/rotate_absolute has no server: is turtlesim running?"
             )
             return
         accepted = self.rotate.send_goal_async(RotateAbsolute.Goal(theta=theta))
-        accepted.add_done_callback(self.remember)
+        accepted.add_done_callback(self.store_goal)
 
-    def remember(self, accepted: Any) -> None:
-        """Keep the goal, so that F can cancel it."""
+    def store_goal(self, accepted: Any) -> None:
+        """Store the goal, so that F can cancel it."""
         if accepted.exception() is None:
             self.goal = accepted.result()
 
@@ -97,7 +97,7 @@ def main() -> None:
 
 
 def spin(executor: zbot.Executor) -> None:
-    """Handle what comes back while keys are read."""
+    """Run the callbacks of responses while the main thread reads keys."""
     try:
         executor.spin()
     except zbot.ExternalShutdownException:

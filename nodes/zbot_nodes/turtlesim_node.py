@@ -3,7 +3,7 @@
 Run:        zbot run turtlesim turtlesim_node
             zbot run turtlesim turtlesim_node --no-browser
 Drive:      with the arrow keys in its page, or zbot run turtlesim turtle_teleop_key
-Subscribes: /turtle1/cmd_vel (geometry_msgs/msg/Twist), and so on for every turtle
+Subscribes: /turtle1/cmd_vel (geometry_msgs/msg/Twist); every turtle has its own topics
 Publishes:  /turtle1/pose (turtlesim/msg/Pose), /turtle1/color_sensor (turtlesim/msg/Color)
 Serves:     /spawn /kill /clear /reset, /turtle1/set_pen, /turtle1/teleport_absolute,
             /turtle1/teleport_relative, and the action /turtle1/rotate_absolute
@@ -31,7 +31,7 @@ _BACKGROUND = {"r": ("Red", 69), "g": ("Green", 86), "b": ("Blue", 255)}
 
 
 class TurtlesimNode(zbot.Node):
-    """Keeps a world of turtles, and a place in the graph for each."""
+    """Node with a world of turtles, and the topics, services and action of each turtle."""
 
     def __init__(self) -> None:
         super().__init__("turtlesim")
@@ -47,7 +47,7 @@ class TurtlesimNode(zbot.Node):
         self.create_service(Kill, "kill", self.kill)
         self.create_service(Empty, "clear", self.clear)
         self.create_service(Empty, "reset", self.reset)
-        self.create_service(TurtleScene, SCENE, self.scene.tell)
+        self.create_service(TurtleScene, SCENE, self.scene.fill_response)
         events = ParameterEventHandler(self)
         for letter in _BACKGROUND:
             events.add_parameter_callback(f"background_{letter}", "", self.paint)
@@ -64,14 +64,14 @@ class TurtlesimNode(zbot.Node):
         self.declare_parameter("holonomic", False, ParameterDescriptor(description=text))
 
     def paint(self, _changed: Parameter | None = None) -> None:
-        """Use the background colour that the parameters have now."""
+        """Set the background to the colour of the parameters."""
         channels = {one: self.get_parameter(f"background_{one}").value for one in _BACKGROUND}
         self.scene.background = Color(**channels)
 
     def log(self, level: str, text: str) -> None:
-        """Write what happens in the world."""
+        """Log an event in the world."""
         logger = self.get_logger()
-        # A call for each: a line of code that logs has one severity for ever.
+        # Three calls, because a line of code may log with one severity only.
         if level == "info":
             logger.info(text)
         elif level == "warning":
@@ -80,7 +80,7 @@ class TurtlesimNode(zbot.Node):
             logger.error(text)
 
     def match_ports(self) -> None:
-        """Give every turtle its topics and services, and take those of the gone ones back."""
+        """Create the entities of new turtles, and destroy those of removed turtles."""
         turtles = self.world.turtles
         for name, ports in list(self.ports.items()):
             if turtles.get(name) is not ports.turtle:
@@ -89,7 +89,7 @@ class TurtlesimNode(zbot.Node):
             self.ports[name] = TurtlePorts(self, self.world, turtles[name])
 
     def spawn(self, request: Spawn.Request, response: Spawn.Response) -> Spawn.Response:
-        """Add a turtle; the answer has its name, or none if that is taken or cannot be one."""
+        """Add a turtle; the response has its name, or an empty name if it is taken or invalid."""
         if request.name and not self.is_possible(request.name):
             return response
         turtle = self.world.spawn(request.x, request.y, request.theta, request.name)
@@ -98,7 +98,7 @@ class TurtlesimNode(zbot.Node):
         return response
 
     def is_possible(self, name: str) -> bool:
-        """Return whether topics can have a turtle's name in them; tell if not."""
+        """Return whether a turtle's name can be part of topic names; log an error if it cannot."""
         try:
             validate_topic_name(f"{name}/pose")
         except InvalidTopicNameError as error:
@@ -113,18 +113,18 @@ class TurtlesimNode(zbot.Node):
         return response
 
     def clear(self, _request: Empty.Request, response: Empty.Response) -> Empty.Response:
-        """Wipe out the lines."""
+        """Clear the drawing."""
         self.world.clear()
         return response
 
     def reset(self, _request: Empty.Request, response: Empty.Response) -> Empty.Response:
-        """Begin anew."""
+        """Start again with one turtle."""
         self.world.reset()
         self.match_ports()
         return response
 
     def tick(self) -> None:
-        """Let 16 ms pass."""
+        """Advance the world by 16 ms."""
         if self.world.tick():
             for name in sorted(self.ports):
                 self.ports[name].publish()

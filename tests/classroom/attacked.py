@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from tests.classroom.talk import HERE, Talk, answers, dialling, free_port, open_session
 from tests.conftest import Program, wait_until
-from zbot.classroom.keys import DESK_KEY, DOOR_KEY, here_key
+from zbot.classroom.keys import ADMISSION_KEY, COMMAND_KEY, here_key
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
 from zbot.security.pin import PinClient
 from zbot.security.secret import Secret
@@ -103,7 +103,7 @@ class Computer:
 
 
 class AttackedClass:
-    """A class with a PIN, Ana (17), and Ben (18), who is up to no good."""
+    """A class with a PIN, Ana (17), and Ben (18), who is the attacker."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
@@ -146,14 +146,14 @@ class AttackedClass:
             self.talk.remove(session)
 
     @contextmanager
-    def as_rogue(self) -> Iterator[zenoh.Session]:
-        """Join as number 19 with a program that is not zbot, and say that it is here."""
-        with self.as_stranger() as stranger:
-            wish = {"machine": "rogue", "host": "rogue", "name": "Rogue", "number": 19}
-            guest = PinClient(Secret(PIN))
-            challenge = self.ask_door(stranger, {"op": "enrol", **guest.hello()})
-            claim = {"op": "claim", **guest.claim(challenge, wish)}
-            given = guest.opened(self.ask_door(stranger, claim))
+    def as_raw_client(self) -> Iterator[zenoh.Session]:
+        """Join as number 19 with a program that is not zbot, and declare its token."""
+        with self.as_lobby_user() as lobby_user:
+            request = {"machine": "raw", "host": "raw", "name": "Raw", "number": 19}
+            client = PinClient(Secret(PIN))
+            challenge = self.ask_admission(lobby_user, {"op": "enrol", **client.hello()})
+            claim = {"op": "claim", **client.claim(challenge, request)}
+            given = client.opened(self.ask_admission(lobby_user, claim))
         known = credentials(given["user"], Secret(given["secret"]))
         with open_session(dialling(self.port, known)) as session:
             here = session.liveliness().declare_token(here_key(19))
@@ -162,16 +162,16 @@ class AttackedClass:
             here.undeclare()
 
     @contextmanager
-    def as_stranger(self) -> Iterator[zenoh.Session]:
-        """Open a session of somebody who has not joined."""
+    def as_lobby_user(self) -> Iterator[zenoh.Session]:
+        """Open a session of a user who has not joined."""
         with open_session(dialling(self.port, credentials(LOBBY, LOBBY_SECRET))) as session:
-            assert wait_until(lambda: answers(session, DOOR_KEY))
+            assert wait_until(lambda: answers(session, ADMISSION_KEY))
             yield session
 
     @staticmethod
-    def ask_door(session: zenoh.Session, question: dict[str, Any]) -> dict[str, Any]:
-        """Ask the door of the class something; return its answer, empty if there is none."""
-        replies = session.get(DOOR_KEY, payload=json.dumps(question), timeout=10)
+    def ask_admission(session: zenoh.Session, question: dict[str, Any]) -> dict[str, Any]:
+        """Query the admission service of the class; return its reply, empty if there is none."""
+        replies = session.get(ADMISSION_KEY, payload=json.dumps(question), timeout=10)
         told = [reply.ok.payload.to_bytes() for reply in replies if reply.ok]
         answer: dict[str, Any] = json.loads(told[0]) if told else {}
         return answer
@@ -182,7 +182,7 @@ class AttackedClass:
 
         def is_told() -> bool:  # at once, unless the hub is being opened anew
             question = json.dumps({"op": "list"})
-            replies = self.teacher_session.get(DESK_KEY, payload=question, timeout=10)
+            replies = self.teacher_session.get(COMMAND_KEY, payload=question, timeout=10)
             told.extend(json.loads(reply.ok.payload.to_bytes()) for reply in replies if reply.ok)
             return bool(told)
 
@@ -190,7 +190,7 @@ class AttackedClass:
         return {student["number"]: student for student in told[0]["students"]}
 
     def check_honest_work(self) -> None:
-        """Check that Ana and the teacher go on as if nothing had happened."""
+        """Check that Ana and the teacher can still work."""
         assert wait_until(lambda: self.talk.hears(self.teacher_session, self.honest, "17/work"), 20)
         assert self.talk.hears(self.honest, self.teacher_session, "17/work")
         assert self.talk.reaches(self.teacher_session, self.honest, "17/service")

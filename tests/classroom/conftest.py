@@ -1,4 +1,4 @@
-"""The rig as a fixture."""
+"""The testbed as a fixture."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.classroom.rig import Rig, obstacle
+from tests.classroom.testbed import LanTestbed, missing_requirement
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
 
 @pytest.fixture
-def make_rig() -> Iterator[Callable[[int], Rig]]:
+def make_testbed() -> Iterator[Callable[[int], LanTestbed]]:
     """Return a function that builds a classroom with some laptops."""
-    reason = obstacle()
+    reason = missing_requirement()
     if reason is not None:
         pytest.skip(reason)
     with ExitStack() as stack:
-        yield lambda laptops: stack.enter_context(Rig(laptops))
+        yield lambda laptops: stack.enter_context(LanTestbed(laptops))

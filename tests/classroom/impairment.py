@@ -1,4 +1,4 @@
-"""Bad Wi-Fi: frames that are late, overtake each other, or never arrive."""
+"""Network impairment as on bad Wi-Fi: frames are delayed, reordered or lost."""
 
 from __future__ import annotations
 
@@ -13,59 +13,59 @@ from tests.conftest import Program
 
 if TYPE_CHECKING:
     from tests.classroom.machine import Machine
-    from tests.classroom.rig import Rig
+    from tests.classroom.testbed import LanTestbed
 
 
 @dataclass(frozen=True)
-class Weather:
-    """What happens to each frame, in each direction."""
+class Impairment:
+    """Impairment of each frame, in each direction."""
 
     delay_ms: float = 20
     jitter_ms: float = 10  #: uniform, so that frames overtake each other
     loss: float = 0.02  #: 0 to 1
 
 
-def spoil(rig: Rig, weather: Weather, machines: list[Machine]) -> str:
-    """Let some machines have bad Wi-Fi from now on.
+def impair(testbed: LanTestbed, impairment: Impairment, machines: list[Machine]) -> str:
+    """Impair the network of some machines from now on.
 
     Returns:
-        By what means: `tc netem`, or `relay` where the kernel has none. The relay delays and drops
-        the same frames in a process, and the kernel's TCP sees no difference but that process's
-        own delay of about 0.1 ms.
+        The tool: `tc netem`, or `relay` if the kernel has no netem. The relay delays and drops
+        frames in a process; for the kernel's TCP, the only difference is that process's own delay
+        of about 0.1 ms.
     """
     try:
         for machine in machines:
-            _add_netem(machine.namespace, "eth0", weather)
-            _add_netem(rig.air, machine.name, weather)
+            _add_netem(machine.namespace, "eth0", impairment)
+            _add_netem(testbed.bridge, machine.name, impairment)
     except subprocess.CalledProcessError as exc:
         if "qdisc kind is unknown" not in exc.stderr:
             raise
-        _relay(rig, weather, machines)
+        _relay(testbed, impairment, machines)
         return "relay"
     return "tc netem"
 
 
-def _add_netem(namespace: str, device: str, weather: Weather) -> None:
-    late = ["delay", f"{weather.delay_ms}ms", f"{weather.jitter_ms}ms"]
-    lost = ["loss", f"{weather.loss * 100}%"]
+def _add_netem(namespace: str, device: str, impairment: Impairment) -> None:
+    late = ["delay", f"{impairment.delay_ms}ms", f"{impairment.jitter_ms}ms"]
+    lost = ["loss", f"{impairment.loss * 100}%"]
     tc(namespace, "qdisc", "add", "dev", device, "root", "netem", *late, *lost)
 
 
-def _relay(rig: Rig, weather: Weather, machines: list[Machine]) -> None:
-    between = rig.add_namespace("weather")
+def _relay(testbed: LanTestbed, impairment: Impairment, machines: list[Machine]) -> None:
+    between = testbed.add_namespace("impairment")
     for machine in machines:
-        ip("-n", rig.air, "link", "set", machine.name, "netns", between)
+        ip("-n", testbed.bridge, "link", "set", machine.name, "netns", between)
         with Batch(between) as batch:
             plain = ["addrgenmode", "none", "up"]
             batch.add("link", "set", machine.name, *plain)
-            outside = f"{machine.name}-air"
-            peer = ["peer", "name", machine.name, "netns", rig.air]
+            outside = f"{machine.name}-br"
+            peer = ["peer", "name", machine.name, "netns", testbed.bridge]
             batch.add("link", "add", outside, "type", "veth", *peer)
             batch.add("link", "set", outside, *plain)
-        machine.return_to_air()
-    numbers = [str(weather.delay_ms), str(weather.jitter_ms), str(weather.loss)]
-    pairs = [f"{machine.name}:{machine.name}-air" for machine in machines]
+        machine.reconnect()
+    numbers = [str(impairment.delay_ms), str(impairment.jitter_ms), str(impairment.loss)]
+    pairs = [f"{machine.name}:{machine.name}-br" for machine in machines]
     inside = ["ip", "netns", "exec", between, sys.executable, str(PROGRAMS / "relay.py")]
     relay = Program([*inside, *numbers, *pairs], PROGRAMS, {})
-    rig.adopt(relay)
+    testbed.adopt(relay)
     relay.wait_for("relaying")

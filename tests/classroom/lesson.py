@@ -1,4 +1,4 @@
-"""A class on the rig: a teacher, joined laptops, and on each some nodes that talk to each other."""
+"""Class on the testbed: a teacher and joined laptops, each with nodes that talk to each other."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from tests.classroom.watch import Watch
 
 if TYPE_CHECKING:
     from tests.classroom.machine import Machine
-    from tests.classroom.rig import Rig
+    from tests.classroom.testbed import LanTestbed
     from tests.conftest import Program
 
 Node = tuple[int, str]  #: domain and name
@@ -22,7 +22,7 @@ Node = tuple[int, str]  #: domain and name
 
 @dataclass(frozen=True)
 class Heard:
-    """What a pupil heard from its neighbour."""
+    """What a pupil's node received from the next node."""
 
     received: int
     lost: int
@@ -33,14 +33,14 @@ class Lesson:
     """An open class, and everybody's nodes.
 
     Args:
-        rig: The machines.
+        testbed: The machines.
         nodes: How many each laptop runs.
         pin: The class's PIN; empty for none.
         hz: How often each node speaks.
     """
 
-    def __init__(self, rig: Rig, nodes: int, *, pin: str = "", hz: float = 10) -> None:
-        self.rig = rig
+    def __init__(self, testbed: LanTestbed, nodes: int, *, pin: str = "", hz: float = 10) -> None:
+        self.testbed = testbed
         self._pin = {"ZBOT_PIN": pin} if pin else {}
         self.has_pin = bool(pin)
         self._nodes = nodes
@@ -48,14 +48,14 @@ class Lesson:
         self._pupils: dict[Node, Program] = {}
         self.seen_after_s = 0.0  #: from the last node's start until the teacher saw all
         self.code = self.open_class()
-        self.watch = Watch(rig.teacher)
+        self.watch = Watch(testbed.teacher)
 
     # -- teacher -------------------------------------------------------------------------------
 
     def open_class(self) -> str:
         """Open the class, or open it again; return its code."""
         pin = ["--pin"] if self._pin else []
-        opened = self.rig.teacher.run(
+        opened = self.testbed.teacher.run(
             *("zbot", "class", "start", "Robots", "--json", *pin), env=self._pin
         )
         assert opened.code == 0, opened.err
@@ -63,19 +63,19 @@ class Lesson:
 
     def kill_hub(self) -> None:
         """Kill the teacher's hub as a power cut would; see that it is gone."""
-        os.kill(hub_pid(self.rig.teacher), signal.SIGKILL)
+        os.kill(hub_pid(self.testbed.teacher), signal.SIGKILL)
         self.watch.until(lambda nodes: not nodes)
 
     # -- students ------------------------------------------------------------------------------
 
     def number_of(self, laptop: Machine) -> int:
         """Return a laptop's number in the class, which is its domain."""
-        return 1 + self.rig.laptops.index(laptop)
+        return 1 + self.testbed.laptops.index(laptop)
 
     def join(self) -> None:
         """Let all laptops join by the code, at the same time."""
         with ThreadPoolExecutor(4) as pool:
-            list(pool.map(self._join, self.rig.laptops))
+            list(pool.map(self._join, self.testbed.laptops))
 
     def _join(self, laptop: Machine) -> None:
         number = str(self.number_of(laptop))
@@ -94,7 +94,7 @@ class Lesson:
                 the processors of so many.
         """
         last = time.monotonic()
-        for laptop in self.rig.laptops:
+        for laptop in self.testbed.laptops:
             for position in range(self._nodes):
                 neighbour = f"pupil{(position + 1) % self._nodes}"
                 last = time.monotonic()

@@ -1,4 +1,4 @@
-"""Several machines on one: each with settings, a hub port and domains of its own, without root."""
+"""Simulated machines: each has its own settings, hub port and domains. They need no root."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ class Outcome:
     err: str
 
 
-class Neighbour:
-    """What a laptop is to zbot.
+class LocalMachine:
+    """Simulated machine.
 
     Args:
         home: Its folder for settings.

@@ -1,4 +1,4 @@
-"""One machine of the classroom: a network namespace with processes in it."""
+"""Machine of the testbed: a network namespace with processes in it."""
 
 from __future__ import annotations
 
@@ -67,16 +67,16 @@ class Machine:
         name: Its host name, and its port at the bridge.
         address: IPv4, in 10.77.0.0/16.
         namespace: Name of its network namespace.
-        air: Name of the bridge's namespace.
+        bridge: Name of the bridge's namespace.
         folder: For its home folder and the mount of its host name.
     """
 
-    def __init__(self, name: str, address: str, namespace: str, air: str, folder: Path) -> None:
+    def __init__(self, name: str, address: str, namespace: str, bridge: str, folder: Path) -> None:
         self.name = name
         self.address = address
         self.namespace = namespace
         self.home = folder / "home"
-        self._air = air
+        self._bridge = bridge
         self._uts = folder / "uts"
         self._gateway = ""
         self._isolated = True
@@ -85,10 +85,10 @@ class Machine:
 
     # -- building ------------------------------------------------------------------------------
 
-    def wire(self, air: Batch) -> None:
-        """Add the cable to a batch of the bridge's namespace."""
+    def add_cable(self, bridge: Batch) -> None:
+        """Add its veth pair to a batch of the bridge's namespace."""
         peer = ("peer", "name", "eth0", "netns", self.namespace)
-        air.add("link", "add", self.name, "type", "veth", *peer)
+        bridge.add("link", "add", self.name, "type", "veth", *peer)
 
     def boot(self, gateway: str) -> None:
         """Give it a host name, a home folder, an address and a default route."""
@@ -98,15 +98,15 @@ class Machine:
         subprocess.run(["unshare", f"--uts={self._uts}", "hostname", self.name], check=True)
         with Batch(self.namespace) as batch:
             batch.add("link", "set", "lo", "up")
-            # No IPv6: its own chatter would be counted as ours.
+            # No IPv6: its background packets would be counted in `traffic()`.
             batch.add("link", "set", "eth0", "addrgenmode", "none")
             batch.add("addr", "add", f"{self.address}/16", "dev", "eth0")
         self.plug_in()
 
-    def join_air(self, *, isolated: bool, multicast: bool = False) -> None:
+    def connect_to_bridge(self, *, isolated: bool, multicast: bool = False) -> None:
         """Connect its port to the bridge; an isolated one reaches only those that are not."""
         self._isolated = isolated
-        with Batch(self._air) as batch:
+        with Batch(self._bridge) as batch:
             batch.add("link", "set", self.name, "master", "br0")
             batch.add("link", "set", self.name, "addrgenmode", "none", "up")
             flood = "on" if multicast else "off"
@@ -116,7 +116,7 @@ class Machine:
     # -- the network ---------------------------------------------------------------------------
 
     def unplug(self) -> None:
-        """Take its interface down, as closing the lid does: the system knows."""
+        """Take its interface down, as a closed lid does: the machine's system notices."""
         ip("-n", self.namespace, "link", "set", "eth0", "down")
 
     def plug_in(self) -> None:
@@ -125,18 +125,18 @@ class Machine:
             batch.add("link", "set", "eth0", "up")
             batch.add("route", "replace", "default", "via", self._gateway)
 
-    def leave_air(self) -> None:
-        """Let all its packets vanish, as out of reach of the Wi-Fi: nobody is told."""
-        ip("-n", self._air, "link", "set", self.name, "nomaster")
+    def disconnect(self) -> None:
+        """Drop all its packets, as out of reach of the Wi-Fi: its system does not notice."""
+        ip("-n", self._bridge, "link", "set", self.name, "nomaster")
 
-    def return_to_air(self) -> None:
-        """Undo `leave_air()`."""
-        self.join_air(isolated=self._isolated)
+    def reconnect(self) -> None:
+        """Undo `disconnect()`."""
+        self.connect_to_bridge(isolated=self._isolated)
 
     def block_port(self, port: int) -> None:
-        """Let packets to a TCP port vanish on their way out, as a firewall does."""
+        """Drop its packets to a TCP port, as a firewall does."""
         if not self._filters_traffic:
-            # Classes and a hole for packets need neither nftables nor a kernel with more actions.
+            # A traffic class with a blackhole needs neither nftables nor further kernel modules.
             self._add_class(_OPEN_CLASS)
             self._filters_traffic = True
         match = f"match ip protocol 6 0xff match ip dport {port} 0xffff".split()
@@ -166,7 +166,7 @@ class Machine:
     # -- processes -----------------------------------------------------------------------------
 
     def start(self, *words: str, env: Mapping[str, str] | None = None) -> Program:
-        """Start a program; it is killed, at the latest, with the rig."""
+        """Start a program; it is killed, at the latest, with the testbed."""
         program = Started(self._command(words), self.home, self._environment(env))
         self._programs.append(program)
         return program

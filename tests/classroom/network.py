@@ -1,4 +1,4 @@
-"""`ip`, many commands at a time, and what runs in a namespace."""
+"""Commands of `ip` and `tc`, in batches, and the processes of a network namespace."""
 
 from __future__ import annotations
 

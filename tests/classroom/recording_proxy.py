@@ -1,4 +1,4 @@
-"""A wire that remembers: what somebody who reads along with a machine's network gets to see."""
+"""Proxy that records what an eavesdropper on a machine's network can read."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 _CHUNK_BYTES = 65536
 
 
-class Wiretap:
-    """A TCP port that carries everything to another one and back, until it is closed.
+class RecordingProxy:
+    """A TCP port that forwards everything to another port and back, until it is closed.
 
     Args:
         target: The other port, of this machine.
@@ -28,7 +28,7 @@ class Wiretap:
         self._server = socket.create_server((HERE, 0))
         self._open = [self._server]
         self._threads: list[threading.Thread] = []
-        self.came = bytearray()  #: all that has come from the other port
+        self.came = bytearray()  #: all bytes from the other port
         self.port = int(self._server.getsockname()[1])  #: to dial
         self._start(self._accept)
 
@@ -47,14 +47,14 @@ class Wiretap:
 
     @staticmethod
     def _carry(source: socket.socket, target: socket.socket, memory: bytearray) -> None:
-        with contextlib.suppress(OSError):  # either side has hung up
+        with contextlib.suppress(OSError):  # either side has closed the connection
             while chunk := source.recv(_CHUNK_BYTES):
                 memory += chunk
                 target.sendall(chunk)
             target.shutdown(socket.SHUT_WR)
 
     def close(self) -> None:
-        """Hang up."""
+        """Close all connections."""
         for one in self._open:
             with contextlib.suppress(OSError):
                 one.shutdown(socket.SHUT_RDWR)

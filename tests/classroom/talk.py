@@ -1,4 +1,4 @@
-"""Who hears whom: plain Zenoh sessions around a hub, and answers that need no waiting about."""
+"""Plain Zenoh sessions around a hub, and checks of which messages pass between them."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def open_session(paths: Mapping[str, Any]) -> zenoh.Session:
 
 
 def dialling(port: int, paths: Mapping[str, Any] | None = None) -> dict[str, Any]:
-    """Return the configuration of a client that fails if it is not let in."""
+    """Return the configuration of a client that fails if the hub rejects it."""
     return {
         "mode": "client",
         "connect/endpoints": [f"tcp/{HERE}:{port}"],
@@ -53,8 +53,8 @@ def dialling(port: int, paths: Mapping[str, Any] | None = None) -> dict[str, Any
     }
 
 
-def lets_in(port: int, paths: Mapping[str, Any]) -> bool:
-    """Return whether a hub lets a client in that dials it once."""
+def accepts(port: int, paths: Mapping[str, Any]) -> bool:
+    """Return whether a hub accepts a client that dials it once."""
     try:
         session = open_session({**dialling(port), "connect/timeout_ms": 0, **paths})
     except zenoh.ZError:

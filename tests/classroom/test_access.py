@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 import zenoh
 
-from tests.classroom.talk import HERE, Talk, answers, dialling, free_port, lets_in, open_session
-from tests.classroom.wiretap import Wiretap
+from tests.classroom.recording_proxy import RecordingProxy
+from tests.classroom.talk import HERE, Talk, accepts, answers, dialling, free_port, open_session
 from tests.conftest import wait_until
 from zbot.security.access import (
     LOBBY,
@@ -27,11 +27,11 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 STUDENTS = {"17": 17, "18": 18}
-_DOOR = "@class/lobby/door"
+_ADMISSION_KEY = "@class/lobby/door"
 
 
 class Room(Talk):
-    """A teacher's hub, and who is let in."""
+    """A teacher's hub with its users."""
 
     def __init__(self, folder: Path, **rules: Any) -> None:
         self.port = free_port()
@@ -60,11 +60,13 @@ class Room(Talk):
         session = self._open(dialling(port or self.port, known))
         return self.add(session, STUDENTS.get(user, 0))
 
-    def visitor(self) -> zenoh.Session:
-        """Open a session of somebody who has not joined."""
+    def lobby_user(self) -> zenoh.Session:
+        """Open a session of a user who has not joined."""
         session = self._open(dialling(self.port, credentials(LOBBY, LOBBY_SECRET)))
-        self.hub.declare_queryable(_DOOR, lambda query: query.reply(_DOOR, b""), complete=True)
-        assert wait_until(partial(answers, session, _DOOR))
+        self.hub.declare_queryable(
+            _ADMISSION_KEY, lambda query: query.reply(_ADMISSION_KEY, b""), complete=True
+        )
+        assert wait_until(partial(answers, session, _ADMISSION_KEY))
         return session
 
     def laptop(self, user: str, dialled: int | None = None) -> zenoh.Session:
@@ -125,7 +127,7 @@ def student(request: pytest.FixtureRequest, room: Room) -> zenoh.Session:
         "@ros2_lv/17/x",
     ],
 )
-def test_student_says_nothing_outside_its_own_space(
+def test_a_student_cannot_publish_outside_its_own_space(
     room: Room, student: zenoh.Session, key: str
 ) -> None:
     teacher, other = room.client("teacher"), room.laptop("18")
@@ -137,7 +139,9 @@ def test_student_says_nothing_outside_its_own_space(
 
 
 @pytest.mark.parametrize("key", ["18/x", "@class/student/18/x", "18/x/@adv/pub/a/0/_", "0/x"])
-def test_student_hears_nothing_of_others(room: Room, student: zenoh.Session, key: str) -> None:
+def test_a_student_receives_nothing_from_others(
+    room: Room, student: zenoh.Session, key: str
+) -> None:
     teacher, other = room.client("teacher"), room.laptop("18")
     for speaker in (teacher, other):
         assert not room.hears(student, speaker, key)
@@ -147,7 +151,7 @@ def test_student_hears_nothing_of_others(room: Room, student: zenoh.Session, key
 
 
 def test_not_even_the_names_of_foreign_topics_reach_a_laptop(room: Room) -> None:
-    wire = Wiretap(room.port)
+    wire = RecordingProxy(room.port)
     room.laptop("17", wire.port)
     other = room.laptop("18")
     declared: list[Any] = [
@@ -164,7 +168,9 @@ def test_not_even_the_names_of_foreign_topics_reach_a_laptop(room: Room) -> None
 
 
 @pytest.mark.parametrize("key", ["**", "*/x", "18/**", "@class/student/**", "@/**", "@zbot/**"])
-def test_a_wide_declaration_widens_nothing(room: Room, student: zenoh.Session, key: str) -> None:
+def test_a_wide_declaration_grants_nothing_more(
+    room: Room, student: zenoh.Session, key: str
+) -> None:
     teacher, other = room.client("teacher"), room.laptop("18")
     wide = student.declare_subscriber(key, zenoh.handlers.FifoChannel(10))
     asked: list[str] = []
@@ -180,7 +186,7 @@ def test_a_wide_declaration_widens_nothing(room: Room, student: zenoh.Session, k
     token.undeclare()
 
 
-def test_the_class_is_told_by_the_teacher(room: Room) -> None:
+def test_students_receive_what_the_teacher_publishes(room: Room) -> None:
     laptop, teacher = room.laptop("17"), room.client("teacher")
     for key in ("class/x", "@class/teacher/say"):
         assert room.hears(laptop, teacher, key)
@@ -188,7 +194,7 @@ def test_the_class_is_told_by_the_teacher(room: Room) -> None:
         assert room.sees(laptop, teacher, key)
 
 
-def test_students_tell_of_themselves(room: Room) -> None:
+def test_a_student_can_publish_facts_about_its_laptop(room: Room) -> None:
     laptop, teacher = room.laptop("17"), room.client("teacher")
     key = "@class/student/17/x"
     assert room.hears(teacher, laptop, key)
@@ -197,7 +203,7 @@ def test_students_tell_of_themselves(room: Room) -> None:
     assert not room.hears(laptop, teacher, key)
 
 
-def test_an_open_shared_space_lets_students_speak(tmp_path: Path) -> None:
+def test_students_can_publish_in_an_open_shared_space(tmp_path: Path) -> None:
     room = Room(tmp_path, shared_is_open=True)
     laptop, other = room.laptop("17"), room.laptop("18")
     assert room.hears(other, laptop, "class/x")
@@ -206,7 +212,7 @@ def test_an_open_shared_space_lets_students_speak(tmp_path: Path) -> None:
     room.close()
 
 
-def test_a_share_is_heard_by_its_reader_and_not_the_other_way(tmp_path: Path) -> None:
+def test_a_share_lets_its_reader_read_and_not_write(tmp_path: Path) -> None:
     room = Room(tmp_path, shares=[Share(domain=18, reader="17")])
     laptop, other = room.laptop("17"), room.laptop("18")
     assert room.hears(laptop, other, FOREIGN)
@@ -218,18 +224,18 @@ def test_a_share_is_heard_by_its_reader_and_not_the_other_way(tmp_path: Path) ->
 
 
 @pytest.mark.parametrize("words", ["18 with the secret of 17", "nobody", "no name"])
-def test_without_the_right_secret_nobody_gets_in(room: Room, words: str) -> None:
+def test_a_hub_rejects_a_wrong_secret(room: Room, words: str) -> None:
     known = credentials("17", room.secrets["17"])
     given: dict[str, Any] = {
         "18 with the secret of 17": known | {"transport/auth/usrpwd/user": "18"},
         "nobody": known | {"transport/auth/usrpwd/user": "nobody"},
         "no name": {},
     }[words]
-    assert not lets_in(room.port, given)
-    assert lets_in(room.port, known)
+    assert not accepts(room.port, given)
+    assert accepts(room.port, known)
 
 
-def test_a_sample_above_the_limit_is_dropped_and_the_hub_goes_on(room: Room) -> None:
+def test_an_oversize_sample_is_dropped_and_the_hub_continues(room: Room) -> None:
     laptop, teacher = room.laptop("17"), room.client("teacher")
     subscriber = teacher.declare_subscriber(OWN, zenoh.handlers.FifoChannel(10))
     room.settle()
@@ -239,15 +245,15 @@ def test_a_sample_above_the_limit_is_dropped_and_the_hub_goes_on(room: Room) -> 
     assert MAX_MESSAGE_SIZE + 1 not in sizes
 
 
-def test_the_lobby_asks_and_does_nothing_else(room: Room) -> None:
-    key, visitor = "@class/lobby/join", room.visitor()
+def test_a_lobby_user_can_only_query_the_lobby(room: Room) -> None:
+    key, lobby_user = "@class/lobby/join", room.lobby_user()
     teacher, other = room.client("teacher"), room.laptop("17")
-    assert room.reaches(visitor, room.hub, key)
+    assert room.reaches(lobby_user, room.hub, key)
     for forbidden in (key, "class/x", "17/x", "0/x", "@class/teacher/say", "@class/student/17/x"):
         for one in (teacher, other):
-            assert not room.hears(one, visitor, forbidden)
-            assert not room.hears(visitor, one, forbidden)
-            assert not room.reaches(one, visitor, forbidden)
-            assert not room.sees(one, visitor, forbidden)
-            assert not room.sees(visitor, one, forbidden)
-            assert forbidden == key or not room.reaches(visitor, one, forbidden)
+            assert not room.hears(one, lobby_user, forbidden)
+            assert not room.hears(lobby_user, one, forbidden)
+            assert not room.reaches(one, lobby_user, forbidden)
+            assert not room.sees(one, lobby_user, forbidden)
+            assert not room.sees(lobby_user, one, forbidden)
+            assert forbidden == key or not room.reaches(lobby_user, one, forbidden)

@@ -1,7 +1,7 @@
-"""What a stranger in the same network, or a student with other plans, cannot do to a class.
+"""Attacks on a class, by a student or by a program in the network that has not joined.
 
-Each test plays an attack against a class that was opened with `zbot class start --pin`, with plain
-Zenoh sessions and sockets. After each, Ana and the teacher go on with their work.
+Each test attacks a class that was opened with `zbot class start --pin`, with plain Zenoh sessions
+and sockets. After each attack, Ana and the teacher can still work.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ import pytest
 import zenoh
 
 from tests.classroom.attacked import PIN, AttackedClass, Computer
-from tests.classroom.talk import HERE, answers, dialling, lets_in, open_session
+from tests.classroom.talk import HERE, accepts, answers, dialling, open_session
 from tests.conftest import wait_until
-from zbot.classroom.keys import DESK_KEY, DOOR_KEY, NOTICES_KEY, facts_key, here_key
-from zbot.log.announcement import NOTICE_KEY
+from zbot.classroom.keys import ADMISSION_KEY, COMMAND_KEY, NOTICES_KEY, facts_key, here_key
+from zbot.log.teacher_notice import NOTICE_KEY
 from zbot.security.access import MAX_MESSAGE_SIZE, credentials
 from zbot.security.pin import PinClient
 from zbot.security.secret import Secret
@@ -56,8 +56,8 @@ def ben(request: pytest.FixtureRequest, room: AttackedClass) -> Iterator[zenoh.S
 
 
 @pytest.fixture
-def stranger(room: AttackedClass) -> Iterator[zenoh.Session]:
-    with room.as_stranger() as session:
+def lobby_user(room: AttackedClass) -> Iterator[zenoh.Session]:
+    with room.as_lobby_user() as session:
         yield session
 
 
@@ -67,21 +67,21 @@ def eve(opened: AttackedClass) -> Computer:
 
 
 @pytest.fixture
-def rogue(room: AttackedClass) -> Iterator[zenoh.Session]:
-    with room.as_rogue() as session:
+def raw_client(room: AttackedClass) -> Iterator[zenoh.Session]:
+    with room.as_raw_client() as session:
         yield session
 
 
-asked = AttackedClass.ask_door
+asked = AttackedClass.ask_admission
 
 
-def claimed(session: zenoh.Session, pin: str, wish: dict[str, Any]) -> dict[str, Any]:
-    """Go through the door with a PIN; return the claim and its answer."""
-    guest = PinClient(Secret(pin))
-    challenge = asked(session, {"op": "enrol", **guest.hello()})
+def claimed(session: zenoh.Session, pin: str, request: dict[str, Any]) -> dict[str, Any]:
+    """Claim a number with a PIN; return the claim and its answer."""
+    client = PinClient(Secret(pin))
+    challenge = asked(session, {"op": "enrol", **client.hello()})
     if "refused" in challenge:
         return {"answer": challenge}
-    claim = {"op": "claim", **guest.claim(challenge, wish)}
+    claim = {"op": "claim", **client.claim(challenge, request)}
     return {"claim": claim, "answer": asked(session, claim)}
 
 
@@ -94,7 +94,7 @@ def test_read_a_foreign_domain(room: AttackedClass, ben: zenoh.Session) -> None:
         ben.declare_subscriber(key, zenoh.handlers.FifoChannel(100))
         for key in ("**", "17/**", "*/work", "17/**/@adv/**", "@class/**")
     ]
-    for key in ("17/work", "17/work/@adv/pub/a/0/_", here_key(17), DESK_KEY, "0/work"):
+    for key in ("17/work", "17/work/@adv/pub/a/0/_", here_key(17), COMMAND_KEY, "0/work"):
         for speaker in (room.honest, room.teacher_session):
             assert not talk.hears(ben, speaker, key)
             assert not talk.reaches(ben, speaker, key)
@@ -133,22 +133,22 @@ def test_deletes_and_wildcard_puts_reach_nobody(room: AttackedClass, ben: zenoh.
 
 
 def test_impersonate_the_teacher(
-    room: AttackedClass, ben: zenoh.Session, stranger: zenoh.Session
+    room: AttackedClass, ben: zenoh.Session, lobby_user: zenoh.Session
 ) -> None:
     talk = room.talk
-    for key in (NOTICE_KEY, NOTICES_KEY, DESK_KEY, DOOR_KEY, "class/demo"):
+    for key in (NOTICE_KEY, NOTICES_KEY, COMMAND_KEY, ADMISSION_KEY, "class/demo"):
         assert not talk.hears(room.honest, ben, key)
         assert not talk.hears(room.teacher_session, ben, key)
     # Answers of his own to what others ask the teacher.
     forged = [
         ben.declare_queryable(key, lambda query: query.reply(query.key_expr, b'{"forged": 1}'))
-        for key in (NOTICES_KEY, DOOR_KEY, DESK_KEY, facts_key(17), "@class/**", "**")
+        for key in (NOTICES_KEY, ADMISSION_KEY, COMMAND_KEY, facts_key(17), "@class/**", "**")
     ]
     talk.settle()
     for asking, key in (
         (room.honest, NOTICES_KEY),
-        (stranger, DOOR_KEY),
-        (room.teacher_session, DESK_KEY),
+        (lobby_user, ADMISSION_KEY),
+        (room.teacher_session, COMMAND_KEY),
         (room.teacher_session, facts_key(17)),
     ):
         told = [reply.ok.payload.to_bytes() for reply in asking.get(key, timeout=2) if reply.ok]
@@ -158,9 +158,9 @@ def test_impersonate_the_teacher(
         one.undeclare()
 
 
-def test_give_the_teachers_commands(room: AttackedClass, ben: zenoh.Session) -> None:
+def test_send_the_teachers_commands(room: AttackedClass, ben: zenoh.Session) -> None:
     for question in ({"op": "list"}, {"op": "free", "number": 17}, {"op": "open", "on": True}):
-        replies = list(ben.get(DESK_KEY, payload=json.dumps(question), timeout=2))
+        replies = list(ben.get(COMMAND_KEY, payload=json.dumps(question), timeout=2))
         assert not [reply for reply in replies if reply.ok]
     assert room.ben.run("class", "list").code == 1
     assert room.ben.run("class", "free", "17").code == 1
@@ -178,59 +178,59 @@ def test_claim_a_taken_number(room: AttackedClass) -> None:
     assert not eve.has_joined
 
 
-def test_claim_a_number_with_the_name_of_its_owner(stranger: zenoh.Session) -> None:
-    for wish in (
+def test_claim_a_number_with_the_name_of_its_owner(lobby_user: zenoh.Session) -> None:
+    for request in (
         {"machine": "eve", "host": "x", "number": 17, "name": "Ana"},
         {"machine": "", "host": "x", "number": 17, "name": "Ana"},
         {"host": "x", "number": 17},
     ):
-        answer = claimed(stranger, PIN, wish)["answer"]
+        answer = claimed(lobby_user, PIN, request)["answer"]
         assert answer["refused"] == "taken"
         assert "secret" not in json.dumps(answer)
 
 
-def test_replay_a_claim(stranger: zenoh.Session) -> None:
-    wish = {"machine": "carl", "host": "carl-laptop", "number": 30}
-    recorded = claimed(stranger, PIN, wish)
+def test_replay_a_claim(lobby_user: zenoh.Session) -> None:
+    request = {"machine": "carl", "host": "carl-laptop", "number": 30}
+    recorded = claimed(lobby_user, PIN, request)
     assert "tag" in recorded["answer"]
-    again = asked(stranger, recorded["claim"])
+    again = asked(lobby_user, recorded["claim"])
     assert again["refused"] == "question"
-    later = asked(stranger, {"op": "enrol", **PinClient(Secret(PIN)).hello()})
-    spliced = asked(stranger, {**recorded["claim"], "visit": later["visit"]})
+    later = asked(lobby_user, {"op": "enrol", **PinClient(Secret(PIN)).hello()})
+    spliced = asked(lobby_user, {**recorded["claim"], "visit": later["visit"]})
     assert spliced["refused"] == "pin"
 
 
-def test_what_passes_through_the_door_tells_nothing(stranger: zenoh.Session) -> None:
+def test_admission_messages_reveal_neither_pin_nor_names(lobby_user: zenoh.Session) -> None:
     # A listener on the way sees these documents; the laptop's id would make it Carl.
-    wish = {"machine": "0123456789abcdef", "host": "carl-laptop", "number": 31}
-    seen = json.dumps(claimed(stranger, PIN, wish))
+    request = {"machine": "0123456789abcdef", "host": "carl-laptop", "number": 31}
+    seen = json.dumps(claimed(lobby_user, PIN, request))
     for word in (PIN, "0123456789abcdef", "carl", "student31"):
         assert word not in seen
         assert word.encode().hex() not in seen
 
 
-def test_give_back_somebody_elses_number(room: AttackedClass, ben: zenoh.Session) -> None:
+def test_release_another_students_number(room: AttackedClass, ben: zenoh.Session) -> None:
     for proof in ("", "0" * 64, None, "\ud800", {"a": 1}):
         answer = asked(ben, {"op": "release", "number": 17, "proof": proof})
         assert not answer.get("released")
     assert room.listed()[17]["name"] == "Ana"
 
 
-def test_a_number_that_changed_hands_is_closed_to_who_had_it(room: AttackedClass) -> None:
+def test_a_reassigned_number_rejects_the_old_secret(room: AttackedClass) -> None:
     dora = room.student("dora", 40)
     had = dora.credentials
     room.teacher.do("class", "free", "40")
-    assert wait_until(lambda: not lets_in(room.port, had), 10)
+    assert wait_until(lambda: not accepts(room.port, had), 10)
     emil = room.student("emil", 40)
-    # Only when he is let in, too, is the hub open again, with the new credentials.
-    assert wait_until(lambda: lets_in(room.port, emil.credentials), 10)
-    assert not lets_in(room.port, had)
+    # The hub is open again, with the new credentials, only when it accepts Emil.
+    assert wait_until(lambda: accepts(room.port, emil.credentials), 10)
+    assert not accepts(room.port, had)
     emil.do("leave")
 
 
-def test_guess_the_pin(room: AttackedClass, stranger: zenoh.Session) -> None:
+def test_guess_the_pin(room: AttackedClass, lobby_user: zenoh.Session) -> None:
     told = [
-        claimed(stranger, f"{number:06d}", {"machine": "eve"})["answer"] for number in range(20)
+        claimed(lobby_user, f"{number:06d}", {"machine": "eve"})["answer"] for number in range(20)
     ]
     kinds = [answer["refused"] for answer in told]
     assert kinds[0] == "pin"
@@ -250,7 +250,7 @@ def test_guess_the_pin(room: AttackedClass, stranger: zenoh.Session) -> None:
         ("x" * 100_000, "wrong PIN"),
     ],
 )
-def test_join_with_another_pin(room: AttackedClass, words: str, sentence: str) -> None:
+def test_join_with_a_wrong_pin(room: AttackedClass, words: str, sentence: str) -> None:
     eve = room.computer(f"eve{abs(hash(words))}")
     refused = eve.run("join", f"{HERE}:{room.port}", stdin=f"{words}\n")
     assert refused.code == 1
@@ -258,7 +258,7 @@ def test_join_with_another_pin(room: AttackedClass, words: str, sentence: str) -
     assert len(refused.err.strip().splitlines()) == 1
 
 
-# -- the door of the network -------------------------------------------------------------------
+# -- the network port --------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("who", ["nobody", "wrong secret", "Ben as Ana", "unknown", "lobby as Ana"])
@@ -272,12 +272,12 @@ def test_connect_without_credentials_or_with_wrong_ones(room: AttackedClass, who
         "unknown": credentials("eve", Secret("eve")),
         "lobby as Ana": credentials(ana["transport/auth/usrpwd/user"], Secret("lobby")),
     }
-    assert not lets_in(room.port, given[who])
+    assert not accepts(room.port, given[who])
 
 
-def test_a_student_laptop_lets_nobody_in(room: AttackedClass) -> None:
+def test_a_student_laptop_accepts_no_connections(room: AttackedClass) -> None:
     for paths in ({}, room.ben.credentials, credentials("lobby", Secret("lobby"))):
-        assert not lets_in(room.ana.port, paths)
+        assert not accepts(room.ana.port, paths)
     links = psutil.net_connections("tcp")
     listening = [tuple(link.laddr) for link in links if link.status == psutil.CONN_LISTEN]
     assert {ip for ip, port in listening if port == room.ana.port} == {"127.0.0.1"}
@@ -357,9 +357,9 @@ def test_oversize_samples(room: AttackedClass, ben: zenoh.Session) -> None:
     ],
     ids=lambda payload: f"{payload[:40].decode('latin-1')}{len(payload)}",
 )
-def test_malformed_questions_at_the_door(stranger: zenoh.Session, payload: bytes) -> None:
-    list(stranger.get(DOOR_KEY, payload=payload, timeout=5))
-    hello = asked(stranger, {"op": "hello"})
+def test_malformed_admission_requests(lobby_user: zenoh.Session, payload: bytes) -> None:
+    list(lobby_user.get(ADMISSION_KEY, payload=payload, timeout=5))
+    hello = asked(lobby_user, {"op": "hello"})
     assert hello["class"] == "attacked"
 
 
@@ -376,8 +376,8 @@ def test_malformed_questions_at_the_door(stranger: zenoh.Session, payload: bytes
     ],
     ids=lambda facts: f"{facts[:24].decode('latin-1')}{len(facts)}",
 )
-def test_malformed_facts_do_not_spoil_the_teachers_list(
-    room: AttackedClass, rogue: zenoh.Session, facts: bytes
+def test_malformed_facts_do_not_change_the_teachers_list(
+    room: AttackedClass, raw_client: zenoh.Session, facts: bytes
 ) -> None:
     was_asked = threading.Event()
 
@@ -385,12 +385,12 @@ def test_malformed_facts_do_not_spoil_the_teachers_list(
         was_asked.set()
         query.reply(query.key_expr, facts)
 
-    answering = rogue.declare_queryable(facts_key(19), answer, complete=True)
+    answering = raw_client.declare_queryable(facts_key(19), answer, complete=True)
     room.talk.settle()
     shown = room.teacher.do("class", "list")
     assert was_asked.is_set()
     assert "Ana" in shown
-    assert "Rogue" in shown
+    assert "Raw" in shown
     assert is_plain(shown)
     answering.undeclare()
 
@@ -474,10 +474,10 @@ def test_messages_that_zenoh_cannot_carry_break_only_their_sender(
         )
 
 
-def test_flood_the_door(room: AttackedClass, stranger: zenoh.Session) -> None:
+def test_flood_the_admission_service(room: AttackedClass, lobby_user: zenoh.Session) -> None:
     hello = json.dumps({"op": "enrol", **PinClient(Secret("0")).hello()})
     waiting = [
-        stranger.get(DOOR_KEY, zenoh.handlers.FifoChannel(1), payload=hello, timeout=20)
+        lobby_user.get(ADMISSION_KEY, zenoh.handlers.FifoChannel(1), payload=hello, timeout=20)
         for _ in range(600)
     ]
     room.check_honest_work()
@@ -525,7 +525,7 @@ def test_no_secret_is_on_a_command_line_or_in_a_log(room: AttackedClass) -> None
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no file modes")
-def test_what_holds_secrets_is_for_its_owner_only(room: AttackedClass) -> None:
+def test_secret_files_are_readable_by_their_owner_only(room: AttackedClass) -> None:
     for computer in (room.teacher, room.ana):
         folder = computer.folder / "zbot"
         assert stat.S_IMODE(folder.stat().st_mode) == 0o700
@@ -547,10 +547,10 @@ NAMES = [
 ]
 
 
-def test_names_are_only_names(room: AttackedClass, stranger: zenoh.Session) -> None:
+def test_names_are_never_interpreted(room: AttackedClass, lobby_user: zenoh.Session) -> None:
     for number, name in enumerate(NAMES, 50):
-        wish = {"machine": f"eve{number}", "host": name, "name": name, "number": number}
-        assert "refused" not in claimed(stranger, PIN, wish)["answer"]
+        request = {"machine": f"eve{number}", "host": name, "name": name, "number": number}
+        assert "refused" not in claimed(lobby_user, PIN, request)["answer"]
     shown = room.teacher.do("class", "list")
     assert is_plain(shown)
     assert all(len(line) < 300 for line in shown.splitlines())
@@ -562,7 +562,9 @@ def test_names_are_only_names(room: AttackedClass, stranger: zenoh.Session) -> N
 @pytest.mark.parametrize(
     "name", [NAMES[0], NAMES[1], "x" * 10_000], ids=["escape", "shell", "long"]
 )
-def test_who_joins_sees_a_name_as_text(room: AttackedClass, eve: Computer, name: str) -> None:
+def test_a_joining_laptop_prints_a_name_as_plain_text(
+    room: AttackedClass, eve: Computer, name: str
+) -> None:
     where = (f"{HERE}:{room.port}", "--number", "60", f"--name={name}")
     joined = eve.do("join", *where, ZBOT_PIN=PIN)
     eve.do("leave")
@@ -571,7 +573,7 @@ def test_who_joins_sees_a_name_as_text(room: AttackedClass, eve: Computer, name:
     assert not list(eve.folder.parent.rglob("owned*"))
 
 
-def test_what_the_teacher_says_is_only_text(room: AttackedClass) -> None:
+def test_a_notice_is_printed_as_plain_text(room: AttackedClass) -> None:
     room.teacher.do("class", "say", "\x1b[2J$(reboot)\r\n<script>")
     notices = [
         json.loads(reply.ok.payload.to_bytes())

@@ -18,23 +18,23 @@ def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_machine_has_one_hub() -> None:
-    with background.the_only_one():
-        background.announce("student", ("tcp/127.0.0.1:1",), ())
+    with background.hub_lock():
+        background.write_state("student", ("tcp/127.0.0.1:1",), ())
         found = background.find()
         assert found is not None
         assert found.role == "student"
         with pytest.raises(AlreadyJoinedError, match="has a hub already"):
-            _be_another()
+            _run_another_hub()
     assert background.find() is None
-    _be_another()
+    _run_another_hub()
 
 
-def _be_another() -> None:
-    with background.the_only_one():
+def _run_another_hub() -> None:
+    with background.hub_lock():
         return
 
 
-def test_whoever_looks_for_a_hub_does_not_keep_one_from_starting() -> None:
+def test_searching_for_a_hub_does_not_prevent_one_from_starting() -> None:
     over = threading.Event()
 
     def look() -> None:
@@ -44,7 +44,7 @@ def test_whoever_looks_for_a_hub_does_not_keep_one_from_starting() -> None:
     looker = threading.Thread(target=look)
     looker.start()
     for _ in range(20):
-        _be_another()
+        _run_another_hub()
     over.set()
     looker.join()
 

@@ -16,15 +16,10 @@ from tests.conftest import wait_until
 from zbot.classroom.state import certificate_problem
 from zbot.security.certificate import Validity
 from zbot.security.errors import (
-    EarlyCertificateError,
-    ExpiredCertificateError,
-    ForeignCertificateError,
+    CertificateError,
     MissingFileError,
-    NoServerCertificateError,
     NoTlsError,
     RefusedCertificateError,
-    SecurityError,
-    WrongAddressError,
 )
 from zbot.security.keystore import Identity, Keystore
 from zbot.security.tls import check_dialling, check_listening, tls_settings
@@ -69,7 +64,7 @@ def listen() -> Iterator[Callable[..., int]]:
 
 
 def links(port: int, settings: dict[str, Any], protocol: str = "tls") -> bool:
-    """Return whether a hub that dials a port is let in."""
+    """Return whether a hub that dials a port is accepted."""
     dial = {
         "mode": "router",
         "listen/endpoints": [],
@@ -96,7 +91,7 @@ def test_two_machines_of_one_keystore_are_linked(
     assert links(port, tls_settings(ana))
 
 
-def spoilt(store: Keystore, foreign: Keystore, what: str) -> Identity:
+def invalid(store: Keystore, foreign: Keystore, what: str) -> Identity:
     """Return a student's certificate that should not be accepted."""
     if what == "foreign":
         found = foreign.issue("ana")
@@ -106,28 +101,28 @@ def spoilt(store: Keystore, foreign: Keystore, what: str) -> Identity:
 
 
 @pytest.mark.parametrize(
-    ("what", "error"),
+    ("what", "problem"),
     [
-        ("expired", ExpiredCertificateError),
-        ("early", EarlyCertificateError),
-        ("foreign", ForeignCertificateError),
+        ("expired", "expired on"),
+        ("early", "is valid only from"),
+        ("foreign", "not made with the keystore"),
     ],
 )
-def test_a_spoilt_certificate_is_refused_here_and_by_the_hub(
+def test_an_invalid_certificate_is_rejected_by_zbot_and_by_the_hub(
     store: Keystore,
     foreign: Keystore,
     listen: Callable[..., int],
     what: str,
-    error: type[SecurityError],
+    problem: str,
 ) -> None:
-    port, ana = listen(store.issue("teacher", [HERE])), spoilt(store, foreign, what)
-    with pytest.raises(error):
+    port, ana = listen(store.issue("teacher", [HERE])), invalid(store, foreign, what)
+    with pytest.raises(CertificateError, match=problem):
         check_dialling(ana, HERE, port)
     assert not links(port, tls_settings(ana))
     assert links(port, tls_settings(store.issue("ben")))
 
 
-def test_without_a_certificate_nobody_is_let_in(
+def test_a_hub_rejects_a_peer_without_a_certificate(
     store: Keystore, listen: Callable[..., int]
 ) -> None:
     port, ana = listen(store.issue("teacher", [HERE])), store.issue("ana")
@@ -142,37 +137,37 @@ def test_without_a_certificate_nobody_is_let_in(
 
 
 @pytest.mark.parametrize(
-    ("what", "error"),
+    ("what", "problem"),
     [
-        ("expired", ExpiredCertificateError),
-        ("early", EarlyCertificateError),
-        ("foreign", ForeignCertificateError),
-        ("a student's", NoServerCertificateError),
-        ("for another address", WrongAddressError),
+        ("expired", "expired on"),
+        ("early", "is valid only from"),
+        ("foreign", "not made with the keystore"),
+        ("a student's", "names no address"),
+        ("for another address", "is for 10.9.9.9, not for"),
     ],
 )
-def test_a_hub_with_a_spoilt_certificate_is_not_trusted(
+def test_a_hub_with_an_invalid_certificate_is_not_trusted(
     store: Keystore,
     foreign: Keystore,
     listen: Callable[..., int],
     what: str,
-    error: type[SecurityError],
+    problem: str,
 ) -> None:
     ana = store.issue("ana")
     made = {
-        "expired": lambda: store.issue("rogue", [HERE], PAST),
-        "early": lambda: store.issue("rogue", [HERE], FUTURE),
-        "foreign": lambda: foreign.issue("rogue", [HERE]),
-        "a student's": lambda: store.issue("rogue"),
-        "for another address": lambda: store.issue("rogue", ["10.9.9.9"]),
+        "expired": lambda: store.issue("impostor", [HERE], PAST),
+        "early": lambda: store.issue("impostor", [HERE], FUTURE),
+        "foreign": lambda: foreign.issue("impostor", [HERE]),
+        "a student's": lambda: store.issue("impostor"),
+        "for another address": lambda: store.issue("impostor", ["10.9.9.9"]),
     }
     port = listen(made[what]())
-    with pytest.raises(error):
+    with pytest.raises(CertificateError, match=problem):
         check_dialling(ana, HERE, port)
     assert not links(port, tls_settings(ana))
 
 
-def test_a_students_certificate_makes_no_hub_even_without_a_look_at_the_address(
+def test_a_client_certificate_is_rejected_for_a_hub(
     store: Keystore, listen: Callable[..., int]
 ) -> None:
     port = listen(store.issue("eve"))
@@ -182,17 +177,17 @@ def test_a_students_certificate_makes_no_hub_even_without_a_look_at_the_address(
 
 
 @pytest.mark.parametrize("what", ["expired", "a student's", "for another address"])
-def test_a_hub_does_not_start_with_a_certificate_of_no_use(store: Keystore, what: str) -> None:
-    made, error = {
-        "expired": (store.issue("a", [HERE], PAST), ExpiredCertificateError),
-        "a student's": (store.issue("b"), NoServerCertificateError),
-        "for another address": (store.issue("c", ["10.9.9.9"]), WrongAddressError),
+def test_a_hub_does_not_start_with_an_unusable_certificate(store: Keystore, what: str) -> None:
+    made, problem = {
+        "expired": (store.issue("a", [HERE], PAST), "expired on"),
+        "a student's": (store.issue("b"), "names no address"),
+        "for another address": (store.issue("c", ["10.9.9.9"]), "is for 10.9.9.9, not for"),
     }[what]
-    with pytest.raises(error):
+    with pytest.raises(CertificateError, match=problem):
         check_listening(made, HERE)
 
 
-def test_a_hub_that_does_not_accept_our_certificate_is_told(
+def test_a_hub_that_rejects_our_certificate_is_reported(
     store: Keystore, foreign: Keystore, listen: Callable[..., int]
 ) -> None:
     teacher, ana = store.issue("teacher", [HERE]), store.issue("ana")
@@ -203,7 +198,7 @@ def test_a_hub_that_does_not_accept_our_certificate_is_told(
     assert not links(port, tls_settings(ana))
 
 
-def test_a_hub_without_a_keystore_is_told(store: Keystore, listen: Callable[..., int]) -> None:
+def test_a_hub_without_a_keystore_is_reported(store: Keystore, listen: Callable[..., int]) -> None:
     port = listen(None)
     with pytest.raises(NoTlsError, match="without --keystore"):
         check_dialling(store.issue("ana"), HERE, port)

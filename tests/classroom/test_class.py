@@ -1,4 +1,4 @@
-"""What a class sees of each other and what not, on machines with networks of their own."""
+"""Visibility between the machines of a class, on the testbed."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.classroom.rig import Rig, obstacle
+from tests.classroom.testbed import LanTestbed, missing_requirement
 from tests.classroom.watch import Watch
 from tests.conftest import wait_until
 
@@ -29,12 +29,12 @@ class Class:
     """A class of two, with or without a PIN.
 
     Args:
-        rig: Its machines.
+        testbed: Its machines.
         options: Of `zbot class start`.
     """
 
-    def __init__(self, rig: Rig, *options: str) -> None:
-        self.teacher, (self.ana, self.ben) = rig.teacher, rig.laptops
+    def __init__(self, testbed: LanTestbed, *options: str) -> None:
+        self.teacher, (self.ana, self.ben) = testbed.teacher, testbed.laptops
         self.teacher.run("zbot", "class", "start", "Robots", *options, env=PIN)
         with ThreadPoolExecutor() as pool:
             list(pool.map(self._join, (self.ana, self.ben), (ANA, BEN), ("Ana", "Ben")))
@@ -63,11 +63,11 @@ class Class:
 
 @pytest.fixture(scope="module", params=["with a PIN", "without a PIN"])
 def lesson(request: pytest.FixtureRequest) -> Iterator[Class]:
-    reason = obstacle()
+    reason = missing_requirement()
     if reason is not None:
         pytest.skip(reason)
-    with Rig(2) as rig:
-        opened = Class(rig, *(["--pin"] if request.param == "with a PIN" else []))
+    with LanTestbed(2) as testbed:
+        opened = Class(testbed, *(["--pin"] if request.param == "with a PIN" else []))
         assert wait_until(lambda: opened.is_linked(opened.ana, opened.ben), 10)
         yield opened
 
@@ -105,7 +105,7 @@ def test_the_teacher_looks_into_a_students_domain_by_name(lesson: Class) -> None
     assert "False" in value.out
 
 
-def test_the_teacher_reaches_into_a_students_domain(lesson: Class) -> None:
+def test_the_teacher_can_publish_in_a_students_domain(lesson: Class) -> None:
     listener = lesson.ana.start("zbot", "topic", "echo", "/orders", "std_msgs/String")
     sent = ("topic", "pub", "--once", f"/{ANA}/orders", "std_msgs/String", "data: come here")
     lesson.teacher.run("zbot", *sent)
@@ -157,7 +157,7 @@ def test_students_are_alone_in_their_domains(lesson: Class) -> None:
         assert [finished.out for finished in outputs] == [""] * 3
 
 
-def test_what_the_teacher_shares_everybody_sees(lesson: Class) -> None:
+def test_everybody_sees_what_the_teacher_shares(lesson: Class) -> None:
     with lesson.talking(lesson.teacher, "/class/news"):
         for machine in (lesson.ana, lesson.ben):
             assert "Hello World" in echo(machine, "/class/news")
@@ -166,7 +166,7 @@ def test_what_the_teacher_shares_everybody_sees(lesson: Class) -> None:
 
 def test_students_talk_to_everybody_only_once_the_teacher_allows_it(lesson: Class) -> None:
     with lesson.talking(lesson.ana, "/class/talk") as program:
-        said = "reaches others only while the teacher lets students speak there"
+        said = "in /class/ only after the teacher allowed it with: zbot share class"
         if said not in program.output:
             program.wait_for(said)
         assert echo(lesson.teacher, "/class/talk", SILENCE_S) == ""
@@ -193,7 +193,7 @@ def test_a_shared_domain_is_seen_by_the_one_it_is_shared_with(lesson: Class) -> 
         assert "hello" not in listener.output
 
 
-def test_a_whole_class_is_marked(lesson: Class) -> None:
+def test_a_whole_class_is_checked(lesson: Class) -> None:
     check = ("zbot", "class", "check", "publishes std_msgs/String on /student_id at >= 5 Hz")
     with lesson.talking(lesson.ana, "/student_id"), lesson.talking(lesson.ben, "/student_ID"):
         marked, text = lesson.teacher.run_all((*check, "--json"), check)
@@ -222,37 +222,37 @@ for table in ("/proc/net/tcp", "/proc/net/tcp6"):
 
 
 def test_two_machines_see_each_other_through_a_plain_hub() -> None:
-    reason = obstacle()
+    reason = missing_requirement()
     if reason is not None:
         pytest.skip(reason)
-    with Rig(1) as rig:
-        (robot,) = rig.laptops
-        hub = rig.teacher.start("zbot", "hub")
+    with LanTestbed(1) as testbed:
+        (robot,) = testbed.laptops
+        hub = testbed.teacher.start("zbot", "hub")
         hub.wait_for("the hub listens on")
-        hub.wait_for(f"zbot join {rig.teacher.address}")
-        assert robot.run("zbot", "join", rig.teacher.address).code == 0
+        hub.wait_for(f"zbot join {testbed.teacher.address}")
+        assert robot.run("zbot", "join", testbed.teacher.address).code == 0
         program = greeter(robot, "/chatter")
-        assert "Hello World" in echo(rig.teacher, "/chatter")
-        assert "/greeter" in rig.teacher.run("zbot", "node", "list").out
+        assert "Hello World" in echo(testbed.teacher, "/chatter")
+        assert "/greeter" in testbed.teacher.run("zbot", "node", "list").out
         # The other way, node to node.
-        back = greeter(rig.teacher, "/answer")
+        back = greeter(testbed.teacher, "/answer")
         assert "Hello World" in echo(robot, "/answer")
         assert robot.run("zbot", "leave").code == 0
-        assert "/greeter" not in rig.teacher.run("zbot", "node", "list").out.split("\n")[1:]
+        assert "/greeter" not in testbed.teacher.run("zbot", "node", "list").out.split("\n")[1:]
         program.stop()
         back.stop()
         assert hub.stop() == 0
 
 
 def test_machines_of_a_subnet_find_each_other_by_multicast() -> None:
-    reason = obstacle()
+    reason = missing_requirement()
     if reason is not None:
         pytest.skip(reason)
     subnet = {"ZBOT_DISCOVERY_RANGE": "SUBNET"}
-    with Rig(2) as rig:
-        for machine in rig.laptops:
-            machine.join_air(isolated=False, multicast=True)
-        first, second = rig.laptops
+    with LanTestbed(2) as testbed:
+        for machine in testbed.laptops:
+            machine.connect_to_bridge(isolated=False, multicast=True)
+        first, second = testbed.laptops
         program = greeter(first, "/chatter", **subnet)
         # Without a node of its own, and then with one.
         assert "/greeter" in second.run("zbot", "node", "list", env=subnet).out

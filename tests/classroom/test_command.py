@@ -1,4 +1,4 @@
-"""What the teacher's commands make of a hub that does not answer."""
+"""Teacher's commands to a hub that does not answer."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_a_hub_that_is_opened_anew_is_asked_again(say: Say) -> None:
     assert teacher.command({"op": "open"}) == {"open": True}
 
 
-def test_a_hub_that_stays_silent_is_a_sentence(say: Say, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_hub_that_does_not_answer_is_reported(say: Say, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(teacher, "_REOPENING_S", -1.0)
     say([])
     with pytest.raises(ClassCommandError, match="does not answer"):

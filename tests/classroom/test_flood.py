@@ -1,4 +1,4 @@
-"""A student who publishes without end, and what the others notice of it."""
+"""Delay of other students' messages while one student publishes too fast."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from tests.conftest import allowed
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from tests.classroom.rig import Rig
+    from tests.classroom.testbed import LanTestbed
 
 SHARE = 1.2
 BEAT = ("--beat", "0.5")
@@ -21,16 +21,16 @@ MOST_BEATS = 20
 KINDS = {1: "flood", 3: "quiet"}
 
 
-def test_a_flood_does_not_delay_what_others_say(make_rig: Callable[[int], Rig]) -> None:
+def test_a_flood_does_not_delay_what_others_say(make_testbed: Callable[[int], LanTestbed]) -> None:
     """The best beat with it is compared with the usual one without it.
 
     Whatever else this machine does only adds to a delay; a single quiet beat may be pure luck.
     """
-    rig = make_rig(2)
-    lesson = Lesson(rig, 1)
+    testbed = make_testbed(2)
+    lesson = Lesson(testbed, 1)
     lesson.join()
-    flooded, other = rig.laptops
-    teacher = rig.teacher.start("hear.py", "2/ana/words", "1/flood", *BEAT)
+    flooded, other = testbed.laptops
+    teacher = testbed.teacher.start("hear.py", "2/ana/words", "1/flood", *BEAT)
     teacher.wait_for("hearing")
     other.start("pupil.py", "ana", "ana", "--hz", "400").wait_for("hears")
     flooded.start("flood.py", *BEAT).wait_for("flood")

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from tests.classroom.neighbour import Neighbour
+from tests.classroom.local_machine import LocalMachine
 from tests.classroom.talk import free_port
 from tests.conftest import wait_until
 
@@ -38,12 +38,12 @@ with zbot.init():
 
 
 @pytest.fixture
-def machines(tmp_path: Path) -> Iterator[Callable[[str], Neighbour]]:
+def machines(tmp_path: Path) -> Iterator[Callable[[str], LocalMachine]]:
     """Return a function that makes machines; whatever they have joined, they leave."""
-    made: dict[str, Neighbour] = {}
+    made: dict[str, LocalMachine] = {}
 
-    def make(name: str) -> Neighbour:
-        return made.setdefault(name, Neighbour(tmp_path / name))
+    def make(name: str) -> LocalMachine:
+        return made.setdefault(name, LocalMachine(tmp_path / name))
 
     yield make
     for machine in reversed(made.values()):
@@ -59,26 +59,26 @@ class School:
         start: Starts programs.
     """
 
-    def __init__(self, make: Callable[[str], Neighbour], start: Start) -> None:
+    def __init__(self, make: Callable[[str], LocalMachine], start: Start) -> None:
         self._make, self._start = make, start
         self.teacher = make("teacher")
         self.address = f"127.0.0.1:{self.teacher.port}"
 
     def open(self, *words: str) -> dict[str, Any]:
-        """Open the class with the PIN; return what is on the board."""
+        """Open the class with the PIN; return what `zbot class start` prints."""
         told = self.teacher.succeed(
             "class", "start", "Robots", "--pin", "--json", *words, ZBOT_PIN=PIN
         )
-        board: dict[str, Any] = json.loads(told)
-        return board
+        opened: dict[str, Any] = json.loads(told)
+        return opened
 
-    def join(self, name: str, *words: str) -> Neighbour:
+    def join(self, name: str, *words: str) -> LocalMachine:
         """Let a student join."""
         student = self._make(name)
         student.succeed("join", self.address, "--name", name, *words, ZBOT_PIN=PIN)
         return student
 
-    def run(self, machine: Neighbour, source: str, **more: str) -> Program:
+    def run(self, machine: LocalMachine, source: str, **more: str) -> Program:
         """Start a program on a machine."""
         return self._start(source=source, env={**machine.environment, "ZBOT_DOMAIN_ID": "", **more})
 
@@ -90,7 +90,7 @@ class School:
 
 @pytest.fixture
 def school(
-    machines: Callable[[str], Neighbour], start: Start, monkeypatch: pytest.MonkeyPatch
+    machines: Callable[[str], LocalMachine], start: Start, monkeypatch: pytest.MonkeyPatch
 ) -> School:
     monkeypatch.delenv("ZBOT_DOMAIN_ID")  # a student's domain is his number
     return School(machines, start)
@@ -99,10 +99,10 @@ def school(
 # -- joining ---------------------------------------------------------------------------------------
 
 
-def test_the_board_shows_code_address_and_pin(school: School) -> None:
-    board = school.open()
-    assert board["pin"] == PIN
-    assert board["port"] == school.teacher.port
+def test_class_start_prints_code_address_and_pin(school: School) -> None:
+    opened = school.open()
+    assert opened["pin"] == PIN
+    assert opened["port"] == school.teacher.port
     assert "open at" in school.teacher.succeed("status")
 
 
@@ -134,7 +134,7 @@ def test_the_pin_may_come_from_standard_input(school: School) -> None:
 
 
 @pytest.mark.parametrize(
-    ("pin", "sentence"), [("0000", "wrong PIN"), ("", "the class asks for a PIN")]
+    ("pin", "sentence"), [("0000", "wrong PIN"), ("", "the class requires a PIN")]
 )
 def test_without_the_pin_nobody_joins(school: School, pin: str, sentence: str) -> None:
     school.open()
@@ -172,7 +172,7 @@ def test_a_list_of_students_keeps_numbers_for_names(school: School, tmp_path: Pa
     assert "9  Ben" in school.teacher.succeed("class", "list")
 
 
-def test_who_leaves_gives_the_number_back(school: School) -> None:
+def test_leaving_releases_the_number(school: School) -> None:
     school.open()
     ana = school.join("Ana", "--number", "17")
     assert "left Robots" in ana.succeed("leave")
@@ -181,7 +181,7 @@ def test_who_leaves_gives_the_number_back(school: School) -> None:
     school.join("Ben", "--number", "17")
 
 
-def test_one_joins_one_class(school: School) -> None:
+def test_a_machine_joins_one_class_at_a_time(school: School) -> None:
     school.open()
     ana = school.join("Ana")
     refused = ana.zbot("join", school.address, ZBOT_PIN=PIN)
@@ -190,8 +190,8 @@ def test_one_joins_one_class(school: School) -> None:
     assert school.teacher.zbot("join", school.address).code == 1
 
 
-def test_last_weeks_class_does_not_stand_in_the_way(
-    school: School, machines: Callable[[str], Neighbour]
+def test_a_class_that_no_longer_runs_does_not_prevent_joining(
+    school: School, machines: Callable[[str], LocalMachine]
 ) -> None:
     school.open()
     ana = school.join("Ana")
@@ -205,11 +205,11 @@ def test_last_weeks_class_does_not_stand_in_the_way(
     assert 'joined "Next week"' in ana.succeed("join", f"127.0.0.1:{other.port}")
 
 
-def test_a_student_who_was_switched_off_joins_again_as_before(school: School) -> None:
+def test_a_laptop_that_was_switched_off_joins_again(school: School) -> None:
     school.open()
     ana = school.join("Ana", "--number", "17")
     ana.kill_hub()
-    assert "its hub does not run" in ana.succeed("status")
+    assert "the hub of this machine is not running" in ana.succeed("status")
     ana.succeed("join", school.address, ZBOT_PIN=PIN)
     assert "number 17" in ana.succeed("status")
 
@@ -233,7 +233,7 @@ def test_after_the_class_the_hub_is_gone_and_nothing_listens(school: School) -> 
     assert "no class is open" in school.teacher.zbot("class", "list").err
 
 
-def test_a_port_that_is_taken_is_a_sentence(school: School) -> None:
+def test_a_taken_port_is_reported(school: School) -> None:
     with socket.create_server(("0.0.0.0", school.teacher.port)):
         refused = school.teacher.zbot("class", "start")
     assert refused.code == 1
@@ -241,12 +241,12 @@ def test_a_port_that_is_taken_is_a_sentence(school: School) -> None:
     assert "joined nothing" in school.teacher.succeed("status")
 
 
-def test_what_is_no_hub_is_a_sentence(machines: Callable[[str], Neighbour]) -> None:
+def test_a_program_that_is_not_a_hub_is_reported(machines: Callable[[str], LocalMachine]) -> None:
     with socket.create_server(("127.0.0.1", free_port())) as server:
         port = server.getsockname()[1]
         refused = machines("Ana").zbot("join", f"127.0.0.1:{port}")
     assert refused.code == 1
-    assert "is no zbot hub" in refused.err
+    assert "is not a zbot hub" in refused.err
 
 
 # -- secrets ---------------------------------------------------------------------------------------
@@ -299,7 +299,7 @@ def test_what_the_teacher_says_is_on_the_terminals_of_nodes_and_in_the_status(
     program = school.run(ana, TALKER)
     program.wait_for("ready")
     _settle(school, domain)
-    assert "said to 1 student" in school.teacher.succeed("class", "say", "\x1b[2J5 minutes")
+    assert "sent to 1 student" in school.teacher.succeed("class", "say", "\x1b[2J5 minutes")
     assert "[class]: the teacher says: [2J5 minutes" in program.wait_for("the teacher says")
     late = school.join("Ben")
     assert wait_until(lambda: "5 minutes" in late.succeed("status"), 10)
@@ -310,7 +310,7 @@ def _settle(school: School, number: int) -> None:
     assert wait_until(lambda: bool(school.listed()[number]["nodes"]), 10)
 
 
-def test_a_name_that_is_a_trap_stays_a_name(school: School) -> None:
+def test_a_name_is_never_interpreted(school: School) -> None:
     school.open()
     trap = "$(touch pwned) ../../x\x1b[31m; rm -rf /<script>"
     student = school._make("trap")

@@ -1,4 +1,4 @@
-"""What keeps a student out, each in its own sentence and soon enough to try again."""
+"""Errors of `zbot join`: each has a message of its own and appears within two seconds."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.classroom.lesson import Lesson
-from tests.classroom.rig import Rig, obstacle
+from tests.classroom.testbed import LanTestbed, missing_requirement
 from tests.conftest import allowed, wait_until
 
 if TYPE_CHECKING:
@@ -22,27 +22,27 @@ PIN = "4711"
 @pytest.fixture(scope="module")
 def lesson() -> Iterator[Lesson]:
     """An open class of two laptops, which have not joined yet."""
-    reason = obstacle()
+    reason = missing_requirement()
     if reason is not None:
         pytest.skip(reason)
-    with Rig(2) as rig:
-        yield Lesson(rig, 1, pin=PIN)
+    with LanTestbed(2) as testbed:
+        yield Lesson(testbed, 1, pin=PIN)
 
 
-def is_left_alone(laptop: Machine) -> bool:
-    """Return whether nothing runs on a laptop; a hub that has gone may still be about to end."""
+def has_no_processes(laptop: Machine) -> bool:
+    """Return whether no process runs on a laptop, after a short wait for a hub that ends."""
     return wait_until(lambda: not laptop.processes())
 
 
-def refusal(lesson: Lesson, *words: str, pin: str = PIN) -> str:
+def join_error(lesson: Lesson, *words: str, pin: str = PIN) -> str:
     """Return the sentence with which `zbot join` fails, in time and without joining."""
-    laptop = lesson.rig.laptops[0]
+    laptop = lesson.testbed.laptops[0]
     refused = laptop.run("zbot", "join", *words, env={"ZBOT_PIN": pin})
     assert refused.code == 1
     assert refused.out == ""
     assert len(refused.err.splitlines()) == 1
     assert refused.took_s < allowed(LIMIT_S)
-    assert is_left_alone(laptop)
+    assert has_no_processes(laptop)
     assert "joined nothing" in laptop.run("zbot", "status").out
     return refused.err.strip()
 
@@ -51,49 +51,49 @@ def test_a_mistyped_code(lesson: Lesson) -> None:
     last = lesson.code[-1]
     typo = lesson.code[:-1] + ("2" if last != "2" else "3")
 
-    assert f"the code '{typo}' has a typo" in refusal(lesson, typo)
+    assert f"the code '{typo}' has a typo" in join_error(lesson, typo)
 
 
 def test_a_wrong_pin(lesson: Lesson) -> None:
-    assert "wrong PIN" in refusal(lesson, lesson.code, pin="4712")
+    assert "wrong PIN" in join_error(lesson, lesson.code, pin="4712")
 
 
 def test_no_pin(lesson: Lesson) -> None:
-    assert "the class asks for a PIN" in refusal(lesson, lesson.code, pin="")
+    assert "the class requires a PIN" in join_error(lesson, lesson.code, pin="")
 
 
-def test_a_teacher_who_is_not_there(lesson: Lesson) -> None:
-    assert "nobody answers at 10.77.200.1:7447" in refusal(lesson, "10.77.200.1")
+def test_an_unreachable_teacher(lesson: Lesson) -> None:
+    assert "no machine answers at 10.77.200.1:7447" in join_error(lesson, "10.77.200.1")
 
 
 def test_a_teacher_without_a_class(lesson: Lesson) -> None:
-    sentence = refusal(lesson, f"{lesson.rig.teacher.address}:7448")
+    sentence = join_error(lesson, f"{lesson.testbed.teacher.address}:7448")
 
-    assert "10.77.0.1 is there, but no class" in sentence
+    assert "10.77.0.1 answers, but no class" in sentence
     assert "zbot class start" in sentence
 
 
 def test_a_blocked_port(lesson: Lesson) -> None:
-    laptop = lesson.rig.laptops[0]
+    laptop = lesson.testbed.laptops[0]
     laptop.block_port(7447)
     try:
-        sentence = refusal(lesson, lesson.code)
+        sentence = join_error(lesson, lesson.code)
     finally:
         laptop.unblock_ports()
 
-    assert "10.77.0.1 is there but its port 7447 is blocked" in sentence
+    assert "10.77.0.1 answers, but its port 7447 is blocked" in sentence
     assert "firewall" in sentence
 
 
 def test_a_laptop_without_a_network(lesson: Lesson) -> None:
-    laptop = lesson.rig.laptops[0]
+    laptop = lesson.testbed.laptops[0]
     laptop.unplug()
     try:
-        sentence = refusal(lesson, lesson.rig.teacher.address)
+        sentence = join_error(lesson, lesson.testbed.teacher.address)
     finally:
         laptop.plug_in()
 
-    assert "nobody answers at 10.77.0.1:7447" in sentence
+    assert "no machine answers at 10.77.0.1:7447" in sentence
 
 
 WEB = """
@@ -114,19 +114,19 @@ signal.pause()
 
 
 @pytest.mark.parametrize(("program", "port"), [(WEB, 80), (SILENT, 81)])
-def test_a_port_that_is_no_hubs(lesson: Lesson, program: str, port: int) -> None:
-    lesson.rig.teacher.start("python", "-c", program).wait_for("")
+def test_a_port_of_another_program(lesson: Lesson, program: str, port: int) -> None:
+    lesson.testbed.teacher.start("python", "-c", program).wait_for("")
 
-    assert "is no zbot hub" in refusal(lesson, f"{lesson.rig.teacher.address}:{port}")
+    assert "is not a zbot hub" in join_error(lesson, f"{lesson.testbed.teacher.address}:{port}")
 
 
 def test_the_code_and_the_address_both_work(lesson: Lesson) -> None:
     for laptop, target in zip(
-        lesson.rig.laptops, (lesson.code.lower(), lesson.rig.teacher.address), strict=True
+        lesson.testbed.laptops, (lesson.code.lower(), lesson.testbed.teacher.address), strict=True
     ):
         joined = laptop.run("zbot", "join", target, env={"ZBOT_PIN": PIN})
         assert joined.code == 0, joined.err
         assert joined.took_s < allowed(3)
         left = laptop.run("zbot", "leave")
         assert left.code == 0, left.err
-        assert is_left_alone(laptop)
+        assert has_no_processes(laptop)

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.classroom.attacked import PIN, Computer
-from tests.classroom.talk import lets_in
+from tests.classroom.talk import accepts
 from tests.conftest import wait_until
 from zbot.classroom.address import own_addresses
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
@@ -59,7 +59,7 @@ def test_a_class_with_a_keystore(computer: Callable[[str], Computer], enclaves: 
 
     refused = ana.run("join", where, ZBOT_PIN=PIN)
     assert refused.code == 1
-    assert "without a certificate" in refused.err
+    assert "requires a certificate" in refused.err
 
     own = ("--name", "Ana", "--keystore", str(enclaves / "ana"))
     ana.do("join", where, *own, ZBOT_PIN=PIN)
@@ -70,7 +70,7 @@ def test_a_class_with_a_keystore(computer: Callable[[str], Computer], enclaves: 
     for paths in (ana.credentials, credentials(LOBBY, LOBBY_SECRET)):
         for protocol in ("tcp", "tls"):
             elsewhere = {"connect/endpoints": [f"{protocol}/{where}"]}
-            assert not lets_in(0, {**paths, **elsewhere})
+            assert not accepts(0, {**paths, **elsewhere})
 
 
 @needs_network
@@ -103,7 +103,7 @@ def test_a_class_does_not_open_with_a_certificate_that_nobody_could_join(
 
 
 @needs_network
-def test_two_desks_with_a_keystore(computer: Callable[[str], Computer], enclaves: Path) -> None:
+def test_two_machines_with_a_keystore(computer: Callable[[str], Computer], enclaves: Path) -> None:
     one, other = computer("one"), computer("other")
     key = ("--keystore", str(enclaves / "teacher"))
     where = f"{ADDRESS}:{one.port}"
@@ -115,7 +115,7 @@ def test_two_desks_with_a_keystore(computer: Callable[[str], Computer], enclaves
 
 
 @needs_network
-def test_a_hub_without_a_keystore_is_told_from_one_with(
+def test_the_error_says_which_hub_lacks_a_keystore(
     computer: Callable[[str], Computer], enclaves: Path
 ) -> None:
     one, other = computer("one"), computer("other")

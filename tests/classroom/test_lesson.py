@@ -1,4 +1,4 @@
-"""A lesson: four laptops with two nodes each, and what may happen to them."""
+"""A lesson: four laptops with two nodes each, interruptions and restarts."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 from tests.classroom.lesson import Lesson
-from tests.classroom.rig import Rig, obstacle
+from tests.classroom.testbed import LanTestbed, missing_requirement
 from tests.conftest import allowed, wait_until
 
 if TYPE_CHECKING:
@@ -26,11 +26,11 @@ PIN = "4711"
 @pytest.fixture(scope="module")
 def lesson() -> Iterator[Lesson]:
     """A class with everybody's nodes running; every test leaves it like that."""
-    reason = obstacle()
+    reason = missing_requirement()
     if reason is not None:
         pytest.skip(reason)
-    with Rig(LAPTOPS) as rig:
-        made = Lesson(rig, NODES, pin=PIN)
+    with LanTestbed(LAPTOPS) as testbed:
+        made = Lesson(testbed, NODES, pin=PIN)
         made.join()
         made.start_nodes()
         yield made
@@ -42,7 +42,7 @@ def test_the_teacher_sees_all_nodes_soon(lesson: Lesson) -> None:
 
 
 def test_a_new_node_is_seen_at_once(lesson: Lesson) -> None:
-    laptop = lesson.rig.laptops[-1]
+    laptop = lesson.testbed.laptops[-1]
     newcomer = laptop.start("pupil.py", "newcomer", "pupil0")
 
     seen_s = lesson.watch.until(lambda nodes: (lesson.number_of(laptop), "/newcomer") in nodes)
@@ -53,9 +53,9 @@ def test_a_new_node_is_seen_at_once(lesson: Lesson) -> None:
     lesson.watch.until(lambda nodes: (lesson.number_of(laptop), "/newcomer") not in nodes)
 
 
-def test_a_class_that_works_on_its_own_costs_the_teacher_nothing(lesson: Lesson) -> None:
+def test_a_class_without_subscriptions_sends_little_to_the_teacher(lesson: Lesson) -> None:
     # Again where a laptop was taken for lost and came back, as on a machine with too much to do.
-    assert wait_until(lambda: bytes_per_second(lesson.rig.teacher) < 5000, 20)
+    assert wait_until(lambda: bytes_per_second(lesson.testbed.teacher) < 5000, 20)
 
 
 def bytes_per_second(machine: Machine) -> float:
@@ -67,16 +67,16 @@ def bytes_per_second(machine: Machine) -> float:
 
 
 def test_a_lost_laptop_is_shown_and_comes_back(lesson: Lesson) -> None:
-    laptop = lesson.rig.laptops[0]
+    laptop = lesson.testbed.laptops[0]
     gone = lesson.nodes_of(laptop)
     assert [len(row["nodes"]) for row in listed(lesson).values()] == [NODES] * LAPTOPS
 
     cut_s = time.monotonic()
-    laptop.leave_air()
+    laptop.disconnect()
     lost_s = lesson.watch.until(lambda nodes: not gone & nodes)
     shown = listed(lesson)
     mended_s = time.monotonic()
-    laptop.return_to_air()
+    laptop.reconnect()
     back_s = lesson.watch.until(lambda nodes: gone <= nodes)
 
     assert lost_s - cut_s < allowed(5)
@@ -87,7 +87,7 @@ def test_a_lost_laptop_is_shown_and_comes_back(lesson: Lesson) -> None:
 
 
 def test_a_laptop_that_slept_comes_back(lesson: Lesson) -> None:
-    laptop = lesson.rig.laptops[1]
+    laptop = lesson.testbed.laptops[1]
     sleeping = lesson.nodes_of(laptop)
 
     laptop.sleep()
@@ -99,7 +99,7 @@ def test_a_laptop_that_slept_comes_back(lesson: Lesson) -> None:
     assert back_s - woken_s < allowed(5)
 
 
-def test_a_hub_that_restarts_has_all_back_and_no_laptop_notices(lesson: Lesson) -> None:
+def test_a_restarted_hub_sees_all_nodes_and_no_laptop_is_disturbed(lesson: Lesson) -> None:
     lesson.kill_hub()
     restarted_s = time.monotonic()
     lesson.open_class()
@@ -111,7 +111,7 @@ def test_a_hub_that_restarts_has_all_back_and_no_laptop_notices(lesson: Lesson) 
 
 
 def test_a_laptop_works_as_ever_while_the_teacher_is_away(lesson: Lesson) -> None:
-    laptop = lesson.rig.laptops[2]
+    laptop = lesson.testbed.laptops[2]
     number = lesson.number_of(laptop)
     lesson.kill_hub()
 
@@ -133,12 +133,12 @@ def test_a_laptop_works_as_ever_while_the_teacher_is_away(lesson: Lesson) -> Non
 
 
 def test_the_teacher_looks_into_a_students_domain(lesson: Lesson) -> None:
-    laptop = lesson.rig.laptops[3]
+    laptop = lesson.testbed.laptops[3]
     sensor = laptop.start("zbot", "run", "sensor")
     sensor.wait_for("Temperature:")
 
-    echoed = lesson.rig.teacher.run("zbot", "topic", "echo", "--once", "/4/temperature")
-    checked = lesson.rig.teacher.run(
+    echoed = lesson.testbed.teacher.run("zbot", "topic", "echo", "--once", "/4/temperature")
+    checked = lesson.testbed.teacher.run(
         *("zbot", "class", "check", "publishes std_msgs/Float32 on /temperature")
     )
     sensor.stop()
@@ -150,6 +150,6 @@ def test_the_teacher_looks_into_a_students_domain(lesson: Lesson) -> None:
 
 def listed(lesson: Lesson) -> dict[int, dict[str, Any]]:
     """Return the students in the teacher's list, by number."""
-    told = lesson.rig.teacher.run("zbot", "class", "list", "--json")
+    told = lesson.testbed.teacher.run("zbot", "class", "list", "--json")
     assert told.code == 0, told.err
     return {row["number"]: row for row in json.loads(told.out)["students"]}

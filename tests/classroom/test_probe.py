@@ -10,19 +10,19 @@ from tests.classroom.talk import free_port
 from tests.conftest import allowed
 from zbot.classroom.address import Address
 from zbot.classroom.errors import AddressError, ClosedPortError
-from zbot.classroom.probe import first_that_answers
+from zbot.classroom.probe import first_reachable
 
 
 def test_an_open_port_answers() -> None:
     with socket.create_server(("127.0.0.1", 0)) as server:
         address = Address("127.0.0.1", server.getsockname()[1])
-        assert first_that_answers([address]) == address
+        assert first_reachable([address]) == address
 
 
 def test_a_port_that_nobody_listens_on_is_refused_soon() -> None:
     begun = time.monotonic()
     with pytest.raises(ClosedPortError, match="zbot class start"):
-        first_that_answers([Address("127.0.0.1", free_port())])
+        first_reachable([Address("127.0.0.1", free_port())])
     assert time.monotonic() - begun < allowed(1.5)
 
 
@@ -36,7 +36,7 @@ def test_a_hub_that_opens_again_meanwhile_is_reached() -> None:
     later = threading.Timer(0.3, listen)
     later.start()
     try:
-        assert first_that_answers([address]) == address
+        assert first_reachable([address]) == address
     finally:
         later.join()
         for server in opened:
@@ -46,19 +46,19 @@ def test_a_hub_that_opens_again_meanwhile_is_reached() -> None:
 def test_of_several_addresses_the_one_that_answers_is_taken() -> None:
     with socket.create_server(("127.0.0.1", 0)) as server:
         good = Address("127.0.0.1", server.getsockname()[1])
-        assert first_that_answers([Address("127.0.0.1", free_port()), good]) == good
+        assert first_reachable([Address("127.0.0.1", free_port()), good]) == good
 
 
-def test_an_unknown_name_is_a_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_unknown_name_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     def unknown(*_: object, **__: object) -> object:
         raise socket.gaierror("Name or service not known")
 
     monkeypatch.setattr(socket, "getaddrinfo", unknown)
     with pytest.raises(AddressError, match="no machine of that name"):
-        first_that_answers([Address("teecher.local")])
+        first_reachable([Address("teecher.local")])
 
 
-def test_a_name_server_that_is_out_of_reach_is_not_waited_for(
+def test_an_unreachable_name_server_is_not_waited_for(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     over = threading.Event()
@@ -70,6 +70,6 @@ def test_a_name_server_that_is_out_of_reach_is_not_waited_for(
     monkeypatch.setattr(socket, "getaddrinfo", hang)
     begun = time.monotonic()
     with pytest.raises(AddressError, match="no name server answers"):
-        first_that_answers([Address("teacher.local")], timeout_s=0.2)
+        first_reachable([Address("teacher.local")], timeout_s=0.2)
     assert time.monotonic() - begun < allowed(2)
     over.set()

@@ -1,4 +1,4 @@
-"""Two robots with one program each, on two machines that just want each other."""
+"""Two robots with one program each, on two machines with a plain hub."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.classroom.rig import Rig, obstacle
+from tests.classroom.testbed import LanTestbed, missing_requirement
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -38,20 +38,23 @@ def generate_launch_description():
 
 @pytest.fixture(scope="module")
 def machines() -> Iterator[tuple[Machine, Machine]]:
-    """A desk with a hub, a laptop that joined it, and a robot on each."""
-    reason = obstacle()
+    """A machine with a hub, a laptop that joined it, and a robot on each."""
+    reason = missing_requirement()
     if reason is not None:
         pytest.skip(reason)
-    with Rig(1) as rig:
-        desk, laptop = rig.teacher, rig.laptops[0]
-        desk.start("zbot", "hub").wait_for("zbot join")
-        joined = laptop.run("zbot", "join", desk.address)
+    with LanTestbed(1) as testbed:
+        hub_machine, laptop = testbed.teacher, testbed.laptops[0]
+        hub_machine.start("zbot", "hub").wait_for("zbot join")
+        joined = laptop.run("zbot", "join", hub_machine.address)
         assert joined.code == 0, joined.err
-        for machine, words in ((desk, ["robot:=ana"]), (laptop, ["robot:=ben", "part:=arm"])):
+        for machine, words in (
+            (hub_machine, ["robot:=ana"]),
+            (laptop, ["robot:=ben", "part:=arm"]),
+        ):
             (machine.home / "robot.launch.py").write_text(LAUNCH, encoding="utf-8")
             launched = machine.start("zbot", "launch", "robot.launch.py", *words)
             launched.wait_for("Temperature:")
-        yield desk, laptop
+        yield hub_machine, laptop
 
 
 def test_each_robot_has_its_own_names(machines: tuple[Machine, Machine]) -> None:
@@ -68,24 +71,24 @@ def test_each_robot_has_its_own_names(machines: tuple[Machine, Machine]) -> None
 def test_a_program_hears_the_robot_in_whose_namespace_it_is(
     machines: tuple[Machine, Machine],
 ) -> None:
-    desk, laptop = machines
+    hub_machine, laptop = machines
     rules = ["--ros-args", "-r", "__ns:=/ben", "-r", "temperature:=heat"]
 
-    for machine in (desk, laptop):
+    for machine in (hub_machine, laptop):
         monitor = machine.start("zbot", "run", "monitor", *rules)
         monitor.wait_for("°C")
         info = laptop.run("zbot", "topic", "info", "/ben/heat").out
         assert "Subscription count: 1" in info
-        assert "Subscription count: 0" in desk.run("zbot", "topic", "info", "/ana/heat").out
+        assert "Subscription count: 0" in hub_machine.run("zbot", "topic", "info", "/ana/heat").out
         monitor.stop()
 
 
 def test_commands_reach_the_other_machines_robot(machines: tuple[Machine, Machine]) -> None:
-    desk, laptop = machines
+    hub_machine, laptop = machines
 
-    echoed = desk.run("zbot", "topic", "echo", "--once", "/ben/heat")
+    echoed = hub_machine.run("zbot", "topic", "echo", "--once", "/ben/heat")
     assert echoed.out.startswith("data: ")
-    listed = desk.run("zbot", "param", "list", "/ben/arm_sensor")
+    listed = hub_machine.run("zbot", "param", "list", "/ben/arm_sensor")
     assert "use_sim_time" in listed.out
     changed = laptop.run("zbot", "param", "set", "/ana/engine_sensor", "use_sim_time", "true")
     assert changed.code == 0, changed.err
@@ -94,14 +97,14 @@ def test_commands_reach_the_other_machines_robot(machines: tuple[Machine, Machin
 
 
 def test_a_turtle_is_driven_from_the_other_machine(machines: tuple[Machine, Machine]) -> None:
-    desk, laptop = machines
+    hub_machine, laptop = machines
     turtle = laptop.start("zbot", "run", "turtlesim_node", "--ros-args", "-r", "__ns:=/ben")
     turtle.wait_for("Spawning turtle")
 
     spawn = "{x: 2.0, y: 2.0, theta: 0.0, name: 'cleo'}"
-    called = desk.run("zbot", "service", "call", "/ben/spawn", "turtlesim/srv/Spawn", spawn)
+    called = hub_machine.run("zbot", "service", "call", "/ben/spawn", "turtlesim/srv/Spawn", spawn)
     assert "name='cleo'" in called.out
     turn = ("/ben/turtle1/rotate_absolute", "turtlesim/action/RotateAbsolute", "{theta: 1.0}")
-    turned = desk.run("zbot", "action", "send_goal", *turn)
+    turned = hub_machine.run("zbot", "action", "send_goal", *turn)
     assert "SUCCEEDED" in turned.out
     turtle.stop()

@@ -1,4 +1,4 @@
-"""The rig itself: what its machines can and cannot reach, and that nothing of it is left."""
+"""Testbed: which machines reach each other, and that nothing remains when it ends."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from tests.classroom.impairment import Impairment, impair
 from tests.classroom.network import namespaces
 from tests.classroom.watch import Watch
-from tests.classroom.weather import Weather, spoil
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from tests.classroom.machine import Machine
-    from tests.classroom.rig import Rig
+    from tests.classroom.testbed import LanTestbed
 
 SERVE = """
 import socket
@@ -63,102 +63,110 @@ def dial(machine: Machine, other: Machine) -> str:
     return machine.run("python", "-c", DIAL, other.address).out.strip()
 
 
-def test_laptops_reach_the_teacher_but_not_each_other(make_rig: Callable[[int], Rig]) -> None:
-    rig = make_rig(2)
-    one, two = rig.laptops
+def test_laptops_reach_the_teacher_but_not_each_other(
+    make_testbed: Callable[[int], LanTestbed],
+) -> None:
+    testbed = make_testbed(2)
+    one, two = testbed.laptops
 
-    hosts = [serve(rig.teacher), serve(two)]
+    hosts = [serve(testbed.teacher), serve(two)]
 
     assert hosts == ["teacher", "laptop1"]
     assert hosts[0] != socket.gethostname()
-    assert dial(one, rig.teacher) == "reached"
+    assert dial(one, testbed.teacher) == "reached"
     assert dial(one, two) in {"TimeoutError", "OSError"}  # no answer even to ARP
-    assert dial(rig.teacher, two) == "reached"
+    assert dial(testbed.teacher, two) == "reached"
 
 
-def test_multicast_does_not_pass(make_rig: Callable[[int], Rig]) -> None:
-    rig = make_rig(1)
-    listener = rig.teacher.start("python", "-c", HEAR)
+def test_multicast_does_not_pass(make_testbed: Callable[[int], LanTestbed]) -> None:
+    testbed = make_testbed(1)
+    listener = testbed.teacher.start("python", "-c", HEAR)
     listener.wait_for("listening")
 
-    rig.laptops[0].run("python", "-c", SHOUT)
+    testbed.laptops[0].run("python", "-c", SHOUT)
 
     listener.wait_for("silence")
 
 
-@pytest.mark.parametrize("way", ["unplug", "leave_air", "block_port"])
-def test_a_laptop_can_be_cut_off_and_come_back(make_rig: Callable[[int], Rig], way: str) -> None:
-    rig = make_rig(1)
-    laptop = rig.laptops[0]
-    serve(rig.teacher)
+@pytest.mark.parametrize("way", ["unplug", "disconnect", "block_port"])
+def test_a_laptop_can_be_cut_off_and_come_back(
+    make_testbed: Callable[[int], LanTestbed], way: str
+) -> None:
+    testbed = make_testbed(1)
+    laptop = testbed.laptops[0]
+    serve(testbed.teacher)
     cut, undo = {
         "unplug": (laptop.unplug, laptop.plug_in),
-        "leave_air": (laptop.leave_air, laptop.return_to_air),
+        "disconnect": (laptop.disconnect, laptop.reconnect),
         "block_port": (lambda: laptop.block_port(7000), laptop.unblock_ports),
     }[way]
 
     cut()
-    assert dial(laptop, rig.teacher) in {"TimeoutError", "OSError"}
+    assert dial(laptop, testbed.teacher) in {"TimeoutError", "OSError"}
     undo()
-    assert dial(laptop, rig.teacher) == "reached"
+    assert dial(laptop, testbed.teacher) == "reached"
 
 
-def test_a_blocked_port_leaves_the_others_open(make_rig: Callable[[int], Rig]) -> None:
-    rig = make_rig(1)
-    serve(rig.teacher)
+def test_a_blocked_port_leaves_the_others_open(make_testbed: Callable[[int], LanTestbed]) -> None:
+    testbed = make_testbed(1)
+    serve(testbed.teacher)
 
-    rig.laptops[0].block_port(7447)
+    testbed.laptops[0].block_port(7447)
 
-    assert dial(rig.laptops[0], rig.teacher) == "reached"
+    assert dial(testbed.laptops[0], testbed.teacher) == "reached"
 
 
-def test_traffic_is_counted(make_rig: Callable[[int], Rig]) -> None:
-    rig = make_rig(1)
-    serve(rig.teacher)
-    before = rig.teacher.traffic()
+def test_traffic_is_counted(make_testbed: Callable[[int], LanTestbed]) -> None:
+    testbed = make_testbed(1)
+    serve(testbed.teacher)
+    before = testbed.teacher.traffic()
 
-    dial(rig.laptops[0], rig.teacher)
+    dial(testbed.laptops[0], testbed.teacher)
 
-    carried = rig.teacher.traffic() - before
+    carried = testbed.teacher.traffic() - before
     assert carried.received_packets >= 3
     assert carried.sent_bytes > 0
 
 
-def test_nothing_is_left_of_it(make_rig: Callable[[int], Rig]) -> None:
-    rig = make_rig(1)
-    laptop = rig.laptops[0]
+def test_the_testbed_removes_everything(make_testbed: Callable[[int], LanTestbed]) -> None:
+    testbed = make_testbed(1)
+    laptop = testbed.laptops[0]
     background = laptop.start("python", "-c", "import time; print('there'); time.sleep(600)")
     background.wait_for("there")
-    names = {machine.namespace for machine in rig.machines}
+    names = {machine.namespace for machine in testbed.machines}
     assert names <= set(namespaces())
 
-    rig.__exit__()
+    testbed.__exit__()
 
     assert background.process.poll() is not None
     assert not names & set(namespaces())
     assert not laptop.home.exists()
 
 
-def test_without_a_class_nothing_leaves_the_laptop(make_rig: Callable[[int], Rig]) -> None:
-    rig = make_rig(1)
-    laptop = rig.laptops[0]
-    rig.teacher.start("plain_hub.py", "tcp/0.0.0.0:7447").wait_for("hub")
+def test_without_a_class_nothing_leaves_the_laptop(
+    make_testbed: Callable[[int], LanTestbed],
+) -> None:
+    testbed = make_testbed(1)
+    laptop = testbed.laptops[0]
+    testbed.teacher.start("plain_hub.py", "tcp/0.0.0.0:7447").wait_for("hub")
     before = laptop.traffic()
 
     laptop.start("zbot", "run", "sensor").wait_for("Temperature:")
 
     assert laptop.run("zbot", "node", "list").out == "/temperature_sensor\n"
-    assert rig.teacher.run("zbot", "node", "list").out == ""
+    assert testbed.teacher.run("zbot", "node", "list").out == ""
     assert (laptop.traffic() - before).sent_bytes == 0
 
 
-def test_hubs_carry_nodes_from_laptops_to_the_teacher(make_rig: Callable[[int], Rig]) -> None:
-    rig = make_rig(1)
-    laptop = rig.laptops[0]
-    rig.teacher.start("plain_hub.py", "tcp/0.0.0.0:7447").wait_for("hub")
-    dialled = f"tcp/{rig.teacher.address}:7447"
+def test_hubs_carry_nodes_from_laptops_to_the_teacher(
+    make_testbed: Callable[[int], LanTestbed],
+) -> None:
+    testbed = make_testbed(1)
+    laptop = testbed.laptops[0]
+    testbed.teacher.start("plain_hub.py", "tcp/0.0.0.0:7447").wait_for("hub")
+    dialled = f"tcp/{testbed.teacher.address}:7447"
     laptop.start("plain_hub.py", "tcp/127.0.0.1:7447", dialled).wait_for("hub")
-    watch = Watch(rig.teacher)
+    watch = Watch(testbed.teacher)
 
     pupil = laptop.start("pupil.py", "ana", "ana")
 
@@ -188,16 +196,16 @@ while data := connection.recv(5000):
 
 
 def test_bad_wifi_delays_everything_and_loses_nothing_of_tcp(
-    make_rig: Callable[[int], Rig],
+    make_testbed: Callable[[int], LanTestbed],
 ) -> None:
-    rig = make_rig(2)
-    spoil(rig, Weather(delay_ms=20, jitter_ms=10, loss=0.02), rig.laptops[:1])
-    rig.teacher.start("python", "-c", ECHO).wait_for("serving")
+    testbed = make_testbed(2)
+    impair(testbed, Impairment(delay_ms=20, jitter_ms=10, loss=0.02), testbed.laptops[:1])
+    testbed.teacher.start("python", "-c", ECHO).wait_for("serving")
 
-    trips = rig.laptops[0].run("python", "-c", ROUND_TRIPS, rig.teacher.address).out.split()
+    trips = testbed.laptops[0].run("python", "-c", ROUND_TRIPS, testbed.teacher.address).out.split()
 
     took = sorted(map(float, trips))
     assert len(took) == 20
     assert took[0] > 0.02
     assert 0.03 < took[10] < 0.3
-    assert dial(rig.laptops[0], rig.laptops[1]) in {"TimeoutError", "OSError"}
+    assert dial(testbed.laptops[0], testbed.laptops[1]) in {"TimeoutError", "OSError"}

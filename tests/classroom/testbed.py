@@ -1,9 +1,8 @@
-"""A classroom on one machine: a network namespace for each laptop, and Wi-Fi as schools have it.
+"""Testbed: a classroom on one machine, with a network namespace for each laptop.
 
-Every laptop is a veth pair away from a bridge, in a namespace of its own with its own loopback,
-host name and home folder. The bridge's ports are isolated from each other (an access point's
-"client isolation"), all but the teacher's, and none passes multicast. Needs root and iproute2:
-`obstacle()` says what is missing.
+Each laptop has its own loopback, host name and home folder, and a veth pair to a bridge. The ports
+of the bridge are isolated from each other, except the teacher's, and pass no multicast, like an
+access point with client isolation. Needs root and iproute2 (see `missing_requirement()`).
 """
 
 from __future__ import annotations
@@ -26,14 +25,14 @@ if TYPE_CHECKING:
 
     from tests.conftest import Program
 
-_RUN = Path("/run/zbot-rig")  # mounts of host names, and the machines' home folders
+_RUN = Path("/run/zbot-testbed")  # mounts of host names, and the machines' home folders
 _NUMBER = itertools.count()
 _TOOLS = ("ip", "tc", "nsenter", "unshare", "hostname")
 _GATEWAY = "10.77.255.254"
 
 
 @functools.cache
-def obstacle() -> str | None:
+def missing_requirement() -> str | None:
     """Return why no classroom can be built here, or `None`."""
     if not hasattr(os, "geteuid") or os.geteuid() != 0:
         return "network namespaces need root"
@@ -52,21 +51,21 @@ def obstacle() -> str | None:
     return None
 
 
-class Rig:
-    """A teacher's machine, some laptops, and the air between them.
+class LanTestbed:
+    """A teacher's machine, some laptops, and the bridge between them.
 
     Args:
         laptops: How many; their addresses are 10.77.1.1, 10.77.1.2, ...
 
-    Use it as a context manager: at its end every process in it is killed and nothing is left. What
-    a killed test run left behind, the next rig removes.
+    Use it as a context manager, which kills every process in it and removes everything at its end.
+    The next testbed removes what a killed test run has left.
     """
 
     def __init__(self, laptops: int) -> None:
-        remove_leftovers()
+        remove_old_testbeds()
         self._name = f"zbot-{os.getpid()}-{next(_NUMBER)}"
         self._folder = _RUN / self._name
-        self.air = f"{self._name}-air"
+        self.bridge = f"{self._name}-bridge"
         self._programs: list[Program] = []
         self.teacher = self._machine("teacher", "10.77.0.1")
         self.laptops = [
@@ -76,14 +75,14 @@ class Rig:
 
     def _machine(self, name: str, address: str) -> Machine:
         namespace = f"{self._name}-{name}"
-        return Machine(name, address, namespace, self.air, self._folder / name)
+        return Machine(name, address, namespace, self.bridge, self._folder / name)
 
     @property
     def machines(self) -> list[Machine]:
         """The teacher's machine and the laptops."""
         return [self.teacher, *self.laptops]
 
-    def __enter__(self) -> Rig:
+    def __enter__(self) -> LanTestbed:
         try:
             self._build()
         except BaseException:
@@ -96,47 +95,47 @@ class Rig:
 
     def _build(self) -> None:
         with Batch() as batch:
-            for name in (self.air, *(machine.namespace for machine in self.machines)):
+            for name in (self.bridge, *(machine.namespace for machine in self.machines)):
                 batch.add("netns", "add", name)
-        with Batch(self.air) as batch:
+        with Batch(self.bridge) as batch:
             batch.add("link", "add", "br0", "type", "bridge")
             batch.add("link", "set", "br0", "addrgenmode", "none", "up")
             batch.add("addr", "add", f"{_GATEWAY}/16", "dev", "br0")
             for machine in self.machines:
-                machine.wire(batch)
+                machine.add_cable(batch)
         for machine in self.machines:
             machine.boot(_GATEWAY)
-            machine.join_air(isolated=machine is not self.teacher)
+            machine.connect_to_bridge(isolated=machine is not self.teacher)
 
     def add_namespace(self, name: str) -> str:
-        """Add a namespace that ends with the rig; return its full name."""
+        """Add a namespace that ends with the testbed; return its full name."""
         namespace = f"{self._name}-{name}"
         ip("netns", "add", namespace)
         return namespace
 
     def adopt(self, program: Program) -> None:
-        """Wait for a program, too, when everything in the rig was killed."""
+        """Wait for a program, too, when everything in the testbed was killed."""
         self._programs.append(program)
 
     def _remove(self) -> None:
-        _remove_rig(self._name)
+        _remove_testbed(self._name)
         for program in self._programs:
             program.process.wait(5)
         for machine in self.machines:
             machine.forget_programs()
 
 
-def remove_leftovers() -> None:
+def remove_old_testbeds() -> None:
     """Remove the rigs of test runs that were killed."""
     if not _RUN.is_dir():
         return
     for folder in _RUN.iterdir():
         owner = folder.name.split("-")[1]
         if not Path("/proc", owner).exists():
-            _remove_rig(folder.name)
+            _remove_testbed(folder.name)
 
 
-def _remove_rig(name: str) -> None:
+def _remove_testbed(name: str) -> None:
     mine = [one for one in namespaces() if one.startswith(f"{name}-")]
     end_processes(mine)
     with Batch() as batch:

@@ -1,4 +1,4 @@
-"""Who is there, as a machine's hub sees it."""
+"""Watcher of the nodes that a machine's hub sees."""
 
 from __future__ import annotations
 

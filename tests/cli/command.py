@@ -1,4 +1,4 @@
-"""Runs `zbot` as a user does: a process, its exit code, and what it printed."""
+"""Function that runs `zbot` in a process of its own and returns exit code and output."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a command ended."""
+    """Exit code and output of a command."""
 
     code: int
     out: str
@@ -21,7 +21,7 @@ class Outcome:
 
 
 def zbot(*words: str, stdin: str = "", cwd: Path | None = None, timeout_s: float = 20) -> Outcome:
-    """Run a command line to its end."""
+    """Run a command line; fail if it prints a traceback."""
     done = subprocess.run(
         [sys.executable, "-m", "zbot_cli", *words],
         input=stdin,

@@ -1,4 +1,4 @@
-"""The command line in this process: quick, and its exit code, output and errors apart."""
+"""Fixtures that run commands in the process of the test, and write packages for them."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Command(Protocol):
 
 @pytest.fixture
 def zbot_command(capsys: pytest.CaptureFixture[str]) -> Command:
-    """Return a function that runs `zbot` with the words that it is given."""
+    """Return a function that runs `zbot` with the given words."""
 
     def run(*words: str) -> Result:
         capsys.readouterr()
@@ -43,7 +43,7 @@ def zbot_command(capsys: pytest.CaptureFixture[str]) -> Command:
 
 @pytest.fixture
 def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Return the `src` folder of a workspace, which is around the current folder."""
+    """Return the `src` folder of a workspace; the workspace is the current folder."""
     source = tmp_path / "workspace" / "src"
     source.mkdir(parents=True)
     monkeypatch.chdir(source.parent)

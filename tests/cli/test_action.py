@@ -1,4 +1,4 @@
-"""`zbot action` beside a running server."""
+"""Tests of `zbot action` with a running server."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def server(make_context: MakeContext, spin: Spin) -> library.Node:
 
 
 @pytest.mark.usefixtures("server")
-def test_listings_are_those_of_ros2() -> None:
+def test_lists_print_the_output_of_ros2() -> None:
     assert zbot("action", "list").out == "/fibonacci\n"
     assert zbot("action", "list", "-t").out == f"/fibonacci [{TYPE}]\n"
     assert zbot("action", "list", "-c").out == "1\n"
@@ -89,7 +89,7 @@ def test_listings_are_those_of_ros2() -> None:
 
 
 @pytest.mark.usefixtures("server")
-def test_unknown_names_are_told_with_a_hint() -> None:
+def test_an_unknown_name_is_refused_with_a_hint() -> None:
     unknown = zbot("action", "type", "/fibonaci")
     assert (unknown.code, unknown.out) == (1, "")
     assert unknown.err == "Unknown action '/fibonaci'\n\nhint: did you mean /fibonacci?\n"
@@ -105,7 +105,7 @@ def test_unknown_names_are_told_with_a_hint() -> None:
 
 @pytest.mark.parametrize("words", [(TYPE, "{order: 2}"), ("order: 2",), ("order=2",)])
 @pytest.mark.usefixtures("server")
-def test_send_goal_prints_what_ros2_prints(words: tuple[str, ...]) -> None:
+def test_send_goal_prints_the_output_of_ros2(words: tuple[str, ...]) -> None:
     sent = zbot("action", "send_goal", "/fibonacci", *words)
     assert (sent.code, sent.err) == (0, "")
     assert re.sub(r"[0-9a-f]{32}", "ID", sent.out) == (
@@ -117,13 +117,13 @@ def test_send_goal_prints_what_ros2_prints(words: tuple[str, ...]) -> None:
 
 
 @pytest.mark.usefixtures("server")
-def test_feedback_comes_before_the_result() -> None:
+def test_feedback_is_printed_before_the_result() -> None:
     sent = zbot("action", "send_goal", "-f", "/fibonacci", TYPE, "{order: 2}")
     assert RESULT.replace("Result", "Feedback") + RESULT in sent.out
 
 
 @pytest.mark.usefixtures("server")
-def test_feedback_that_overtakes_the_answer_waits(
+def test_feedback_that_overtakes_the_acceptance_is_printed_after_it(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     send = ActionClient.send_goal_async
@@ -187,7 +187,7 @@ def test_a_goal_that_does_not_succeed_ends_with_1(values: str, out: str, err: st
     assert sent.err.startswith(err)
 
 
-def test_no_action_type_is_told() -> None:
+def test_a_message_type_is_refused_as_an_action_type() -> None:
     refused = zbot("action", "send_goal", "/fibonacci", "std_msgs/msg/String", "{}")
     assert (refused.code, refused.out) == (1, "")
     assert refused.err.startswith("The passed action type is invalid\n")
@@ -203,7 +203,7 @@ def test_ctrl_c_cancels_the_goal(start: Start) -> None:
 
 
 @pytest.mark.usefixtures("server")
-def test_ctrl_c_just_behind_the_acceptance_cancels_the_goal(start: Start) -> None:
+def test_ctrl_c_right_after_the_acceptance_cancels_the_goal(start: Start) -> None:
     program = start("zbot", "action", "send_goal", "/fibonacci", "order: 7")
     program.wait_for("Goal accepted")
     assert program.stop(signal.SIGINT) == 130
@@ -226,7 +226,7 @@ def test_echo_shows_feedback_and_status(server: library.Node, start: Start) -> N
     ("option", "step"),
     [((), "  event_type: REQUEST_RECEIVED"), (("--json",), '"event_type": "REQUEST_RECEIVED"')],
 )
-def test_echo_names_the_steps_of_calls(
+def test_echo_prints_the_step_of_each_service_event(
     server: library.Node, start: Start, option: tuple[str, ...], step: str
 ) -> None:
     server.server.configure_introspection(  # type: ignore[attr-defined]
@@ -239,7 +239,7 @@ def test_echo_names_the_steps_of_calls(
     program.wait_for(step)
 
 
-def test_echo_refuses_what_is_no_part_of_an_action() -> None:
+def test_echo_refuses_an_unknown_interface_of_an_action() -> None:
     refused = zbot("action", "echo", "/fibonacci", TYPE, "-i", "GOAL")
     assert refused.code == 1
     assert refused.err.startswith('"GOAL" is incorrect interface name.\n')

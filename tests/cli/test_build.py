@@ -1,4 +1,4 @@
-"""`zbot build`: what it finds wrong, and how it tells."""
+"""Tests of `zbot build`: the mistakes that it finds and the messages that it prints."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ KNOWN = {"rclpy", "std_msgs", "geometry_msgs", "my_msgs"}
 
 @pytest.fixture
 def write(workspace: Path) -> Write:
-    """Return a function that writes a package that is fine, but for the files it is given."""
+    """Return a function that writes a correct package, except for the given files."""
 
     def make(
         name: str = "robot",
@@ -84,7 +84,7 @@ def problems(folder: Path) -> list[str]:
 # -- the command ---------------------------------------------------------------------------------
 
 
-def test_a_good_workspace(write: Write, zbot_command: Command) -> None:
+def test_a_correct_workspace_builds(write: Write, zbot_command: Command) -> None:
     write("robot", scripts="'drive = robot.drive:main',", **{"robot/drive.py": "def main(): ..."})
     write("arm", more="<depend>robot</depend>")
     result = zbot_command("build")
@@ -97,7 +97,7 @@ def test_a_good_workspace(write: Write, zbot_command: Command) -> None:
     )
 
 
-def test_a_bad_package_fails(write: Write, zbot_command: Command) -> None:
+def test_a_package_with_an_error_fails(write: Write, zbot_command: Command) -> None:
     write("robot", scripts="'drive = robot.drive:main',")
     write("arm", **{"arm/lift.py": "import std_msgs"})
     result = zbot_command("build")
@@ -113,7 +113,7 @@ def test_a_bad_package_fails(write: Write, zbot_command: Command) -> None:
         "package.xml\n"
         "---\n"
         "--- stderr: robot\n"
-        "src/robot/setup.py:13: 'drive' names the module robot.drive, which is not there\n"
+        "src/robot/setup.py:13: 'drive' names the module robot.drive, which does not exist\n"
         "---\n"
     )
 
@@ -141,7 +141,7 @@ def test_options_of_colcon_are_accepted(
     assert re.findall(">>> (.*)", result.out) == ["robot"]
 
 
-def test_needed_packages_are_first(write: Write, zbot_command: Command) -> None:
+def test_dependencies_are_built_first(write: Write, zbot_command: Command) -> None:
     write("a", more="<depend>c</depend><exec_depend>std_msgs</exec_depend>")
     write("b")
     write("c", more="<test_depend>d</test_depend>")
@@ -150,11 +150,11 @@ def test_needed_packages_are_first(write: Write, zbot_command: Command) -> None:
     assert re.findall(">>> (.*)", result.out) == ["d", "c", "a"]
 
 
-def test_an_empty_workspace(workspace: Path, zbot_command: Command) -> None:
+def test_an_empty_workspace_is_reported(workspace: Path, zbot_command: Command) -> None:
     result = zbot_command("build")
     assert result.code == 0
     assert result.out.startswith("\nSummary: 0 packages finished [0.")
-    assert result.err == "\nhint: a workspace has its packages in src\n"
+    assert result.err == "\nhint: put the packages of a workspace into its folder src\n"
     assert list(workspace.iterdir()) == []
 
 
@@ -168,7 +168,7 @@ def test_an_empty_workspace(workspace: Path, zbot_command: Command) -> None:
         (["robot"], 2, "unexpected extra argument"),
     ],
 )
-def test_mistakes(
+def test_mistakes_are_refused_with_a_sentence(
     write: Write, zbot_command: Command, words: list[str], code: int, text: str
 ) -> None:
     write()
@@ -177,7 +177,7 @@ def test_mistakes(
     assert text in result.err
 
 
-def test_packages_of_the_same_name(write: Write, zbot_command: Command) -> None:
+def test_packages_of_the_same_name_are_refused(write: Write, zbot_command: Command) -> None:
     first = write()
     second = write("copy", **{"package.xml": (first / "package.xml").read_text()})
     result = zbot_command("build")
@@ -187,7 +187,7 @@ def test_packages_of_the_same_name(write: Write, zbot_command: Command) -> None:
     )
 
 
-def test_packages_that_need_each_other(write: Write, zbot_command: Command) -> None:
+def test_circular_dependencies_are_refused(write: Write, zbot_command: Command) -> None:
     write("a", more="<depend>b</depend>")
     write("b", more="<depend>a</depend>")
     result = zbot_command("build")
@@ -195,7 +195,7 @@ def test_packages_that_need_each_other(write: Write, zbot_command: Command) -> N
     assert result.err == "packages depend on each other in a circle: a -> b -> a\n"
 
 
-def test_ignored_folders_are_not_looked_at(write: Write, zbot_command: Command) -> None:
+def test_ignored_folders_are_not_searched(write: Write, zbot_command: Command) -> None:
     (write("a") / "COLCON_IGNORE").touch()
     (write("b") / "AMENT_IGNORE").touch()
     assert "Summary: 0 packages" in zbot_command("build").out
@@ -209,9 +209,9 @@ def test_ignored_folders_are_not_looked_at(write: Write, zbot_command: Command) 
     [
         (
             "'a = robot.drve:main'",
-            "names the module robot.drve, which is not there; did you mean rob",
+            "names the module robot.drve, which does not exist; did you mean rob",
         ),
-        ("'a = nowhere.at:all'", "'a' names the module nowhere.at, which is not there"),
+        ("'a = nowhere.at:all'", "'a' names the module nowhere.at, which does not exist"),
         (
             "'a = robot.drive:mian'",
             "'a' names mian() in drive.py, which has none; did you mean 'main",
@@ -224,7 +224,7 @@ def test_ignored_folders_are_not_looked_at(write: Write, zbot_command: Command) 
         ("'a robot.drive:main'", "'a robot.drive:main' must have the form"),
     ],
 )
-def test_an_entry_point_that_leads_nowhere(write: Write, script: str, text: str) -> None:
+def test_an_entry_point_without_function_is_an_error(write: Write, script: str, text: str) -> None:
     folder = write(
         scripts=f"'fine = robot.drive:main',\n{script}", **{"robot/drive.py": "main = 1"}
     )
@@ -246,10 +246,10 @@ def test_an_entry_point_that_leads_nowhere(write: Write, script: str, text: str)
         "main: int = 1",
         "try:\n    import x\nexcept ImportError:\n    def main(): ...",
         "if 1:\n    pass\nelse:\n    def main(): ...",
-        "def main(:",  # told once, as a syntax error
+        "def main(:",  # reported once, as a syntax error
     ],
 )
-def test_a_function_may_come_about_in_many_ways(write: Write, source: str) -> None:
+def test_an_entry_point_may_be_bound_by_any_statement(write: Write, source: str) -> None:
     folder = write(scripts="'a = robot.drive:main'", **{"robot/drive.py": source})
     assert not [line for line in problems(folder) if "names" in line]
 
@@ -280,7 +280,7 @@ def test_entry_points_of_a_layout_with_src(write: Write) -> None:
         (b"x = " + b"-" * 100000 + b"1\n", "robot/bad.py:"),
     ],
 )
-def test_a_file_that_is_no_python(write: Write, source: bytes, text: str) -> None:
+def test_a_file_with_a_syntax_error_is_an_error(write: Write, source: bytes, text: str) -> None:
     folder = write()
     (folder / "robot" / "bad.py").write_bytes(source)
     (found,) = problems(folder)
@@ -288,27 +288,30 @@ def test_a_file_that_is_no_python(write: Write, source: bytes, text: str) -> Non
     assert "\n" not in found
 
 
-def test_strange_escapes_are_no_error(write: Write) -> None:
+def test_an_invalid_escape_is_not_an_error(write: Write) -> None:
     assert problems(write(**{"robot/fine.py": "x = '\\d'"})) == []
 
 
 @pytest.mark.parametrize(
     ("manifest", "text"),
     [
-        ("<package>\n<name>robot</name>\n</pakage>", "package.xml:3: no valid XML: mismatched tag"),
-        ("", "package.xml:1: no valid XML: no element found"),
+        (
+            "<package>\n<name>robot</name>\n</pakage>",
+            "package.xml:3: not valid XML: mismatched tag",
+        ),
+        ("", "package.xml:1: not valid XML: no element found"),
         ("<pkg/>", "package.xml:1: the outermost tag is <pkg>, but must be <package>"),
         (
             "<package>\n  <name>robot</name>\n</package>",
             "package.xml:3: <version> is missing or em",
         ),
         (MANIFEST.replace("0.0.0", "1.0"), "package.xml:3: the version is '1.0', but must be thre"),
-        (MANIFEST.replace("{name}", "a b"), "package.xml:2: 'a b' cannot be a package's name"),
+        (MANIFEST.replace("{name}", "a b"), "package.xml:2: 'a b' is not a valid package name"),
         (MANIFEST.replace("{name}", " "), "package.xml:2: <name> is missing or empty"),
-        ("<!DOCTYPE x [<!ENTITY a 'b'>]><package/>", "package.xml: a package.xml may not define"),
+        ("<!DOCTYPE x [<!ENTITY a 'b'>]><package/>", "package.xml: a package.xml must not define"),
     ],
 )
-def test_a_bad_manifest(write: Write, manifest: str, text: str) -> None:
+def test_an_invalid_manifest_is_an_error(write: Write, manifest: str, text: str) -> None:
     folder = write()
     (folder / "package.xml").write_text(
         manifest.format(name="robot", more="", build_type="ament_python")
@@ -316,7 +319,7 @@ def test_a_bad_manifest(write: Write, manifest: str, text: str) -> None:
     assert problems(folder)[0].startswith(text)
 
 
-def test_a_setup_py_that_does_not_parse(write: Write) -> None:
+def test_a_setup_py_with_a_syntax_error_is_an_error(write: Write) -> None:
     folder = write(**{"setup.py": "from setuptools import setup\nsetup(entry_points={\n"})
     assert len(problems(folder)) == 1
     assert problems(folder)[0].startswith("setup.py:2: ")
@@ -327,15 +330,15 @@ def test_a_setup_py_that_does_not_parse(write: Write) -> None:
     [
         ({"setup.py": b"\x00\xff" * 100}, "setup.py: "),
         ({"setup.py": b"setup(data_files=" + b"[] + " * 9999 + b"[])"}, "setup.py: "),
-        ({"package.xml": b"\xff\xfe\x00"}, "package.xml:1: no valid XML: "),
-        ({"package.xml": b"<package>" * 9999}, "package.xml:1: no valid XML: "),
+        ({"package.xml": b"\xff\xfe\x00"}, "package.xml:1: not valid XML: "),
+        ({"package.xml": b"<package>" * 9999}, "package.xml:1: not valid XML: "),
         ({"msg/A.msg": b"int32 \xff\n"}, "msg/A.msg: cannot be read: "),
         ({"srv/A.srv": b"int32 a\n"}, "srv/A.srv: "),
         ({"robot/a.py": b"\xff"}, "robot/a.py"),
         ({"CMakeLists.txt": b"install(FILES \xff DESTINATION x)"}, "CMakeLists.txt:1: install() "),
     ],
 )
-def test_hostile_files(write: Write, files: dict[str, bytes], text: str) -> None:
+def test_malicious_files_are_errors(write: Write, files: dict[str, bytes], text: str) -> None:
     folder = write()
     for name, content in files.items():
         (folder / name).parent.mkdir(exist_ok=True)
@@ -350,7 +353,7 @@ def test_files_in_other_encodings(write: Write) -> None:
     assert problems(folder) == []
 
 
-def test_folders_where_files_belong(write: Write, zbot_command: Command) -> None:
+def test_a_folder_in_the_place_of_a_file_is_an_error(write: Write, zbot_command: Command) -> None:
     folder = write()
     (folder / "setup.py").unlink()
     (folder / "setup.py").mkdir()
@@ -360,7 +363,7 @@ def test_folders_where_files_belong(write: Write, zbot_command: Command) -> None
     assert "src/robot/setup.py: " in result.err
 
 
-def test_packages_in_a_repository(write: Write, zbot_command: Command) -> None:
+def test_a_repository_folder_is_not_a_package(write: Write, zbot_command: Command) -> None:
     folder = write("repository/robot")
     (folder.parent / "pyproject.toml").write_text("[tool.ruff]\n")
     (folder.parent / "setup.cfg").write_text("[flake8]\n")
@@ -368,14 +371,14 @@ def test_packages_in_a_repository(write: Write, zbot_command: Command) -> None:
     assert "1 package" in zbot_command("build").out
 
 
-def test_a_program_that_is_compiled(write: Write, zbot_command: Command) -> None:
+def test_a_compiled_program_is_a_warning(write: Write, zbot_command: Command) -> None:
     folder = write(build_type="ament_cmake", **{"CMakeLists.txt": "add_executable(drive a.cpp)\n"})
-    told = "drive is not compiled: C++ needs ROS 2, zbot runs Python programs"
-    assert problems(folder) == [f"CMakeLists.txt:1: warning: {told}"]
+    problem = "drive is not compiled: C++ needs ROS 2, zbot runs Python programs"
+    assert problems(folder) == [f"CMakeLists.txt:1: warning: {problem}"]
     assert "hint: drive is a C++ program" in zbot_command("run", "robot", "drive").err
 
 
-def test_imports_that_are_not_declared(write: Write) -> None:
+def test_undeclared_imports_are_warnings(write: Write) -> None:
     folder = write(
         more="<exec_depend>rclpy</exec_depend>\n",
         **{
@@ -401,24 +404,27 @@ def test_imports_that_are_not_declared(write: Write) -> None:
     [
         (
             "('share/x', ['resource/robt'])",
-            "setup.py:10: data_files names resource/robt, which is ",
+            "setup.py:10: data_files names resource/robt, which does ",
         ),
-        ("('share/x', ['a/' + name])", "setup.py:3: data_files names a/robot, which is not there"),
+        (
+            "('share/x', ['a/' + name])",
+            "setup.py:3: data_files names a/robot, which does not exist",
+        ),
     ],
 )
-def test_data_files_that_are_not_there(write: Write, data: str, text: str) -> None:
+def test_missing_data_files_are_errors(write: Write, data: str, text: str) -> None:
     (found,) = problems(write(data=data))
     assert found.startswith(text)
 
 
-def test_a_package_folder_that_is_not_there(write: Write) -> None:
+def test_a_missing_package_folder_is_an_error(write: Write) -> None:
     folder = write()
     (folder / "robot" / "__init__.py").unlink()
     (folder / "robot").rmdir()
     assert problems(folder) == ["setup.py:3: packages names robot, but there is no such folder"]
 
 
-def test_two_names_for_one_package(write: Write) -> None:
+def test_different_names_in_setup_py_and_manifest_are_an_error(write: Write) -> None:
     folder = write(
         **{"package.xml": MANIFEST.format(name="rob", more="", build_type="ament_python")}
     )
@@ -428,7 +434,7 @@ def test_two_names_for_one_package(write: Write) -> None:
 @pytest.mark.parametrize(
     ("build_type", "file"), [("ament_python", "setup.py"), ("ament_cmake", "CMakeLists.txt")]
 )
-def test_a_build_type_without_its_file(write: Write, build_type: str, file: str) -> None:
+def test_a_build_type_without_file_is_an_error(write: Write, build_type: str, file: str) -> None:
     folder = write(build_type=build_type)
     (folder / file).unlink(missing_ok=True)
     assert problems(folder) == [
@@ -436,7 +442,7 @@ def test_a_build_type_without_its_file(write: Write, build_type: str, file: str)
     ]
 
 
-def test_what_ros_2_would_not_find_is_a_warning(write: Write) -> None:
+def test_files_that_ros_2_would_not_find_are_warnings(write: Write) -> None:
     folder = write(**{"launch/a.launch.py": "", "launch/notes.txt": ""})
     (folder / "setup.py").write_text("from setuptools import setup\nsetup(name='robot')\n")
     (folder / "setup.cfg").unlink()
@@ -446,7 +452,7 @@ def test_what_ros_2_would_not_find_is_a_warning(write: Write) -> None:
     ]
 
 
-def test_what_cmake_installs(write: Write) -> None:
+def test_files_installed_by_cmake_are_checked(write: Write) -> None:
     cmake = """\
 project(robot)
 install(PROGRAMS scripts/a.py scripts/gone.py
@@ -456,8 +462,8 @@ install(PROGRAMS ${UNKNOWN}/x.py $<TARGET_FILE:x> DESTINATION lib/${PROJECT_NAME
 """
     files = {"CMakeLists.txt": cmake, "scripts/a.py": "x = (", "launch/a.launch.py": ""}
     assert problems(write(build_type="ament_cmake", **files)) == [
-        "CMakeLists.txt:2: install() names scripts/gone.py, which is not there",
-        "CMakeLists.txt:4: install() names nowhere, which is not there",
+        "CMakeLists.txt:2: install() names scripts/gone.py, which does not exist",
+        "CMakeLists.txt:4: install() names nowhere, which does not exist",
         "scripts/a.py:1: SyntaxError: '(' was never closed",
     ]
 
@@ -491,7 +497,7 @@ def test_definitions_are_parsed(write: Write) -> None:
         },
     )
     assert problems(folder) == [
-        "CMakeLists.txt:2: rosidl_generate_interfaces names srv/Gone.srv, which is not there",
+        "CMakeLists.txt:2: rosidl_generate_interfaces names srv/Gone.srv, which does not exist",
         f"action/Go.action: 2 lines '---' are needed between {PARTS}, but there is one",
         "msg/A.msg:3: there is no type 'flot64': did you mean 'float64'?",
         "msg/B.msg:1: there is no type std_msgs/msg/Strng; did you mean std_msgs/msg/String?",
@@ -503,7 +509,7 @@ def test_definitions_are_parsed(write: Write) -> None:
     ]
 
 
-def test_messages_need_their_group(write: Write) -> None:
+def test_a_message_package_must_be_in_the_group_of_interfaces(write: Write) -> None:
     cmake = GENERATE.replace('  "srv/Gone.srv"\n', "")
     folder = write(
         "my_msgs", build_type="ament_cmake", **{"CMakeLists.txt": cmake, "msg/A.msg": "int32 a"}
@@ -511,6 +517,6 @@ def test_messages_need_their_group(write: Write) -> None:
     assert problems(folder) == [f"package.xml: add {GROUP.strip()} for the messages"]
 
 
-def test_messages_in_a_python_package_work_here(write: Write) -> None:
+def test_messages_in_a_python_package_are_a_warning(write: Write) -> None:
     (found,) = problems(write(**{"msg/A.msg": "int32 a"}))
     assert found.startswith("package.xml: warning: ROS 2 makes messages in ament_cmake packages")

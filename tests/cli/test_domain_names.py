@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from zbot_cli.input.domain_names import SeveralDomainsError, enter_domain
+from zbot_cli.input.domain_names import SeveralDomainsError, select_domain
 
 
 @pytest.fixture(autouse=True)
@@ -25,17 +25,17 @@ def no_domain(monkeypatch: pytest.MonkeyPatch) -> None:
         ("topic pub /17/a std_msgs/String /17/b", "topic pub /a std_msgs/String /17/b"),
     ],
 )
-def test_a_number_in_front_names_the_domain(words: str, kept: str) -> None:
-    assert enter_domain(words.split()) == kept.split()
+def test_a_name_may_begin_with_the_number_of_a_domain(words: str, kept: str) -> None:
+    assert select_domain(words.split()) == kept.split()
     assert os.environ["ZBOT_DOMAIN_ID"] == "17"
 
 
 @pytest.mark.parametrize("words", ["topic echo /scan", "topic echo /robot17/scan", "topic list"])
-def test_names_of_ones_own_domain_stay_as_they_are(words: str) -> None:
-    assert enter_domain(words.split()) == words.split()
+def test_names_in_the_own_domain_are_unchanged(words: str) -> None:
+    assert select_domain(words.split()) == words.split()
     assert not os.environ["ZBOT_DOMAIN_ID"]
 
 
-def test_a_command_looks_at_one_domain() -> None:
-    with pytest.raises(SeveralDomainsError, match="not at /17 and /18"):
-        enter_domain(["topic", "echo", "/17/a", "/18/a"])
+def test_a_command_refuses_names_of_two_domains() -> None:
+    with pytest.raises(SeveralDomainsError, match="not in /17 and /18"):
+        select_domain(["topic", "echo", "/17/a", "/18/a"])

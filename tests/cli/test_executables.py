@@ -1,4 +1,4 @@
-"""What `zbot run` finds, and what it says when it finds nothing."""
+"""Tests of the executables that `zbot run` finds, and of its messages when it finds none."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ LESSONS = {"listener", "monitor", "sensor", "student_publisher", "student_subscr
 # -- finding -------------------------------------------------------------------------------------
 
 
-def test_every_bundled_node_is_an_entry_point_and_the_other_way_round() -> None:
+def test_the_bundled_nodes_are_the_entry_points() -> None:
     points = importlib.metadata.entry_points(group="zbot.nodes")
     declared = {point.name: point.value for point in points}
     found = {one.name: one.target for one in bundled_packages()[0].executables}
@@ -37,14 +37,14 @@ def test_every_bundled_node_is_an_entry_point_and_the_other_way_round() -> None:
     [["talker"], ["zbot_nodes", "talker"], ["zbot", "talker"], ["demo_nodes_py", "talker"]],
 )
 @pytest.mark.usefixtures("workspace")
-def test_a_bundled_node_goes_by_several_names(words: list[str]) -> None:
+def test_a_bundled_node_has_several_names(words: list[str]) -> None:
     executable, arguments = find([*words, "--ros-args", "-r", "a:=b"])
     assert executable.target == "zbot_nodes.talker:main"
     assert arguments == ["--ros-args", "-r", "a:=b"]
 
 
 @pytest.mark.usefixtures("workspace")
-def test_a_node_alone_may_have_arguments() -> None:
+def test_a_node_without_a_package_may_have_arguments() -> None:
     assert find(["sensor", "fast", "5"])[1] == ["fast", "5"]
 
 
@@ -96,7 +96,7 @@ def test_a_students_node_hides_a_bundled_one_of_the_same_name(workspace: Path) -
     assert find(["zbot_nodes", "talker"])[0].target == "zbot_nodes.talker:main"
 
 
-def test_two_packages_with_one_name_have_to_be_told_apart(workspace: Path) -> None:
+def test_two_packages_with_one_name_are_refused(workspace: Path) -> None:
     write_package(workspace, "blue", drive="blue.drive:main")
     write_package(workspace, "red", drive="red.drive:main")
     with pytest.raises(SeveralExecutablesError) as caught:
@@ -123,7 +123,7 @@ def test_build_and_install_folders_are_not_searched(workspace: Path) -> None:
 
 
 @pytest.mark.usefixtures("workspace")
-def test_an_unknown_package(zbot_command: Command) -> None:
+def test_an_unknown_package_is_refused(zbot_command: Command) -> None:
     result = zbot_command("run", "nopkg", "nope")
     assert (result.code, result.out) == (1, "")
     names = ", ".join(sorted(package.name for package in bundled_packages()))
@@ -133,15 +133,14 @@ def test_an_unknown_package(zbot_command: Command) -> None:
 
 
 @pytest.mark.usefixtures("workspace")
-def test_an_unknown_executable_of_a_package(zbot_command: Command) -> None:
+def test_an_unknown_executable_is_refused_with_the_known_ones(zbot_command: Command) -> None:
     result = zbot_command("run", "demo_nodes_py", "nope")
     assert result.code == 1
-    nodes = "add_two_ints_client, add_two_ints_server, listener, talker"
-    assert result.err == f"No executable found\n\nhint: demo_nodes_py has {nodes}\n"
+    assert result.err == f"No executable found\n\nhint: demo_nodes_py has {DEMO_NODES}\n"
 
 
 @pytest.mark.usefixtures("workspace")
-def test_a_package_alone(zbot_command: Command) -> None:
+def test_a_package_without_an_executable_is_refused(zbot_command: Command) -> None:
     assert f"demo_nodes_py has {DEMO_NODES}" in zbot_command("run", "demo_nodes_py").err
 
 
@@ -149,7 +148,8 @@ def test_a_package_alone(zbot_command: Command) -> None:
     ("words", "hint"),
     [
         (["sensro"], "did you mean 'sensor'?"),
-        (["demo_nodes_py", "taker"], "did you mean 'talker'?"),
+        (["demo_nodes_py", "taker"], f"did you mean 'talker'? demo_nodes_py has {DEMO_NODES}"),
+        (["turtlesim", "turtelsim_node"], "did you mean 'turtlesim_node'?"),
         (["demo_node_py", "talker"], "did you mean 'demo_nodes_py'?"),
         (["nothing_like_it"], "there are "),
     ],
@@ -161,7 +161,7 @@ def test_the_nearest_name_is_offered(zbot_command: Command, words: list[str], hi
     assert f"hint: {hint}" in result.err
 
 
-def test_a_module_that_setup_py_forgot(workspace: Path, zbot_command: Command) -> None:
+def test_a_module_missing_in_setup_py_is_named(workspace: Path, zbot_command: Command) -> None:
     folder = write_package(workspace, "my_robot", drive="my_robot.drive:main")
     (folder / "my_robot" / "turn.py").touch()
     result = zbot_command("run", "my_robot", "turn")
@@ -187,13 +187,15 @@ def test_a_broken_setup_py_is_the_reason(workspace: Path, zbot_command: Command)
     ],
 )
 @pytest.mark.usefixtures("workspace")
-def test_other_mistakes(zbot_command: Command, words: list[str], code: int, text: str) -> None:
+def test_other_mistakes_are_refused_with_a_sentence(
+    zbot_command: Command, words: list[str], code: int, text: str
+) -> None:
     result = zbot_command("run", *words)
     assert (result.code, result.out) == (code, "")
     assert text in result.err
 
 
-def test_help(zbot_command: Command) -> None:
+def test_help_shows_the_usage(zbot_command: Command) -> None:
     result = zbot_command("run", "--help")
     assert result.code == 0
     assert result.out.startswith("Usage: zbot run [--prefix COMMAND] [PACKAGE] EXECUTABLE [ARGS]")

@@ -1,10 +1,12 @@
-"""`zbot graph` beside running nodes."""
+"""Tests of `zbot graph` with running nodes."""
 
 from __future__ import annotations
 
 import json
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree as ET
+
+import pytest
 
 import zbot as library
 from tests.conftest import wait_until
@@ -23,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def ignore(_: Any) -> None:
-    """Take a message."""
+    """Receive a message and do nothing."""
 
 
 def talk(context: library.Context) -> None:
@@ -31,7 +33,7 @@ def talk(context: library.Context) -> None:
     library.Node("listener", context=context).create_subscription(String, "chatter", ignore, 1)
 
 
-def test_text(make_context: MakeContext, zbot_command: Command) -> None:
+def test_the_graph_is_printed_as_text(make_context: MakeContext, zbot_command: Command) -> None:
     talk(make_context())
     assert zbot_command("graph").out == "/talker -> [/chatter] -> /listener\n"
     assert zbot_command("graph", "--show", "nodes").out == (
@@ -39,7 +41,7 @@ def test_text(make_context: MakeContext, zbot_command: Command) -> None:
     )
 
 
-def test_json(make_context: MakeContext, zbot_command: Command) -> None:
+def test_the_graph_is_printed_as_json(make_context: MakeContext, zbot_command: Command) -> None:
     talk(make_context())
     found = json.loads(zbot_command("graph", "--json").out)
     assert found["nodes"] == ["/listener", "/talker"]
@@ -47,7 +49,7 @@ def test_json(make_context: MakeContext, zbot_command: Command) -> None:
     assert {"from": "/talker", "to": "/chatter", "topic": None} in found["edges"]
 
 
-def test_what_looks_wrong_is_said(make_context: MakeContext, zbot_command: Command) -> None:
+def test_probable_mistakes_are_printed(make_context: MakeContext, zbot_command: Command) -> None:
     context = make_context()
     talk(context)
     node = library.Node("lost", context=context)
@@ -56,7 +58,7 @@ def test_what_looks_wrong_is_said(make_context: MakeContext, zbot_command: Comma
     text = zbot_command("graph").out
     assert "nobody publishes /chater: is /chatter meant?" in text
     assert (
-        "two types cannot hear each other:"
+        "two types on one topic exchange no messages:"
         " std_msgs/msg/Int32 (/lost), std_msgs/msg/String (/listener, /talker)" in text
     )
     assert "two types" in zbot_command("graph", "--show", "nodes").out
@@ -72,8 +74,8 @@ def test_filters_are_those_of_rqt_graph(make_context: MakeContext, zbot_command:
     assert "[/rosout]" in zbot_command("graph", "--debug-topics").out
 
 
-def test_a_wrong_filter_is_a_sentence(domain: int, zbot_command: Command) -> None:
-    assert domain
+@pytest.mark.usefixtures("domain")
+def test_an_invalid_filter_is_refused_with_a_sentence(zbot_command: Command) -> None:
     result = zbot_command("graph", "--nodes", "/robot(")
     assert (result.code, result.out) == (1, "")
     assert "invalid filter '/robot('" in result.err
@@ -90,7 +92,7 @@ def test_an_action_is_one_box(make_context: MakeContext, zbot_command: Command) 
     assert "[/count/_action/feedback]" in zbot_command("graph", "--no-group-actions").out
 
 
-def test_dot(make_context: MakeContext, zbot_command: Command) -> None:
+def test_the_graph_is_printed_as_dot(make_context: MakeContext, zbot_command: Command) -> None:
     talk(make_context())
     text = zbot_command("graph", "--dot").out
     assert text.startswith("digraph graph_of_nodes {")
@@ -111,22 +113,20 @@ def test_svg_goes_to_a_file_or_to_the_terminal(
     assert [one.name for one in tmp_path.iterdir()] == ["graph.svg"]
 
 
-def test_svg_that_cannot_be_written_is_a_sentence(
-    domain: int, zbot_command: Command, tmp_path: Path
-) -> None:
-    assert domain
+@pytest.mark.usefixtures("domain")
+def test_an_unwritable_svg_file_is_one_sentence(zbot_command: Command, tmp_path: Path) -> None:
     result = zbot_command("graph", "--svg", str(tmp_path / "nowhere" / "graph.svg"))
     assert result.code == 1
     assert "cannot write" in result.err
 
 
-def test_nobody(domain: int, zbot_command: Command) -> None:
-    assert domain
+@pytest.mark.usefixtures("domain")
+def test_an_empty_graph_is_reported(zbot_command: Command) -> None:
     result = zbot_command("graph")
     assert (result.code, result.out) == (0, "no node is running\n")
 
 
-def test_watch_keeps_a_picture_true(
+def test_watch_updates_the_picture(
     make_context: MakeContext, start: Callable[..., Any], tmp_path: Path
 ) -> None:
     context = make_context()

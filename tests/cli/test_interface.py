@@ -1,4 +1,4 @@
-"""`zbot interface`, beside what the recorded ros2 printed; comments are zbot's own."""
+"""Tests of `zbot interface` against recorded output of ros2; comments are zbot's own."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def test_show_without_comments(zbot_command: Command, name: str, wanted: str) ->
     assert (result.code, result.out, result.err) == (0, wanted, "")
 
 
-def test_show_keeps_the_comments_of_the_type_itself(zbot_command: Command) -> None:
+def test_show_keeps_the_comments_of_the_requested_type(zbot_command: Command) -> None:
     comment, blank, *rest = zbot_command("interface", "show", "geometry_msgs/msg/Twist").out.split(
         "\n"
     )
@@ -85,7 +85,7 @@ def test_show_keeps_the_comments_of_the_type_itself(zbot_command: Command) -> No
     assert "\n".join(rest) == TWIST
 
 
-def test_show_of_a_service_keeps_comments_where_they_stand(zbot_command: Command) -> None:
+def test_show_of_a_service_keeps_its_comments_in_place(zbot_command: Command) -> None:
     shown = zbot_command("interface", "show", "std_srvs/srv/SetBool").out.splitlines()
     assert [line.partition("#")[0].rstrip() for line in shown] == SET_BOOL.splitlines()
     assert all("#" in line for line in shown if line != "---")
@@ -110,7 +110,7 @@ def test_every_shipped_type_can_be_shown_and_has_a_prototype(zbot_command: Comma
 @pytest.mark.parametrize(
     "word", ["geometry_msgs/Twist", "geometry_msgs.msg.Twist", "Twist", "geometry_msgs/msg/Twist"]
 )
-def test_a_type_may_be_written_in_several_ways(zbot_command: Command, word: str) -> None:
+def test_a_type_may_be_written_in_several_forms(zbot_command: Command, word: str) -> None:
     assert zbot_command("interface", "show", word, "--no-comments").out == TWIST
 
 
@@ -132,22 +132,22 @@ def test_a_type_may_be_written_in_several_ways(zbot_command: Command, word: str)
     ],
 )
 @pytest.mark.parametrize("verb", ["show", "proto"])
-def test_an_unknown_type(
+def test_an_unknown_type_is_refused(
     zbot_command: Command, verb: str, word: str, sentence: str, hint: str
 ) -> None:
     result = zbot_command("interface", verb, word)
     assert (result.code, result.out) == (1, "")
-    told, _, advice = result.err.partition("\n\nhint: ")
-    assert told.startswith(sentence)
+    error, _, advice = result.err.partition("\n\nhint: ")
+    assert error.startswith(sentence)
     assert hint in advice
 
 
-def test_the_type_can_come_through_a_pipe() -> None:
+def test_the_type_is_read_from_a_pipe() -> None:
     shown = zbot("interface", "show", "-", "--no-comments", stdin="geometry_msgs/msg/Twist\n")
     assert (shown.code, shown.out) == (0, TWIST)
 
 
-def test_a_terminal_is_no_pipe(zbot_command: Command, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_type_is_read_from_a_tty(zbot_command: Command, monkeypatch: pytest.MonkeyPatch) -> None:
     terminal = io.StringIO()
     monkeypatch.setattr(terminal, "isatty", lambda: True)
     monkeypatch.setattr(sys, "stdin", terminal)
@@ -161,7 +161,7 @@ def test_show_as_json_is_the_type_description(zbot_command: Command) -> None:
     assert found["type_description"]["type_name"] == "geometry_msgs/msg/Twist"
 
 
-def test_prototypes_look_as_recorded(zbot_command: Command) -> None:
+def test_prototypes_equal_the_recorded_output(zbot_command: Command) -> None:
     assert zbot_command("interface", "proto", "geometry_msgs/msg/Twist").out == TWIST_PROTOTYPE
     assert zbot_command("interface", "proto", "std_msgs/msg/String").out == "\"data: ''\n\"\n"
     bare = zbot_command("interface", "proto", "geometry_msgs/msg/Twist", "--no-quotes").out
@@ -182,7 +182,7 @@ def test_a_prototype_is_of_the_request_or_goal(
     assert zbot_command("interface", "proto", name, "--no-quotes").out.rstrip() == wanted.rstrip()
 
 
-def test_list_is_in_three_parts(zbot_command: Command) -> None:
+def test_list_prints_three_sections(zbot_command: Command) -> None:
     lines = zbot_command("interface", "list").out.splitlines()
     titles = [line for line in lines if not line.startswith("    ")]
     assert titles == ["Messages:", "Services:", "Actions:"]
@@ -217,7 +217,7 @@ def test_a_package_lists_its_types(zbot_command: Command) -> None:
     assert zbot_command("interface", "package", "std_srvs", "-m").out == ""
 
 
-def test_an_unknown_package(zbot_command: Command) -> None:
+def test_an_unknown_package_is_refused(zbot_command: Command) -> None:
     result = zbot_command("interface", "package", "std_srv")
     assert (result.code, result.out) == (1, "")
     assert result.err == "Unknown package 'std_srv'\n\nhint: did you mean std_srvs?\n"
@@ -232,7 +232,7 @@ def test_packages_are_listed(zbot_command: Command) -> None:
     assert json.loads(zbot_command("interface", "packages", "--json").out) == found
 
 
-def test_a_type_of_the_workspace_is_there_at_once(workspace: Path, zbot_command: Command) -> None:
+def test_a_type_of_the_workspace_needs_no_build(workspace: Path, zbot_command: Command) -> None:
     package = workspace / "cli_interfaces"
     (package / "msg").mkdir(parents=True)
     (package / "package.xml").write_text("<package><name>cli_interfaces</name></package>")
@@ -248,7 +248,7 @@ def test_a_type_of_the_workspace_is_there_at_once(workspace: Path, zbot_command:
 # -- words for types -------------------------------------------------------------------------------
 
 
-def test_a_word_may_stand_for_several_types() -> None:
+def test_a_short_name_may_match_several_types() -> None:
     assert find_types("String") == ["example_interfaces/msg/String", "std_msgs/msg/String"]
     assert find_types("std_srvs/SetBool") == ["std_srvs/srv/SetBool"]
     assert find_types("nothing") == []
@@ -264,7 +264,7 @@ def test_a_word_may_stand_for_several_types() -> None:
         ("std_srvs/srv/SetBool", "zbot interface list shows all types"),
     ],
 )
-def test_a_word_that_names_no_message(word: str, hint: str) -> None:
+def test_a_short_name_without_a_match_is_refused(word: str, hint: str) -> None:
     with pytest.raises(InvalidTypeError, match="The passed message type is invalid") as caught:
         resolve_message_type(word)
     assert caught.value.hint == hint

@@ -1,4 +1,4 @@
-"""`zbot launch` as a user starts it: real processes, real signals."""
+"""Tests of `zbot launch` with real processes and signals."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ def log_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture
 def launch(tmp_path: Path, start: Callable[..., Program]) -> Callable[..., Program]:
-    """Return a function that launches what stands in a LaunchDescription."""
+    """Return a function that launches the given arguments of a LaunchDescription."""
 
     def run(actions: str, *words: str) -> Program:
         file = tmp_path / "a.launch.py"
@@ -84,7 +84,7 @@ def test_the_bundled_temperature_system_runs_until_ctrl_c(start: Callable[..., P
     assert not _is_alive(sensor)
 
 
-def test_the_lessons_launch_file_finds_its_package(
+def test_a_launch_file_of_a_package_finds_its_package(
     start: Callable[..., Program], tmp_path: Path
 ) -> None:
     package = tmp_path / "src" / "my_robot_pkg"
@@ -126,7 +126,7 @@ def test_output_is_prefixed_and_not_buffered(launch: Callable[..., Program]) -> 
         "time.sleep(60)', name='chatty')"
     )
     program.wait_for("[chatty-1] out")
-    if "[chatty-1] err" not in program.output:  # two pipes, in no order
+    if "[chatty-1] err" not in program.output:  # two pipes have no common order
         program.wait_for("[chatty-1] err")
     assert program.stop(timeout_s=15) == 0
 
@@ -157,7 +157,7 @@ def test_the_default_output_also_reaches_the_log(
     assert (log_folder / "latest" / "c-3.log").read_text() == "[c-3] own\n"
 
 
-def test_a_program_that_dies_is_told_and_counts(launch: Callable[..., Program]) -> None:
+def test_a_failed_program_is_reported_in_the_exit_code(launch: Callable[..., Program]) -> None:
     program = launch("python('raise SystemExit(3)', name='bad'), python('', name='good')")
     assert program.wait() == 1
     died = program.output
@@ -174,7 +174,9 @@ def test_shutdown_ends_the_others(launch: Callable[..., Program]) -> None:
     assert "[INFO] [long-1]: sending signal 'SIGINT' to process[long-1]" in program.output
 
 
-def test_a_deaf_program_gets_sigterm_and_sigkill(launch: Callable[..., Program]) -> None:
+def test_an_unresponsive_program_gets_sigterm_and_sigkill(
+    launch: Callable[..., Program],
+) -> None:
     program = launch(
         f"python({_STUBBORN!r}, name='deaf', sigterm_timeout='0.2', sigkill_timeout=0.2)"
     )
@@ -186,19 +188,19 @@ def test_a_deaf_program_gets_sigterm_and_sigkill(launch: Callable[..., Program])
     assert "escalating to 'SIGKILL'" in text
 
 
-def test_ctrl_c_again_does_not_wait(launch: Callable[..., Program]) -> None:
+def test_a_second_ctrl_c_does_not_wait(launch: Callable[..., Program]) -> None:
     program = launch(f"python({_STUBBORN!r}, name='deaf')")
     program.wait_for("[deaf-1] deaf")
-    for told in ("user interrupted with ctrl-c", "user interrupted again"):
+    for line in ("user interrupted with ctrl-c", "user interrupted again"):
         program.process.send_signal(signal.SIGINT)
-        program.wait_for(told)
+        program.wait_for(line)
     program.wait_for("escalating to 'SIGTERM'")
     program.process.send_signal(signal.SIGINT)
     assert program.wait(3) == 0
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-def test_a_killed_launcher_leaves_nobody(launch: Callable[..., Program]) -> None:
+def test_a_killed_launch_leaves_no_process(launch: Callable[..., Program]) -> None:
     program = launch(
         "Node(package='zbot', executable='talker'),"
         "ExecuteProcess(cmd=['sleep 60 & sleep 60 & echo here; wait'], shell=True, name='sh'),"
@@ -211,7 +213,7 @@ def test_a_killed_launcher_leaves_nobody(launch: Callable[..., Program]) -> None
 
 
 def _is_group_alive(group: int) -> bool:
-    """Return whether a process of a group runs; one that nobody waited for does not."""
+    """Return whether a process of a group runs; a zombie does not count."""
     listed = subprocess.run(
         ["ps", "-eo", "pgid=,stat="], capture_output=True, text=True, check=True
     )
@@ -219,7 +221,7 @@ def _is_group_alive(group: int) -> bool:
     return any(int(found) == group and not state.startswith("Z") for found, state in rows)
 
 
-def test_sigterm_ends_the_launch_in_order(launch: Callable[..., Program]) -> None:
+def test_sigterm_ends_the_launch_as_ctrl_c_does(launch: Callable[..., Program]) -> None:
     program = launch("Node(package='zbot', executable='talker')")
     program.wait_for("Publishing")
     assert program.stop(signal.SIGTERM) == 0
@@ -241,7 +243,7 @@ def test_respawn_ends_after_its_retries(launch: Callable[..., Program]) -> None:
     assert program.output.count("process started") == 3
 
 
-def test_events_lead_to_actions(launch: Callable[..., Program]) -> None:
+def test_event_handlers_run_their_actions(launch: Callable[..., Program]) -> None:
     program = launch(
         """
         (first := python('print("ready")', name='first')) and first,
@@ -281,7 +283,7 @@ def test_a_process_can_be_signalled_and_written_to(launch: Callable[..., Program
     assert "[INFO] [cat-1]: sending signal 'SIGTERM' to process[cat-1]" in program.output
 
 
-def test_ros2_is_zbot_where_it_is_not_installed(launch: Callable[..., Program]) -> None:
+def test_ros2_runs_zbot_where_ros2_is_not_installed(launch: Callable[..., Program]) -> None:
     program = launch(
         "ExecuteProcess(cmd=['ros2', 'interface', 'show', 'std_msgs/msg/Empty'], name='a'),"
         "ExecuteProcess(cmd=['ros2 interface show std_msgs/msg/String | head -5'], shell=True),"
@@ -329,9 +331,7 @@ def test_names_parameters_and_scopes_reach_the_nodes(
     assert "[q-3] values {} None" in text
 
 
-def test_containers_of_components_are_left_out_with_a_sentence(
-    launch: Callable[..., Program],
-) -> None:
+def test_a_component_container_is_left_out_with_a_sentence(launch: Callable[..., Program]) -> None:
     program = launch(
         "ComposableNodeContainer(name='c', namespace='', package='rclcpp_components',"
         "executable='component_container', composable_node_descriptions=[]), LogInfo(msg='on')"
@@ -342,7 +342,7 @@ def test_containers_of_components_are_left_out_with_a_sentence(
 
 
 @pytest.mark.parametrize(
-    ("actions", "words", "told"),
+    ("actions", "words", "text"),
     [
         ("Node(package='no_such', executable='x')", [], "16: Package 'no_such' not found"),
         ("Node(package='zbot', executable='talkr')", [], "did you mean 'talker'?"),
@@ -359,22 +359,20 @@ def test_containers_of_components_are_left_out_with_a_sentence(
         ("Node(package='zbot', executable='talker', output='scren')", [], "must be one of screen"),
     ],
 )
-def test_a_mistake_is_one_sentence_with_file_and_line(
-    launch: Callable[..., Program], actions: str, words: list[str], told: str
+def test_a_mistake_is_reported_with_file_and_line(
+    launch: Callable[..., Program], actions: str, words: list[str], text: str
 ) -> None:
     sleeper = "python('import time; time.sleep(60)', name='other'), "
     program = launch(f"{sleeper}\n{actions}", *words)
     assert program.wait(8) == 1
     (line,) = (line for line in program.lines if line.startswith("[ERROR]"))
     assert "a.launch.py:" in line
-    assert told in line
+    assert text in line
     for started in (line for line in program.lines if "process started" in line):
         assert not _is_alive(_pid(started))
 
 
-def test_a_prefix_stands_before_the_executables_that_it_is_for(
-    launch: Callable[..., Program],
-) -> None:
+def test_a_prefix_is_put_before_the_selected_executables(launch: Callable[..., Program]) -> None:
     program = launch(
         "python('print(1)', name='one'), python('print(2)', name='two')",
         "--launch-prefix",
@@ -387,11 +385,11 @@ def test_a_prefix_stands_before_the_executables_that_it_is_for(
     assert "[two-2] 2" in program.output
 
 
-def test_an_argument_that_nobody_declared_may_be_a_typo(launch: Callable[..., Program]) -> None:
+def test_an_undeclared_argument_is_reported_with_a_hint(launch: Callable[..., Program]) -> None:
     program = launch("DeclareLaunchArgument('speed', default_value='1')", "sped:=2", "free:=3")
     assert program.wait() == 0
-    told = [line for line in program.lines if line.startswith("[WARNING]")]
-    assert told == [
+    warnings = [line for line in program.lines if line.startswith("[WARNING]")]
+    assert warnings == [
         "[WARNING] [launch]: no launch argument 'sped' is declared; did you mean 'speed'?"
     ]
 
@@ -420,7 +418,7 @@ def test_arguments_and_description_are_shown(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "text"),
     [
         (["temperatur"], "did you mean 'temperature'?"),
         (["zbot", "nothing.launch.py"], "was not found in the share directory of package 'zbot'"),
@@ -432,10 +430,10 @@ def test_arguments_and_description_are_shown(tmp_path: Path) -> None:
         (["temperature", "--launch-prefix-filter", "a"], "--launch-prefix must be specified"),
     ],
 )
-def test_a_wrong_command_line_is_told(words: list[str], told: str) -> None:
+def test_a_wrong_command_line_is_refused(words: list[str], text: str) -> None:
     outcome = zbot("launch", *words)
     assert outcome.code == 1
-    assert told in outcome.err
+    assert text in outcome.err
     assert outcome.out == ""
 
 
@@ -458,7 +456,7 @@ def test_python_m_zbot_is_the_command_and_runs_programs(tmp_path: Path) -> None:
         assert done.stdout.startswith(expected)
 
 
-def test_what_a_program_makes_of_ctrl_c_is_no_failure(launch: Callable[..., Program]) -> None:
+def test_an_exit_code_after_ctrl_c_is_not_a_failure(launch: Callable[..., Program]) -> None:
     code = "import signal, sys, time; signal.signal(2, lambda *_: sys.exit(4)); print('on'); "
     program = launch(f"python({code + 'time.sleep(60)'!r}, name='odd')")
     program.wait_for("[odd-1] on")

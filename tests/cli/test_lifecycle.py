@@ -1,4 +1,4 @@
-"""`zbot lifecycle` beside managed nodes."""
+"""Tests of `zbot lifecycle` with managed nodes."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 class Robot(LifecycleNode):
-    """Does in its configuration what a test plans."""
+    """Managed node whose `on_configure` runs a function of the test."""
 
     def __init__(self, name: str, context: library.Context) -> None:
         super().__init__(name, context=context)
@@ -38,7 +38,7 @@ class Robot(LifecycleNode):
 
 @pytest.fixture
 def robot(make_context: MakeContext, spin: Spin) -> Robot:
-    """A managed node, and one that is not."""
+    """Return a managed node; run a node that is not managed beside it."""
     context = make_context()
     robot = Robot("lc_talker", context)
     spin(robot, library.Node("plain", context=context))
@@ -47,7 +47,7 @@ def robot(make_context: MakeContext, spin: Spin) -> Robot:
 
 @pytest.fixture
 def silent(make_context: MakeContext) -> Robot:
-    """A managed node that does not spin."""
+    """Return a managed node that does not spin."""
     return Robot("silent", make_context())
 
 
@@ -73,7 +73,7 @@ def test_without_managed_nodes_lists_are_empty() -> None:
     done = zbot("lifecycle", "get", "/lc_talker", "--timeout", "0.1")
     assert (done.code, done.out) == (1, "")
     assert done.err == (
-        "Node not found\n\nhint: there is no /lc_talker; no managed node is running\n"
+        "Node not found\n\nhint: no node /lc_talker is running; no managed node is running\n"
     )
 
 
@@ -96,19 +96,19 @@ def test_get_shows_the_state() -> None:
 @pytest.mark.parametrize(
     ("name", "hint"),
     [
-        ("/lc_talkr", "there is no /lc_talkr; did you mean /lc_talker?"),
-        ("/zzz", "there is no /zzz; managed nodes are /lc_talker"),
-        ("/plain", "/plain is there, but it is no managed node"),
+        ("/lc_talkr", "no node /lc_talkr is running; did you mean /lc_talker?"),
+        ("/zzz", "no node /zzz is running; managed nodes are /lc_talker"),
+        ("/plain", "/plain is running, but it is not a managed node"),
     ],
 )
 @pytest.mark.parametrize("words", [("get",), ("list",), ("set", "configure")])
-def test_a_node_that_is_not_there_is_refused(words: tuple[str, ...], name: str, hint: str) -> None:
+def test_an_unknown_node_is_refused(words: tuple[str, ...], name: str, hint: str) -> None:
     done = zbot("lifecycle", words[0], name, *words[1:], "--timeout", "0.1")
     assert (done.code, done.out, done.err) == (1, "", f"Node not found\n\nhint: {hint}\n")
 
 
 @pytest.mark.usefixtures("robot")
-def test_list_shows_what_is_possible_now_or_ever() -> None:
+def test_list_shows_the_possible_or_all_transitions() -> None:
     done = zbot("lifecycle", "list", "/lc_talker")
     assert (done.code, done.err) == (0, "")
     assert done.out == (
@@ -136,7 +136,7 @@ def test_set_takes_labels_and_numbers() -> None:
     assert zbot("lifecycle", "get", "/lc_talker").out == "finalized [4]\n"
 
 
-def test_set_refuses_what_is_not_possible(robot: Robot) -> None:
+def test_set_refuses_an_impossible_transition(robot: Robot) -> None:
     robot.trigger_configure()
     done = zbot("lifecycle", "set", "/lc_talker", "bogus")
     assert (done.code, done.out) == (1, "")
@@ -149,12 +149,12 @@ def test_set_refuses_what_is_not_possible(robot: Robot) -> None:
     assert zbot("lifecycle", "set", "/lc_talker", "1").code == 1
 
 
-def test_set_tells_that_a_callback_did_not_succeed(robot: Robot) -> None:
+def test_set_reports_a_failed_callback(robot: Robot) -> None:
     robot.configuration = lambda: TransitionCallbackReturn.FAILURE
     done = zbot("lifecycle", "set", "/lc_talker", "configure")
     assert (done.code, done.out) == (1, "")
     assert done.err == (
-        "Transitioning failed\n\nhint: /lc_talker is unconfigured now; its log may tell why\n"
+        "Transitioning failed\n\nhint: /lc_talker is unconfigured now; see its log for the reason\n"
     )
 
 
@@ -210,7 +210,7 @@ def test_a_node_that_dies_in_its_transition_is_named(start: Start) -> None:
     )
 
 
-def test_ctrl_c_leaves_a_long_transition(robot: Robot, start: Start) -> None:
+def test_ctrl_c_ends_the_wait_for_a_long_transition(robot: Robot, start: Start) -> None:
     begun: list[Any] = []
 
     def wait() -> TransitionCallbackReturn:

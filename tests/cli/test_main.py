@@ -1,4 +1,4 @@
-"""The frame around every command: nouns, verbs, errors, signals, streams."""
+"""Tests of what surrounds every command: nouns, verbs, errors, signals and streams."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class LostError(ZbotError):
         super().__init__("the robot is lost")
 
 
-def test_version_names_what_an_issue_needs(zbot_command: Command) -> None:
+def test_version_prints_the_facts_that_a_bug_report_needs(zbot_command: Command) -> None:
     result = zbot_command("--version")
     assert (result.code, result.err) == (0, "")
     for word in ("zbot ", "eclipse-zenoh ", "Python ", "."):
@@ -61,6 +61,13 @@ def test_every_verb_has_help_and_describes_its_options(zbot_command: Command, no
             assert option.help, f"{noun} {name} {option.name}"
 
 
+@pytest.mark.parametrize("noun", ["topic", "node", "interface", "daemon"])
+def test_a_noun_without_a_verb_prints_its_help(zbot_command: Command, noun: str) -> None:
+    result = zbot_command(noun)
+    assert (result.code, result.err) == (0, "")
+    assert "Commands:" in result.out
+
+
 def test_descriptions_of_nouns_are_short() -> None:
     for text in NOUNS.values():
         assert len(text.split()) <= 8
@@ -77,13 +84,65 @@ def test_descriptions_of_nouns_are_short() -> None:
         (["interface", "show"], "Missing argument"),
         (["node", "list", "/rosout"], "unexpected extra argument"),
         (["--config"], "Option '--config' requires a file."),
+        (["topic", "list", "--nope"], "No such option: --nope"),
+        (["--nope"], "No such option: --nope"),
+        (["topic", "pub", "-1", "-t", "2", "/x"], "exclude each other"),
+        (["topic", "echo", "/x", "std_msgs/msg/String", "--qos-profile", "fast"], "no profile"),
     ],
 )
-def test_a_wrong_command_line(zbot_command: Command, words: list[str], text: str) -> None:
+def test_wrong_command_lines_are_refused(
+    zbot_command: Command, words: list[str], text: str
+) -> None:
     result = zbot_command(*words)
     assert (result.code, result.out) == (2, "")
     assert text in result.err
     assert "-h' for help" in result.err or "--help' for help" in result.err
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence", "hint"),
+    [
+        (["node", "info", "/nobody"], "Unable to find node '/nobody'", None),
+        (["topic", "info", "/nothing"], "Unknown topic '/nothing'", None),
+        (["interface", "show", "nope/msg/Nope"], "Unknown package 'nope'", None),
+        (["interface", "show", "String"], "Invalid name 'String'. Expected three", "std_msgs"),
+        (
+            ["interface", "show", "std_msgs/msg/Strin"],
+            "Interface 'msg/Strin' not",
+            "std_msgs/msg/String",
+        ),
+        (
+            ["topic", "pub", "--once", "/x", "std_msgs/msg/Strin", "{data: hello}"],
+            "The passed message type is invalid",
+            "std_msgs/msg/String",
+        ),
+        (
+            ["topic", "pub", "--once", "/x", "std_msgs/msg/String", "{dat: hello}"],
+            "Failed to populate field: 'String' object has no attribute 'dat'",
+            "did you mean 'data'?",
+        ),
+        (
+            ["topic", "pub", "--once", "/x", "std_msgs/msg/Float32", "{data:1}"],
+            "Failed to populate field",
+            "put a blank after the colon: data: 1",
+        ),
+        (["topic", "pub", "-r", "0", "/x", "std_msgs/msg/Empty"], "must be positive", None),
+        (
+            ["topic", "pub", "--max-wait-time-secs", "1", "/x", "std_msgs/msg/Empty"],
+            "--max-wait-time-secs option is only effective",
+            None,
+        ),
+    ],
+)
+@pytest.mark.usefixtures("domain")
+def test_an_error_is_one_sentence_and_exits_with_one(
+    zbot_command: Command, words: list[str], sentence: str, hint: str | None
+) -> None:
+    result = zbot_command(*words)
+    assert (result.code, result.out) == (1, "")
+    assert sentence in result.err
+    if hint is not None:
+        assert hint in result.err.partition("hint: ")[2]
 
 
 def test_an_error_is_a_sentence_and_a_hint(capsys: pytest.CaptureFixture[str]) -> None:
@@ -99,7 +158,7 @@ def test_debug_shows_where_an_error_comes_from() -> None:
 
 
 @pytest.mark.parametrize("sets", [["--config", "my.json5"], ["--config=my.json5"]])
-def test_config_is_for_this_command(
+def test_config_applies_to_one_command(
     zbot_command: Command, monkeypatch: pytest.MonkeyPatch, sets: list[str]
 ) -> None:
     monkeypatch.setenv("ZBOT_CONFIG", "other.json5")
@@ -107,7 +166,7 @@ def test_config_is_for_this_command(
     assert os.environ["ZBOT_CONFIG"] == "my.json5"
 
 
-def test_ctrl_c_inside_of_a_command(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_ctrl_c_in_a_command_gives_its_exit_code(monkeypatch: pytest.MonkeyPatch) -> None:
     def interrupted(_: list[str]) -> int:
         raise KeyboardInterrupt
 
@@ -115,7 +174,7 @@ def test_ctrl_c_inside_of_a_command(monkeypatch: pytest.MonkeyPatch) -> None:
     assert run_command(["topic", "list"]) == Status.INTERRUPTED
 
 
-def test_an_error_of_ours_is_not_hidden(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_internal_error_is_raised(monkeypatch: pytest.MonkeyPatch) -> None:
     def wrong(_: list[str]) -> int:
         raise ZeroDivisionError
 
@@ -124,7 +183,7 @@ def test_an_error_of_ours_is_not_hidden(monkeypatch: pytest.MonkeyPatch) -> None
         run_command(["topic", "list"])
 
 
-def test_main_ends_with_the_commands_code(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_main_exits_with_the_code_of_the_command(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "argv", ["zbot", "daemon", "status"])
     with pytest.raises(SystemExit) as ended:
         main()
@@ -132,9 +191,9 @@ def test_main_ends_with_the_commands_code(monkeypatch: pytest.MonkeyPatch) -> No
 
 
 @pytest.mark.parametrize("verb", ["status", "start", "stop"])
-def test_daemon_verbs_agree(zbot_command: Command, verb: str) -> None:
+def test_the_daemon_verbs_are_accepted(zbot_command: Command, verb: str) -> None:
     result = zbot_command("daemon", verb)
-    assert result.code == 0
+    assert (result.code, result.err) == (0, "")
     assert result.out == (
         "zbot has no daemon and needs none: every command sees the running nodes directly\n"
     )
@@ -144,10 +203,10 @@ def test_daemon_verbs_agree(zbot_command: Command, verb: str) -> None:
     ("number", "code"), [(signal.SIGINT, Status.INTERRUPTED), (signal.SIGTERM, Status.TERMINATED)]
 )
 @pytest.mark.usefixtures("domain")
-def test_a_signal_ends_a_command_quietly(start: Start, number: int, code: Status) -> None:
+def test_a_signal_ends_a_command_without_output(start: Start, number: int, code: Status) -> None:
     echo = start("zbot", "topic", "echo", "/nothing")
     echo.wait_for("waiting for /nothing")
-    # Ended by the signal itself or by its exit code: a shell sees the same number.
+    # A shell sees the same number for an end by the signal and for the exit code.
     assert echo.stop(number) in {code, -number}
     assert echo.lines == ["waiting for /nothing to appear"]
 
@@ -164,16 +223,16 @@ def test_help_imports_neither_typer_nor_zenoh() -> None:
     assert done.stdout.splitlines()[-1] == "[]"
 
 
-@pytest.mark.parametrize("noun", LOADED)
-def test_no_noun_imports_rich(noun: str) -> None:
+def test_no_noun_imports_rich() -> None:
     source = (
         "import sys\nfrom zbot_cli.main import run_command\n"
-        f"run_command([{noun!r}, '--help'])\nprint(sorted({{'rich'}} & set(sys.modules)))"
+        f"for noun in {LOADED!r}:\n    run_command([noun, '--help'])\n"
+        "    assert 'rich' not in sys.modules, noun\nprint('all')"
     )
     done = subprocess.run(
         [sys.executable, "-c", source], capture_output=True, text=True, check=True
     )
-    assert done.stdout.splitlines()[-1] == "[]"
+    assert done.stdout.splitlines()[-1] == "all"
 
 
 @pytest.mark.parametrize("noun", ["topic", "node", "service", "action"])
@@ -197,6 +256,11 @@ def test_lists_load_no_definitions(domain: int, noun: str) -> None:  # noqa: ARG
     ("words", "wanted"),
     [
         (["na"], []),
+        (["to"], ["topic"]),
+        (["topic", "ec"], ["echo"]),
+        (["topic", "echo", "--onc"], ["--once"]),
+        (["interface", "show", "geometry_msgs/msg/TwistS"], ["geometry_msgs/msg/TwistStamped"]),
+        (["run", "sens"], ["sensor"]),
         (["int"], ["interface"]),
         (["--v"], ["--version"]),
         (["interface", "pa"], ["package", "packages"]),
@@ -218,7 +282,9 @@ def test_lists_load_no_definitions(domain: int, noun: str) -> None:  # noqa: ARG
         (["action", "find", "action_t"], ["action_tutorials_interfaces/action/Fibonacci"]),
     ],
 )
-def test_completion(zbot_command: Command, words: list[str], wanted: list[str]) -> None:
+def test_completion_offers_words(
+    zbot_command: Command, words: list[str], wanted: list[str]
+) -> None:
     result = zbot_command("complete", "--", *words)
     assert (result.code, result.err) == (0, "")
     assert result.out.splitlines() == wanted
@@ -231,7 +297,12 @@ def test_completion_of_run_offers_nodes_and_packages(zbot_command: Command) -> N
     assert {"demo_nodes_cpp", "demo_nodes_py", "listener", "talker", "zbot_nodes"} <= set(found)
 
 
-def test_completion_for_an_unknown_shell(zbot_command: Command) -> None:
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish", "powershell"])
+def test_completion_has_a_script_for_every_shell(zbot_command: Command, shell: str) -> None:
+    assert "zbot complete -- " in zbot_command("completion", shell).out
+
+
+def test_completion_refuses_an_unknown_shell(zbot_command: Command) -> None:
     result = zbot_command("completion", "tcsh")
     assert result.code == 2
-    assert "there are bash, zsh, fish, powershell" in result.err
+    assert "choose from bash, zsh, fish, powershell" in result.err

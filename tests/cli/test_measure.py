@@ -1,14 +1,20 @@
-"""Figures of `zbot topic hz` and `bw` by a clock that a test turns."""
+"""Tests of the figures of `zbot topic hz` and `bw` with a clock that the test sets."""
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import pytest
 
-from zbot_cli.commands.topic.measurement import Bandwidths, Kind, Rates
+from zbot_cli.commands.topic.bw import Bandwidths
+from zbot_cli.commands.topic.hz import Rates
+
+if TYPE_CHECKING:
+    from zbot_cli.commands.topic.measurement import Measurement
 
 
-class Hands:
-    """A clock; `now` is in seconds."""
+class ManualClock:
+    """Clock that a test sets: `now`, in seconds, returned in nanoseconds."""
 
     def __init__(self) -> None:
         self.now = 0.0
@@ -17,10 +23,10 @@ class Hands:
         return int(self.now * 1e9)
 
 
-def test_rates_follow_the_clock_that_is_given() -> None:
-    clock = Hands()
+def test_rates_follow_the_given_clock() -> None:
+    clock = ManualClock()
     meter = Rates(10).meter(clock)
-    for second in (0, 1, 3, 5):  # at 0, no time has come yet
+    for second in (0, 1, 3, 5):  # 0: no time has been received yet
         clock.now = second
         meter.add(b"x")
     figures = meter.figures()
@@ -29,25 +35,25 @@ def test_rates_follow_the_clock_that_is_given() -> None:
     assert meter.figures() is None
 
 
-def test_bandwidths_follow_the_clock_that_is_given() -> None:
-    clock = Hands()
+def test_bandwidths_follow_the_given_clock() -> None:
+    clock = ManualClock()
     meter = Bandwidths(10).meter(clock)
-    for second in (0, 1, 1):  # at 0, no time has come yet
+    for second in (0, 1, 1):  # 0: no time has been received yet
         clock.now = second
         meter.add(b"1234")
-    assert meter.figures() is None  # a simulation that is paused
+    assert meter.figures() is None  # the simulation is paused
     clock.now = 5
     figures = meter.figures()
     assert figures is not None
     assert (figures["bytes_per_second"], figures["messages"]) == (2, 2)
 
 
-@pytest.mark.parametrize("kind", [Rates(10), Bandwidths(10)])
-def test_a_clock_that_is_set_back_begins_the_figures_anew(
-    kind: Kind, capsys: pytest.CaptureFixture[str]
+@pytest.mark.parametrize("measurement", [Rates(10), Bandwidths(10)])
+def test_a_jump_back_of_the_clock_resets_the_figures(
+    measurement: Measurement, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    clock = Hands()
-    meter = kind.meter(clock)
+    clock = ManualClock()
+    meter = measurement.meter(clock)
     for second in (7, 8, 1):
         clock.now = second
         meter.add(b"x")

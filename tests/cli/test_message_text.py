@@ -1,4 +1,4 @@
-"""Messages as text, beside what the recorded ros2 printed and what PyYAML prints."""
+"""Tests of messages as text against recorded output of ros2 and of PyYAML."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def scan(count: int) -> LaserScan:
     return LaserScan(header=Header(frame_id="laser"), ranges=ranges)
 
 
-def test_a_twist_looks_as_recorded() -> None:
+def test_a_twist_equals_the_recorded_output() -> None:
     message = Twist()
     message.linear.x, message.angular.z = 0.25, -1.5
     assert text(message) == (
@@ -79,7 +79,7 @@ def test_floats_look_as_pyyaml_writes_them(value: float) -> None:
     assert text(Float32(data=value)) == yaml.safe_dump({"data": value}) + "---\n"
 
 
-def test_long_lists_and_strings_are_cut() -> None:
+def test_long_lists_and_strings_are_shortened() -> None:
     lines = text(scan(200)).splitlines()
     start = lines.index("ranges:")
     assert lines[start + 1 : start + 3] == ["- 0.0", "- 1.0"]
@@ -95,21 +95,21 @@ def test_long_lists_and_strings_are_cut() -> None:
     ]
 
 
-def test_contents_can_be_left_out() -> None:
+def test_lists_and_strings_can_be_left_out() -> None:
     lines = text(scan(200), no_arr=True).splitlines()
     assert "ranges: '<sequence type: float, length: 200>'" in lines
     assert "covariance: '<array type: double[36]>'" in text(PoseWithCovariance(), no_arr=True)
     assert text(String(data="abc"), no_str=True) == "data: '<string length: <3>>'\n---\n"
 
 
-def test_short_numeric_lists_stand_on_one_line() -> None:
+def test_short_numeric_lists_are_on_one_line() -> None:
     message = JointState(name=["a", "b"], position=[0.5, 1.5])
     lines = text(message).splitlines()
     assert "position: [0.5, 1.5]" in lines
     assert lines[lines.index("name:") + 1 :][:2] == ["- a", "- b"]
 
 
-def test_a_field_can_be_chosen() -> None:
+def test_a_field_can_be_selected() -> None:
     message = Twist()
     message.linear.x = 0.25
     assert text(message, fields=("linear.x",)) == "0.25\n---\n"
@@ -125,7 +125,7 @@ def test_a_malformed_path_is_refused(path: str) -> None:
         FieldPath(path)
 
 
-def test_a_path_that_leads_nowhere_is_told_with_the_nearest_field() -> None:
+def test_an_unknown_path_is_refused_with_the_nearest_field() -> None:
     with pytest.raises(FieldPathError, match="'Twist' object has no attribute 'linar'") as caught:
         FieldPath("linar.x").select(Twist())
     assert caught.value.hint == "did you mean 'linear'?"
@@ -133,7 +133,7 @@ def test_a_path_that_leads_nowhere_is_told_with_the_nearest_field() -> None:
         FieldPath("ranges[7]").select(scan(2))
 
 
-def test_times_and_numbers_come_first() -> None:
+def test_message_info_comes_before_the_message() -> None:
     assert text(String(data="x"), with_info=True) == (
         "publication_sequence_number: 4\nreceived_timestamp: 3\nreception_sequence_number: 5\n"
         "source_timestamp: 2\n---\ndata: x\n---\n"
@@ -141,7 +141,7 @@ def test_times_and_numbers_come_first() -> None:
     assert text(String(data="x"), with_info=True, csv=True) == "2,3,4,5,x\n"
 
 
-def test_json_is_one_object_a_line() -> None:
+def test_json_is_one_object_per_line() -> None:
     message = scan(2)
     message.angle_min = float("nan")
     found = json.loads(text(message, json=True))
@@ -170,11 +170,11 @@ def values(text: strategies.SearchStrategy[str]) -> strategies.SearchStrategy[di
 
 
 @hypothesis.given(values(strategies.text()))
-def test_yaml_reads_back(value: dict[str, Any]) -> None:
+def test_yaml_is_read_back_unchanged(value: dict[str, Any]) -> None:
     assert repr(yaml.safe_load(dump(value))) == repr(value)
 
 
-UNUSUAL_BREAKS = "\x85\u2028\u2029"  # PyYAML's own emitter gets them wrong
+UNUSUAL_BREAKS = "\x85\u2028\u2029"  # PyYAML's own emitter writes these incorrectly
 
 
 @hypothesis.given(
@@ -201,12 +201,12 @@ def test_labels_of_arrays_use_the_names_of_ros2() -> None:
     assert "dimensions: '<sequence type: double[3], length: 1>'" in shown
 
 
-def test_a_covariance_stands_on_one_line() -> None:
+def test_a_covariance_is_on_one_line() -> None:
     lines = text(PoseWithCovariance()).splitlines()
     assert "covariance: [" + ", ".join(["0.0"] * 36) + "]" in lines
 
 
-def test_a_list_that_was_asked_for_is_whole_and_on_one_line() -> None:
+def test_a_selected_list_is_complete_and_on_one_line() -> None:
     shown = text(scan(200), fields=("ranges",))
     assert shown == "[" + ", ".join(f"{float(i)}" for i in range(200)) + "]\n---\n"
     assert text(scan(200), fields=("ranges[:2]",)) == "[0.0, 1.0]\n---\n"
@@ -214,21 +214,21 @@ def test_a_list_that_was_asked_for_is_whole_and_on_one_line() -> None:
     assert text(String(data="x" * 200), fields=("data",)) == "x" * 200 + "\n---\n"
 
 
-def test_a_list_of_messages_can_be_chosen() -> None:
+def test_a_list_of_messages_can_be_selected() -> None:
     message = PoseArray(poses=[Pose(), Pose()])
     message.poses[1].position.x = 1.5
     assert text(message, fields=("poses[1].position",)) == "x: 1.5\ny: 0.0\nz: 0.0\n---\n"
     assert text(message, fields=("poses[1:]",)).startswith("- position:\n    x: 1.5\n")
 
 
-def test_csv_quotes_only_what_would_break_a_line() -> None:
+def test_csv_quotes_only_texts_that_need_it() -> None:
     assert text(String(data="Hello World: 54"), csv=True) == "Hello World: 54\n"
     assert text(String(data='a, "b"'), csv=True) == '"a, ""b"""\n'
     assert text(scan(3), csv=True, length=2).rstrip().endswith(",0.0,1.0,...")
     assert text(scan(3), csv=True, fields=("header.frame_id",)) == "laser\n"
 
 
-def test_several_topics_are_told_apart_in_every_form() -> None:
+def test_the_topic_is_printed_in_every_form() -> None:
     message = String(data="x")
 
     def from_two(**form: Any) -> str:
@@ -239,7 +239,7 @@ def test_several_topics_are_told_apart_in_every_form() -> None:
     assert json.loads(from_two(json=True)) == {"topic": "/a", "message": {"data": "x"}}
 
 
-def test_json_has_bytes_as_base64_whichever_their_type() -> None:
+def test_json_has_byte_arrays_of_all_types_as_base64() -> None:
     def as_json(message: Any) -> Any:
         return json.loads(text(message, json=True))
 
@@ -258,13 +258,13 @@ def test_json_can_be_published_again(message: Any) -> None:
 
 
 @pytest.mark.parametrize("path", ["linar", "linear.w", "linear.x.y", "linear[0]", "linear.x[1]"])
-def test_a_path_that_fits_no_message_is_refused_before_one_comes(path: str) -> None:
+def test_an_impossible_path_is_refused_before_the_first_message(path: str) -> None:
     with pytest.raises(FieldPathError, match="Invalid field"):
         Formatter(Form(fields=(path,))).check(Twist)
 
 
 @pytest.mark.parametrize("path", ["poses[3].position.x", "poses", "poses[1:2]", "header.stamp"])
-def test_a_path_into_a_list_waits_for_a_message(path: str) -> None:
+def test_a_path_into_a_list_is_checked_at_the_first_message(path: str) -> None:
     Formatter(Form(fields=(path,))).check(PoseArray)
 
 

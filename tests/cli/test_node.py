@@ -1,4 +1,4 @@
-"""`zbot node info` of nodes with services and actions, to the character as ros2 prints it."""
+"""Tests of `zbot node info`: its output equals that of ros2 for services and actions."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def context(make_context: MakeContext) -> library.Context:
     return make_context()
 
 
-def test_a_server(context: library.Context, zbot_command: Command) -> None:
+def test_info_of_a_service_server(context: library.Context, zbot_command: Command) -> None:
     node = library.Node("minimal_service", context=context)
     node.create_service(SetBool, "set_bool", unused)
     assert zbot_command("node", "info", "/minimal_service").out == (
@@ -54,7 +54,7 @@ def test_a_server(context: library.Context, zbot_command: Command) -> None:
     )
 
 
-def test_an_action_server(context: library.Context, zbot_command: Command) -> None:
+def test_info_of_an_action_server(context: library.Context, zbot_command: Command) -> None:
     node = library.Node("fib_server", context=context)
     server = ActionServer(node, Fibonacci, "fibonacci", unused)
     assert zbot_command("node", "info", "/fib_server").out == (
@@ -64,7 +64,7 @@ def test_an_action_server(context: library.Context, zbot_command: Command) -> No
     server.destroy()
 
 
-def test_clients(context: library.Context, zbot_command: Command) -> None:
+def test_info_of_clients(context: library.Context, zbot_command: Command) -> None:
     node = library.Node("caller", context=context, start_parameter_services=False)
     node.create_client(SetBool, "set_bool")
     client: Any = ActionClient(node, Fibonacci, "fibonacci")
@@ -79,7 +79,7 @@ def test_clients(context: library.Context, zbot_command: Command) -> None:
     client.destroy()
 
 
-def test_hidden_names_are_shown_when_asked(context: library.Context, zbot_command: Command) -> None:
+def test_hidden_names_are_shown_on_request(context: library.Context, zbot_command: Command) -> None:
     library.Node("robot", context=context)
     shown = zbot_command("node", "info", "/robot", "--include-hidden").out
     service = "type_description_interfaces/srv/GetTypeDescription"

@@ -1,4 +1,4 @@
-"""`zbot param` beside running nodes; the sentences are those of ros2, or better."""
+"""Tests of `zbot param` with running nodes; most sentences are those of ros2."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ SERVICE = "/minimal_service"
 
 @pytest.fixture
 def node(make_context: MakeContext, spin: Spin) -> library.Node:
-    """The node of the reference: /minimal_service with `my_parameter` and `rate`."""
+    """Return the node of the recordings: /minimal_service with `my_parameter` and `rate`."""
     node = library.Node("minimal_service", context=make_context())
     node.declare_parameter("my_parameter", "world")
     node.declare_parameter("rate", 2.5)
@@ -47,7 +47,7 @@ def node(make_context: MakeContext, spin: Spin) -> library.Node:
 
 @pytest.fixture
 def rich(make_context: MakeContext, spin: Spin) -> library.Node:
-    """A node with parameters of every kind."""
+    """Return a node with parameters of every type."""
     node = library.Node("rich", context=make_context(), namespace="lab")
     level = IntegerRange(from_value=0, to_value=255, step=5)
     node.declare_parameter(
@@ -130,7 +130,7 @@ def test_output_is_that_of_ros2(zbot_command: Command, words: list[str], out: st
             (
                 "Setting parameter failed: Wrong parameter type, expected 'string' got 'integer': "
                 "my_parameter takes a value of type string, and is 'world'\n\n"
-                "hint: quote a text twice that looks like something else: \"'5'\"\n"
+                "hint: put a text that looks like a number into two kinds of quotes: \"'5'\"\n"
             ),
         ),
         (
@@ -153,7 +153,10 @@ def test_output_is_that_of_ros2(zbot_command: Command, words: list[str], out: st
         ),
         (
             ["get", "/minimal_servce", "rate", "--timeout", "0"],
-            "Node not found\n\nhint: there is no /minimal_servce; did you mean /minimal_service?\n",
+            (
+                "Node not found\n\n"
+                "hint: no node /minimal_servce is running; did you mean /minimal_service?\n"
+            ),
         ),
     ],
 )
@@ -164,15 +167,15 @@ def test_a_refusal_is_one_sentence_and_exit_code_1(
     assert (result.code, result.out, result.err) == (1, "", err)
 
 
-def test_nobody_is_there(zbot_command: Command, domain: int) -> None:  # noqa: ARG001 - empty
+def test_an_empty_domain_is_reported(zbot_command: Command, domain: int) -> None:  # noqa: ARG001 - empty
     result = zbot_command("param", "get", "robot", "rate", "--timeout", "0")
     assert (result.code, result.out) == (1, "")
-    assert result.err == "Node not found\n\nhint: there is no /robot; no node is running\n"
+    assert result.err == "Node not found\n\nhint: no node /robot is running; no node is running\n"
     assert zbot_command("param", "list").code == 0
     assert zbot_command("param", "dump").out == ""
 
 
-def test_a_value_is_set_as_it_looks(zbot_command: Command, node: library.Node) -> None:
+def test_a_value_has_the_type_that_its_text_has(zbot_command: Command, node: library.Node) -> None:
     node.declare_parameter("gains", [1.0])
     assert zbot_command("param", "set", SERVICE, "rate", "-5").code == 0
     assert node.get_parameter("rate").value == -5.0
@@ -199,7 +202,7 @@ def test_values_of_every_type_are_shown(zbot_command: Command) -> None:
 
 
 @pytest.mark.usefixtures("rich")
-def test_descriptions_say_all_that_was_declared(zbot_command: Command) -> None:
+def test_descriptions_show_every_declared_property(zbot_command: Command) -> None:
     result = zbot_command("param", "describe", "/lab/rich", "level", "share", "port")
     assert result.out == (
         "Parameter name: level\n  Type: integer\n  Description: How much\n  Constraints:\n"
@@ -228,7 +231,7 @@ def test_descriptions_say_all_that_was_declared(zbot_command: Command) -> None:
 
 
 @pytest.mark.usefixtures("rich")
-def test_a_list_can_be_narrowed(zbot_command: Command) -> None:
+def test_a_list_can_be_filtered(zbot_command: Command) -> None:
     result = zbot_command("param", "list", "/lab/rich", "--param-prefixes", "group")
     assert result.out.split() == [
         "group",
@@ -245,14 +248,14 @@ def test_a_list_can_be_narrowed(zbot_command: Command) -> None:
     assert zbot_command("param", "list", "--filter", "nothing").out == ""
     result = zbot_command("param", "list", "--filter", "(")
     assert (result.code, result.out) == (1, "")
-    assert "--filter is no regular expression" in result.err
+    assert "--filter is not a regular expression" in result.err
 
 
 # -- what ros2 does not do ---------------------------------------------------------------------
 
 
 @pytest.mark.usefixtures("node", "rich")
-def test_without_a_node_every_node_that_has_it_answers(zbot_command: Command) -> None:
+def test_a_command_without_a_node_asks_every_node(zbot_command: Command) -> None:
     result = zbot_command("param", "get", "use_sim_time")
     assert result.out == (
         "/lab/rich:\n  Boolean value is: False\n/minimal_service:\n  Boolean value is: False\n"
@@ -275,7 +278,7 @@ def test_without_a_node_every_node_that_has_it_answers(zbot_command: Command) ->
     assert dumped["/lab/rich"]["group.bytes"] == [1, 255]
 
 
-def test_several_are_set_each_for_itself_or_all_together(
+def test_several_parameters_are_set_one_by_one_or_atomically(
     zbot_command: Command, node: library.Node
 ) -> None:
     words = ["param", "set", SERVICE, "rate", "9", "my_parameter", "9"]
@@ -291,10 +294,10 @@ def test_several_are_set_each_for_itself_or_all_together(
     assert node.get_parameter("rate").value == 9.0
 
 
-def test_a_parameter_without_its_value_is_no_name_of_a_node(zbot_command: Command) -> None:
+def test_a_parameter_without_a_value_is_refused(zbot_command: Command) -> None:
     result = zbot_command("param", "set", "/lab/rich", "rate", "9", "my_parameter")
     assert result.code == 2
-    assert "needs name/value pairs: my_parameter has no value" in result.err
+    assert "give each name a value: my_parameter has none" in result.err
 
 
 def test_a_dynamic_parameter_is_deleted(zbot_command: Command, rich: library.Node) -> None:
@@ -314,9 +317,7 @@ def test_a_dynamic_parameter_is_deleted(zbot_command: Command, rich: library.Nod
         ["delete"],
     ],
 )
-def test_a_command_line_that_makes_no_sense_is_refused(
-    zbot_command: Command, words: list[str]
-) -> None:
+def test_an_invalid_command_line_is_refused(zbot_command: Command, words: list[str]) -> None:
     assert zbot_command("param", *words).code == 2
 
 
@@ -362,7 +363,7 @@ FILE = """
 
 
 @pytest.mark.usefixtures("rich")
-def test_load_finds_what_is_for_a_node(
+def test_load_selects_the_sections_of_the_node(
     zbot_command: Command, node: library.Node, tmp_path: Path
 ) -> None:
     path = tmp_path / "p.yaml"
@@ -388,7 +389,7 @@ def test_load_finds_what_is_for_a_node(
         ("/minimal_service: {a: 1}", "cannot use the parameter file"),
     ],
 )
-def test_a_file_that_is_of_no_use_is_refused(
+def test_a_useless_file_is_refused(
     zbot_command: Command, tmp_path: Path, text: str | None, sentence: str
 ) -> None:
     path = tmp_path / "p.yaml"
@@ -432,7 +433,7 @@ def test_every_text_survives_a_file(value: str, tmp_path: Path) -> None:
 # -- with real processes -----------------------------------------------------------------------
 
 
-def test_the_demonstration_takes_and_refuses_values(start: Start) -> None:
+def test_the_bundled_parameter_demo_accepts_and_refuses_values(start: Start) -> None:
     demo = start("zbot", "run", "parameter_demo", "--ros-args", "-p", "speed:=1")
     demo.wait_for("Ada drives 1.00 m/s: 3.2 turns a second")
     assert zbot("param", "set", "parameter_demo", "speed", "2").out == "Set parameter successful\n"
@@ -451,7 +452,7 @@ def test_the_demonstration_takes_and_refuses_values(start: Start) -> None:
     assert "Traceback" not in demo.output
 
 
-def test_the_blackboard_keeps_what_anybody_sets(start: Start) -> None:
+def test_the_parameter_blackboard_accepts_any_parameter(start: Start) -> None:
     arguments = ("--ros-args", "-p", "colour:=green")
     start("zbot", "run", "demo_nodes_cpp", "parameter_blackboard", *arguments).wait_for("already")
     assert zbot("param", "set", "parameter_blackboard", "size", "3").out == (
@@ -485,7 +486,7 @@ def test_a_node_that_does_not_spin_is_named(
 
 
 @pytest.mark.usefixtures("node", "rich")
-def test_a_command_that_is_a_node_itself_sees_every_other_at_once() -> None:
+def test_a_command_with_its_own_node_sees_all_nodes_at_once() -> None:
     for _ in range(20):
         with hidden_node("test") as one:
             names = one.get_fully_qualified_node_names()
@@ -502,7 +503,7 @@ def test_tab_completes_nodes_and_parameters(zbot_command: Command) -> None:
     assert zbot_command("complete", "--", "param", "get", "/nobody", "").out == ""
 
 
-def test_a_parameter_file_that_is_not_there_is_one_sentence(start: Start) -> None:
+def test_a_missing_parameter_file_is_refused_with_one_sentence(start: Start) -> None:
     program = start("zbot", "run", "talker", "--ros-args", "--params-file", "nowhere.yaml")
     assert program.wait() == 1
     assert program.lines == [

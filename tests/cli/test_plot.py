@@ -48,29 +48,29 @@ def test_plot_into_a_pipe_is_plain_text(start: Callable[..., Program]) -> None:
     assert len(last) == 16
     assert max(map(len, last)) <= 60
     drawn = [line for line in last if is_drawn(line)]
-    assert len(drawn) >= 8  # it goes up and down
+    assert len(drawn) >= 8  # the curve rises and falls
 
 
-def test_plot_needs_something_to_plot(start: Callable[..., Program]) -> None:
+def test_plot_needs_a_curve(start: Callable[..., Program]) -> None:
     program = start("zbot", "plot", "--terminal")
     assert program.wait(30) == 2
     assert "name what to plot" in program.output
 
 
-def test_plot_refuses_what_is_no_field(start: Callable[..., Program]) -> None:
+def test_plot_refuses_an_unknown_field(start: Callable[..., Program]) -> None:
     program = start("zbot", "plot", "--terminal", "/wave.data[")
     assert program.wait(30) == 1
     assert "Invalid field 'data['" in program.output
 
 
-def test_plot_says_that_nothing_has_come(start: Callable[..., Program]) -> None:
+def test_plot_reports_that_no_message_has_come(start: Callable[..., Program]) -> None:
     program = start("zbot", "plot", "/nothing.x", "--terminal", "--duration", "1.5")
     assert program.wait(30) == 0
     assert "/nothing.x  no message yet" in program.output
 
 
 class Terminal:
-    """A command in a terminal of its own, and what it writes."""
+    """Command in a terminal of its own, with its output."""
 
     def __init__(self, *words: str, columns: int, lines: int) -> None:
         import pty  # noqa: PLC0415 - there is none on Windows
@@ -78,7 +78,7 @@ class Terminal:
         self._main, end = pty.openpty()
         self.resize(columns, lines)
         command = [sys.executable, "-m", "zbot_cli", *words]
-        # pytest sets what would win over the terminal's own size.
+        # pytest sets variables that have precedence over the terminal's size.
         size = {"COLUMNS", "LINES"}
         env = {name: value for name, value in os.environ.items() if name not in size}
         self.process = subprocess.Popen(command, stdin=end, stdout=end, stderr=end, env=env)
@@ -91,13 +91,13 @@ class Terminal:
         fcntl.ioctl(self._main, termios.TIOCSWINSZ, struct.pack("HHHH", lines, columns, 0, 0))
 
     def read_until(self, condition: Callable[[str], bool]) -> str:
-        """Return what is written until a condition on it holds, or the command has ended."""
+        """Return the output up to when it fulfils a condition or the command has ended."""
         text, deadline = "", time.monotonic() + 30
         while not condition(text):
             assert time.monotonic() < deadline, text[-2000:]
             try:
                 text += os.read(self._main, 65536).decode("utf-8", "replace")
-            except OSError:  # Linux says so at the end
+            except OSError:  # Linux raises it at the end of the output
                 break
         return text
 

@@ -1,4 +1,4 @@
-"""Commands with types whose package only the workspace of another process has."""
+"""Tests of commands with types that only the workspace of another process defines."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ zbot.spin(node)
 
 @pytest.fixture
 def robot(start: Start, tmp_path_factory: pytest.TempPathFactory) -> Program:
-    """A process with a workspace that nobody else sees."""
+    """Start a process with a workspace that other processes cannot read."""
     package: Path = tmp_path_factory.mktemp("far") / "far_robot"
     for name, text in FILES.items():
         path = package / name
@@ -112,7 +112,7 @@ def test_action_send_goal(words: list[str]) -> None:
 
 
 @pytest.mark.usefixtures("domain")
-def test_a_type_that_nobody_has_is_unknown() -> None:
+def test_a_type_that_no_process_has_is_unknown() -> None:
     assert zbot("interface", "show", "far_robot/msg/Heat").code == 1
     assert zbot("topic", "echo", "heat", "far_robot/msg/Heat").err.startswith(
         "The passed message type is invalid\n"

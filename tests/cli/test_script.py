@@ -1,4 +1,4 @@
-"""How a program starts in the place of `zbot run`, and how it ends."""
+"""Tests of the start and the end of a program in the process of `zbot run`."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class N(zbot.Node):
 """
 
 
-def test_what_a_program_prints_is_there_at_once(start: Start, tmp_path: Path) -> None:
+def test_output_of_a_program_is_not_buffered(start: Start, tmp_path: Path) -> None:
     (tmp_path / "wait.py").write_text("print('ready')\nwhile True: pass\n")
     program = start("zbot", "run", "wait.py")
     program.wait_for("ready")
@@ -51,7 +51,7 @@ def test_a_file_that_only_defines_a_node_is_started(
     start("zbot", "run", "sheet.py").wait_for("started")
 
 
-def test_a_file_that_starts_itself_is_started_once(start: Start, tmp_path: Path) -> None:
+def test_a_file_with_a_main_block_is_started_once(start: Start, tmp_path: Path) -> None:
     source = "def main():\n    print('started')\n\nif __name__ == '__main__':\n    main()\n"
     (tmp_path / "own.py").write_text(source)
     program = start("zbot", "run", "own.py")
@@ -59,14 +59,14 @@ def test_a_file_that_starts_itself_is_started_once(start: Start, tmp_path: Path)
     assert program.output == "started"
 
 
-def test_a_file_with_nothing_to_start_says_so(start: Start, tmp_path: Path) -> None:
+def test_a_file_with_nothing_to_start_is_reported(start: Start, tmp_path: Path) -> None:
     (tmp_path / "parts.py").write_text("def helper(): ...\n")
     program = start("zbot", "run", "parts.py")
     assert program.wait() == 1
     assert program.lines[0].startswith("parts.py has nothing to run")
 
 
-def test_a_report_begins_at_the_users_line(start: Start, tmp_path: Path) -> None:
+def test_a_traceback_begins_at_the_users_line(start: Start, tmp_path: Path) -> None:
     (tmp_path / "fails.py").write_text("def main():\n    return 1 / 0\n\nmain()\n")
     program = start("zbot", "run", "fails.py")
     assert program.wait() == 1
@@ -83,14 +83,14 @@ def test_a_syntax_error_is_shown_as_python_shows_it(start: Start, tmp_path: Path
     assert program.lines[-1].startswith("SyntaxError: ")
 
 
-def test_a_neighbour_can_be_imported(tmp_path: Path) -> None:
+def test_a_program_can_import_a_file_beside_it(tmp_path: Path) -> None:
     (tmp_path / "code").mkdir()
     (tmp_path / "code" / "a.py").write_text("import b\nprint(b.WORD)\n")
     (tmp_path / "code" / "b.py").write_text("WORD = 'found'\n")
     assert zbot("run", "code/a.py", cwd=tmp_path).out == "found\n"
 
 
-def test_a_file_nearby_cannot_take_the_place_of_a_module(start: Start, tmp_path: Path) -> None:
+def test_a_file_in_the_folder_cannot_replace_a_module(start: Start, tmp_path: Path) -> None:
     (tmp_path / "random.py").write_text("raise SystemExit('the wrong one')\n")
     source = f"import sys; sys.path[0] = {str(tmp_path)!r}; from zbot_cli.main import main; main()"
     start(sys.executable, "-c", source, "run", "sensor").wait_for("Temperature sensor started")

@@ -1,4 +1,4 @@
-"""`zbot security`: ros2's words, and certificates that other tools accept."""
+"""Tests of `zbot security`: messages of ros2, and certificates that other tools accept."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def refused(folder: Path, *words: str) -> str:
     return done.err
 
 
-def test_the_lines_of_ros2s_tutorial_work(tmp_path: Path) -> None:
+def test_the_commands_of_ros2s_tutorial_work(tmp_path: Path) -> None:
     security(tmp_path, "create_keystore", "demo_keystore")
     security(tmp_path, "create_enclave", "demo_keystore", "/talker_listener/talker")
     security(tmp_path, "create_enclave", "demo_keystore", "/talker_listener/listener")
@@ -47,7 +47,7 @@ def test_the_verbs_may_be_written_with_dashes(tmp_path: Path) -> None:
     assert json.loads(security(tmp_path, "list-enclaves", "keys", "--json")) == ["/teacher"]
 
 
-def test_generate_artifacts_makes_what_is_missing_and_keeps_what_is_there(tmp_path: Path) -> None:
+def test_generate_artifacts_makes_only_missing_files(tmp_path: Path) -> None:
     security(tmp_path, "generate_artifacts", "-k", "keys", "-e", "/a", "/b/c")
     before = (tmp_path / "keys/enclaves/a/key.pem").read_bytes()
     security(tmp_path, "generate_artifacts", "-k", "keys", "-e", "/a", "-e", "/d")
@@ -64,15 +64,15 @@ def test_generate_artifacts_finds_the_keystore_as_ros2_does(
     assert security(tmp_path, "list_enclaves", "keys") == "/a\n"
 
 
-def test_mistakes_are_told_in_ros2s_words_where_it_has_some(tmp_path: Path) -> None:
+def test_mistakes_are_refused_in_ros2s_words(tmp_path: Path) -> None:
     security(tmp_path, "create_keystore", "keys")
-    told = refused(tmp_path, "create_keystore", "keys")
-    assert told == "Unable to create keystore: keystore 'keys' already exists\n"
+    error = refused(tmp_path, "create_keystore", "keys")
+    assert error == "Unable to create keystore: keystore 'keys' already exists\n"
     assert "'nowhere' is not a valid keystore" in refused(
         tmp_path, "create_enclave", "nowhere", "/a"
     )
     assert "is not a valid enclave name" in refused(tmp_path, "create_enclave", "keys", "../a")
-    assert "neither a host's name" in refused(
+    assert "neither a host name" in refused(
         tmp_path, "create_enclave", "keys", "/a", "--ip", "1.2.3.4/5"
     )
     assert "no permission files" in refused(tmp_path, "generate_policy", "policy.xml")
@@ -84,13 +84,13 @@ def test_a_certificate_is_shown_and_checked(tmp_path: Path) -> None:
     security(tmp_path, "create_enclave", "keys", "/ana", "--days", "30")
     shown = json.loads(security(tmp_path, "check_certificate", "keys/enclaves/ana", "--json"))
     assert (shown["name"], shown["addresses"], shown["is_server"]) == ("ana", [], False)
-    assert "it only joins" in security(tmp_path, "check_certificate", "keys")
+    assert "it joins others" in security(tmp_path, "check_certificate", "keys")
     (tmp_path / "keys/enclaves/ana/key.pem").unlink()
     assert "there is no key at" in refused(tmp_path, "check_certificate", "keys")
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no file modes")
-def test_what_is_written_is_for_its_owner_only_whatever_the_umask(tmp_path: Path) -> None:
+def test_files_are_readable_by_their_owner_only_for_any_umask(tmp_path: Path) -> None:
     before = os.umask(0)
     try:
         security(tmp_path, "generate_artifacts", "-k", "keys", "-e", "/a")
@@ -102,7 +102,7 @@ def test_what_is_written_is_for_its_owner_only_whatever_the_umask(tmp_path: Path
 
 
 @pytest.mark.skipif(shutil.which("openssl") is None, reason="openssl is not installed")
-def test_openssl_agrees(tmp_path: Path) -> None:
+def test_openssl_accepts_the_certificates(tmp_path: Path) -> None:
     security(tmp_path, "create_keystore", "keys")
     security(tmp_path, "create_enclave", "keys", "/ana")
     security(

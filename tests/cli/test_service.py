@@ -1,4 +1,4 @@
-"""`zbot service` beside running nodes; the outputs are those of ros2."""
+"""Tests of `zbot service` with running nodes; the output equals that of ros2."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def break_down(request: Any, response: Any) -> Any:  # noqa: ARG001 - what a ser
 
 @pytest.fixture
 def node(make_context: MakeContext, spin: Spin) -> library.Node:
-    """The node of the reference: /minimal_service with /set_bool; and what is no other's."""
+    """Return the node of the recordings, /minimal_service with /set_bool, and more services."""
     node = library.Node("minimal_service", context=make_context())
     node.create_service(SetBool, "set_bool", switch)
     node.create_service(Trigger, "break_down", break_down)
@@ -64,7 +64,7 @@ def node(make_context: MakeContext, spin: Spin) -> library.Node:
 
 
 @pytest.mark.usefixtures("node")
-def test_list_leaves_out_what_every_node_serves(zbot_command: Command) -> None:
+def test_list_leaves_out_the_services_of_every_node(zbot_command: Command) -> None:
     assert zbot_command("service", "list").out == "/break_down\n/set_bool\n"
     assert zbot_command("service", "list", "-t").out == (
         "/break_down [std_srvs/srv/Trigger]\n/set_bool [std_srvs/srv/SetBool]\n"
@@ -87,7 +87,7 @@ def test_list_leaves_out_what_every_node_serves(zbot_command: Command) -> None:
     ],
 )
 @pytest.mark.usefixtures("node")
-def test_list_shows_them_when_asked(zbot_command: Command, words: list[str]) -> None:
+def test_list_shows_all_services_with_the_option(zbot_command: Command, words: list[str]) -> None:
     assert zbot_command("service", *words, "-t").out == (
         "/_secret [std_srvs/srv/Trigger]\n"
         "/break_down [std_srvs/srv/Trigger]\n"
@@ -97,14 +97,14 @@ def test_list_shows_them_when_asked(zbot_command: Command, words: list[str]) -> 
 
 
 @pytest.mark.usefixtures("domain")
-def test_a_list_is_empty_where_nobody_is(zbot_command: Command) -> None:
+def test_a_list_is_empty_in_an_empty_domain(zbot_command: Command) -> None:
     for words in (["list"], ["list", "-a"], ["find", "std_srvs/srv/Empty"]):
         done = zbot_command("service", *words)
         assert (done.code, done.out, done.err) == (0, "", "")
 
 
 @pytest.mark.usefixtures("node")
-def test_type_info_and_find_print_what_ros2_prints(zbot_command: Command) -> None:
+def test_type_info_and_find_print_the_output_of_ros2(zbot_command: Command) -> None:
     assert zbot_command("service", "type", "/set_bool").out == "std_srvs/srv/SetBool\n"
     assert zbot_command("service", "type", "_secret").out == "std_srvs/srv/Trigger\n"
     assert zbot_command("service", "info", "/set_bool").out == (
@@ -148,7 +148,7 @@ def test_an_unknown_name_suggests_the_nearest(zbot_command: Command, verb: str) 
 
 
 @pytest.mark.usefixtures("node")
-def test_a_call_prints_what_ros2_prints() -> None:
+def test_a_call_prints_the_output_of_ros2() -> None:
     done = zbot("service", "call", "/set_bool", "std_srvs/srv/SetBool", "{data: true}")
     assert (done.code, done.err) == (0, "")
     assert done.out == (
@@ -177,13 +177,13 @@ def test_the_type_can_be_short_or_left_out(zbot_command: Command, words: list[st
 
 
 @pytest.mark.usefixtures("node")
-def test_values_come_from_standard_input() -> None:
+def test_values_are_read_from_standard_input() -> None:
     done = zbot("service", "call", "/set_bool", "--stdin", stdin="data: true\n")
     assert "SetBool_Request(data=True)" in done.out
 
 
 @pytest.mark.usefixtures("node")
-def test_what_the_server_raises_is_one_sentence(zbot_command: Command) -> None:
+def test_an_exception_of_the_server_is_one_sentence(zbot_command: Command) -> None:
     done = zbot_command("service", "call", "/break_down")
     assert done.code == 1
     assert done.err == "/break_down: the motor is hot\n"
@@ -204,7 +204,7 @@ def test_what_the_server_raises_is_one_sentence(zbot_command: Command) -> None:
     ],
 )
 @pytest.mark.usefixtures("node")
-def test_mistakes_are_told_at_once(zbot_command: Command, words: list[str], sentence: str) -> None:
+def test_mistakes_fail_at_once(zbot_command: Command, words: list[str], sentence: str) -> None:
     done = zbot_command("service", "call", *words)
     assert done.code == 1
     assert done.err.startswith(sentence)
@@ -235,7 +235,7 @@ zbot.spin(node)
 """
 
 
-def test_a_server_that_does_not_answer_in_time(start: Start) -> None:
+def test_a_server_that_does_not_answer_in_time_is_reported(start: Start) -> None:
     start(source=SLEEPER).wait_for("ready")
     done = zbot("service", "call", "/sleep", "--timeout", "1.5")
     assert done.code == 1
@@ -267,7 +267,7 @@ def test_a_call_waits_for_its_server_and_repeats(
     assert "Traceback" not in caller.output
 
 
-def test_ctrl_c_ends_waiting_without_a_word(start: Start) -> None:
+def test_ctrl_c_ends_the_wait_without_output(start: Start) -> None:
     caller = start("zbot", "service", "call", "/nope", "std_srvs/srv/SetBool", "{data: true}")
     caller.wait_for(WAITING.strip())
     assert caller.stop() == 130
@@ -285,7 +285,9 @@ def event_text(step: str, request: str, response: str) -> str:
     )
 
 
-def test_echo_prints_what_ros2_prints(make_context: MakeContext, spin: Spin, start: Start) -> None:
+def test_echo_prints_the_output_of_ros2(
+    make_context: MakeContext, spin: Spin, start: Start
+) -> None:
     node = library.Node("introspected", context=make_context())
     service = node.create_service(AddTwoInts, "add_two_ints", sum_up)
     client = node.create_client(AddTwoInts, "add_two_ints")
@@ -317,7 +319,7 @@ def sum_up(request: Any, response: Any) -> Any:
 
 
 @pytest.mark.usefixtures("node")
-def test_echo_says_why_it_may_stay_silent(start: Start) -> None:
+def test_echo_explains_why_no_events_may_come(start: Start) -> None:
     echo = start("zbot", "service", "echo", "/set_bool")
     echo.wait_for(
         "No publishers on topic '/set_bool/_service_event'; is service introspection on the client "

@@ -1,4 +1,4 @@
-"""`zbot topic` and `zbot node` beside running nodes."""
+"""Tests of `zbot topic` and `zbot node` with running nodes."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 @pytest.fixture
 def robot(make_context: MakeContext, spin: Spin) -> library.Node:
-    """A node that publishes on /chatter and /robot1/scan, ten times a second."""
+    """Return a node that publishes on /chatter and /robot1/scan at 10 Hz."""
     node = library.Node("robot", context=make_context())
     chatter = node.create_publisher(String, "chatter", 10)
     scan = node.create_publisher(LaserScan, "/robot1/scan", 10)
@@ -48,7 +48,7 @@ def robot(make_context: MakeContext, spin: Spin) -> library.Node:
 
 
 @pytest.mark.usefixtures("robot")
-def test_list_shows_what_its_options_ask_for() -> None:
+def test_list_shows_the_facts_of_its_options() -> None:
     assert zbot("topic", "list").out == "/chatter\n/parameter_events\n/robot1/scan\n/rosout\n"
     assert zbot("topic", "list", "--count-topics").out == "4\n"
     for option in ("--include-hidden-topics", "--all", "-a"):
@@ -68,7 +68,7 @@ def test_list_shows_what_its_options_ask_for() -> None:
 
 
 @pytest.mark.usefixtures("domain")
-def test_lists_are_empty_where_nobody_is() -> None:
+def test_lists_are_empty_in_an_empty_domain() -> None:
     for words in (["topic", "list"], ["node", "list"]):
         done = zbot(*words)
         assert (done.code, done.out, done.err) == (0, "", "")
@@ -123,7 +123,7 @@ def test_echo_in_every_form(words: list[str], wanted: str) -> None:
 
 
 @pytest.mark.usefixtures("robot")
-def test_echo_of_several_topics_says_which() -> None:
+def test_echo_of_several_topics_prints_each_topics_name() -> None:
     done = zbot("topic", "echo", "/chatter", "/robot1/scan", "--timeout", "1")
     assert done.code == 0
     assert "# /chatter\ndata: hello\n---\n" in done.out
@@ -131,19 +131,19 @@ def test_echo_of_several_topics_says_which() -> None:
 
 
 @pytest.mark.usefixtures("robot")
-def test_echo_takes_wildcards() -> None:
+def test_echo_accepts_wildcards() -> None:
     done = zbot("topic", "echo", "/robot*/scan", "--once")
     assert done.out.startswith("# /robot1/scan\nheader:\n")
 
 
 @pytest.mark.usefixtures("domain")
-def test_echo_that_hears_nothing_in_time_fails() -> None:
+def test_echo_without_a_message_in_time_fails() -> None:
     done = zbot("topic", "echo", "/nothing", "std_msgs/msg/String", "--timeout", "0.3")
     assert (done.code, done.out) == (1, "")
     assert "no message on /nothing within 0.3 s" in done.err
 
 
-def test_echo_waits_and_survives_its_publishers(start: Start) -> None:
+def test_echo_waits_for_publishers_that_come_and_go(start: Start) -> None:
     echo = start("zbot", "topic", "echo", "/chatter")
     echo.wait_for("waiting for /chatter to appear")
     for _ in range(2):
@@ -155,7 +155,7 @@ def test_echo_waits_and_survives_its_publishers(start: Start) -> None:
 
 
 @pytest.mark.usefixtures("robot")
-def test_rates_bandwidths_and_delays(start: Start) -> None:
+def test_rates_bandwidths_and_delays_are_printed(start: Start) -> None:
     rate = start("zbot", "topic", "hz", "/chatter")
     bandwidth = start("zbot", "topic", "bw", "/chatter")
     delay = start("zbot", "topic", "delay", "/robot1/scan")
@@ -196,7 +196,7 @@ def test_a_delay_needs_a_header(start: Start, robot: library.Node) -> None:
 
 @pytest.fixture
 def inbox(make_context: MakeContext, spin: Spin) -> list[Any]:
-    """What a subscription of /numbers (Int32) hears."""
+    """Return the list of messages that a subscription of /numbers (Int32) receives."""
     heard: list[Any] = []
     node = library.Node("listener", context=make_context())
     node.create_subscription(Int32, "numbers", heard.append, 1000)
@@ -204,7 +204,7 @@ def inbox(make_context: MakeContext, spin: Spin) -> list[Any]:
     return heard
 
 
-def test_pub_needs_no_type_where_somebody_listens(inbox: list[Any]) -> None:
+def test_pub_takes_the_type_of_a_known_topic(inbox: list[Any]) -> None:
     done = zbot("topic", "pub", "--once", "/numbers", "{data: 7}")
     assert (done.code, done.err) == (0, "")
     assert "publishing #1: std_msgs.msg.Int32(data=7)" in done.out
@@ -228,14 +228,14 @@ def test_pub_reads_standard_input_and_files(inbox: list[Any], tmp_path: Path) ->
 
 
 @pytest.mark.usefixtures("domain")
-def test_pub_gives_up_waiting_when_told_to() -> None:
+def test_pub_waits_at_most_for_the_given_time() -> None:
     done = zbot("topic", "pub", "--once", "--max-wait-time-secs", "0.2", "/x", "std_msgs/Empty")
     assert done.code == 1
     assert "Expected 1 subscribers but only got 0 subscribers" in done.err
 
 
 @pytest.mark.usefixtures("domain")
-def test_pub_without_a_type_says_how_to_name_one() -> None:
+def test_pub_of_an_unknown_topic_asks_for_a_type() -> None:
     done = zbot("topic", "pub", "/x", "{data: 1}")
     assert done.code == 1
     assert "hint: name the type: zbot topic pub /x std_msgs/msg/String" in done.err
@@ -277,7 +277,7 @@ def test_a_plain_zenoh_program_is_listed_and_measured(start: Start, domain: int)
 def test_lists_do_not_stop_the_domain_while_others_declare(
     robot: library.Node, start: Start, domain: int
 ) -> None:
-    # Zenoh's routers may stop for good if they are asked themselves whom they know of.
+    # A query to Zenoh's routers for their known peers can block them for ever.
     for then in ("talk", "declare", "declare"):
         start(str(MEETING_PORT + domain), str(domain), then, source=PLAIN).wait_for("ready")
     client = library.Context(mode="client")
@@ -298,7 +298,7 @@ def test_a_node_is_killed_by_name(start: Start) -> None:
     assert zbot("node", "list").out == ""
 
 
-def test_two_nodes_of_one_name_are_told(start: Start) -> None:
+def test_two_nodes_of_one_name_are_reported(start: Start) -> None:
     for _ in range(2):
         start("zbot", "run", "talker").wait_for("Publishing")
     done = zbot("node", "list")

@@ -1,4 +1,4 @@
-"""Values on a command line, and filters: tables."""
+"""Tests of values, filters and types on a command line."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ def make(message_type: type[Any], *words: str) -> Any:
         "linear.x=2 angular.z=1.8",
     ],
 )
-def test_every_way_of_writing_a_twist(text: str) -> None:
+def test_a_twist_can_be_written_in_several_forms(text: str) -> None:
     message = make(Twist, text)
     assert (message.linear.x, message.linear.y, message.angular.z) == (2.0, 0.0, 1.8)
 
 
 @pytest.mark.parametrize("text", ["", "{}", "   "])
-def test_nothing_means_defaults(text: str) -> None:
+def test_an_empty_text_gives_default_values(text: str) -> None:
     assert make(Twist, text) == Twist()
 
 
@@ -78,7 +78,7 @@ def test_a_header_can_be_filled_with_now() -> None:
         assert (stamp.sec, stamp.nanosec) == (5, 7)
 
 
-def test_a_template_knows_whether_its_messages_hold_the_time() -> None:
+def test_a_template_knows_whether_its_messages_contain_the_time() -> None:
     assert Template(PoseStamped, "{header: auto}").is_stamped
     assert Template(PoseStamped, "{header: {stamp: now}}").is_stamped
     assert not Template(PoseStamped, "{header: {frame_id: now}}").is_stamped
@@ -102,11 +102,11 @@ def test_a_template_makes_a_new_message_with_the_time_of_each_call() -> None:
         (["data:", "hello"], "hello"),
     ],
 )
-def test_words_of_the_command_line(words: list[str], wanted: str) -> None:
+def test_words_of_the_command_line_set_fields(words: list[str], wanted: str) -> None:
     assert make(String, *words).data == wanted
 
 
-def test_words_may_hold_lists_and_come_in_any_order() -> None:
+def test_words_may_contain_lists_and_come_in_any_order() -> None:
     message = make(JointState, "position=[1, 2.5]", "header.frame_id=map", "name=[a, b]")
     assert (message.name, list(message.position)) == (["a", "b"], [1.0, 2.5])
     assert message.header.frame_id == "map"
@@ -118,13 +118,13 @@ def test_bytes_are_lists_or_base64_as_json_shows_them() -> None:
         assert make(ByteMultiArray, text).data == [b"A", b"B"]
 
 
-def test_lists_of_messages_take_dictionaries() -> None:
+def test_a_list_of_messages_is_set_by_dictionaries() -> None:
     message = make(PoseArray, "{poses: [{position: {x: 1}}, {}], header: auto}")
     assert [pose.position.x for pose in message.poses] == [1.0, 0.0]
     assert message.poses[1].orientation.w == 1.0
 
 
-def test_lists_replace_lists() -> None:
+def test_a_given_list_replaces_the_default() -> None:
     message = make(JointState, "{name: [a, b], position: [1, 2.5]}")
     assert (message.name, list(message.position)) == (["a", "b"], [1.0, 2.5])
 
@@ -163,7 +163,7 @@ def test_lists_replace_lists() -> None:
         (Empty, "{a: 1}", "'Empty' object has no attribute 'a'", "it has no fields"),
     ],
 )
-def test_a_value_that_does_not_fit_is_told(
+def test_a_value_of_a_wrong_type_is_refused(
     message_type: type[Any], text: str, sentence: str, hint: str | None
 ) -> None:
     with pytest.raises(PopulateError) as caught:
@@ -174,7 +174,7 @@ def test_a_value_that_does_not_fit_is_told(
 
 
 @pytest.mark.parametrize("text", ["abc", "[1, 2]", "5"])
-def test_something_else_than_a_dictionary_is_refused(text: str) -> None:
+def test_a_value_that_is_not_a_dictionary_is_refused(text: str) -> None:
     with pytest.raises(ValuesError, match="needs to be a dictionary in YAML format"):
         make(String, text)
 
@@ -193,7 +193,7 @@ def test_a_missing_bracket_is_pointed_out_at_the_end_of_the_text() -> None:
     )
 
 
-def test_a_missing_blank_is_found_without_braces_too() -> None:
+def test_a_missing_blank_is_found_without_braces() -> None:
     with pytest.raises(ValuesError) as caught:
         make(String, "data:hello")
     assert caught.value.hint == "put a blank after the colon: 'data: hello'"
@@ -225,7 +225,7 @@ def test_any_yaml_like_text_is_a_message_or_one_error(text: str) -> None:
         assert isinstance(make(String, text), String)
 
 
-def test_a_saved_echo_is_a_list_of_documents() -> None:
+def test_the_output_of_echo_is_split_into_documents() -> None:
     assert split_documents("data: a\n---\ndata: b\n---\n") == ["data: a\n", "\ndata: b\n"]
 
 
@@ -245,7 +245,7 @@ def test_a_saved_echo_is_a_list_of_documents() -> None:
         ("m.linear.x % 2 == 0", True),
     ],
 )
-def test_filters_compare_and_reckon(expression: str, wanted: bool) -> None:
+def test_filters_compare_and_calculate(expression: str, wanted: bool) -> None:
     assert Filter(expression).accepts(make(Twist, "linear.x=2 angular.z=1.8")) is wanted
 
 
@@ -257,7 +257,7 @@ def test_filters_compare_and_reckon(expression: str, wanted: bool) -> None:
         ("m.data.startswith('x') or not m.data.lower().endswith('42')", False),
     ],
 )
-def test_filters_look_into_texts(expression: str, wanted: bool) -> None:
+def test_filters_search_in_texts(expression: str, wanted: bool) -> None:
     wanting = Filter(expression)
     wanting.check(String, lambda message: message)
     assert wanting.accepts(String(data="Count: 42")) is wanted
@@ -285,7 +285,7 @@ def test_filters_look_into_texts(expression: str, wanted: bool) -> None:
         "+".join("1" for _ in range(500)),
     ],
 )
-def test_a_filter_can_do_nothing_else(expression: str) -> None:
+def test_a_filter_refuses_all_other_expressions(expression: str) -> None:
     with pytest.raises(FilterError, match="Invalid filter expression"):
         Filter(expression)
 
@@ -294,13 +294,13 @@ def test_a_filter_can_do_nothing_else(expression: str) -> None:
     "expression",
     ["m.nope > 1", "m.linear > 1", "m.linear.x / 0", "'a' * 9 == m", "m.linear.find(1)"],
 )
-def test_a_filter_that_does_not_fit_is_told_at_the_first_message(expression: str) -> None:
+def test_a_filter_that_does_not_fit_is_refused_at_the_first_message(expression: str) -> None:
     with pytest.raises(FilterError):
         Filter(expression).accepts(Twist())
 
 
 @pytest.mark.parametrize("expression", ["max > 1", "round(m.linear.x, -10**9)", "m.linear.SPEC"])
-def test_a_filter_has_fields_and_nothing_else(expression: str) -> None:
+def test_a_filter_can_use_fields_only(expression: str) -> None:
     with pytest.raises(FilterError):
         Filter(expression).accepts(Twist())
 
@@ -314,7 +314,7 @@ def test_a_filter_has_fields_and_nothing_else(expression: str) -> None:
         ("m.poses.length > 1", PoseArray),
     ],
 )
-def test_a_filter_that_fits_no_message_is_refused_before_one_comes(
+def test_an_impossible_filter_is_refused_before_the_first_message(
     expression: str, message_type: type[Any]
 ) -> None:
     with pytest.raises(FilterError):
@@ -330,13 +330,13 @@ def test_a_filter_that_fits_no_message_is_refused_before_one_comes(
         ("m.covariance[0] + 1 > 0", PoseWithCovariance),
     ],
 )
-def test_a_filter_that_may_fit_waits_for_a_message(
+def test_a_filter_that_may_fit_is_accepted_before_the_first_message(
     expression: str, message_type: type[Any]
 ) -> None:
     Filter(expression).check(message_type, lambda message: message)
 
 
-def test_a_filter_reckons_with_elements_of_fixed_arrays() -> None:
+def test_a_filter_calculates_with_elements_of_fixed_arrays() -> None:
     assert Filter("m.covariance[0] + 1 == 1").accepts(PoseWithCovariance())
 
 
@@ -344,12 +344,12 @@ def test_a_filter_reckons_with_elements_of_fixed_arrays() -> None:
 
 
 @pytest.mark.parametrize("word", ["std_msgs/msg/String", "std_msgs/String", "std_msgs.msg.String"])
-def test_types_can_be_written_in_three_ways(word: str) -> None:
+def test_types_can_be_written_in_three_forms(word: str) -> None:
     assert looks_like_type(word)
     assert resolve_message_type(word) == "std_msgs/msg/String"
 
 
-def test_a_short_name_is_enough_if_it_is_the_only_one() -> None:
+def test_a_unique_short_name_is_enough() -> None:
     assert resolve_message_type("TwistWithCovarianceStamped").startswith("geometry_msgs/msg/")
     with pytest.raises(InvalidTypeError) as caught:
         resolve_message_type("String")
@@ -358,5 +358,5 @@ def test_a_short_name_is_enough_if_it_is_the_only_one() -> None:
 
 
 @pytest.mark.parametrize("word", ["{data: 1}", "data: 1", "linear.x=2", "data"])
-def test_values_do_not_look_like_types(word: str) -> None:
+def test_values_are_not_taken_for_types(word: str) -> None:
     assert not looks_like_type(word)

@@ -27,32 +27,32 @@ print("imported:", sorted({"nicegui", "fastapi", "uvicorn", "psutil"} & sys.modu
 """
 
 
-def test_without_the_extra_one_sentence_says_how_to_get_it(start: Callable[..., Program]) -> None:
+def test_a_missing_extra_is_reported_with_the_remedy(start: Callable[..., Program]) -> None:
     program = start(source=WITHOUT_EXTRA)
     assert program.wait(30) == 1
     assert program.lines == ["the page needs nicegui: pip install 'zbot[web]'"]
 
 
-def test_nothing_but_the_running_page_imports_the_extra(start: Callable[..., Program]) -> None:
+def test_only_the_running_page_imports_the_extra(start: Callable[..., Program]) -> None:
     program = start(source=NOT_IMPORTED)
     program.wait_for("imported: []")
 
 
-def test_unknown_panel_is_told_with_a_guess(start: Callable[..., Program]) -> None:
+def test_unknown_panel_is_refused_with_the_nearest_name(start: Callable[..., Program]) -> None:
     pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
     program = start("zbot", "web", "topcis", "--no-browser")
     assert program.wait(30) == 1
     assert program.lines == ["there is no panel 'topcis'", "", "hint: did you mean topics?"]
 
 
-def test_host_that_is_none_of_this_machine_is_told(start: Callable[..., Program]) -> None:
+def test_host_of_another_machine_is_refused(start: Callable[..., Program]) -> None:
     pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
     program = start("zbot", "web", "--no-browser", "--host", "192.0.2.1")
     assert program.wait(30) == 1
     assert program.lines[0].startswith("cannot listen on 192.0.2.1:8080: ")
 
 
-def test_taken_port_leads_to_the_next(start: Callable[..., Program]) -> None:
+def test_taken_port_is_replaced_by_the_next_port(start: Callable[..., Program]) -> None:
     pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
     with socket.socket() as holder:
         holder.bind(("127.0.0.1", 0))

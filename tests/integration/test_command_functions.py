@@ -1,4 +1,4 @@
-"""The functions of ros2cli's Python packages, as programs that import them call them."""
+"""Tests of the functions of ros2cli's Python packages, called as programs call them."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def asking(make_context: MakeContext, robot: zbot.Node) -> zbot.Node:  # noqa: A
     return zbot.Node("asking", context=make_context())
 
 
-def test_names_of_nodes_come_in_parts(asking: zbot.Node) -> None:
+def test_names_of_nodes_have_their_parts(asking: zbot.Node) -> None:
     names = get_node_names(node=asking)
     assert [name.full_name for name in names] == ["/asking", "/robot/base"]
     assert parse_node_name("robot/base") == names[1] == ("base", "/robot", "/robot/base")
@@ -80,7 +80,7 @@ def test_names_of_nodes_come_in_parts(asking: zbot.Node) -> None:
     assert get_absolute_node_name("") is None
 
 
-def test_a_node_tells_what_it_has_without_what_is_hidden(asking: zbot.Node) -> None:
+def test_lists_of_a_node_leave_hidden_entities_out(asking: zbot.Node) -> None:
     of_robot: dict[str, Any] = {"node": asking, "remote_node_name": "/robot/base"}
     topics = [topic.name for topic in get_publisher_info(**of_robot)]
     assert "/robot/state" in topics
@@ -100,7 +100,7 @@ def test_lists_leave_hidden_names_out(asking: zbot.Node) -> None:
     assert "/robot/stop" in get_service_names(node=asking)
 
 
-def test_a_name_has_a_class(asking: zbot.Node, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_class_is_found_by_name(asking: zbot.Node, capsys: pytest.CaptureFixture[str]) -> None:
     assert get_msg_class(asking, "robot/state") is String
     assert get_service_class(asking, "/robot/stop") is Trigger
     assert get_msg_class(asking, "/robot/_inner/state") is None
@@ -119,7 +119,7 @@ def test_the_class_of_a_topic_can_be_waited_for(robot: zbot.Node, asking: zbot.N
 
 def test_several_types_are_refused(robot: zbot.Node, asking: zbot.Node) -> None:
     robot.create_publisher(Int32, "state", 10)
-    wait_until(lambda: len(dict(asking.get_topic_names_and_types())["/robot/state"]) == 2)
+    assert wait_until(lambda: len(dict(asking.get_topic_names_and_types())["/robot/state"]) == 2)
     with pytest.raises(SeveralTypesError, match=r"/robot/state.*std_msgs/msg/Int32"):
         get_msg_class(asking, "/robot/state")
 
@@ -141,16 +141,16 @@ def test_parameters_of_another_node_take_one_call(
     assert list(asking.clients) == []
 
 
-def test_a_node_that_is_not_there_has_no_parameters(
+def test_parameters_of_an_unknown_node_are_an_error(
     asking: zbot.Node, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("zbot.compat.parameter_calls._PATIENCE_S", 0.01)
+    monkeypatch.setattr("zbot.compat.parameter_calls._SERVICE_TIMEOUT_S", 0.01)
     with pytest.raises(NoParameterServiceError, match="/nobody offered no parameter services"):
         call_get_parameters(node=asking, node_name="/nobody", parameter_names=["limit"])
 
 
 @pytest.mark.usefixtures("domain")
-def test_a_program_without_a_node_gets_one_for_a_look() -> None:
+def test_a_program_without_a_context_gets_a_temporary_node() -> None:
     parser = argparse.ArgumentParser()
     add_arguments(parser)
     with CommandNode(parser.parse_args(["--no-daemon"]), node_name="look") as node:
@@ -162,7 +162,7 @@ def test_a_program_without_a_node_gets_one_for_a_look() -> None:
 
 
 @pytest.mark.usefixtures("domain")
-def test_a_look_leaves_a_running_program_alone() -> None:
+def test_a_temporary_node_leaves_the_programs_context_alone() -> None:
     with zbot.init(args=[]):
         with CommandNode() as node:
             assert node.get_name() == f"_ros2cli_{os.getpid()}"

@@ -1,4 +1,4 @@
-"""Subscriptions that take only some of the messages, and what they tell of the publisher."""
+"""Tests of content filters and of the publisher in the message info."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import zbot
 from tests.conftest import wait_until
 from zbot.executor.wait_set import WaitSet
 from zbot.interfaces.content_filter import ContentFilterError
-from zbot.node.subscription import ContentFilterOptions, NoContentFilterError
+from zbot.node.content_filter_options import ContentFilterOptions, NoContentFilterError
 from zbot.wire.serialization import deserialize_message
 
 from std_msgs.msg import Int64
@@ -43,7 +43,7 @@ def numbered(publisher: zbot.Publisher[Int64], count: int) -> None:
 
 
 @pytest.mark.parametrize("raw", [False, True])
-def test_the_callback_gets_what_the_filter_admits(
+def test_the_callback_receives_the_messages_that_match_the_filter(
     node: zbot.Node, spin: Spin, *, raw: bool
 ) -> None:
     inbox: list[Any] = []
@@ -58,7 +58,7 @@ def test_the_callback_gets_what_the_filter_admits(
     assert [message.data for message in messages] == [3, 4, 5]
 
 
-def test_a_filter_can_be_changed_and_taken_away(node: zbot.Node) -> None:
+def test_a_filter_can_be_changed_and_removed(node: zbot.Node) -> None:
     subscription = node.create_subscription(Int64, "number", print, 10)
     assert not subscription.is_cft_enabled
     with pytest.raises(NoContentFilterError):
@@ -72,14 +72,14 @@ def test_a_filter_can_be_changed_and_taken_away(node: zbot.Node) -> None:
     assert not subscription.is_cft_enabled
 
 
-def test_a_filter_that_does_not_fit_makes_no_subscription(node: zbot.Node) -> None:
+def test_an_invalid_filter_refuses_the_subscription(node: zbot.Node) -> None:
     bad = ContentFilterOptions("bogus > 3", [])
     with pytest.raises(ContentFilterError):
         node.create_subscription(Int64, "number", print, 10, content_filter_options=bad)
     assert not any(one.topic_name == "/number" for one in node.subscriptions)
 
 
-def test_what_is_taken_without_an_executor_is_filtered_too(node: zbot.Node) -> None:
+def test_messages_taken_without_an_executor_are_filtered(node: zbot.Node) -> None:
     subscription = node.create_subscription(
         Int64, "number", print, 10, content_filter_options=ABOVE_TWO
     )
@@ -91,7 +91,7 @@ def test_what_is_taken_without_an_executor_is_filtered_too(node: zbot.Node) -> N
     assert wait_until(lambda: any(one is not None and one[0].data == 3 for one in [next(taken)]))
 
 
-def test_the_info_tells_who_sent_a_message(node: zbot.Node, spin: Spin) -> None:
+def test_the_message_info_names_the_publisher(node: zbot.Node, spin: Spin) -> None:
     infos: list[Any] = []
     node.create_subscription(Int64, "number", lambda _, info: infos.append(info), 10)
     publisher = publisher_of(node)

@@ -1,4 +1,4 @@
-"""Contexts: from `init()` to `shutdown()`."""
+"""Tests of contexts from `init()` to `shutdown()`."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_the_default_context_may_be_shut_down_twice(domain: int) -> None:
         assert not zbot.ok()
 
 
-def test_functions_for_the_end_may_come_before_the_beginning(domain: int) -> None:
+def test_shutdown_callbacks_may_be_added_before_init(domain: int) -> None:
     context, called = zbot.Context(), list[str]()
     context.on_shutdown(lambda: called.append("early"))
     context.init([], domain_id=domain)
@@ -47,7 +47,7 @@ def test_functions_for_the_end_may_come_before_the_beginning(domain: int) -> Non
     assert called == ["early", "late"]
 
 
-def test_whoever_ends_the_default_context_gets_the_one_that_was(domain: int) -> None:
+def test_the_default_context_that_was_shut_down_can_be_requested(domain: int) -> None:
     zbot.init(domain_id=domain)
     context = zbot.get_default_context()
     zbot.shutdown()
@@ -55,12 +55,12 @@ def test_whoever_ends_the_default_context_gets_the_one_that_was(domain: int) -> 
     assert zbot.get_default_context() is not context
 
 
-def test_arguments_that_are_no_text_are_refused_where_they_are_given(domain: int) -> None:
+def test_undecodable_arguments_are_refused_by_init(domain: int) -> None:
     with pytest.raises(UnicodeEncodeError):
         zbot.init(args=["prog", "Ragnar\udcf6k"], context=zbot.Context(), domain_id=domain)
 
 
-def test_a_process_may_have_arguments_that_are_no_text(
+def test_a_process_may_have_undecodable_arguments(
     make_context: MakeContext, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("sys.argv", ["prog", "Ragnar\udcf6k"])
@@ -68,7 +68,7 @@ def test_a_process_may_have_arguments_that_are_no_text(
     assert node.get_node_names() == ["guest"]
 
 
-def test_a_context_that_is_over_is_not_kept(domain: int) -> None:
+def test_a_shut_down_context_is_not_kept_alive(domain: int) -> None:
     context = zbot.Context()
     context.init([], domain_id=domain)
     node = zbot.Node("robot", context=context)
@@ -79,6 +79,6 @@ def test_a_context_that_is_over_is_not_kept(domain: int) -> None:
     assert (nodes(), contexts()) == (None, None)
 
 
-def test_the_collector_passes_over_what_is_loaded() -> None:
-    assert zbot.Node.__module__ == "zbot.node.node"  # it is loaded now
+def test_loaded_modules_are_frozen_for_the_garbage_collector() -> None:
+    assert zbot.Node.__module__ == "zbot.node.node"  # this loads the module
     assert gc.get_freeze_count() > 10_000

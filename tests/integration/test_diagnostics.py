@@ -1,4 +1,4 @@
-"""What a beginner is told without asking: each mistake is one line, and else nothing."""
+"""Tests of the log lines about probable mistakes: one line each, and no other line."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
 
     MakeContext = Callable[[], zbot.Context]
 
-PATIENCE_S = 0.05
+CHECK_DELAY_S = 0.05
 
 
 @pytest.fixture(autouse=True)
-def impatience(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("zbot.node.diagnostics._PATIENCE_S", PATIENCE_S)
+def short_check_delay(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("zbot.node.diagnostics._CHECK_DELAY_S", CHECK_DELAY_S)
 
 
 @pytest.fixture
@@ -32,7 +32,7 @@ def lines(logged: list[Record]) -> Callable[[], list[str]]:
 
 
 def after_the_check(node: zbot.Node, lines: Callable[[], list[str]]) -> list[str]:
-    """Return what was said when a later subscription's mistake has been said too."""
+    """Return the lines logged before the line about a later subscription's mistake."""
     publisher = node.create_publisher(String, "the_last_check", 10)
     node.create_subscription(String, "the_last_chec", print, 10)
     assert wait_until(lambda: any("the_last_chec," in line for line in lines()))
@@ -55,7 +55,7 @@ def test_a_misspelt_topic_is_one_line(
     assert after_the_check(listener, lines) == [advice]
 
 
-def test_nothing_is_said_of_a_name_of_another_type_or_far_from_all_others(
+def test_a_name_of_another_type_or_unlike_all_others_is_not_reported(
     make_context: MakeContext, lines: Callable[[], list[str]]
 ) -> None:
     talker = zbot.Node("talker", context=make_context())
@@ -67,7 +67,7 @@ def test_nothing_is_said_of_a_name_of_another_type_or_far_from_all_others(
     assert after_the_check(listener, lines) == []
 
 
-def test_a_publisher_that_comes_in_time_is_no_mistake(
+def test_a_publisher_that_comes_in_time_is_not_reported(
     make_context: MakeContext, lines: Callable[[], list[str]]
 ) -> None:
     talker = zbot.Node("talker", context=make_context())
@@ -78,7 +78,7 @@ def test_a_publisher_that_comes_in_time_is_no_mistake(
     assert after_the_check(listener, lines) == []
 
 
-def test_a_subscription_that_is_gone_is_not_talked_of(
+def test_a_destroyed_subscription_is_not_reported(
     make_context: MakeContext, lines: Callable[[], list[str]]
 ) -> None:
     node = zbot.Node("robot", context=make_context())
@@ -98,11 +98,11 @@ def test_two_types_on_one_topic_are_one_line_for_each_side(
     talker.create_publisher(Float32, "temperature", 10)
     at_listener = (
         "[listener] /temperature has two types: this node uses std_msgs/msg/String, but /talker "
-        "publishes std_msgs/msg/Float32; they cannot hear each other"
+        "publishes std_msgs/msg/Float32; they cannot receive each other's messages"
     )
     at_talker = (
         "[talker] /temperature has two types: this node uses std_msgs/msg/Float32, but /listener "
-        "subscribes to std_msgs/msg/String; they cannot hear each other"
+        "subscribes to std_msgs/msg/String; they cannot receive each other's messages"
     )
     assert wait_until(lambda: len(lines()) >= 2)
     assert after_the_check(listener, lines) == [at_listener, at_talker]
@@ -122,7 +122,7 @@ def test_two_nodes_of_one_name_are_one_line_for_each(
     assert first.get_name() == second.get_name()
 
 
-def test_a_name_that_is_free_again_may_be_used(
+def test_a_name_that_was_freed_is_not_reported(
     make_context: MakeContext, lines: Callable[[], list[str]]
 ) -> None:
     first = zbot.Node("robot", context=make_context())
@@ -134,7 +134,7 @@ def test_a_name_that_is_free_again_may_be_used(
     assert after_the_check(second, lines) == []
 
 
-def test_nothing_is_said_when_all_is_well(
+def test_a_correct_program_causes_no_line(
     make_context: MakeContext, lines: Callable[[], list[str]]
 ) -> None:
     talker = zbot.Node("talker", context=make_context(), namespace="/a")

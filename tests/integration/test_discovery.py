@@ -1,4 +1,4 @@
-"""How processes find each other, and what they say when that cannot work."""
+"""Tests of discovery between processes and of the messages about its failures."""
 
 from __future__ import annotations
 
@@ -67,23 +67,23 @@ with zbot.init():
     zbot.spin(node)
 """
 
-# Publishes as soon as it can and leaves: three times in turn.
-HASTY = """
+# Publishes at once and ends its context, three times.
+SHORT = """
 import sys, zbot
 from std_msgs.msg import String
 
 for turn in range(3):
     with zbot.init():
-        publisher = zbot.Node(f"hasty_{sys.argv[1]}").create_publisher(String, "chatter", 10)
+        publisher = zbot.Node(f"short_{sys.argv[1]}").create_publisher(String, "chatter", 10)
         publisher.publish(String(data=f"{sys.argv[1]}.{turn}"))
 """
 
-LONELY = """
+SINGLE = """
 import zbot
 from std_msgs.msg import String
 
 with zbot.init():
-    node = zbot.Node("lonely")
+    node = zbot.Node("single")
     node.create_subscription(String, "chatter", lambda message: print("heard", message.data), 10)
     node.create_publisher(String, "chatter", 10).publish(String(data="myself"))
     zbot.spin(node)
@@ -107,7 +107,7 @@ def holds_port(domain: int) -> bool:
 
 
 @needs_sigkill
-def test_when_the_holder_is_killed_the_others_talk_on_and_newcomers_join(start: Start) -> None:
+def test_other_processes_communicate_and_join_after_the_holder_is_killed(start: Start) -> None:
     holder = start("holder", source=IDLE)
     holder.wait_for("ready")
     listener = start(source=LISTENER)
@@ -171,13 +171,13 @@ def test_the_last_one_frees_the_port(make_context: MakeContext, domain: int) -> 
 
 
 @needs_sigkill
-def test_two_who_missed_each_others_calls_are_introduced_again(
+def test_two_processes_that_missed_their_connections_are_introduced_again(
     start: Start, make_context: MakeContext
 ) -> None:
     zbot.Node("acquaintance", context=make_context())
     listener = start(source=LISTENER)
     listener.wait_for("ready")
-    # Zenoh gives up a call after half a second: each is asleep while the other one calls.
+    # Zenoh gives up a connection after 0.5 s: each process is stopped while the other one tries.
     listener.process.send_signal(signal.SIGSTOP)
     talker = start(source=TALKER)
     threading.Event().wait(allowed(1.5))
@@ -188,17 +188,17 @@ def test_two_who_missed_each_others_calls_are_introduced_again(
     listener.wait_for("heard")
 
 
-def test_nobody_is_waited_for_once_the_session_is_closed(domain: int) -> None:
+def test_waiting_ends_when_the_session_is_closed(domain: int) -> None:
     point = MeetingPoint(config.load(), domain, config.discovery_range(), process_facts("0"))
     session = point.open_peer()
     watch = Peering(session, point, zenoh.handlers.Callback)
     session.close()
     begin = time.monotonic()
-    assert not watch.wait_settled(60)
+    assert not watch.wait_for_answers(60)
     assert time.monotonic() - begin < allowed(5)
 
 
-def test_without_a_node_nothing_is_opened(make_context: MakeContext, domain: int) -> None:
+def test_a_context_without_a_node_opens_no_port(make_context: MakeContext, domain: int) -> None:
     make_context()
     assert not holds_port(domain)
 
@@ -206,7 +206,7 @@ def test_without_a_node_nothing_is_opened(make_context: MakeContext, domain: int
 # -- joining ---------------------------------------------------------------------------------------
 
 
-def test_the_first_messages_of_thirty_hasty_programs_arrive(
+def test_the_first_messages_of_thirty_short_programs_arrive(
     start: Start, make_context: MakeContext, spin: Spin
 ) -> None:
     listener = zbot.Node("listener", context=make_context())
@@ -214,14 +214,14 @@ def test_the_first_messages_of_thirty_hasty_programs_arrive(
     listener.create_subscription(String, "chatter", lambda message: heard.append(message.data), 100)
     spin(listener)
     for number in range(10):
-        program = start(str(number), source=HASTY)
+        program = start(str(number), source=SHORT)
         assert (program.wait(), program.output) == (0, "")
     wanted = sorted(f"{number}.{turn}" for number in range(10) for turn in range(3))
     wait_until(lambda: len(heard) >= 30)
     assert sorted(heard) == wanted
 
 
-def test_twelve_programs_started_at_once_all_see_each_other(
+def test_twelve_programs_started_together_see_each_other(
     start: Start, domain: int, make_context: MakeContext
 ) -> None:
     programs = [start(f"node_{number}", source=IDLE) for number in range(12)]
@@ -241,16 +241,14 @@ def test_twelve_programs_started_at_once_all_see_each_other(
         assert program.output == "ready"
 
 
-def test_a_client_alone_finds_nobody_and_opens_nothing(domain: int) -> None:
+def test_a_client_without_peers_does_not_connect_and_opens_no_port(domain: int) -> None:
     with zbot.Context(mode="client") as client:
         assert client.get_domain_id() == domain
         assert not client.connect()
         assert not holds_port(domain)
 
 
-def test_a_client_that_waits_is_found_by_those_who_come(
-    domain: int, make_context: MakeContext
-) -> None:
+def test_a_waiting_client_is_found_by_later_nodes(domain: int, make_context: MakeContext) -> None:
     with zbot.Context(mode="client") as client:
         assert client.get_domain_id() == domain
         assert client.connect(wait=True)
@@ -259,12 +257,12 @@ def test_a_client_that_waits_is_found_by_those_who_come(
         assert zbot_node.get_name() == client.graph.snapshot().nodes[0].node
 
 
-# -- what stands in the way ------------------------------------------------------------------------
+# -- failures ------------------------------------------------------------------------
 
 
 @contextmanager
-def stranger(domain: int, *, answer: bytes = b"") -> Iterator[None]:
-    """Hold the meeting port with a program that is not zbot."""
+def foreign_program(domain: int, *, answer: bytes = b"") -> Iterator[None]:
+    """Occupy the meeting port as a program that is not zbot."""
     accepted: list[socket.socket] = []
     server = socket.create_server(("127.0.0.1", MEETING_PORT + domain))
 
@@ -292,12 +290,14 @@ def stranger(domain: int, *, answer: bytes = b"") -> Iterator[None]:
 
 
 @pytest.mark.parametrize("mode", ["peer", "client"])
-def test_a_port_that_was_refused_to_everybody_is_taken_at_the_next_try(
+def test_a_port_that_was_refused_to_all_is_taken_at_the_next_attempt(
     make_context: MakeContext, monkeypatch: pytest.MonkeyPatch, domain: int, mode: str
 ) -> None:
-    # Linux refuses both of two processes that take a port within the same microseconds.
-    hold, tries = MeetingPoint.hold, itertools.count()
-    monkeypatch.setattr(MeetingPoint, "hold", lambda point: next(tries) > 0 and hold(point))
+    # Linux refuses a port to both of two processes that bind it in the same microseconds.
+    open_router, tries = MeetingPoint.open_router, itertools.count()
+    monkeypatch.setattr(
+        MeetingPoint, "open_router", lambda point: next(tries) > 0 and open_router(point)
+    )
     if mode == "client":
         with client(wait=True) as context:
             assert not context.is_closed
@@ -306,16 +306,16 @@ def test_a_port_that_was_refused_to_everybody_is_taken_at_the_next_try(
     first = zbot.Node("first", context=make_context())
     assert holds_port(domain)
     second = zbot.Node("second", context=make_context())
-    wait_until(lambda: second.get_node_names() == ["first", "second"])
-    wait_until(lambda: first.get_node_names() == ["first", "second"])
+    assert wait_until(lambda: second.get_node_names() == ["first", "second"])
+    assert wait_until(lambda: first.get_node_names() == ["first", "second"])
 
 
 @pytest.mark.parametrize("answer", [b"", b"HTTP/1.1 400 Bad Request\r\n\r\n"])
-def test_a_stranger_on_the_port_is_one_warning_and_the_node_runs(
+def test_a_foreign_program_on_the_port_is_one_warning_and_the_node_runs(
     start: Start, domain: int, answer: bytes
 ) -> None:
-    with stranger(domain, answer=answer):
-        program = start(source=LONELY)
+    with foreign_program(domain, answer=answer):
+        program = start(source=SINGLE)
         program.wait_for(f"nobody answers as zbot on tcp/127.0.0.1:{MEETING_PORT + domain}")
         program.wait_for("heard myself")
         program.stop()
@@ -323,7 +323,7 @@ def test_a_stranger_on_the_port_is_one_warning_and_the_node_runs(
         assert "choose another domain: ZBOT_DOMAIN_ID=" in program.lines[0]
 
 
-def test_range_off_finds_nobody_and_opens_no_port(
+def test_range_off_finds_no_peers_and_opens_no_port(
     make_context: MakeContext, monkeypatch: pytest.MonkeyPatch, domain: int
 ) -> None:
     zbot.Node("public", context=make_context())
@@ -335,7 +335,7 @@ def test_range_off_finds_nobody_and_opens_no_port(
     assert holds_port(domain)
 
 
-def test_range_off_still_talks_inside_the_process(
+def test_range_off_communicates_inside_the_process(
     make_context: MakeContext, monkeypatch: pytest.MonkeyPatch, domain: int, spin: Spin
 ) -> None:
     monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", "off")
@@ -360,7 +360,7 @@ def test_range_off_still_talks_inside_the_process(
         ({"ZENOH_CONFIG": "."}, "cannot use the Zenoh configuration .: Is a directory"),
     ],
 )
-def test_a_wrong_variable_is_one_sentence(
+def test_an_invalid_variable_is_refused_with_one_sentence(
     start: Start, variables: dict[str, str], sentence: str
 ) -> None:
     program = start(source=START, env=variables)
@@ -381,7 +381,7 @@ def test_a_wrong_variable_is_one_sentence(
         (b'{ listen: { endpoints: ["tcp/192.0.2.1:1"] } }', "192.0.2.1"),
     ],
 )
-def test_a_wrong_configuration_file_is_one_sentence(
+def test_an_invalid_configuration_file_is_refused_with_one_sentence(
     start: Start, tmp_path: Path, content: bytes, sentence: str
 ) -> None:
     (tmp_path / "zenoh.json5").write_bytes(content)
@@ -391,7 +391,7 @@ def test_a_wrong_configuration_file_is_one_sentence(
     assert len(program.lines) == 1
 
 
-def test_a_good_configuration_file_is_used(start: Start, tmp_path: Path, domain: int) -> None:
+def test_a_valid_configuration_file_is_used(start: Start, tmp_path: Path, domain: int) -> None:
     (tmp_path / "zenoh.json5").write_text('{ metadata: { room: "B 12" }, /* a comment */ }')
     program = start("named", source=IDLE)
     program.wait_for("ready")

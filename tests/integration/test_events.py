@@ -1,4 +1,4 @@
-"""Events of quality of service, as publishers and subscriptions hear of them."""
+"""Tests of quality-of-service events of publishers and subscriptions."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from zbot.executor.wait_set import WaitSet
+from zbot.node.event_callbacks import PublisherEventCallbacks, SubscriptionEventCallbacks
+from zbot.node.event_handlers import EventHandle
 from zbot.node.qos_events import (
-    EventHandle,
     IncompatibleTypeInfo,
-    PublisherEventCallbacks,
     QoSLivelinessChangedInfo,
     QoSLivelinessLostInfo,
     QoSMatchedInfo,
@@ -22,7 +22,6 @@ from zbot.node.qos_events import (
     QoSPublisherEventType,
     QoSRequestedDeadlineMissedInfo,
     QoSSubscriptionEventType,
-    SubscriptionEventCallbacks,
 )
 from zbot.qos import HistoryPolicy, LivelinessPolicy, QoSPolicyKind, QoSProfile
 
@@ -59,7 +58,7 @@ def listener(make_context: MakeContext) -> zbot.Node:
     return zbot.Node("listener", context=make_context())
 
 
-def test_a_publisher_hears_of_subscriptions_that_come_and_go(
+def test_a_publisher_is_notified_of_subscriptions_that_come_and_go(
     talker: zbot.Node, listener: zbot.Node, spin: Spin
 ) -> None:
     infos: list[QoSMatchedInfo] = []
@@ -87,7 +86,7 @@ def test_every_endpoint_has_the_handlers_of_rclpy(talker: zbot.Node) -> None:
     assert handlers(deadline=print, liveliness=print, matched=print) == 5
 
 
-def test_an_event_can_be_waited_for_and_taken_by_hand(
+def test_an_event_can_be_waited_for_and_taken_without_an_executor(
     talker: zbot.Node, listener: zbot.Node
 ) -> None:
     publisher = talker.create_publisher(String, "chatter", every(0.05))
@@ -110,7 +109,7 @@ def test_an_event_can_be_waited_for_and_taken_by_hand(
         handle.destroy_when_not_in_use()
 
 
-def test_a_loss_is_told_to_the_callback_and_to_a_handle(listener: zbot.Node) -> None:
+def test_a_lost_message_reaches_the_callback_and_a_handle(listener: zbot.Node) -> None:
     infos: list[QoSMessageLostInfo] = []
     events = SubscriptionEventCallbacks(message_lost=infos.append)
     subscription = listener.create_subscription(Int64, "n", print, 1, event_callbacks=events)
@@ -130,7 +129,7 @@ def test_a_loss_is_told_to_the_callback_and_to_a_handle(listener: zbot.Node) -> 
     assert infos == [handle.take_event()] == [QoSMessageLostInfo(2, 2)]
 
 
-def test_a_subscription_hears_of_publishers_that_come_and_go(
+def test_a_subscription_is_notified_of_publishers_that_come_and_go(
     talker: zbot.Node, listener: zbot.Node, spin: Spin
 ) -> None:
     infos: list[QoSMatchedInfo] = []
@@ -144,7 +143,7 @@ def test_a_subscription_hears_of_publishers_that_come_and_go(
     assert wait_until(lambda: infos[1:] == [QoSMatchedInfo(1, 0, 0, -1)])
 
 
-def test_a_subscription_hears_how_many_publishers_are_alive(
+def test_a_subscription_is_notified_of_the_number_of_live_publishers(
     talker: zbot.Node, listener: zbot.Node, spin: Spin
 ) -> None:
     infos: list[QoSLivelinessChangedInfo] = []
@@ -157,7 +156,7 @@ def test_a_subscription_hears_how_many_publishers_are_alive(
     assert wait_until(lambda: infos[1:] == [QoSLivelinessChangedInfo(0, 1, -1, 1)])
 
 
-def test_both_sides_hear_of_another_type(
+def test_both_endpoints_are_notified_of_an_inconsistent_type(
     talker: zbot.Node, listener: zbot.Node, spin: Spin
 ) -> None:
     at_talker: list[IncompatibleTypeInfo] = []
@@ -186,7 +185,7 @@ def test_both_sides_hear_of_another_type(
     assert matched == []
 
 
-def test_a_subscription_hears_how_many_messages_it_lost(
+def test_a_subscription_is_notified_of_the_number_of_lost_messages(
     talker: zbot.Node, listener: zbot.Node, logged: list[Record]
 ) -> None:
     infos: list[QoSMessageLostInfo] = []
@@ -217,7 +216,7 @@ def test_a_subscription_hears_how_many_messages_it_lost(
     assert not [record for record in logged if "lost" in record.message]
 
 
-def test_missed_deadlines_are_told_again_and_again(talker: zbot.Node, spin: Spin) -> None:
+def test_each_missed_deadline_is_an_event(talker: zbot.Node, spin: Spin) -> None:
     offered: list[QoSOfferedDeadlineMissedInfo] = []
     requested: list[QoSRequestedDeadlineMissedInfo] = []
     talker.create_publisher(
@@ -239,7 +238,7 @@ def test_missed_deadlines_are_told_again_and_again(talker: zbot.Node, spin: Spin
     assert requested[:3] == [QoSRequestedDeadlineMissedInfo(count, 1) for count in (1, 2, 3)]
 
 
-def test_deadlines_that_are_kept_are_not_told(talker: zbot.Node, spin: Spin) -> None:
+def test_a_kept_deadline_is_not_an_event(talker: zbot.Node, spin: Spin) -> None:
     missed: list[Any] = []
     publisher = talker.create_publisher(
         Int64,
@@ -261,7 +260,7 @@ def test_deadlines_that_are_kept_are_not_told(talker: zbot.Node, spin: Spin) -> 
     assert missed == []
 
 
-def test_asserting_liveliness_keeps_no_deadline(talker: zbot.Node, spin: Spin) -> None:
+def test_asserting_liveliness_does_not_keep_a_deadline(talker: zbot.Node, spin: Spin) -> None:
     missed: list[Any] = []
     publisher = talker.create_publisher(
         String,
@@ -274,9 +273,7 @@ def test_asserting_liveliness_keeps_no_deadline(talker: zbot.Node, spin: Spin) -
     assert wait_until(lambda: bool(missed))
 
 
-def test_a_lease_that_runs_out_is_told_once_until_it_is_renewed(
-    talker: zbot.Node, spin: Spin
-) -> None:
+def test_an_expired_lease_is_one_event_until_it_is_renewed(talker: zbot.Node, spin: Spin) -> None:
     lost: list[QoSLivelinessLostInfo] = []
     ticks: list[int] = []
     publisher = talker.create_publisher(
@@ -296,9 +293,7 @@ def test_a_lease_that_runs_out_is_told_once_until_it_is_renewed(
     assert lost[2] == QoSLivelinessLostInfo(3, 1)
 
 
-def test_an_automatic_lease_never_runs_out_while_the_process_lives(
-    talker: zbot.Node, spin: Spin
-) -> None:
+def test_an_automatic_lease_lasts_as_long_as_the_process(talker: zbot.Node, spin: Spin) -> None:
     lost: list[Any] = []
     ticks: list[int] = []
     talker.create_publisher(
@@ -313,7 +308,7 @@ def test_an_automatic_lease_never_runs_out_while_the_process_lives(
     assert lost == []
 
 
-def test_a_destroyed_endpoint_hears_nothing_more(
+def test_a_destroyed_endpoint_has_no_events(
     talker: zbot.Node, listener: zbot.Node, spin: Spin
 ) -> None:
     infos: list[Any] = []
@@ -336,7 +331,7 @@ def test_a_destroyed_endpoint_hears_nothing_more(
     assert infos == []
 
 
-def test_events_nobody_can_meet_are_accepted(talker: zbot.Node) -> None:
+def test_handlers_of_events_that_never_occur_are_accepted(talker: zbot.Node) -> None:
     talker.create_publisher(
         String, "a", 10, event_callbacks=PublisherEventCallbacks(incompatible_qos=print)
     )

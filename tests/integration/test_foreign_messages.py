@@ -1,4 +1,4 @@
-"""What other Zenoh programs send to a topic."""
+"""Tests of messages that other Zenoh programs send to a topic."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def lines_about(logged: list[Record], text: str) -> list[str]:
 
 
 def put(node: zbot.Node, key: str, payload: Any, encoding: str | None = None) -> None:
-    """Publish as any Zenoh program may, without an attachment."""
+    """Publish as a plain Zenoh program does, without an attachment."""
     zenoh_key = f"{node.context.get_domain_id()}{key}"
     node.context.session.put(zenoh_key, payload, encoding=encoding)
 
@@ -74,7 +74,7 @@ def nested(depth: int) -> bytes:
     ],
     ids=["no msgpack", "empty", "text", "array", "int", "bin", "deep", "4 billion", "cut"],
 )
-def test_garbage_is_one_line_and_the_next_message_arrives(
+def test_invalid_bytes_are_one_log_line_and_the_next_message_arrives(
     talker: zbot.Node,
     listener: zbot.Node,
     spin: Spin,
@@ -131,7 +131,7 @@ def test_a_plain_put_that_names_another_type_is_refused(
 
 
 @pytest.mark.parametrize("attachment", [b"", b"short", b"x" * 33, b"x" * 1000])
-def test_a_foreign_attachment_is_no_error(
+def test_a_foreign_attachment_is_not_an_error(
     talker: zbot.Node, listener: zbot.Node, spin: Spin, attachment: bytes
 ) -> None:
     inbox: list[String] = []
@@ -144,7 +144,7 @@ def test_a_foreign_attachment_is_no_error(
     assert wait_until(lambda: bool(inbox))
 
 
-def test_a_delete_is_no_message(talker: zbot.Node, listener: zbot.Node, spin: Spin) -> None:
+def test_a_delete_is_not_a_message(talker: zbot.Node, listener: zbot.Node, spin: Spin) -> None:
     inbox: list[String] = []
     listener.create_subscription(String, "chatter", inbox.append, 10)
     publisher = talker.create_publisher(String, "chatter", 10)
@@ -157,7 +157,7 @@ def test_a_delete_is_no_message(talker: zbot.Node, listener: zbot.Node, spin: Sp
     assert spinner.error is None
 
 
-def test_two_types_on_one_topic_do_not_mix_and_are_said_once(
+def test_two_types_on_one_topic_do_not_mix_and_are_logged_once(
     talker: zbot.Node, listener: zbot.Node, spin: Spin, logged: list[Record]
 ) -> None:
     inbox: list[String] = []

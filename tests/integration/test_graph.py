@@ -1,4 +1,4 @@
-"""Names, and what every node can see of all others."""
+"""Tests of names and of the graph of all nodes."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def context(make_context: MakeContext) -> zbot.Context:
 
 @pytest.fixture
 def make_node(context: zbot.Context) -> MakeNode:
-    made: list[zbot.Node] = []  # what nobody holds leaves the graph
+    made: list[zbot.Node] = []  # a node without a reference leaves the graph
 
     def make(name: str, *words: str, **options: Any) -> zbot.Node:
         arguments = ["--ros-args", *words] if words else None
@@ -81,7 +81,7 @@ def observer(make_context: MakeContext) -> zbot.Node:
         ("/fleet/north", ("robot", "/fleet/north", "/fleet/north/robot")),
     ],
 )
-def test_a_node_lives_in_its_namespace(
+def test_a_node_is_in_its_namespace(
     make_node: MakeNode, namespace: str | None, expected: tuple[str, str, str]
 ) -> None:
     node = make_node("robot", namespace=namespace)
@@ -165,7 +165,7 @@ def test_the_processes_command_line_applies_to_every_node(domain: int) -> None:
         ("a/b", InvalidNodeNameError),
     ],
 )
-def test_a_name_that_is_none_makes_no_node(
+def test_an_invalid_name_is_refused(
     make_node: MakeNode, observer: zbot.Node, name: str, error: type[Exception]
 ) -> None:
     with pytest.raises(error):
@@ -206,7 +206,7 @@ def test_two_nodes_of_one_name_are_both_listed(make_node: MakeNode, observer: zb
     assert wait_until(lambda: observer.get_node_names().count("twin") == 2)
 
 
-def test_the_first_look_of_a_newcomer_is_complete(
+def test_the_first_graph_of_a_new_process_is_complete(
     make_node: MakeNode, make_context: MakeContext
 ) -> None:
     nodes = [make_node(f"node_{number}") for number in range(10)]
@@ -214,7 +214,7 @@ def test_the_first_look_of_a_newcomer_is_complete(
     assert len(newcomer.get_node_names()) == len(nodes) + 1
 
 
-def test_the_graph_of_a_whole_class_fits_into_the_first_look(
+def test_the_first_graph_can_have_the_size_of_a_whole_class(
     make_node: MakeNode, make_context: MakeContext
 ) -> None:
     names = [make_node(f"robot_{number}").get_name() for number in range(60)]
@@ -222,7 +222,7 @@ def test_the_graph_of_a_whole_class_fits_into_the_first_look(
     assert set(newcomer.get_node_names()) == {*names, "newcomer"}
 
 
-def test_the_first_look_of_newcomers_is_complete_as_they_come_and_go(
+def test_the_first_graph_is_complete_while_processes_come_and_go(
     make_context: MakeContext, start: Start
 ) -> None:
     nodes = [start(source=NODE.replace('"guest"', f'"guest_{number}"')) for number in range(3)]
@@ -248,7 +248,7 @@ def test_the_graph_lists_topics_with_their_types(make_node: MakeNode, observer: 
     assert wait_until(lambda: dict(observer.get_topic_names_and_types()) == wanted)
 
 
-def test_the_graph_knows_what_each_node_uses(make_node: MakeNode, observer: zbot.Node) -> None:
+def test_the_graph_lists_each_nodes_endpoints(make_node: MakeNode, observer: zbot.Node) -> None:
     node = make_node("robot", namespace="/fleet", enable_rosout=False)
     node.create_publisher(Float32, "temperature", 10)
     node.create_subscription(String, "orders", print, 10)
@@ -273,7 +273,7 @@ def test_counts_resolve_names_as_topics_do(make_node: MakeNode) -> None:
     assert node.count_subscribers("chatter") == 0
 
 
-def test_a_question_about_a_name_that_cannot_be_says_so(observer: zbot.Node) -> None:
+def test_a_query_with_an_invalid_name_is_refused(observer: zbot.Node) -> None:
     said = "topic name '42' is invalid: topic name token must not start with a number"
     for ask in (observer.count_publishers, observer.get_subscriptions_info_by_topic):
         with pytest.raises(ValueError, match=said):
@@ -282,7 +282,9 @@ def test_a_question_about_a_name_that_cannot_be_says_so(observer: zbot.Node) -> 
         observer.count_clients("a b")
 
 
-def test_infos_tell_node_type_and_quality(make_node: MakeNode, observer: zbot.Node) -> None:
+def test_endpoint_infos_have_node_type_and_quality_of_service(
+    make_node: MakeNode, observer: zbot.Node
+) -> None:
     node = make_node("robot", namespace="/fleet")
     profile = QoSProfile(depth=7, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     publisher = node.create_publisher(String, "/map", profile)
@@ -300,7 +302,7 @@ def test_infos_tell_node_type_and_quality(make_node: MakeNode, observer: zbot.No
     assert observer.get_publishers_info_by_topic("/nothing") == []
 
 
-def test_counting_sorts_the_graph_anew_only_after_a_change(make_node: MakeNode) -> None:
+def test_the_graph_is_sorted_again_only_after_a_change(make_node: MakeNode) -> None:
     node = make_node("node")
     publisher = node.create_publisher(String, "chatter", 10)
     subscription = node.create_subscription(String, "chatter", print, 10)
@@ -324,13 +326,13 @@ def test_waiting_for_a_node_ends_when_it_comes(make_node: MakeNode, observer: zb
     assert observer.wait_for_node("fleet/late", timeout=0)
 
 
-def test_waiting_for_a_node_gives_up_in_time(observer: zbot.Node) -> None:
+def test_waiting_for_a_node_ends_at_the_timeout(observer: zbot.Node) -> None:
     begin = time.monotonic()
     assert not observer.wait_for_node("/nobody", timeout=0.02)
     assert time.monotonic() - begin < allowed(1)
 
 
-def test_listeners_hear_of_what_is_there_and_of_every_change(
+def test_listeners_are_notified_of_the_present_graph_and_of_every_change(
     make_node: MakeNode, observer: zbot.Node
 ) -> None:
     class Listener:
@@ -357,9 +359,7 @@ def test_listeners_hear_of_what_is_there_and_of_every_change(
     assert listener.heard == expected
 
 
-def test_a_destroyed_node_leaves_nothing_in_the_graph(
-    make_node: MakeNode, observer: zbot.Node
-) -> None:
+def test_a_destroyed_node_leaves_the_graph(make_node: MakeNode, observer: zbot.Node) -> None:
     node = make_node("robot")
     node.create_publisher(String, "chatter", 10)
     node.create_subscription(String, "chatter", print, 10)
@@ -373,7 +373,7 @@ def test_a_destroyed_node_leaves_nothing_in_the_graph(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGKILL")
-def test_a_killed_process_is_gone_within_a_second(start: Start, observer: zbot.Node) -> None:
+def test_a_killed_process_leaves_the_graph_in_a_second(start: Start, observer: zbot.Node) -> None:
     assert observer.get_node_names() == ["observer"]
     guest = start(source=NODE)
     guest.wait_for("ready")
@@ -383,7 +383,7 @@ def test_a_killed_process_is_gone_within_a_second(start: Start, observer: zbot.N
     assert observer.count_publishers("/chatter") == 0
 
 
-def test_a_process_that_ends_takes_its_nodes_along(start: Start, observer: zbot.Node) -> None:
+def test_the_nodes_of_a_finished_process_leave_the_graph(start: Start, observer: zbot.Node) -> None:
     guest = start(source=NODE)
     guest.wait_for("ready")
     assert observer.wait_for_node("/guest", timeout=2)

@@ -1,4 +1,4 @@
-"""What a node's parts give for `handle`, and what is left of them when they are destroyed."""
+"""Tests of the `handle` of nodes and of their entities, also after their destruction."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
     MakeContext = Callable[[], zbot.Context]
 
-PARTS: dict[str, Callable[[zbot.Node], Any]] = {
+ENTITIES: dict[str, Callable[[zbot.Node], Any]] = {
     "publisher": lambda node: node.create_publisher(String, "chatter", 1),
     "subscription": lambda node: node.create_subscription(String, "chatter", print, 1),
     "service": lambda node: node.create_service(Trigger, "go", lambda _, response: response),
@@ -33,9 +33,9 @@ def node(make_context: MakeContext) -> zbot.Node:
     return zbot.Node("owner", context=make_context())
 
 
-@pytest.mark.parametrize("kind", PARTS)
-def test_a_handle_can_be_held_until_its_part_is_destroyed(node: zbot.Node, kind: str) -> None:
-    part = PARTS[kind](node)
+@pytest.mark.parametrize("kind", ENTITIES)
+def test_a_handle_is_valid_until_its_entity_is_destroyed(node: zbot.Node, kind: str) -> None:
+    part = ENTITIES[kind](node)
     with part.handle, part.handle:
         pass
     assert getattr(node, f"destroy_{kind}")(part)
@@ -43,32 +43,30 @@ def test_a_handle_can_be_held_until_its_part_is_destroyed(node: zbot.Node, kind:
         pass
 
 
-def test_a_node_lists_its_own_parts_alone(node: zbot.Node) -> None:
-    make = PARTS["publisher"]
+def test_a_node_lists_only_its_own_entities(node: zbot.Node) -> None:
+    make = ENTITIES["publisher"]
     make(node)
     assert [one.topic_name for one in node.publishers] == ["/parameter_events", "/chatter"]
 
 
-def test_a_destroyed_node_has_no_parts(node: zbot.Node) -> None:
-    for make in PARTS.values():
+def test_a_destroyed_node_has_no_entities(node: zbot.Node) -> None:
+    for make in ENTITIES.values():
         make(node)
     node.destroy_node()
-    for kind in PARTS:
+    for kind in ENTITIES:
         assert list(getattr(node, f"{kind}s")) == []
 
 
-def test_log_lines_do_not_pass_a_replaced_publish(
-    node: zbot.Node, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_log_lines_use_the_real_publish(node: zbot.Node, monkeypatch: pytest.MonkeyPatch) -> None:
     heard: list[str] = []
     monkeypatch.setattr(Publisher, "publish", lambda _, msg: heard.append(msg.data))
     node.get_logger().warning("this goes to /rosout all the same")
-    PARTS["publisher"](node).publish(String(data="mine"))
+    ENTITIES["publisher"](node).publish(String(data="mine"))
     assert heard == ["mine"]
 
 
 def test_a_request_can_be_taken_and_answered_without_an_executor(node: zbot.Node) -> None:
-    service, client = PARTS["service"](node), PARTS["client"](node)
+    service, client = ENTITIES["service"](node), ENTITIES["client"](node)
     assert client.wait_for_service(5)
     assert service.handle.service_take_request(Trigger.Request) == (None, None)
     future = client.call_async(Trigger.Request())
@@ -81,12 +79,12 @@ def test_a_request_can_be_taken_and_answered_without_an_executor(node: zbot.Node
     assert future.result().message == "by hand"
 
 
-def test_a_client_tells_of_responses_until_it_is_told_not_to(node: zbot.Node) -> None:
-    client = PARTS["client"](node)
-    PARTS["service"](node)
+def test_a_response_callback_is_called_until_it_is_cleared(node: zbot.Node) -> None:
+    client = ENTITIES["client"](node)
+    ENTITIES["service"](node)
     assert client.wait_for_service(5)
-    told: list[int] = []
-    client.handle.set_on_new_response_callback(told.append)
+    counts: list[int] = []
+    client.handle.set_on_new_response_callback(counts.append)
 
     def call() -> None:
         future = client.call_async(Trigger.Request())
@@ -94,7 +92,7 @@ def test_a_client_tells_of_responses_until_it_is_told_not_to(node: zbot.Node) ->
         assert future.done()
 
     call()
-    assert wait_until(lambda: told == [1])
+    assert wait_until(lambda: counts == [1])
     client.handle.clear_on_new_response_callback()
     call()
-    assert told == [1]
+    assert counts == [1]

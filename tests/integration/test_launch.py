@@ -1,4 +1,4 @@
-"""Launches inside of this process: the service, its events, managed nodes, ROS 2's names."""
+"""Tests of launches in this process: the service, events, managed nodes, ROS 2's names."""
 
 from __future__ import annotations
 
@@ -67,13 +67,13 @@ def _run(*entities: Any) -> int:
     return service.run()
 
 
-def _said(capsys: pytest.CaptureFixture[str]) -> list[str]:
+def _logged_messages(capsys: pytest.CaptureFixture[str]) -> list[str]:
     out = capsys.readouterr().out.splitlines()
     start = "[INFO] [launch.user]: "
     return [line.removeprefix(start) for line in out if line.startswith(start)]
 
 
-def test_a_group_keeps_what_it_sets(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_group_keeps_its_configurations_to_itself(capsys: pytest.CaptureFixture[str]) -> None:
     def tell() -> LogInfo:
         return LogInfo(
             msg=[LaunchConfiguration("x"), " ", EnvironmentVariable("COLOUR", default_value="-")]
@@ -82,14 +82,14 @@ def test_a_group_keeps_what_it_sets(capsys: pytest.CaptureFixture[str]) -> None:
     sets = [SetLaunchConfiguration("x", "2"), SetEnvironmentVariable("COLOUR", "red"), tell()]
     first = SetLaunchConfiguration("x", "1")
     assert _run(first, GroupAction(sets), tell(), GroupAction(sets, scoped=False), tell()) == 0
-    assert _said(capsys) == ["2 red", "1 -", "2 red", "2 red"]
+    assert _logged_messages(capsys) == ["2 red", "1 -", "2 red", "2 red"]
 
 
-def test_a_group_may_see_only_what_it_is_given(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_group_may_have_only_given_configurations(capsys: pytest.CaptureFixture[str]) -> None:
     inner = LogInfo(msg=[LaunchConfiguration("x", default="none"), LaunchConfiguration("y")])
     group = GroupAction([inner], forwarding=False, launch_configurations={"y": "2"})
     assert _run(SetLaunchConfiguration("x", "1"), group) == 0
-    assert _said(capsys) == ["none2"]
+    assert _logged_messages(capsys) == ["none2"]
 
 
 def test_functions_and_coroutines_are_actions(capsys: pytest.CaptureFixture[str]) -> None:
@@ -106,7 +106,7 @@ def test_functions_and_coroutines_are_actions(capsys: pytest.CaptureFixture[str]
         TimerAction(period=60.0, actions=[LogInfo(msg="never")]),
     )
     assert code == 0
-    assert _said(capsys) == ["abab!"]
+    assert _logged_messages(capsys) == ["abab!"]
 
 
 def test_a_coroutine_that_raises_ends_the_launch(capsys: pytest.CaptureFixture[str]) -> None:
@@ -117,9 +117,7 @@ def test_a_coroutine_that_raises_ends_the_launch(capsys: pytest.CaptureFixture[s
     assert "[ERROR] [launch]: ValueError: oh" in capsys.readouterr().out
 
 
-def test_handlers_see_events_until_they_are_unregistered(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_handlers_get_events_until_unregistered(capsys: pytest.CaptureFixture[str]) -> None:
     class Ping(Event):
         pass
 
@@ -132,16 +130,16 @@ def test_handlers_see_events_until_they_are_unregistered(
         TimerAction(period=0.01, actions=[UnregisterEventHandler(handler), after]),
     )
     assert code == 0
-    assert _said(capsys) == ["ping"]
+    assert _logged_messages(capsys) == ["ping"]
 
 
-def test_a_handler_may_act_once(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_handler_may_run_once(capsys: pytest.CaptureFixture[str]) -> None:
     done = LogInfo(msg="a")
     handler = OnExecutionComplete(
         target_action=done, on_completion=[LogInfo(msg="done")], handle_once=True
     )
     assert _run(RegisterEventHandler(handler), done, done) == 0
-    assert _said(capsys) == ["a", "a", "done"]
+    assert _logged_messages(capsys) == ["a", "a", "done"]
 
 
 def test_a_process_can_be_written_to_and_stopped(capsys: pytest.CaptureFixture[str]) -> None:
@@ -162,7 +160,7 @@ def test_a_process_can_be_written_to_and_stopped(capsys: pytest.CaptureFixture[s
     assert "[reader-1] got hello" in capsys.readouterr().out
 
 
-def test_what_a_process_wrote_can_be_kept() -> None:
+def test_output_of_a_process_can_be_cached() -> None:
     process = _python("import sys; print('out'); print('err', file=sys.stderr)", cached_output=True)
     assert _run(process) == 0
     assert (process.get_stdout(), process.get_stderr()) == (b"out\n", b"err\n")
@@ -178,7 +176,7 @@ def test_processes_follow_one_another(capsys: pytest.CaptureFixture[str]) -> Non
     assert out.index("[first-1] first") < out.index("[second-3] second")
 
 
-def test_the_service_runs_in_a_thread_until_it_is_told_to_end() -> None:
+def test_the_service_runs_in_a_thread_until_its_shutdown() -> None:
     service = LaunchService(noninteractive=True)
     codes: list[int] = []
     thread = threading.Thread(target=lambda: codes.append(service.run(shutdown_when_idle=False)))
@@ -194,7 +192,7 @@ def test_the_service_runs_in_a_thread_until_it_is_told_to_end() -> None:
 
 
 @pytest.mark.parametrize("code", [0, 3])
-def test_a_program_that_dies_is_no_failure_of_the_launch(code: int) -> None:
+def test_a_failed_program_is_not_a_failure_of_the_launch(code: int) -> None:
     service = LaunchService(noninteractive=True)
     service.include_launch_description(LaunchDescription([_python(f"raise SystemExit({code})")]))
     assert service.run() == 0
@@ -202,7 +200,7 @@ def test_a_program_that_dies_is_no_failure_of_the_launch(code: int) -> None:
 
 
 @pytest.mark.usefixtures("domain")
-def test_managed_nodes_are_led_and_heard_of(capsys: pytest.CaptureFixture[str]) -> None:
+def test_managed_nodes_change_their_state_and_report_it(capsys: pytest.CaptureFixture[str]) -> None:
     node = LifecycleNode(package="zbot", executable="lifecycle_talker", name="lc", namespace="")
 
     def change(number: int) -> EmitEvent:
@@ -231,7 +229,7 @@ def test_managed_nodes_are_led_and_heard_of(capsys: pytest.CaptureFixture[str]) 
         ),
     )
     assert code == 0
-    assert _said(capsys) == ["inactive", "active"]
+    assert _logged_messages(capsys) == ["inactive", "active"]
 
 
 @pytest.mark.parametrize(
@@ -270,12 +268,12 @@ def test_ros2s_names_are_importable(module: str, names: str) -> None:
         assert getattr(imported, name) is not None
 
 
-def test_installed_packages_win_unless_zbots_own_are_preferred(
+def test_installed_packages_are_imported_unless_zbots_are_preferred(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "launch_yaml").mkdir()
     (tmp_path / "launch_yaml" / "__init__.py").touch()
-    (tmp_path / "launch_xml").mkdir()  # a folder of that name, but no package
+    (tmp_path / "launch_xml").mkdir()  # a folder of that name that is not a package
     monkeypatch.syspath_prepend(str(tmp_path))
     monkeypatch.setattr(zbot.compat, "_preferred", set())
     monkeypatch.delitem(sys.modules, "launch_yaml", raising=False)
@@ -295,7 +293,7 @@ def _origin(name: str) -> Path:
 
 
 @pytest.mark.usefixtures("domain")
-def test_the_launchs_own_node_can_be_started_again() -> None:
+def test_the_node_of_a_launch_can_be_started_again() -> None:
     adapter = LaunchNode()
     first, fired = adapter.ros_node, threading.Event()
     assert first is not None

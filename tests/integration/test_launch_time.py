@@ -1,4 +1,4 @@
-"""Timers of launch files in simulated time."""
+"""Tests of timers of launch files in simulated time."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def _timer() -> RosTimer:
         lambda: [GroupAction([SetParameter("use_sim_time", True), _timer()])],
     ],
 )
-def test_an_hour_passes_as_the_simulation_says(
+def test_timers_follow_simulated_time(
     describe: Callable[[], list[Any]],
     make_context: Callable[[], zbot.Context],
     spin: Callable[..., object],
@@ -63,8 +63,8 @@ def test_an_hour_passes_as_the_simulation_says(
     ended: list[str] = []
     too_late = TimerAction(period=_PATIENCE_S, actions=[Shutdown(reason="no hour has passed")])
     service = LaunchService(noninteractive=True)
-    told = OnShutdown(on_shutdown=lambda event, _: ended.append(event.reason))
-    entities = [RegisterEventHandler(told), *describe(), too_late]
+    handler = OnShutdown(on_shutdown=lambda event, _: ended.append(event.reason))
+    entities = [RegisterEventHandler(handler), *describe(), too_late]
     service.include_launch_description(LaunchDescription(entities))
     assert service.run() == 0
     assert ended == ["an hour"]

@@ -1,4 +1,4 @@
-"""Managed nodes, driven by their own methods and by other nodes."""
+"""Tests of managed nodes, driven by their own methods and by other nodes."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ ACTIVE = LifecycleState("active", 3)
 
 
 class Robot(LifecycleNode):
-    """Does in each callback what a test plans; otherwise, what managed nodes do."""
+    """Managed node whose callbacks run functions of the test, or else the default."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__("robot", **options)
@@ -110,7 +110,7 @@ def change(context: zbot.Context, *, number: int = 0, label: str = "") -> bool:
 # -- by its own methods ------------------------------------------------------------------------
 
 
-def test_a_whole_life(robot: Robot) -> None:
+def test_a_node_passes_through_all_states(robot: Robot) -> None:
     assert robot.label == "unconfigured"
     for trigger, label in (
         (robot.trigger_configure, "inactive"),
@@ -144,7 +144,7 @@ def test_shutdown_works_from_every_state(robot: Robot, state: str) -> None:
         robot.trigger_shutdown()
 
 
-def test_a_failure_leads_back(robot: Robot) -> None:
+def test_a_failure_returns_to_the_previous_state(robot: Robot) -> None:
     robot.plan = {"configure": Outcome.FAILURE}
     assert robot.trigger_configure() is Outcome.FAILURE
     assert robot.label == "unconfigured"
@@ -178,9 +178,7 @@ def test_an_error_is_handled_by_on_error(robot: Robot, handled: object, label: s
     assert robot.label == label
 
 
-def test_an_exception_is_an_error_and_is_logged_from_its_own_line(
-    robot: Robot, logged: list[Record]
-) -> None:
+def test_an_exception_is_an_error_logged_with_its_line(robot: Robot, logged: list[Record]) -> None:
     robot.plan = {"configure": ValueError("no camera")}
     assert robot.trigger_configure() is Outcome.ERROR
     assert robot.label == "unconfigured"
@@ -192,7 +190,7 @@ def test_an_exception_is_an_error_and_is_logged_from_its_own_line(
 
 
 async def never() -> None:
-    """Is never awaited."""
+    """A coroutine that is never awaited."""
 
 
 @pytest.mark.parametrize("returned", [None, True, 97, never])
@@ -208,12 +206,12 @@ def test_another_return_value_is_an_error(
     )
 
 
-def test_a_transition_out_of_turn_is_refused_and_logged(robot: Robot, logged: list[Record]) -> None:
+def test_an_impossible_transition_is_refused_and_logged(robot: Robot, logged: list[Record]) -> None:
     assert robot.trigger_activate() is Outcome.ERROR
     assert robot.calls == []
     assert logged[-1].message == (
         "no transition 'activate' from the state unconfigured: "
-        "possible are configure [1], shutdown [5]"
+        "possible transitions: configure [1], shutdown [5]"
     )
 
 
@@ -240,13 +238,13 @@ def test_a_callback_may_destroy_its_node(robot: Robot) -> None:
     assert robot.label == "finalized"
 
 
-def test_the_end_of_the_context_leaves_a_callback(robot: Robot) -> None:
+def test_a_shutdown_of_the_context_ends_a_callback(robot: Robot) -> None:
     robot.plan = {"configure": zbot.ExternalShutdownException()}
     with pytest.raises(zbot.ExternalShutdownException):
         robot.trigger_configure()
 
 
-def test_names_that_students_like_are_theirs(make_context: MakeContext) -> None:
+def test_a_derived_class_may_use_common_attribute_names(make_context: MakeContext) -> None:
     class Student(LifecycleNode):
         def __init__(self) -> None:
             super().__init__("student", context=make_context())
@@ -258,14 +256,14 @@ def test_names_that_students_like_are_theirs(make_context: MakeContext) -> None:
 
 
 def test_the_mixin_needs_a_node() -> None:
-    class Loner(LifecycleNodeMixin):
+    class MixinWithoutNode(LifecycleNodeMixin):
         pass
 
-    with pytest.raises(NotANodeError, match=r"^Loner is no node"):
-        Loner()
+    with pytest.raises(NotANodeError, match=r"^MixinWithoutNode is not a node"):
+        MixinWithoutNode()
 
 
-def test_the_mixin_makes_any_node_a_managed_one(make_context: MakeContext) -> None:
+def test_the_mixin_makes_any_node_a_managed_node(make_context: MakeContext) -> None:
     class Talker(LifecycleNodeMixin, zbot.Node):
         def __init__(self) -> None:
             zbot.Node.__init__(self, "talker", context=make_context())
@@ -274,7 +272,7 @@ def test_the_mixin_makes_any_node_a_managed_one(make_context: MakeContext) -> No
     assert Talker().trigger_configure() is Outcome.SUCCESS
 
 
-# What each callback may lead to, by its outcome; the error of the first is left to on_error.
+# The possible next states of each callback by its outcome; on_error handles the first error.
 GOALS = {
     ("unconfigured", "configure"): {"SUCCESS": "inactive", "FAILURE": "unconfigured"},
     ("inactive", "activate"): {"SUCCESS": "active", "FAILURE": "inactive"},
@@ -300,7 +298,7 @@ def test_any_order_of_triggers_and_outcomes_follows_the_table(
         motor = Motor()
         robot.add_managed_entity(motor)
         for trigger, outcome, handled in steps:
-            before, told = robot.label, len(robot.calls)
+            before, calls_before = robot.label, len(robot.calls)
             robot.plan = {trigger: outcome, "error": handled}
             goals = GOALS.get((before, trigger))
             if goals is None and trigger == "shutdown":
@@ -309,13 +307,17 @@ def test_any_order_of_triggers_and_outcomes_follows_the_table(
                 continue
             returned = getattr(robot, f"trigger_{trigger}")()
             if goals is None:
-                assert (returned, robot.label, len(robot.calls)) == (Outcome.ERROR, before, told)
+                assert (returned, robot.label, len(robot.calls)) == (
+                    Outcome.ERROR,
+                    before,
+                    calls_before,
+                )
             elif outcome is Outcome.ERROR:
-                assert robot.calls[told:] == [(trigger, before), ("error", before)]
+                assert robot.calls[calls_before:] == [(trigger, before), ("error", before)]
                 rescued = handled is Outcome.SUCCESS
                 assert robot.label == ("unconfigured" if rescued else "finalized")
             else:
-                assert robot.calls[told:] == [(trigger, before)]
+                assert robot.calls[calls_before:] == [(trigger, before)]
                 assert (returned, robot.label) == (outcome, goals[outcome.name])
             assert motor.is_activated == (robot.label == "active")
 
@@ -333,7 +335,7 @@ class Recorder(ManagedEntity):
         return self.outcome  # type: ignore[no-any-return]
 
 
-def test_entities_are_told_in_order_until_one_does_not_succeed(make_context: MakeContext) -> None:
+def test_entities_are_called_in_order_until_one_fails(make_context: MakeContext) -> None:
     node = LifecycleNode("plain", context=make_context())
     first, second, third = Recorder(), Recorder(Outcome.FAILURE), Recorder()
     for entity in (first, first, second, third):
@@ -342,7 +344,7 @@ def test_entities_are_told_in_order_until_one_does_not_succeed(make_context: Mak
     assert (first.states, second.states, third.states) == ([UNCONFIGURED], [UNCONFIGURED], [])
 
 
-def test_an_entity_that_returns_nothing_is_named(
+def test_an_entity_callback_that_returns_nothing_is_reported(
     make_context: MakeContext, logged: list[Record]
 ) -> None:
     node = LifecycleNode("plain", context=make_context())
@@ -386,7 +388,7 @@ def test_a_simple_entity_works_while_its_node_is_active(robot: Robot) -> None:
 
 
 @pytest.mark.parametrize("ending", ["deactivate", "shutdown", "failed deactivation", "error"])
-def test_nothing_works_in_a_node_that_is_not_active(robot: Robot, ending: str) -> None:
+def test_entities_of_an_inactive_node_do_nothing(robot: Robot, ending: str) -> None:
     motor = Motor()
     robot.add_managed_entity(motor)
     robot.trigger_configure()
@@ -394,7 +396,7 @@ def test_nothing_works_in_a_node_that_is_not_active(robot: Robot, ending: str) -
     if ending == "shutdown":
         robot.trigger_shutdown()
     else:
-        # Robot's own on_deactivate does not tell its entities.
+        # Robot's own on_deactivate does not call its entities.
         robot.plan = {"deactivate": Outcome.ERROR if ending == "error" else Outcome.SUCCESS}
         if ending == "failed deactivation":
             robot.plan = {"deactivate": Outcome.FAILURE}
@@ -455,18 +457,18 @@ def test_services_and_topic_are_those_of_ros2(robot: Robot) -> None:
     assert topics["/robot/transition_event"] == ["lifecycle_msgs/msg/TransitionEvent"]
 
 
-def test_the_state_machine_knows_its_services(robot: Robot) -> None:
+def test_the_state_machine_has_its_services(robot: Robot) -> None:
     service: Any = robot._state_machine.service_change_state
     assert service.service_name == "/robot/change_state"
 
 
-def test_the_interface_is_switched_by_a_bool(make_context: MakeContext) -> None:
+def test_the_interface_is_enabled_by_a_bool(make_context: MakeContext) -> None:
     wrong: Any = "no"
     with pytest.raises(TypeError, match="must be a bool, not str"):
         Robot(context=make_context(), enable_communication_interface=wrong)
 
 
-def test_without_the_interface_there_is_none(make_context: MakeContext) -> None:
+def test_a_node_without_the_interface_has_no_services(make_context: MakeContext) -> None:
     robot = Robot(context=make_context(), enable_communication_interface=False)
     services = robot.get_service_names_and_types_by_node("robot", "/")
     assert not [name for name, types in services if "lifecycle_msgs" in types[0]]
@@ -474,7 +476,7 @@ def test_without_the_interface_there_is_none(make_context: MakeContext) -> None:
     assert robot.trigger_configure() is Outcome.SUCCESS
 
 
-def test_another_node_leads_it_through_its_life(
+def test_another_node_can_trigger_every_transition(
     robot: Robot, make_context: MakeContext, spin: Spin
 ) -> None:
     spin(robot)
@@ -489,7 +491,7 @@ def test_another_node_leads_it_through_its_life(
     assert state() == (2, "inactive")
     assert change(context, label="activate")
     assert state() == (3, "active")
-    # The label wins over the number, as in ROS 2; a wrong one does nothing.
+    # The label has precedence over the number, as in ROS 2; a wrong label has no effect.
     assert not change(context, number=Transition.TRANSITION_DEACTIVATE, label="activate")
     assert not change(context, number=Transition.TRANSITION_CONFIGURE)
     assert not change(context, label="bogus")
@@ -499,7 +501,7 @@ def test_another_node_leads_it_through_its_life(
 
 
 @pytest.mark.parametrize("planned", [Outcome.FAILURE, Outcome.ERROR, ValueError("broken")])
-def test_another_node_learns_that_a_callback_did_not_succeed(
+def test_another_node_is_informed_of_a_failed_callback(
     robot: Robot, make_context: MakeContext, spin: Spin, planned: object
 ) -> None:
     spinner = spin(robot)
@@ -530,9 +532,7 @@ def test_another_node_sees_states_and_transitions(
     assert len(graph.available_transitions) == 25
 
 
-def test_every_step_is_told_on_the_topic(
-    robot: Robot, make_context: MakeContext, spin: Spin
-) -> None:
+def test_every_transition_is_published(robot: Robot, make_context: MakeContext, spin: Spin) -> None:
     heard: list[tuple[str, str, str]] = []
     listener = zbot.Node("listener", context=make_context())
     listener.create_subscription(
@@ -557,9 +557,7 @@ def test_every_step_is_told_on_the_topic(
     ]
 
 
-def test_of_several_callers_at_once_one_changes_the_state(
-    make_context: MakeContext, spin: Spin
-) -> None:
+def test_one_of_several_callers_changes_the_state(make_context: MakeContext, spin: Spin) -> None:
     robot = Robot(context=make_context())
     spin(robot, executor=zbot.MultiThreadedExecutor(4, context=robot.context))
     contexts = [make_context() for _ in range(3)]
@@ -576,7 +574,7 @@ def test_of_several_callers_at_once_one_changes_the_state(
     assert robot.label == "inactive"
 
 
-def test_rclpys_short_names() -> None:
+def test_rclpys_short_names_are_importable() -> None:
     assert lifecycle.Node is lifecycle.LifecycleNode
     assert lifecycle.NodeMixin is lifecycle.LifecycleNodeMixin
     assert lifecycle.State is lifecycle.LifecycleState

@@ -1,4 +1,4 @@
-"""What a node opens to the network: nothing."""
+"""Test that a node opens no port to the network."""
 
 from __future__ import annotations
 

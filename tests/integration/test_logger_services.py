@@ -1,4 +1,4 @@
-"""A node whose loggers' levels others may ask for and set."""
+"""Tests of the services that read and set the levels of a node's loggers."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     Spin = Callable[..., Spinner]
 
 
-def test_levels_are_set_and_told(make_context: MakeContext, spin: Spin) -> None:
+def test_levels_can_be_set_and_read(make_context: MakeContext, spin: Spin) -> None:
     node = zbot.Node("talkative", context=make_context(), enable_logger_service=True)
     spin(node)
     setting = node.create_client(SetLoggerLevels, "talkative/set_logger_levels")
@@ -31,8 +31,8 @@ def test_levels_are_set_and_told(make_context: MakeContext, spin: Spin) -> None:
         assert reasons == ["", "Failed reason: Invalid logger level."]
         assert get_logger_level("a.b") is LoggingSeverity.DEBUG
         asking = node.create_client(GetLoggerLevels, "talkative/get_logger_levels")
-        told = asking.call(GetLoggerLevels.Request(names=["a.b", "nobody"])).levels
-        assert [(one.name, one.level) for one in told] == [("a.b", 10), ("nobody", 0)]
+        levels = asking.call(GetLoggerLevels.Request(names=["a.b", "nobody"])).levels
+        assert [(one.name, one.level) for one in levels] == [("a.b", 10), ("nobody", 0)]
     finally:
         clear_config()
 

@@ -1,6 +1,6 @@
-"""A Ctrl-C that comes between Python's last look at signals and its sleep wakes nobody.
+"""Tests of signals that do not interrupt a sleep by themselves.
 
-A signal that another thread gets does the same: nothing interrupts the sleep of the main one.
+Such a Ctrl-C comes between Python's last check for signals and its sleep, or to another thread.
 """
 
 from __future__ import annotations

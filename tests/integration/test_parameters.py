@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     Spin = Callable[..., Spinner]
 
 Type = Parameter.Type
-SPEED: Any = [Parameter("speed", value=1)]  # what rclpy takes for messages
+SPEED: Any = [Parameter("speed", value=1)]  # rclpy accepts these in place of messages
 
 
 @pytest.fixture
@@ -191,7 +191,7 @@ def test_wrong_arguments_are_refused(node: zbot.Node) -> None:
 
 def test_callbacks_come_and_go(node: zbot.Node) -> None:
     node.declare_parameter("speed", 1.0)
-    told: list[float] = []
+    announced: list[float] = []
 
     def double(given: list[Parameter[Any]]) -> list[Parameter[Any]]:
         return [Parameter(one.name, value=one.value * 2) for one in given]
@@ -200,7 +200,7 @@ def test_callbacks_come_and_go(node: zbot.Node) -> None:
         return SetParametersResult(successful=given[0].value < 10, reason="too fast")
 
     def tell(given: list[Parameter[Any]]) -> None:
-        told.append(given[0].value)
+        announced.append(given[0].value)
 
     node.add_pre_set_parameters_callback(double)
     node.add_on_set_parameters_callback(refuse)
@@ -216,10 +216,10 @@ def test_callbacks_come_and_go(node: zbot.Node) -> None:
     node.remove_post_set_parameters_callback(tell)
     assert node._on_set_parameters_callbacks == []
     assert node.set_parameters_atomically([Parameter("speed", value=99.0)]).successful
-    assert told == [6.0]
+    assert announced == [6.0]
 
 
-def test_a_callback_that_forgets_to_return_refuses_and_says_so(node: zbot.Node) -> None:
+def test_a_callback_that_returns_nothing_refuses_with_a_log_line(node: zbot.Node) -> None:
     node.declare_parameter("speed", 1.0)
 
     def forgetful(_: list[Parameter[Any]]) -> Any:
@@ -231,9 +231,7 @@ def test_a_callback_that_forgets_to_return_refuses_and_says_so(node: zbot.Node) 
     assert "forgetful returned None" in result.reason
 
 
-def test_overrides_come_from_everywhere_and_the_nearest_wins(
-    make_context: MakeContext, tmp_path: Path
-) -> None:
+def test_overrides_have_an_order_of_precedence(make_context: MakeContext, tmp_path: Path) -> None:
     path = tmp_path / "p.yaml"
     path.write_text(
         "/**:\n  ros__parameters: {a: 1, b: 1, c: 1, d: 1}\n"
@@ -264,9 +262,7 @@ def test_undeclared_parameters_are_allowed_on_request(make_context: MakeContext)
     assert node.get_parameter("x").value == 1
 
 
-def test_a_program_may_use_the_names_that_rclpy_keeps_for_itself(
-    make_context: MakeContext,
-) -> None:
+def test_a_program_may_use_rclpys_private_names(make_context: MakeContext) -> None:
     class Mine(zbot.Node):
         def __init__(self) -> None:
             super().__init__("mine", context=make_context())
@@ -338,13 +334,13 @@ def test_another_node_sets_and_deletes(node: zbot.Node, client: AsyncParameterCl
         Parameter("speed", value="fast"),
         ParameterMsg(name="free", value=ParameterValue(type=42)),
     ]
-    told: list[Any] = []
-    results = answer(client.set_parameters(wanted, told.append)).results
+    responses: list[Any] = []
+    results = answer(client.set_parameters(wanted, responses.append)).results
     assert [one.successful for one in results] == [True, True, False, False, False]
     assert "'nope'" in results[2].reason
     assert "expected 'double' got 'string'" in results[3].reason
     assert "unexpected parameter type 42" in results[4].reason
-    assert wait_until(lambda: len(told) == 1)
+    assert wait_until(lambda: len(responses) == 1)
     assert node.get_parameter("speed").value == 2.0
     both = [Parameter("speed", value=3.0), Parameter("nope", value=1)]
     assert not answer(client.set_parameters_atomically(both)).result.successful
@@ -373,7 +369,7 @@ def test_another_node_loads_a_file(
     assert node.get_parameter("gains").value == [1.0, 2.5]
 
 
-def test_a_node_that_is_not_there_is_not_waited_for(make_context: MakeContext) -> None:
+def test_an_absent_node_is_not_waited_for(make_context: MakeContext) -> None:
     client = AsyncParameterClient(zbot.Node("asking", context=make_context()), "nobody")
     assert not client.services_are_ready()
     assert not client.wait_for_services(0.01)
@@ -414,7 +410,7 @@ def test_every_change_is_published(node: zbot.Node, client: AsyncParameterClient
     assert subscription.topic_name == "/parameter_events"
 
 
-def test_a_handler_calls_those_whom_a_change_concerns(
+def test_a_handler_calls_the_callbacks_of_the_changed_parameter(
     node: zbot.Node, make_context: MakeContext, spin: Spin
 ) -> None:
     watcher = zbot.Node("watcher", context=make_context(), namespace="lab")
@@ -457,13 +453,13 @@ def test_callbacks_of_a_handler_are_kept_under_rclpys_names(node: zbot.Node) -> 
     assert not callbacks.parameter_callbacks
 
 
-def test_an_event_that_holds_parameters_themselves_is_not_sent(node: zbot.Node) -> None:
+def test_an_event_with_parameters_instead_of_messages_is_refused(node: zbot.Node) -> None:
     publisher = node.create_publisher(ParameterEvent, "events", 1)
     with pytest.raises(zbot.ZbotError, match="new_parameters"):
         publisher.publish(ParameterEvent(new_parameters=SPEED))
 
 
-def test_a_handler_can_be_told_of_some_nodes_only(
+def test_a_handler_can_be_limited_to_some_nodes(
     node: zbot.Node, make_context: MakeContext, spin: Spin
 ) -> None:
     watcher = zbot.Node("watcher", context=make_context(), namespace="lab")
@@ -520,7 +516,7 @@ def test_parameters_override_quality_of_service(make_context: MakeContext) -> No
     assert node.describe_parameter("qos_overrides./scan.publisher.depth").read_only
 
 
-def test_quality_of_service_that_makes_no_sense_is_refused(make_context: MakeContext) -> None:
+def test_invalid_quality_of_service_is_refused(make_context: MakeContext) -> None:
     wrong = [Parameter("qos_overrides./scan.publisher.reliability", value="relaible")]
     node = zbot.Node("tuned", context=make_context(), parameter_overrides=wrong)
     with pytest.raises(UnknownQoSKeyError, match="relaible"):

@@ -1,4 +1,4 @@
-"""Names that begin with `_`, which programs for rclpy use of their nodes nevertheless."""
+"""Tests of private names of rclpy's nodes that programs use."""
 
 from __future__ import annotations
 
@@ -31,20 +31,20 @@ def node(make_context: MakeContext) -> zbot.Node:
     return zbot.Node("insider", context=make_context())
 
 
-def test_logger_clock_and_context(node: zbot.Node) -> None:
+def test_logger_clock_and_context_have_private_names(node: zbot.Node) -> None:
     assert node._logger is node.get_logger()
     assert node._clock is node.get_clock()
     assert node._context is node.context
 
 
 @pytest.mark.parametrize("kind", MAKE)
-def test_lists_of_what_it_has(node: zbot.Node, kind: str) -> None:
+def test_lists_of_entities_have_private_names(node: zbot.Node, kind: str) -> None:
     made = MAKE[kind](node)
     assert getattr(node, f"_{kind}")[-1] is made
     assert list(getattr(node, kind))[-1] is made
 
 
-def test_a_program_may_use_the_names_for_something_else(make_context: MakeContext) -> None:
+def test_a_program_may_assign_the_private_names(make_context: MakeContext) -> None:
     class Mine(zbot.Node):
         def __init__(self) -> None:
             self._timers: dict[str, zbot.Timer] = {}
@@ -58,13 +58,13 @@ def test_a_program_may_use_the_names_for_something_else(make_context: MakeContex
 
 
 @pytest.mark.parametrize("kind", MAKE)
-def test_another_default_group_by_assignment(node: zbot.Node, kind: str) -> None:
+def test_the_default_group_can_be_assigned(node: zbot.Node, kind: str) -> None:
     group = node._default_callback_group = zbot.ReentrantCallbackGroup()
     assert MAKE[kind](node).callback_group is group
     assert node.default_callback_group is group
 
 
-def test_another_default_group_by_a_property(make_context: MakeContext) -> None:
+def test_the_default_group_can_be_overridden_by_a_property(make_context: MakeContext) -> None:
     class Free(zbot.Node):
         @property
         def default_callback_group(self) -> zbot.CallbackGroup:

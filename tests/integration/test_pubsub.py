@@ -1,4 +1,4 @@
-"""Messages between two contexts of one process, over the real wire."""
+"""Tests of messages between two contexts of one process, over Zenoh."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from tests.conftest import wait_until
 from zbot.errors import InvalidHandleError
 from zbot.executor.errors import CallbackSignatureError
 from zbot.node.errors import MessageTypeError
-from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 from zbot.wire.serialization import deserialize_message, serialize_message
 
 from rcl_interfaces.msg import Log
@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 LATCHED = QoSProfile(depth=3, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
+BEST_EFFORT = QoSProfile(depth=10, reliability=ReliabilityPolicy.BEST_EFFORT)
 
 
 @pytest.fixture
@@ -59,10 +60,50 @@ def lines_about(logged: list[Record], text: str) -> list[str]:
     return [record.message for record in logged if text in record.message]
 
 
+# -- acknowledgements ------------------------------------------------------------------------------
+
+
+def test_messages_to_another_session_are_not_known_to_be_acknowledged(
+    talker: zbot.Node, listener: zbot.Node
+) -> None:
+    publisher = talker.create_publisher(String, "chatter", 10)
+    listener.create_subscription(String, "chatter", print, 10)
+    await_match(publisher)
+    assert publisher.wait_for_all_acked(zbot.Duration(seconds=1))  # nothing was published
+    publisher.publish(String(data="hi"))
+    assert not publisher.wait_for_all_acked(zbot.Duration(seconds=1))
+    assert not publisher.wait_for_all_acked()
+    listener.destroy_node()
+    await_match(publisher, 0)
+    assert publisher.wait_for_all_acked()
+
+
+@pytest.mark.parametrize(
+    ("offered", "requested"), [(BEST_EFFORT, KEEP_ALL), (KEEP_ALL, BEST_EFFORT)]
+)
+def test_best_effort_needs_no_acknowledgement(
+    offered: QoSProfile, requested: QoSProfile, talker: zbot.Node, listener: zbot.Node
+) -> None:
+    publisher = talker.create_publisher(String, "chatter", offered)
+    listener.create_subscription(String, "chatter", print, requested)
+    await_match(publisher)
+    publisher.publish(String(data="hi"))
+    assert publisher.wait_for_all_acked()
+
+
+def test_a_subscription_of_the_same_context_acknowledges_at_once(talker: zbot.Node) -> None:
+    subscription = talker.create_subscription(String, "chatter", print, 10)
+    publisher = talker.create_publisher(String, "chatter", 10)
+    await_match(publisher)
+    publisher.publish(String(data="hi"))
+    assert publisher.wait_for_all_acked()
+    assert wait_until(lambda: subscription.has_work, timeout_s=2)
+
+
 # -- delivery --------------------------------------------------------------------------------------
 
 
-def test_a_message_arrives_whole(talker: zbot.Node, listener: zbot.Node, spin: Spin) -> None:
+def test_a_message_arrives_unchanged(talker: zbot.Node, listener: zbot.Node, spin: Spin) -> None:
     inbox: list[String] = []
     listener.create_subscription(String, "chatter", inbox.append, 10)
     publisher = talker.create_publisher(String, "chatter", 10)
@@ -72,7 +113,7 @@ def test_a_message_arrives_whole(talker: zbot.Node, listener: zbot.Node, spin: S
     assert inbox == [String(data="grüße")]
 
 
-def test_the_first_message_reaches_a_subscription_that_is_already_there(
+def test_the_first_message_reaches_an_existing_subscription(
     listener: zbot.Node, make_context: MakeContext, spin: Spin
 ) -> None:
     inbox: list[Int64] = []
@@ -119,7 +160,7 @@ def test_messages_wait_for_an_executor(talker: zbot.Node, listener: zbot.Node) -
     assert [message.data for message in inbox] == [0, 1, 2]
 
 
-def test_topics_of_other_domains_are_not_heard(talker: zbot.Node, domain: int, spin: Spin) -> None:
+def test_messages_of_other_domains_are_ignored(talker: zbot.Node, domain: int, spin: Spin) -> None:
     other = zbot.Context()
     other.init([], domain_id=domain % 232 + 1 if domain < 231 else 1)
     with other:
@@ -136,7 +177,7 @@ def test_topics_of_other_domains_are_not_heard(talker: zbot.Node, domain: int, s
 # -- history ---------------------------------------------------------------------------------------
 
 
-def test_keep_last_drops_the_oldest_and_says_so_once(
+def test_keep_last_drops_the_oldest_message_with_one_warning(
     talker: zbot.Node, listener: zbot.Node, logged: list[Record]
 ) -> None:
     inbox: list[Int64] = []
@@ -154,7 +195,7 @@ def test_keep_last_drops_the_oldest_and_says_so_once(
         for number in range(first, first + 100):
             publisher.publish(Int64(data=number))
         marker.publish(String())
-        # Zenoh keeps the order on a link: when the mark came, the burst is there.
+        # Zenoh keeps the order on a link: the burst has arrived before the mark.
         assert wait_until(lambda: mark._is_waiting)
         inbox.clear()
         while len(inbox) < 5 or mark._is_waiting:
@@ -165,7 +206,7 @@ def test_keep_last_drops_the_oldest_and_says_so_once(
     assert "/count: 95 messages lost" in lines_about(logged, "messages lost")[0]
 
 
-def test_a_loss_on_rosout_is_not_said_on_rosout(listener: zbot.Node) -> None:
+def test_a_loss_on_rosout_is_not_logged_on_rosout(listener: zbot.Node) -> None:
     inbox: list[str] = []
     subscription = listener.create_subscription(
         Log, "/rosout", lambda line: inbox.append(line.msg), 1
@@ -181,7 +222,7 @@ def test_a_loss_on_rosout_is_not_said_on_rosout(listener: zbot.Node) -> None:
     assert (inbox, subscription.lost_count) == (["first", "c", "last"], 2)
 
 
-def test_a_subscription_knows_what_its_callback_takes(listener: zbot.Node) -> None:
+def test_a_subscription_knows_the_arguments_of_its_callback(listener: zbot.Node) -> None:
     kinds = zbot.Subscription.CallbackType
     for callback, kind in (
         (lambda _: None, kinds.MessageOnly),
@@ -238,7 +279,7 @@ def test_messages_of_several_threads_keep_the_order_of_their_numbers(
     assert subscription.lost_count == 0
 
 
-def test_a_message_that_was_overtaken_makes_no_later_one_lost(
+def test_an_overtaken_message_does_not_count_later_ones_as_lost(
     talker: zbot.Node, listener: zbot.Node, spin: Spin
 ) -> None:
     arrived: list[String] = []
@@ -254,7 +295,7 @@ def test_a_message_that_was_overtaken_makes_no_later_one_lost(
     assert subscription.lost_count == 1
 
 
-def test_a_signals_handler_may_publish_what_it_interrupts(
+def test_a_signal_handler_may_publish_on_the_interrupted_publisher(
     talker: zbot.Node, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     publisher = talker.create_publisher(String, "words", 10)
@@ -263,7 +304,7 @@ def test_a_signals_handler_may_publish_what_it_interrupts(
     def interrupted() -> None:
         next(handlers, bool)()
 
-    monkeypatch.setattr(talker.context, "meet", interrupted)
+    monkeypatch.setattr(talker.context, "wait_for_peers", interrupted)
     publisher.publish(String(data="go"))
     assert publisher.sent_count == 2
 
@@ -287,7 +328,7 @@ def test_a_burst_that_fits_into_the_queue_arrives_whole(
         busy.wait()
 
 
-def test_a_latched_topic_gives_late_subscriptions_its_last_messages(
+def test_a_latched_topic_delivers_its_last_messages_to_late_subscriptions(
     talker: zbot.Node, listener: zbot.Node, spin: Spin
 ) -> None:
     publisher = talker.create_publisher(Int64, "map", LATCHED)
@@ -302,7 +343,7 @@ def test_a_latched_topic_gives_late_subscriptions_its_last_messages(
     assert [message.data for message in inbox] == [2, 3, 4, 5]
 
 
-def test_a_volatile_subscription_of_a_latched_topic_gets_only_what_is_new(
+def test_a_volatile_subscription_of_a_latched_topic_gets_only_new_messages(
     talker: zbot.Node, listener: zbot.Node, spin: Spin
 ) -> None:
     publisher = talker.create_publisher(Int64, "map", LATCHED)
@@ -337,7 +378,7 @@ def test_an_expired_message_is_not_delivered(
 # -- forms of subscriptions ------------------------------------------------------------------------
 
 
-def test_a_raw_subscription_gets_the_bytes_as_they_were_sent(
+def test_a_raw_subscription_receives_the_sent_bytes(
     talker: zbot.Node, listener: zbot.Node, spin: Spin
 ) -> None:
     inbox: list[bytes] = []
@@ -383,14 +424,14 @@ def test_a_callback_with_two_arguments_gets_times_and_numbers(
 
 
 @pytest.mark.parametrize("callback", [lambda: None, lambda a, b, c: None])  # noqa: ARG005
-def test_a_callback_that_nobody_can_call_is_refused(
+def test_a_callback_with_a_wrong_signature_is_refused(
     talker: zbot.Node, callback: Callable[..., None]
 ) -> None:
     with pytest.raises(RuntimeError, match=r"\(message\) or \(message, info\)"):
         talker.create_subscription(String, "chatter", callback, 10)
 
 
-def test_a_refused_subscription_leaves_nothing_behind(talker: zbot.Node) -> None:
+def test_a_refused_subscription_is_not_in_the_graph(talker: zbot.Node) -> None:
     with pytest.raises(RuntimeError):
         talker.create_subscription(String, "chatter", lambda: None, 10)
     assert talker.count_subscribers("chatter") == 0
@@ -399,9 +440,7 @@ def test_a_refused_subscription_leaves_nothing_behind(talker: zbot.Node) -> None
 # -- what publish() takes --------------------------------------------------------------------------
 
 
-def test_bytes_are_published_as_they_are(
-    talker: zbot.Node, listener: zbot.Node, spin: Spin
-) -> None:
+def test_bytes_are_published_unchanged(talker: zbot.Node, listener: zbot.Node, spin: Spin) -> None:
     inbox: list[String] = []
     listener.create_subscription(String, "chatter", inbox.append, 10)
     publisher = talker.create_publisher(String, "chatter", 10)
@@ -460,7 +499,7 @@ def test_many_threads_may_publish_at_once(
         thread.join()
     assert wait_until(lambda: len(numbers) == 2000)
     assert sorted(infos) == list(range(1, 2001))
-    # What the first thread has just begun may be overtaken, once.
+    # One message may be overtaken: the one that the first thread has just begun.
     assert sum(later < sooner for sooner, later in pairwise(infos)) <= 1
     assert len(set(numbers)) == 2000
 
@@ -505,7 +544,7 @@ def test_a_callback_may_destroy_its_own_node(
     assert spinner.error is None
 
 
-def test_a_destroyed_publisher_says_so(talker: zbot.Node) -> None:
+def test_publishing_with_a_destroyed_publisher_raises(talker: zbot.Node) -> None:
     publisher = talker.create_publisher(String, "chatter", 10)
     assert talker.destroy_publisher(publisher)
     assert not talker.destroy_publisher(publisher)
@@ -513,7 +552,7 @@ def test_a_destroyed_publisher_says_so(talker: zbot.Node) -> None:
         publisher.publish(String())
 
 
-def test_publishing_after_shutdown_says_so(talker: zbot.Node) -> None:
+def test_publishing_after_shutdown_raises(talker: zbot.Node) -> None:
     publisher = talker.create_publisher(String, "chatter", 10)
     publisher.publish(String())
     talker.context.shutdown()
@@ -521,7 +560,7 @@ def test_publishing_after_shutdown_says_so(talker: zbot.Node) -> None:
         publisher.publish(String())
 
 
-def test_publishing_first_after_shutdown_says_so(talker: zbot.Node) -> None:
+def test_the_first_publish_after_shutdown_raises(talker: zbot.Node) -> None:
     publisher = talker.create_publisher(String, "chatter", 10)
     talker.context.shutdown()
     with pytest.raises(RuntimeError, match=r"zbot\.init\(\)"):
@@ -540,7 +579,7 @@ def test_destroying_twice_is_harmless(talker: zbot.Node) -> None:
         talker.create_publisher(String, "chatter", 10)
 
 
-def test_a_node_s_handle_is_good_to_the_end_of_its_block(talker: zbot.Node) -> None:
+def test_a_nodes_handle_is_valid_until_the_end_of_its_block(talker: zbot.Node) -> None:
     with talker.handle:
         talker.handle.destroy_when_not_in_use()
         with talker.handle:
@@ -549,7 +588,7 @@ def test_a_node_s_handle_is_good_to_the_end_of_its_block(talker: zbot.Node) -> N
         pass
 
 
-def test_a_node_destroys_only_what_is_its_own(talker: zbot.Node, listener: zbot.Node) -> None:
+def test_a_node_destroys_only_its_own_entities(talker: zbot.Node, listener: zbot.Node) -> None:
     foreign = listener.create_publisher(String, "chatter", 10)
     assert not talker.destroy_publisher(foreign)
     assert not talker.destroy_publisher(None)  # type: ignore[arg-type]
@@ -557,7 +596,7 @@ def test_a_node_destroys_only_what_is_its_own(talker: zbot.Node, listener: zbot.
     assert listener.destroy_publisher(foreign)
 
 
-def test_with_blocks_destroy_what_they_made(talker: zbot.Node) -> None:
+def test_with_blocks_destroy_their_entities(talker: zbot.Node) -> None:
     with talker.create_publisher(String, "chatter", 10) as publisher:
         assert talker.count_publishers("chatter") == 1
         assert publisher.topic_name == "/chatter"
@@ -596,7 +635,7 @@ def test_destroying_under_traffic_is_clean(
 # -- counting --------------------------------------------------------------------------------------
 
 
-def test_counts_follow_the_other_side(talker: zbot.Node, listener: zbot.Node) -> None:
+def test_counts_follow_the_other_nodes_endpoints(talker: zbot.Node, listener: zbot.Node) -> None:
     publisher = talker.create_publisher(String, "chatter", 10)
     assert publisher.get_subscription_count() == 0
     first = listener.create_subscription(String, "chatter", print, 10)
@@ -609,7 +648,7 @@ def test_counts_follow_the_other_side(talker: zbot.Node, listener: zbot.Node) ->
     await_match(publisher, 0)
 
 
-def test_endpoints_keep_the_names_they_were_given(make_context: MakeContext) -> None:
+def test_endpoints_keep_their_given_names(make_context: MakeContext) -> None:
     node = zbot.Node("named", namespace="/ns", context=make_context())
     publisher = node.create_publisher(String, "~/news", 1)
     subscription = node.create_subscription(String, "news", lambda _: None, 1)
@@ -622,6 +661,6 @@ def test_endpoints_keep_the_names_they_were_given(make_context: MakeContext) -> 
 
 
 @pytest.mark.parametrize("callback", [None, 5, "hear"])
-def test_a_callback_that_is_none_is_refused_at_once(listener: zbot.Node, callback: Any) -> None:
+def test_a_callback_that_is_not_callable_is_refused(listener: zbot.Node, callback: Any) -> None:
     with pytest.raises(CallbackSignatureError, match=r"\(message\) or \(message, info\)"):
         listener.create_subscription(String, "news", callback, 1)

@@ -1,4 +1,4 @@
-"""Quality of service by parameters, with rclpy's own function."""
+"""Test of quality of service set by parameters, with rclpy's own function."""
 
 from __future__ import annotations
 

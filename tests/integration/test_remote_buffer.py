@@ -1,4 +1,4 @@
-"""Transforms that are looked up in another node's buffer."""
+"""Tests of transforms that are looked up in another node's buffer."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ LATEST = zbot.Time()
 MOMENT = zbot.Duration(seconds=0.05)
 
 
-def told(parent: str, child: str, seconds: int, x: float) -> TransformStamped:
+def make_transform(parent: str, child: str, seconds: int, x: float) -> TransformStamped:
     message = TransformStamped(child_frame_id=child)
     message.header.frame_id, message.header.stamp.sec = parent, seconds
     message.transform.translation.x, message.transform.rotation.w = x, 1.0
@@ -36,8 +36,8 @@ def told(parent: str, child: str, seconds: int, x: float) -> TransformStamped:
 def buffer() -> Buffer:
     made = Buffer()
     for seconds, x in ((10, 1.0), (12, 3.0)):
-        made.set_transform(told("map", "robot", seconds, x), "test")
-    made.set_transform(told("moon", "crater", 10, 1.0), "test")
+        made.set_transform(make_transform("map", "robot", seconds, x), "test")
+    made.set_transform(make_transform("moon", "crater", 10, 1.0), "test")
     return made
 
 
@@ -70,7 +70,7 @@ def test_two_times_can_be_asked_for(client: BufferClient) -> None:
     assert not client.can_transform_full("robot", earlier, "robot", later, "moon")
 
 
-def test_what_the_other_buffer_raises_is_raised_here(client: BufferClient) -> None:
+def test_an_exception_of_the_other_buffer_is_raised_by_the_client(client: BufferClient) -> None:
     with pytest.raises(LookupException, match="nowhere"):
         client.lookup_transform("map", "nowhere", LATEST)
     with pytest.raises(ConnectivityException):
@@ -78,7 +78,7 @@ def test_what_the_other_buffer_raises_is_raised_here(client: BufferClient) -> No
     assert not client.can_transform("map", "crater", LATEST)
 
 
-def test_a_missing_server_is_told(make_context: MakeContext) -> None:
+def test_a_missing_server_is_an_error(make_context: MakeContext) -> None:
     node = zbot.Node("asking", context=make_context())
     client = BufferClient(node, "missing", timeout_padding=MOMENT)
     with pytest.raises(TimeoutException, match="no node serves the action missing"):
@@ -90,7 +90,7 @@ def test_the_padding_may_be_seconds(make_context: MakeContext) -> None:
     assert not client.can_transform("map", "robot", LATEST)
 
 
-def test_a_server_without_topics_is_asked(make_context: MakeContext, spin: Spin) -> None:
+def test_a_server_without_visible_topics_is_called(make_context: MakeContext, spin: Spin) -> None:
     node = zbot.Node("bare", context=make_context())
     parts = LookupTransform.Impl
 

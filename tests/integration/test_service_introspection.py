@@ -1,4 +1,4 @@
-"""Service events: what servers and clients tell of their calls, and when they do not."""
+"""Tests of service events: what servers and clients publish about their calls."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ async def add_later(request: Any, response: Any) -> Any:
 
 
 class Pair:
-    """A server and a client in sessions of their own, and everything that they tell."""
+    """Server and client in sessions of their own, and the list of their service events."""
 
     def __init__(self, make_context: MakeContext, spin: Spin, callback: Any = add) -> None:
         self.node = zbot.Node("server", context=make_context())
@@ -57,7 +57,7 @@ class Pair:
             end.configure_introspection(node.get_clock(), zbot.QoSProfile(depth=10), state)
 
     def steps(self, count: int) -> list[Step]:
-        """Return so many steps in the order of the call, which two sessions need not keep."""
+        """Return `count` events in the order of the call; two sessions may not keep that order."""
         assert wait_until(lambda: len(self.events) >= count), self.events
         return sorted(Step(event.info.event_type) for event in self.events)
 
@@ -69,7 +69,7 @@ def pair(make_context: MakeContext, spin: Spin) -> Pair:
 
 @pytest.mark.parametrize("way", ["call", "call_async"])
 @pytest.mark.parametrize("callback", [add, add_later])
-def test_each_step_is_told_with_its_contents(
+def test_each_event_has_its_contents(
     make_context: MakeContext, spin: Spin, way: str, callback: Any
 ) -> None:
     pair = Pair(make_context, spin, callback)
@@ -92,7 +92,7 @@ def test_metadata_leaves_the_contents_out(pair: Pair) -> None:
     assert all(not event.request and not event.response for event in pair.events)
 
 
-def test_it_can_be_switched_off_again(pair: Pair) -> None:
+def test_introspection_can_be_switched_off(pair: Pair) -> None:
     pair.configure(CONTENTS)
     pair.client.call(AddTwoInts.Request())
     assert pair.steps(4)
@@ -102,7 +102,7 @@ def test_it_can_be_switched_off_again(pair: Pair) -> None:
     assert len(pair.events) == 4
 
 
-def test_one_side_alone_can_tell(pair: Pair) -> None:
+def test_server_and_client_can_publish_events_independently(pair: Pair) -> None:
     pair.server.configure_introspection(pair.node.get_clock(), 10, METADATA)
     pair.client.call(AddTwoInts.Request())
     assert pair.steps(2) == [Step.REQUEST_RECEIVED, Step.RESPONSE_SENT]
@@ -116,7 +116,7 @@ def test_a_request_that_fails_has_no_response(make_context: MakeContext, spin: S
     assert pair.steps(2) == [Step.REQUEST_SENT, Step.REQUEST_RECEIVED]
 
 
-def test_the_topic_goes_with_its_owner(pair: Pair) -> None:
+def test_the_topic_of_events_ends_with_its_endpoint(pair: Pair) -> None:
     pair.configure(METADATA)
     graph = pair.node.context.graph
     assert graph.wait_for(lambda seen: len(seen.publishers(TOPIC)) == 2, 5)
@@ -126,7 +126,7 @@ def test_the_topic_goes_with_its_owner(pair: Pair) -> None:
     assert graph.wait_for(lambda seen: not seen.publishers(TOPIC), 5)
 
 
-def test_a_service_that_every_node_has_can_tell_too(pair: Pair) -> None:
+def test_services_of_every_node_can_be_introspected(pair: Pair) -> None:
     name = "/server/list_parameters"
     (server,) = (one for one in pair.node.services if one.service_name == name)
     server.configure_introspection(pair.node.get_clock(), 10, METADATA)
@@ -134,7 +134,7 @@ def test_a_service_that_every_node_has_can_tell_too(pair: Pair) -> None:
     assert publisher.type_name == "rcl_interfaces/srv/ListParameters_Event"
 
 
-def test_an_action_tells_of_its_three_services(make_context: MakeContext, spin: Spin) -> None:
+def test_an_action_publishes_events_of_its_services(make_context: MakeContext, spin: Spin) -> None:
     node, asking = (zbot.Node(name, context=make_context()) for name in ("server", "client"))
 
     def reach(goal_handle: Any) -> Any:

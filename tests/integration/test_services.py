@@ -1,4 +1,4 @@
-"""Services between processes and inside them: answers, errors, and never a hang."""
+"""Tests of services between processes and inside them: responses, errors and no deadlock."""
 
 from __future__ import annotations
 
@@ -50,11 +50,11 @@ node.create_service(AddTwoInts, "add", add)
 print("ready", flush=True)
 zbot.spin(node)
 """
-HASTY_CLIENT = """
+SHORT_CLIENT = """
 import zbot
 from example_interfaces.srv import AddTwoInts
 with zbot.init():
-    node = zbot.Node("hasty")
+    node = zbot.Node("short")
     client = node.create_client(AddTwoInts, "add")
     client.wait_for_service(5)
     client.call_async(AddTwoInts.Request(a=40, b=2))
@@ -68,7 +68,7 @@ def add(request: Any, response: Any) -> Any:
 
 @pytest.fixture
 def server(make_context: MakeContext, spin: Spin) -> zbot.Node:
-    """A node in a session and thread of its own, without services yet."""
+    """Return a node in a session and thread of its own, without services."""
     node = zbot.Node("server", context=make_context())
     spin(node)
     return node
@@ -107,7 +107,7 @@ class TestAnswers:
             zbot.spin_once(caller, timeout_sec=30)
         assert future.result().sum == 3
 
-    def test_a_node_that_calls_its_own_service_keeps_no_old_calls(self, caller: zbot.Node) -> None:
+    def test_a_node_that_calls_its_own_service_keeps_no_calls(self, caller: zbot.Node) -> None:
         caller.create_service(AddTwoInts, "add", add)
         client = client_of(caller)
 
@@ -118,7 +118,7 @@ class TestAnswers:
 
         calls = [call(number) for number in range(20)]
         gc.collect()
-        # Zenoh's thread lets go of a call a moment after its answer.
+        # Zenoh's thread frees a call shortly after its response.
         assert wait_until(lambda: sum(each() is not None for each in calls) <= 1)
 
     def test_callbacks_of_a_future_run_in_the_executor(
@@ -138,7 +138,7 @@ class TestAnswers:
     def test_handlers_may_be_coroutine_functions(
         self, make_context: MakeContext, spin: Spin, caller: zbot.Node
     ) -> None:
-        # The first server asks the second and answers with that.
+        # The first server calls the second and returns its response.
         context = make_context()
         front, back = zbot.Node("front", context=context), zbot.Node("back", context=context)
         behind = front.create_client(AddTwoInts, "behind")
@@ -166,7 +166,7 @@ class TestAnswers:
         assert client.wait_for_service(5)
         assert client.call(Trigger.Request()).message == text
 
-    def test_several_servers_of_one_name_serve_one_request_once(
+    def test_a_request_is_served_once_by_several_servers_of_one_name(
         self, make_context: MakeContext, spin: Spin, caller: zbot.Node
     ) -> None:
         served: list[int] = []
@@ -189,7 +189,7 @@ class TestAnswers:
         kept: list[Any] = []
 
         def reply(query: zenoh.Query) -> None:
-            kept.append(query)  # a program that holds its query on must not hold up the caller
+            kept.append(query)  # a program that keeps its query must not delay the caller
             query.reply(key, codec_for(Response).encode(Response(sum=7)))
 
         with session.declare_queryable(key, reply):
@@ -200,9 +200,7 @@ class TestAnswers:
             assert wait_until(future.done)
         kept.clear()
 
-    def test_a_service_tells_who_asks_and_who_serves(
-        self, server: zbot.Node, caller: zbot.Node
-    ) -> None:
+    def test_a_service_counts_its_endpoints(self, server: zbot.Node, caller: zbot.Node) -> None:
         server.create_service(AddTwoInts, "add", add)
         client_of(caller)
         known = ("/add", ["example_interfaces/srv/AddTwoInts"])
@@ -248,7 +246,7 @@ class TestCallsFromCallbacks:
 
 
 class TestErrors:
-    def test_the_sentence_of_an_exception_reaches_the_caller(
+    def test_the_message_of_an_exception_reaches_the_caller(
         self, make_context: MakeContext, spin: Spin, caller: zbot.Node
     ) -> None:
         def refuse(_request: Any, _response: Any) -> Any:
@@ -263,7 +261,7 @@ class TestErrors:
         spinner.join()
         assert isinstance(spinner.error, ValueError)
 
-    def test_a_forgotten_return_is_told_on_both_sides(
+    def test_a_missing_response_is_reported_on_both_sides(
         self, make_context: MakeContext, spin: Spin, caller: zbot.Node
     ) -> None:
         server = zbot.Node("server", context=make_context())
@@ -274,7 +272,7 @@ class TestErrors:
         spinner.join()
         assert isinstance(spinner.error, ResponseTypeError)
 
-    def test_no_server_is_an_error_at_once(self, caller: zbot.Node) -> None:
+    def test_a_call_without_a_server_fails_at_once(self, caller: zbot.Node) -> None:
         client = caller.create_client(AddTwoInts, "add")
         with pytest.raises(ServiceError, match="no server is running"):
             client.call(Request())
@@ -282,7 +280,7 @@ class TestErrors:
         assert isinstance(future.exception(), ServiceError)
         assert not client.wait_for_service(0.05)
 
-    def test_a_server_that_is_destroyed_fails_what_waits(
+    def test_a_destroyed_server_fails_waiting_calls(
         self, make_context: MakeContext, caller: zbot.Node
     ) -> None:
         server = zbot.Node("server", context=make_context())  # never spins
@@ -293,7 +291,7 @@ class TestErrors:
         assert wait_until(future.done)
         assert isinstance(future.exception(), ServiceError)
 
-    def test_a_call_in_time_or_not(self, make_context: MakeContext, caller: zbot.Node) -> None:
+    def test_a_call_raises_at_timeout(self, make_context: MakeContext, caller: zbot.Node) -> None:
         server = zbot.Node("server", context=make_context())  # never spins
         server.create_service(AddTwoInts, "add", add)
         client = client_of(caller)
@@ -321,12 +319,12 @@ class TestErrors:
             mistaken.call(Trigger.Request())
 
     @pytest.mark.parametrize("wrong", [Response(), None, 5, AddTwoInts])
-    def test_only_requests_are_sent(self, wrong: Any, caller: zbot.Node) -> None:
+    def test_an_object_of_another_type_is_refused(self, wrong: Any, caller: zbot.Node) -> None:
         client = caller.create_client(AddTwoInts, "add")
         with pytest.raises(RequestTypeError, match="AddTwoInts_Request"):
             client.call_async(wrong)
 
-    def test_a_message_is_no_service(self, caller: zbot.Node) -> None:
+    def test_a_message_type_is_refused_as_a_service_type(self, caller: zbot.Node) -> None:
         with pytest.raises(NotAMessageTypeError):
             caller.create_service(Request, "add", add)
         with pytest.raises(NotAMessageTypeError):
@@ -349,9 +347,7 @@ class TestErrors:
         with pytest.raises((NotInitializedError, ServiceError)):
             client.call(Request(), timeout_sec=30)
 
-    def test_a_request_that_was_removed_is_never_completed(
-        self, server: zbot.Node, caller: zbot.Node
-    ) -> None:
+    def test_a_removed_request_never_completes(self, server: zbot.Node, caller: zbot.Node) -> None:
         client = caller.create_client(AddTwoInts, "add")
         gate = threading.Event()
 
@@ -371,17 +367,17 @@ class TestErrors:
             client.get_pending_request(1)
 
 
-class TestPatience:
-    """A request that takes longer than Zenoh's query may is sent again, and served once."""
+class TestLongRequests:
+    """A request that outlasts the limit of Zenoh's queries is sent again and served once."""
 
     @pytest.fixture(autouse=True)
     def short_time(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr("zbot.node.client._FIRST_PATIENCE_S", 0.1)
+        monkeypatch.setattr("zbot.node.service_request._FIRST_TIMEOUT_S", 0.1)
         monkeypatch.setattr("zbot.node.deduplication._LATE_S", 0.02)
 
     @pytest.mark.parametrize("kind", ["call", "call_async"])
     @pytest.mark.parametrize("is_coroutine", [False, True])
-    def test_a_handler_may_take_its_time(
+    def test_a_slow_handler_is_called_once(
         self, kind: str, is_coroutine: bool, server: zbot.Node, caller: zbot.Node
     ) -> None:
         served: list[int] = []
@@ -414,9 +410,7 @@ class TestPatience:
             assert future.result().sum == 3
         assert served == [1]
 
-    def test_an_error_that_comes_late_is_not_lost(
-        self, make_context: MakeContext, caller: zbot.Node
-    ) -> None:
+    def test_a_late_error_is_received(self, make_context: MakeContext, caller: zbot.Node) -> None:
         opened = threading.Event()
         threading.Timer(0.3, opened.set).start()
 
@@ -462,7 +456,7 @@ class TestProcesses:
         assert wait_until(future.done, 1)
         assert isinstance(future.exception(), ServiceError)
 
-    def test_a_call_finds_the_server_that_took_over(self, caller: zbot.Node, start: Start) -> None:
+    def test_a_call_finds_the_replacing_server(self, caller: zbot.Node, start: Start) -> None:
         client = caller.create_client(AddTwoInts, "add")
         for turn in range(3):
             start(source=SERVER).wait_for("ready")
@@ -484,14 +478,12 @@ class TestProcesses:
         server.create_service(AddTwoInts, "add", note)
         spin(server)
         for turn in range(1, 6):
-            assert start(source=HASTY_CLIENT).wait() == 0
+            assert start(source=SHORT_CLIENT).wait() == 0
             assert wait_until(lambda turn=turn: len(served) == turn)  # type: ignore[misc]
 
 
 class TestManyCalls:
-    def test_ten_thousand_in_a_row_keep_memory_flat(
-        self, server: zbot.Node, caller: zbot.Node
-    ) -> None:
+    def test_ten_thousand_calls_leak_no_memory(self, server: zbot.Node, caller: zbot.Node) -> None:
         server.create_service(AddTwoInts, "add", add)
         client = client_of(caller)
         sizes = []
@@ -500,12 +492,12 @@ class TestManyCalls:
             if turn % 1000 == 999:
                 gc.collect()
                 sizes.append(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss)
-        # Zenoh keeps 0.8 kB a query for 2 s: a plateau, after which nothing grows.
+        # Zenoh keeps 0.8 kB per query for 2 s: memory grows to a plateau and then stays.
         assert sizes[-1] - sizes[0] < 0.8 * 9_000  # KiB
         assert not client._pending
         assert not client._completed
 
-    def test_a_hundred_at_once_from_four_clients_get_their_own(
+    def test_a_hundred_parallel_calls_of_four_clients_get_their_own_responses(
         self, server: zbot.Node, make_context: MakeContext
     ) -> None:
         server.create_service(AddTwoInts, "add", add)

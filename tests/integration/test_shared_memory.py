@@ -1,4 +1,4 @@
-"""Large messages in the memory that this machine's programs share, between real sessions."""
+"""Tests of large messages in shared memory between real sessions."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ pytestmark = pytest.mark.skipif(
 
 @pytest.fixture
 def placed(monkeypatch: pytest.MonkeyPatch) -> list[int]:
-    """Return a list that fills with the length of each payload that went into shared memory."""
+    """Return a list with the length of each payload that is put into shared memory."""
     lengths: list[int] = []
 
     def place(payload: bytes) -> object:
@@ -66,7 +66,7 @@ def has(got: list[UInt8MultiArray], count: int) -> bool:
 def send(
     make_context: MakeContext, spin: Spin, profile: QoSProfile, *bursts: int
 ) -> list[UInt8MultiArray]:
-    """Send bursts of numbered messages; the first one waits at its subscription until it is out."""
+    """Send bursts of numbered messages; the subscription keeps the first one during its burst."""
     talker = zbot.Node("talker", context=make_context())
     listener = zbot.Node("listener", context=make_context())
     got: list[UInt8MultiArray] = []
@@ -82,13 +82,13 @@ def send(
     return got
 
 
-def test_more_than_the_pool_holds_arrives_whole(
+def test_messages_larger_than_the_pool_arrive(
     make_context: MakeContext, spin: Spin, placed: list[int]
 ) -> None:
     got = send(make_context, spin, KEEP_ALL, 40)
 
     assert got == [image(seed) for seed in range(40)]
-    assert 0 < len(placed) < 40  # what found no room went Zenoh's own way
+    assert 0 < len(placed) < 40  # the others were sent without shared memory
 
 
 def test_blocks_come_back_from_readers(
@@ -99,14 +99,14 @@ def test_blocks_come_back_from_readers(
     assert len(placed) == 36
 
 
-def test_latched_messages_leave_the_pool_to_what_is_on_its_way(
+def test_latched_messages_are_not_put_into_the_pool(
     make_context: MakeContext, spin: Spin, placed: list[int]
 ) -> None:
     assert send(make_context, spin, LATCHED, 1) == [image(0)]
     assert not placed
 
 
-def test_a_configuration_may_do_without(
+def test_a_configuration_can_disable_shared_memory(
     make_context: MakeContext,
     spin: Spin,
     placed: list[int],
@@ -121,7 +121,7 @@ def test_a_configuration_may_do_without(
     assert not placed
 
 
-def test_a_program_that_ends_at_once_is_heard_by_all(
+def test_messages_of_a_program_that_ends_at_once_arrive(
     make_context: MakeContext, spin: Spin, start: Start
 ) -> None:
     listener = zbot.Node("listener", context=make_context())
@@ -143,7 +143,7 @@ with zbot.init():
     assert got == [image(seed) for seed in range(3)]
 
 
-def test_large_requests_and_responses_go_that_way(
+def test_large_requests_and_responses_use_shared_memory(
     make_context: MakeContext, spin: Spin, placed: list[int]
 ) -> None:
     server = zbot.Node("server", context=make_context())
@@ -167,14 +167,14 @@ def test_large_requests_and_responses_go_that_way(
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="Linux tells what is mapped")
-def test_what_a_graph_asks_takes_no_memory_for_messages(domain: int, start: Start) -> None:
+def test_graph_queries_allocate_no_message_pool(domain: int, start: Start) -> None:
     source = f"""
 import zbot
 for number in range(16):
     context = zbot.Context()
     context.init([], domain_id={domain})
     zbot.Node(f"node_{{number}}", context=context)
-context.settle()
+context.wait_for_discovery()
 sizes = []
 for line in open("/proc/self/maps"):
     if ".zenoh" in line:
@@ -186,7 +186,7 @@ zbot.shutdown()
     start(source=source).wait_for("True")
 
 
-def test_blocks_of_many_sizes_find_room() -> None:
+def test_blocks_of_many_sizes_are_allocated() -> None:
     sizes = (1_000_014, 300_000, 1_000_037, 140_000, 2_000_000, 921_600)
     held: deque[object] = deque(maxlen=3)
     for size in sizes * 200:
@@ -195,7 +195,7 @@ def test_blocks_of_many_sizes_find_room() -> None:
         assert held[-1] is not payload
 
 
-def test_a_block_finds_room_where_smaller_ones_were() -> None:
+def test_a_block_replaces_several_freed_smaller_ones() -> None:
     held = [shared_memory.place(bytes(MEGABYTE)) for _ in range(20)]
     held.clear()
     payload = bytes(MEGABYTE + 1)
@@ -203,7 +203,7 @@ def test_a_block_finds_room_where_smaller_ones_were() -> None:
     assert shared_memory.place(payload) is not payload
 
 
-def test_what_the_pool_cannot_take_stays_as_it_is() -> None:
+def test_a_payload_too_large_for_the_pool_is_unchanged() -> None:
     payload = os.urandom(20 * MEGABYTE)
 
     assert shared_memory.place(payload) is payload

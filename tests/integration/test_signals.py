@@ -1,4 +1,4 @@
-"""Every way out of a program: quiet, quick, and with the exit code that the parent expects."""
+"""Tests of the ends of programs: no output, no delay, and the exit code of the signal."""
 
 from __future__ import annotations
 
@@ -182,7 +182,7 @@ rclpy.shutdown()
 """
 
 
-#: Publishes into a keep-all queue that nobody empties, until a put waits for room.
+#: Publishes to a keep-all subscription that reads nothing, until a put is blocked.
 FLOOD = """
 import sys, threading, time
 import zbot
@@ -228,8 +228,8 @@ time.sleep(60)
 """
 
 
-def end(program: Program, number: int, limit_s: float = LIMIT_S) -> int:
-    """Send a signal; return the exit code, after checking that the end was quiet and quick."""
+def stop_without_errors(program: Program, number: int, limit_s: float = LIMIT_S) -> int:
+    """Send a signal; check that the program ends in time without errors; return its exit code."""
     begin = time.monotonic()
     code = program.stop(number)
     took_s = time.monotonic() - begin
@@ -241,7 +241,9 @@ def end(program: Program, number: int, limit_s: float = LIMIT_S) -> int:
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["SIGINT", "SIGTERM"])
 @pytest.mark.parametrize("kind", PROGRAMS)
-def test_a_signal_at_any_moment_ends_quietly(start: Start, kind: str, number: int) -> None:
+def test_a_signal_at_any_moment_ends_the_program_without_output(
+    start: Start, kind: str, number: int
+) -> None:
     moments = random.Random(f"{SEED} {kind} {number}")
     for _ in range(3):
         delay_s = moments.choice((0.02, 0.1, 0.3)) * moments.random()
@@ -249,8 +251,11 @@ def test_a_signal_at_any_moment_ends_quietly(start: Start, kind: str, number: in
         program = start(source=PROGRAMS[kind])
         program.wait_for("up")
         threading.Event().wait(delay_s)
-        # A loop that asks ok() may come to its end before it meets the exception.
-        assert end(program, number) in {-number, 0 if "ok()" in PROGRAMS[kind] else -number}
+        # A loop that calls ok() may end before the exception is raised.
+        assert stop_without_errors(program, number) in {
+            -number,
+            0 if "ok()" in PROGRAMS[kind] else -number,
+        }
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["SIGINT", "SIGTERM"])
@@ -263,16 +268,16 @@ def test_a_signal_ends_a_program_that_waits_for_a_subscriber(
         start(source=STANDING_SUBSCRIBER)
     program = start(whom, thread, source=FLOOD)
     program.wait_for("waits")
-    # Zenoh may just be linking again with the one that stands still, and closes after that.
-    assert end(program, number, 4 * LIMIT_S) == -number
+    # Zenoh may be connecting again to the stopped process; it closes after that.
+    assert stop_without_errors(program, number, 4 * LIMIT_S) == -number
 
 
 @pytest.mark.parametrize("thread", ["Thread-", "zbot meeting", "zbot /chatter"])
 @pytest.mark.parametrize("then", ["zbot.spin(node)", "time.sleep(60)"])
-def test_a_signal_while_a_thread_starts_leaves_none_half_started(
+def test_a_signal_during_the_start_of_a_thread_does_not_block_the_exit(
     start: Start, then: str, thread: str
 ) -> None:
-    # It comes again a moment later, when the main thread may already be asleep.
+    # The signal is sent again later, when the main thread may already sleep.
     program = start(source=STARTS.format(thread=thread, then=then))
     begin = time.monotonic()
     assert program.wait() == -signal.SIGINT
@@ -280,16 +285,16 @@ def test_a_signal_while_a_thread_starts_leaves_none_half_started(
     assert not program.output
 
 
-def test_a_signal_in_an_import_lets_others_import(start: Start) -> None:
+def test_a_signal_during_an_import_releases_the_import_lock(start: Start) -> None:
     program = start(source=IMPORTS)
     program.wait()
     assert program.output == "imports True"
 
 
-def test_the_lessons_listing_ends_quietly(start: Start) -> None:
+def test_the_example_of_the_lesson_ends_without_output(start: Start) -> None:
     program = start(source=LESSON)
     program.wait_for("Hello from ROS2!")
-    assert end(program, signal.SIGINT) == -signal.SIGINT
+    assert stop_without_errors(program, signal.SIGINT) == -signal.SIGINT
     assert len(program.lines) == 1
 
 
@@ -322,11 +327,11 @@ print("end")
 """
     )
     program.wait_for("ready")
-    assert end(program, number) == 0
+    assert stop_without_errors(program, number) == 0
     assert program.lines == ["ready", "caught False", "end"]
 
 
-def test_publishing_works_on_the_way_out(start: Start) -> None:
+def test_publishing_works_while_the_program_ends(start: Start) -> None:
     listener = start(
         source="""
 import zbot
@@ -354,19 +359,19 @@ with zbot.init():
 """
     )
     program.wait_for("ready")
-    assert end(program, signal.SIGINT) == -signal.SIGINT
+    assert stop_without_errors(program, signal.SIGINT) == -signal.SIGINT
     listener.wait_for("stop the motors", timeout_s=2)
 
 
-def test_two_signals_in_a_row_end_quietly_too(start: Start) -> None:
+def test_two_signals_in_a_row_end_the_program_without_output(start: Start) -> None:
     program = start(source=PROGRAMS["spin"])
     program.wait_for("up")
     program.process.send_signal(signal.SIGINT)
-    assert end(program, signal.SIGINT) in {-signal.SIGINT, 0}
+    assert stop_without_errors(program, signal.SIGINT) in {-signal.SIGINT, 0}
 
 
-def test_a_signal_that_interrupts_the_end_itself_is_quiet_too(start: Start) -> None:
-    # Two presses of Ctrl-C: the second meets Python before it calls what closes the contexts.
+def test_a_signal_during_the_exit_causes_no_output(start: Start) -> None:
+    # The second Ctrl-C comes before Python calls the functions that close the contexts.
     program = start(
         source=HEAD
         + """
@@ -406,15 +411,15 @@ finally:
 
 
 @pytest.mark.parametrize("turn", range(6))
-def test_a_second_ctrl_c_at_any_call_of_the_end_is_quiet(start: Start, turn: int) -> None:
-    # Python may raise at the begin of each function: between a lock and who gives it back, say.
+def test_a_second_ctrl_c_at_any_call_of_the_exit_causes_no_output(start: Start, turn: int) -> None:
+    # Python may raise at the start of each function, such as between a lock and its release.
     call = random.Random(f"{SEED}.{turn}").randint(1, 120)
     program = start(source=INTERRUPTED_END.replace("{call}", str(call)))
     assert program.wait() in {0, -signal.SIGINT}, f"call {call}"
     assert program.output == "up", f"call {call}"
 
 
-def test_a_handler_of_the_programs_own_is_respected(start: Start) -> None:
+def test_a_signal_handler_of_the_program_is_kept(start: Start) -> None:
     program = start(
         source="""
 import signal, zbot
@@ -430,14 +435,14 @@ print("spin ended")
 """
     )
     program.wait_for("ready")
-    assert end(program, signal.SIGINT) == 0
+    assert stop_without_errors(program, signal.SIGINT) == 0
     assert program.lines == ["ready", "own handler", "spin ended"]
 
 
 # -- without a signal ------------------------------------------------------------------------------
 
 
-def test_an_exception_in_a_callback_is_reported_from_the_users_line_on(start: Start) -> None:
+def test_a_traceback_of_a_callback_begins_at_the_users_line(start: Start) -> None:
     program = start(
         source="""
 import zbot
@@ -481,7 +486,7 @@ with zbot.init():
         ("threading.Thread(target=zbot.spin, args=(robot,)).start(); zbot.shutdown()", 0),
     ],
 )
-def test_a_program_that_comes_to_its_end_ends(start: Start, way: str, code: int) -> None:
+def test_a_program_ends_after_its_last_line(start: Start, way: str, code: int) -> None:
     program = start(source=HEAD + f"robot = Robot()\nrobot.tick()\n{way}\n")
     program.wait_for("up")
     begin = time.monotonic()
@@ -514,12 +519,10 @@ ended.set()
     program = start("zbot", "run", "robot.py")
     for _ in range(3):
         program.wait_for("tick")
-    assert end(program, number) == -number
+    assert stop_without_errors(program, number) == -number
 
 
-def test_a_node_spins_in_a_thread_after_the_last_line_without_the_command_too(
-    start: Start,
-) -> None:
+def test_a_node_spins_in_a_thread_after_the_last_line_of_plain_python(start: Start) -> None:
     program = start(
         source="""
 import threading, zbot
@@ -531,10 +534,10 @@ threading.Thread(target=zbot.spin, args=(node,)).start()
     )
     for _ in range(3):
         program.wait_for("tick")
-    assert end(program, signal.SIGINT) in {0, -signal.SIGINT}
+    assert stop_without_errors(program, signal.SIGINT) in {0, -signal.SIGINT}
 
 
-def test_a_context_that_is_left_open_is_closed_at_the_end(start: Start) -> None:
+def test_an_open_context_is_closed_at_exit(start: Start) -> None:
     program = start(
         source="""
 import zbot
@@ -550,7 +553,7 @@ print("up", node.get_node_names())
     assert program.lines == ["up ['robot']"]
 
 
-def test_what_a_signal_interrupted_is_closed_at_the_end(start: Start) -> None:
+def test_a_context_whose_shutdown_was_interrupted_is_closed_at_exit(start: Start) -> None:
     program = start(
         source="""
 import zbot
@@ -571,10 +574,10 @@ except KeyboardInterrupt:
     assert program.lines == ["interrupted"]
 
 
-def test_a_parent_sees_that_a_child_died_of_sigterm_in_a_sleep(start: Start) -> None:
+def test_sigterm_during_a_sleep_is_visible_in_the_exit_status(start: Start) -> None:
     program = start(source=HEAD + "Robot()\nprint('asleep', flush=True)\ntime.sleep(60)\n")
     program.wait_for("asleep")
-    assert end(program, signal.SIGTERM) == -signal.SIGTERM
+    assert stop_without_errors(program, signal.SIGTERM) == -signal.SIGTERM
 
 
 LOCAL_CALLS = """
@@ -590,8 +593,8 @@ while zbot.ok():
 """
 
 
-def test_ctrl_c_is_not_lost_in_what_zenoh_calls(start: Callable[..., Program]) -> None:
-    # A service of one's own process is called in the main thread, below Rust.
+def test_ctrl_c_is_not_lost_in_callbacks_of_zenoh(start: Callable[..., Program]) -> None:
+    # A service of the same process is called in the main thread, from Rust.
     for turn in range(4):
         program = start(source=LOCAL_CALLS)
         program.wait_for("ready")

@@ -1,4 +1,4 @@
-"""Transforms between sessions: broadcast, listened to, waited for."""
+"""Tests of transforms between sessions: broadcasters, listeners and waiting lookups."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ NOW = zbot.Time()
 SECOND = zbot.Duration(seconds=1)
 
 
-def told(parent: str, child: str, x: float = 1.0) -> TransformStamped:
+def make_transform(parent: str, child: str, x: float = 1.0) -> TransformStamped:
     message = TransformStamped(child_frame_id=child)
     message.header.frame_id = parent
     message.header.stamp = zbot.Clock().now().to_msg()
@@ -55,14 +55,16 @@ def watcher(make_context: MakeContext) -> zbot.Node:
     return zbot.Node("watcher", context=make_context())
 
 
-def test_a_listener_hears_what_moves_and_what_does_not(
+def test_a_listener_receives_dynamic_and_static_transforms(
     robot: zbot.Node, watcher: zbot.Node, spin: Spin
 ) -> None:
-    StaticTransformBroadcaster(robot).sendTransform([told("base", "laser"), told("base", "imu")])
+    StaticTransformBroadcaster(robot).sendTransform(
+        [make_transform("base", "laser"), make_transform("base", "imu")]
+    )
     buffer = Buffer()
     listener = TransformListener(buffer, watcher)
     spin(watcher)
-    TransformBroadcaster(robot).sendTransform(told("map", "base"))
+    TransformBroadcaster(robot).sendTransform(make_transform("map", "base"))
     assert buffer.can_transform("map", "laser", NOW, SECOND)
     found = buffer.lookup_transform("map", "imu", NOW)
     assert found.transform.translation.x == 2
@@ -70,11 +72,11 @@ def test_a_listener_hears_what_moves_and_what_does_not(
     listener.unregister()
 
 
-def test_a_static_listener_hears_only_what_does_not_move(
+def test_a_static_listener_receives_only_static_transforms(
     robot: zbot.Node, watcher: zbot.Node, spin: Spin
 ) -> None:
     moving = TransformBroadcaster(robot)
-    StaticTransformBroadcaster(robot).sendTransform(told("base", "laser"))
+    StaticTransformBroadcaster(robot).sendTransform(make_transform("base", "laser"))
     buffer = Buffer()
     listener = StaticTransformListener(buffer, watcher)
     spin(watcher)
@@ -83,18 +85,18 @@ def test_a_static_listener_hears_only_what_does_not_move(
     listener.unregister()
 
 
-def test_static_transforms_add_up(robot: zbot.Node, watcher: zbot.Node) -> None:
+def test_static_transforms_accumulate(robot: zbot.Node, watcher: zbot.Node) -> None:
     broadcaster = StaticTransformBroadcaster(robot)
-    broadcaster.sendTransform(told("base", "laser"))
-    broadcaster.sendTransform(told("base", "imu"))
+    broadcaster.sendTransform(make_transform("base", "laser"))
+    broadcaster.sendTransform(make_transform("base", "imu"))
     buffer = Buffer()
     TransformListener(buffer, watcher, spin_thread=True)
     assert buffer.can_transform("laser", "imu", NOW, SECOND)
 
 
-def test_a_message_may_be_filled_in_again(robot: zbot.Node, watcher: zbot.Node) -> None:
+def test_a_message_may_be_reused_after_sending(robot: zbot.Node, watcher: zbot.Node) -> None:
     broadcaster = StaticTransformBroadcaster(robot)
-    message = told("base", "laser")
+    message = make_transform("base", "laser")
     broadcaster.sendTransform(message)
     message.child_frame_id = "imu"
     broadcaster.sendTransform(message)
@@ -103,13 +105,13 @@ def test_a_message_may_be_filled_in_again(robot: zbot.Node, watcher: zbot.Node) 
     assert buffer.can_transform("laser", "imu", NOW, SECOND)
 
 
-def test_a_jump_back_in_time_clears_what_moves(watcher: zbot.Node, logged: list[Record]) -> None:
+def test_a_jump_back_clears_dynamic_transforms(watcher: zbot.Node, logged: list[Record]) -> None:
     buffer = Buffer()
     listener = TransformListener(buffer, watcher)
     clock: Any = watcher.get_clock()
     clock.set_ros_time_is_active(True)
     clock.set_ros_time_override(zbot.Time(seconds=100))
-    buffer.set_transform(told("map", "base"))
+    buffer.set_transform(make_transform("map", "base"))
     clock.set_ros_time_override(zbot.Time(seconds=101))
     assert buffer.can_transform("map", "base", NOW)
     clock.set_ros_time_override(zbot.Time(seconds=1))
@@ -118,7 +120,7 @@ def test_a_jump_back_in_time_clears_what_moves(watcher: zbot.Node, logged: list[
     listener.unregister()
 
 
-def test_waiting_ends_when_nothing_can_come_any_more(watcher: zbot.Node) -> None:
+def test_waiting_ends_at_shutdown(watcher: zbot.Node) -> None:
     buffer = Buffer()
     TransformListener(buffer, watcher, spin_thread=True)
     outcomes: list[Any] = []
@@ -132,7 +134,7 @@ def test_waiting_ends_when_nothing_can_come_any_more(watcher: zbot.Node) -> None
     assert outcomes == [False]
 
 
-def test_waiting_ends_with_the_error(watcher: zbot.Node) -> None:
+def test_waiting_for_a_transform_ends_with_its_error(watcher: zbot.Node) -> None:
     buffer = Buffer()
     TransformListener(buffer, watcher, spin_thread=True)
     begun = time.monotonic()
@@ -142,7 +144,7 @@ def test_waiting_ends_with_the_error(watcher: zbot.Node) -> None:
 
 
 @pytest.mark.parametrize("is_there", [True, False])
-def test_a_callback_may_wait_for_what_its_own_executor_receives(
+def test_a_callback_may_wait_for_a_transform_of_its_own_executor(
     robot: zbot.Node, watcher: zbot.Node, spin: Spin, is_there: bool
 ) -> None:
     buffer = Buffer()
@@ -155,7 +157,7 @@ def test_a_callback_may_wait_for_what_its_own_executor_receives(
 
     broadcaster = TransformBroadcaster(robot)
     if is_there:
-        threading.Timer(0.1, broadcaster.sendTransform, [told("map", "base")]).start()
+        threading.Timer(0.1, broadcaster.sendTransform, [make_transform("map", "base")]).start()
     timer = watcher.create_timer(0.001, look)
     spin(watcher)
     assert wait_until(lambda: bool(outcomes))
@@ -176,13 +178,13 @@ def test_a_coroutine_waits_for_a_transform(
     watcher.create_subscription(String, "go", look, 10)
     spin(watcher)
     robot.create_publisher(String, "go", 10).publish(String())
-    TransformBroadcaster(robot).sendTransform(told("map", "base", 3.0))
+    TransformBroadcaster(robot).sendTransform(make_transform("map", "base", 3.0))
     assert wait_until(lambda: found == [3.0])
 
 
 def test_points_and_poses_change_frames() -> None:
     buffer = Buffer()
-    buffer.set_transform_static(told("map", "base", 5.0))
+    buffer.set_transform_static(make_transform("map", "base", 5.0))
     point = PointStamped()
     point.header.frame_id = "base"
     point.point.y = 2.0
@@ -195,7 +197,7 @@ def test_points_and_poses_change_frames() -> None:
         buffer.transform(String(), "map")
 
 
-def test_the_bundled_programs(start: Start) -> None:
+def test_the_bundled_programs_send_and_print_transforms(start: Start) -> None:
     words = ["--x", "1", "--yaw", "1.5708", "--frame-id", "map", "--child-frame-id", "base"]
     start("zbot", "run", "tf2_ros", "static_transform_publisher", *words).wait_for("from 'map'")
     old = ["0", "0", "0.5", "0", "0", "0", "base", "laser"]

@@ -1,4 +1,4 @@
-"""Time sources that a program makes itself."""
+"""Tests of time sources that a program creates."""
 
 from __future__ import annotations
 
@@ -34,13 +34,13 @@ def topics(node: zbot.Node) -> list[str]:
     return [one.topic_name for one in node.subscriptions]
 
 
-def test_it_follows_the_parameter_of_its_node(node: zbot.Node) -> None:
+def test_a_time_source_follows_the_parameter_of_its_node(node: zbot.Node) -> None:
     source, clock = TimeSource(node=node), ROSClock()
     source.attach_clock(clock)
     assert not clock.ros_time_is_active
     node.set_parameters([zbot.Parameter("use_sim_time", value=True)])
     assert source.ros_time_is_active
-    assert topics(node).count("/clock") == 2  # the node's own source has one as well
+    assert topics(node).count("/clock") == 2  # the node's own time source has one too
     source.clock_callback(NINE_SECONDS)
     assert clock.now().nanoseconds == 9_000_000_000
     source.detach_node()
@@ -49,7 +49,7 @@ def test_it_follows_the_parameter_of_its_node(node: zbot.Node) -> None:
     assert clock.ros_time_is_active
 
 
-def test_a_clock_that_comes_later_gets_the_last_time(node: zbot.Node) -> None:
+def test_a_clock_attached_later_gets_the_last_time(node: zbot.Node) -> None:
     source, clock = TimeSource(), ROSClock()
     source.ros_time_is_active = True
     source.clock_callback(NINE_SECONDS)
@@ -59,8 +59,8 @@ def test_a_clock_that_comes_later_gets_the_last_time(node: zbot.Node) -> None:
     assert not clock.ros_time_is_active
 
 
-def test_the_source_attached_last_is_served_first(node: zbot.Node) -> None:
-    # A program that spins once for each message of `/clock` sees its own clock move.
+def test_the_time_source_attached_last_is_updated_first(node: zbot.Node) -> None:
+    # A program that spins once per message of `/clock` sees its own clock change.
     source = TimeSource(node=node)
     node.set_parameters([zbot.Parameter("use_sim_time", value=True)])
     first = next(one for one in node.subscriptions if one.topic_name == "/clock")
@@ -68,7 +68,7 @@ def test_the_source_attached_last_is_served_first(node: zbot.Node) -> None:
     assert source._get_node() is node
 
 
-def test_a_callback_may_wait_for_simulated_time_to_go_on(make_context: MakeContext) -> None:
+def test_a_callback_may_sleep_in_simulated_time(make_context: MakeContext) -> None:
     context = make_context()
     node = zbot.Node("timed", context=context, cli_args=["--ros-args", "-p", "use_sim_time:=true"])
     done: zbot.Future[None] = zbot.Future()
@@ -86,13 +86,13 @@ def test_a_callback_may_wait_for_simulated_time_to_go_on(make_context: MakeConte
     assert done.done()
 
 
-def test_only_clocks_of_ros_time_can_be_fed() -> None:
+def test_only_clocks_of_ros_time_can_be_attached() -> None:
     wrong: Any = Clock()
     with pytest.raises(ClockTypeError):
         TimeSource().attach_clock(wrong)
 
 
-def test_a_nodes_service_of_type_descriptions_can_be_ended(node: zbot.Node) -> None:
+def test_the_type_description_service_of_a_node_can_be_destroyed(node: zbot.Node) -> None:
     service = importlib.import_module("rclpy.type_description_service").TypeDescriptionService
     names = [one.srv_name for one in node.services]
     own = service(node)

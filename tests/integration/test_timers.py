@@ -1,4 +1,4 @@
-"""Timers and rates, on the machine's time and on simulated time."""
+"""Tests of timers and rates in the machine's time and in simulated time."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def executor(node: zbot.Node) -> Iterator[zbot.Executor]:
 
 
 class Simulation:
-    """A node whose time moves only when the test says so."""
+    """Node whose time is set by the test."""
 
     def __init__(self, context: zbot.Context) -> None:
         arguments = ["--ros-args", "-p", "use_sim_time:=true"]
@@ -53,7 +53,7 @@ class Simulation:
         self.clock = self.node.get_clock()
 
     def go_to(self, seconds: float) -> None:
-        """Set the time and run what is due."""
+        """Set the time and run the due timers."""
         assert isinstance(self.clock, zbot.ROSClock)
         self.clock.set_ros_time_override(Time(seconds=seconds, clock_type=ClockType.ROS_TIME))
         for _ in range(5):
@@ -75,12 +75,12 @@ def test_a_timer_keeps_1_khz_without_drift(node: zbot.Node, executor: zbot.Execu
         executor.spin_once(timeout_sec=1)
     begin_ns = infos[0].expected_call_time.nanoseconds
     periods = [(info.expected_call_time.nanoseconds - begin_ns) / 1e6 for info in infos]
-    # Medians, for a busy machine makes it late and lets it skip periods now and then.
+    # Medians: on a busy machine some calls are late and some periods are skipped.
     assert statistics.median(b - a for a, b in pairwise(periods)) == pytest.approx(1, rel=0.01)
     assert statistics.median(abs(number - round(number)) for number in periods) < 0.01
 
 
-def test_a_late_timer_skips_what_it_missed(node: zbot.Node, executor: zbot.Executor) -> None:
+def test_a_late_timer_skips_missed_periods(node: zbot.Node, executor: zbot.Executor) -> None:
     infos: list[TimerInfo] = []
     timer = node.create_timer(0.01, infos.append, clock=Clock(clock_type=ClockType.STEADY_TIME))
     threading.Event().wait(0.055)
@@ -102,7 +102,7 @@ def test_a_timer_of_period_zero_runs_whenever_there_is_time(
     assert len(calls) == 10
 
 
-def test_a_timer_tells_when_it_was_to_run_and_when_it_did(
+def test_the_timer_info_has_the_expected_and_the_actual_time(
     node: zbot.Node, executor: zbot.Executor
 ) -> None:
     infos: list[TimerInfo] = []
@@ -115,7 +115,7 @@ def test_a_timer_tells_when_it_was_to_run_and_when_it_did(
 
 
 @pytest.mark.parametrize("clock_type", [ClockType.SYSTEM_TIME, ClockType.STEADY_TIME])
-def test_a_timer_may_follow_a_clock_of_its_own(
+def test_a_timer_may_use_another_clock(
     node: zbot.Node, executor: zbot.Executor, clock_type: ClockType
 ) -> None:
     infos: list[TimerInfo] = []
@@ -125,15 +125,13 @@ def test_a_timer_may_follow_a_clock_of_its_own(
     assert timer.clock.clock_type is clock_type
 
 
-def test_resetting_a_timer_again_and_again_costs_no_memory(
-    node: zbot.Node, executor: zbot.Executor
-) -> None:
+def test_repeated_resets_of_a_timer_use_no_memory(node: zbot.Node, executor: zbot.Executor) -> None:
     timer = node.create_timer(60.0, lambda: None)
     for _ in range(1000):
         timer.reset()
         executor.spin_once(timeout_sec=0)
     assert isinstance(executor, zbot.SingleThreadedExecutor)
-    assert len(executor._agenda._heap) < 100
+    assert len(executor._timers._heap) < 100
 
 
 def test_a_shorter_period_wakes_a_sleeping_executor(node: zbot.Node, spin: Spin) -> None:
@@ -152,12 +150,12 @@ def test_a_timer_made_while_spinning_runs(node: zbot.Node, spin: Spin) -> None:
 
 
 @pytest.mark.parametrize("period", [-1, -0.001, float("nan"), float("inf"), "1", None])
-def test_a_period_that_is_none_is_refused(node: zbot.Node, period: float) -> None:
+def test_an_invalid_period_is_refused(node: zbot.Node, period: float) -> None:
     with pytest.raises(InvalidPeriodError, match="period"):
         node.create_timer(period, lambda: None)
 
 
-def test_a_timers_callback_takes_at_most_one_argument(node: zbot.Node) -> None:
+def test_a_timer_callback_with_two_arguments_is_refused(node: zbot.Node) -> None:
     with pytest.raises(RuntimeError, match="timer_info"):
         node.create_timer(1.0, lambda a, b: None)  # noqa: ARG005
 
@@ -216,9 +214,7 @@ def test_a_simulated_timer_runs_when_its_time_comes(simulation: Simulation) -> N
     assert calls == [11 * 10**9, 12 * 10**9, 13 * 10**9]
 
 
-def test_a_clock_that_is_coarser_than_the_period_runs_the_timer_at_every_step(
-    simulation: Simulation,
-) -> None:
+def test_a_clock_coarser_than_the_period_runs_the_timer_each_step(simulation: Simulation) -> None:
     calls: list[int] = []
     simulation.go_to(10)
     simulation.node.create_timer(0.1, lambda: calls.append(1))
@@ -227,7 +223,7 @@ def test_a_clock_that_is_coarser_than_the_period_runs_the_timer_at_every_step(
     assert len(calls) == 5
 
 
-def test_simulated_time_wakes_nobody_before_a_timer_is_due(simulation: Simulation) -> None:
+def test_simulated_time_wakes_the_executor_only_for_a_due_timer(simulation: Simulation) -> None:
     simulation.go_to(10)
     timer = simulation.node.create_timer(1.0, lambda: None)
     wakes: list[float] = []
@@ -336,7 +332,7 @@ def test_a_destroyed_timer_never_runs_again(simulation: Simulation) -> None:
         timer.reset()
 
 
-def test_a_timer_ends_with_its_block(simulation: Simulation) -> None:
+def test_a_with_block_destroys_its_timer(simulation: Simulation) -> None:
     calls: list[int] = []
     simulation.go_to(10)
     with simulation.node.create_timer(1.0, lambda: calls.append(1)):
@@ -366,7 +362,7 @@ def test_a_rate_gives_a_loop_its_frequency(node: zbot.Node) -> None:
     assert 0.099 <= time.monotonic() - begin < allowed(0.5)
 
 
-def test_a_rate_makes_up_for_a_turn_that_took_longer(node: zbot.Node) -> None:
+def test_a_rate_shortens_the_sleep_after_a_long_turn(node: zbot.Node) -> None:
     rate = node.create_rate(100.0)
     begin = time.monotonic()
     threading.Event().wait(0.015)
@@ -400,25 +396,25 @@ def test_shutdown_ends_a_rates_sleep(node: zbot.Node) -> None:
         rate.sleep()
 
 
-def test_a_destroyed_rate_says_so(node: zbot.Node) -> None:
+def test_a_destroyed_rate_raises(node: zbot.Node) -> None:
     rate = node.create_rate(1.0)
     assert node.destroy_rate(rate)
     with pytest.raises(InvalidHandleError, match="rate"):
         rate.sleep()
 
 
-def test_destroying_a_rate_wakes_who_sleeps(node: zbot.Node) -> None:
+def test_destroying_a_rate_wakes_its_sleeping_thread(node: zbot.Node) -> None:
     rate = node.create_rate(0.001)
     sleeper = threading.Thread(target=rate.sleep)
     sleeper.start()
-    assert wait_until(lambda: bool(rate._wakefulness._wakers))
+    assert wait_until(lambda: bool(rate._sleep_context._wakers))
     assert node.destroy_rate(rate)
     sleeper.join(5)
     assert not sleeper.is_alive()
     assert not list(node.timers)
 
 
-def test_a_rate_lets_spin_once_come_back(node: zbot.Node, executor: zbot.Executor) -> None:
+def test_a_rate_lets_spin_once_return(node: zbot.Node, executor: zbot.Executor) -> None:
     rate = node.create_rate(100.0)
     woke = threading.Event()
 
@@ -441,6 +437,6 @@ def test_a_frequency_is_a_number(node: zbot.Node) -> None:
 
 
 @pytest.mark.parametrize("frequency", [0, -1, float("nan"), float("inf")])
-def test_a_frequency_that_is_none_is_refused(node: zbot.Node, frequency: float) -> None:
+def test_an_invalid_frequency_is_refused(node: zbot.Node, frequency: float) -> None:
     with pytest.raises(InvalidPeriodError, match="frequency"):
         node.create_rate(frequency)

@@ -1,4 +1,4 @@
-"""Types over the wire: nodes tell what theirs look like, and others learn them."""
+"""Tests of type descriptions that nodes send and other nodes use."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ OFF = zbot.Parameter("start_type_description_service", value=False)
 
 @pytest.fixture
 def describe(make_context: MakeContext) -> Callable[..., Any]:
-    """Asks a node that nobody spins."""
+    """Client of the type-description service of a node that does not spin."""
     zbot.Node("robot", namespace="lab", context=make_context())
     asking = zbot.Node("asking", context=make_context())
     client = asking.create_client(GetTypeDescription, "/lab/robot/get_type_description")
@@ -46,7 +46,7 @@ def describe(make_context: MakeContext) -> Callable[..., Any]:
     return ask
 
 
-def test_a_message_is_described_with_all_that_is_inside_it(describe: Callable[..., Any]) -> None:
+def test_a_description_includes_nested_types(describe: Callable[..., Any]) -> None:
     response = describe(type_name="std_msgs/msg/Header", type_hash=type_hash("std_msgs/Header"))
     assert response.successful
     described = response.type_description
@@ -63,14 +63,14 @@ def test_a_message_is_described_with_all_that_is_inside_it(describe: Callable[..
     }
 
 
-def test_the_parts_of_a_service_have_its_text_for_theirs(describe: Callable[..., Any]) -> None:
+def test_request_and_response_have_their_services_source(describe: Callable[..., Any]) -> None:
     response = describe(type_name="std_srvs/srv/Trigger")
     texts = {one.type_name: (one.encoding, one.raw_file_contents) for one in response.type_sources}
     assert texts["std_srvs/srv/Trigger"] == ("srv", get_spec("std_srvs/srv/Trigger").text)
     assert texts["std_srvs/srv/Trigger_Event"] == ("implicit", "")
 
 
-def test_sources_and_defaults(describe: Callable[..., Any]) -> None:
+def test_sources_and_default_values_are_described(describe: Callable[..., Any]) -> None:
     name = "type_description_interfaces/srv/GetTypeDescription_Request"
     response = describe(type_name=name, include_type_sources=False)
     assert response.type_sources == []
@@ -78,7 +78,7 @@ def test_sources_and_defaults(describe: Callable[..., Any]) -> None:
     assert [field.default_value for field in fields] == ["", "", "True"]
 
 
-def test_the_reason_of_a_refusal_is_told(describe: Callable[..., Any]) -> None:
+def test_a_refusal_has_its_reason(describe: Callable[..., Any]) -> None:
     response = describe(type_name="std_srvs/srv/Trigr")
     assert not response.successful
     assert "did you mean 'std_srvs/srv/Trigger'?" in response.failure_reason
@@ -91,15 +91,15 @@ def test_the_service_carries_the_hash_of_its_type() -> None:
     assert type_hash(GetTypeDescription) == SERVICE_TYPE[1]
 
 
-def test_a_parameter_switches_it_off(make_context: MakeContext) -> None:
+def test_the_service_can_be_switched_off_by_a_parameter(make_context: MakeContext) -> None:
     node = zbot.Node("quiet", context=make_context(), parameter_overrides=[OFF])
     assert "/quiet/get_type_description" not in [one.service_name for one in node.services]
 
 
-# -- types that only the other one has -----------------------------------------------------------
+# -- types that only another process has -----------------------------------------------------------
 
 
-def test_nobody_tells_of_a_type_that_nobody_uses(make_context: MakeContext) -> None:
+def test_an_unused_type_is_not_described(make_context: MakeContext) -> None:
     zbot.Node("robot", context=make_context())
     assert learn_type(make_context(), "my_robot/msg/Unheard") is None
 
@@ -111,7 +111,7 @@ def services_of(context: zbot.Context) -> set[str]:
 @pytest.mark.parametrize(
     ("text", "is_believed"), [("int32 truth\n", False), ("int64 truth\n", True), ("int32", False)]
 )
-def test_only_what_has_the_hash_of_the_used_type_is_believed(
+def test_a_description_with_another_hash_is_rejected(
     make_context: MakeContext, spin: Spin, text: str, is_believed: bool
 ) -> None:
     name = f"liars/msg/Text{len(text)}{is_believed}"
@@ -159,7 +159,7 @@ threading.Event().wait()
 """
 
 
-def test_a_dataclass_of_another_process_is_learned(
+def test_a_dataclass_of_another_process_can_be_used(
     make_context: MakeContext, start: Start, tmp_path: Path
 ) -> None:
     start(source=PROGRAM).wait_for("ready")

@@ -10,8 +10,8 @@ import pytest
 import zbot
 from tests.conftest import wait_until
 from zbot.node.errors import ServiceError
-from zbot.web.system import ReadOnlyError, System, answer
-from zbot.web.watch import NoTypeError
+from zbot.web.system import ReadOnlyError, System, await_future
+from zbot.web.watch import UnknownTypeError
 
 from std_msgs.msg import Float64, String
 from std_srvs.srv import SetBool
@@ -41,7 +41,7 @@ def publish_until(publisher: Any, message: Any, condition: Callable[[], bool]) -
     assert wait_until(attempt, 10)
 
 
-def test_graph_is_seen_and_callbacks_are_told(
+def test_graph_is_read_and_changes_call_the_callbacks(
     system: System, make_context: Callable[[], zbot.Context]
 ) -> None:
     changed = threading.Event()
@@ -67,16 +67,14 @@ def test_watch_keeps_the_latest_and_counts(system: System, node: zbot.Node) -> N
         assert watch.problem == ""
 
 
-def test_watch_waits_for_a_topic_that_nobody_uses_yet(system: System, node: zbot.Node) -> None:
+def test_watch_waits_for_an_unused_topic(system: System, node: zbot.Node) -> None:
     with system.watch("/later") as watch:
         assert watch.type_name is None
         publisher = node.create_publisher(String, "later", 10)
         publish_until(publisher, String(data="now"), lambda: watch.latest is not None)
 
 
-def test_watches_of_a_topic_share_a_subscription_and_leave_none(
-    system: System, node: zbot.Node
-) -> None:
+def test_watches_of_a_topic_share_one_subscription(system: System, node: zbot.Node) -> None:
     node.create_publisher(String, "chatter", 10)
     assert wait_until(lambda: bool(system.snapshot().publishers("/chatter")))
     watches = [system.watch("/chatter") for _ in range(50)]
@@ -90,7 +88,7 @@ def test_watches_of_a_topic_share_a_subscription_and_leave_none(
     assert wait_until(lambda: node.count_subscribers("/chatter") == 0)
 
 
-def test_paused_watch_subscribes_to_nothing_and_goes_on(system: System, node: zbot.Node) -> None:
+def test_paused_watch_has_no_subscription(system: System, node: zbot.Node) -> None:
     publisher = node.create_publisher(String, "chatter", 10)
     with system.watch("/chatter", is_active=False) as watch:
         assert system.watched_topics == []
@@ -103,7 +101,7 @@ def test_paused_watch_subscribes_to_nothing_and_goes_on(system: System, node: zb
         publish_until(publisher, String(data="two"), lambda: watch.latest.data == "two")
 
 
-def test_history_is_kept_for_who_asks(system: System, node: zbot.Node) -> None:
+def test_history_is_kept_on_request(system: System, node: zbot.Node) -> None:
     publisher = node.create_publisher(Float64, "x", 10)
     with system.watch("/x") as plain, system.watch("/x", keep=5) as watch:
         publish_until(publisher, Float64(data=1.0), lambda: watch.count >= 9)
@@ -141,7 +139,7 @@ def test_latest_is_decoded_no_more_often_than_a_page_shows(
         assert decoded <= 30 * (time.monotonic() - began) + 2
 
 
-def test_latched_message_is_seen_by_a_late_watch(system: System, node: zbot.Node) -> None:
+def test_latched_message_reaches_a_late_watch(system: System, node: zbot.Node) -> None:
     publisher = node.create_publisher(
         String, "map", zbot.QoSProfile(depth=1, durability=zbot.DurabilityPolicy.TRANSIENT_LOCAL)
     )
@@ -151,10 +149,10 @@ def test_latched_message_is_seen_by_a_late_watch(system: System, node: zbot.Node
         assert wait_until(lambda: watch.latest is not None)
 
 
-def test_unknown_type_is_told_in_a_sentence(system: System) -> None:
+def test_unknown_type_is_reported_with_a_sentence(system: System) -> None:
     with system.watch("/x", "nobody_msgs/msg/Thing") as watch:
-        assert wait_until(lambda: "unknown here" in watch.problem, 10)
-    with pytest.raises(NoTypeError, match="nobody_msgs"):
+        assert wait_until(lambda: "no definition of" in watch.problem, 10)
+    with pytest.raises(UnknownTypeError, match="nobody_msgs"):
         system.interface("nobody_msgs/msg/Thing")
 
 
@@ -169,7 +167,7 @@ def test_message_of_another_type_is_not_shown(
         assert watch.latest.data == "text"
 
 
-def test_publisher_is_shared_and_leaves_with_its_last_holder(system: System) -> None:
+def test_publisher_is_shared_and_destroyed_with_its_last_user(system: System) -> None:
     first = system.publisher("/cmd", "std_msgs/msg/String")
     second = system.publisher("/cmd", "std_msgs/msg/String")
     assert first.entity is second.entity
@@ -179,7 +177,7 @@ def test_publisher_is_shared_and_leaves_with_its_last_holder(system: System) -> 
     assert wait_until(lambda: not system.snapshot().publishers("/cmd"))
 
 
-def test_service_answers_in_asyncio(
+def test_service_can_be_called_in_asyncio(
     system: System, node: zbot.Node, spin: Callable[..., Spinner]
 ) -> None:
     def handle(request: SetBool.Request, response: SetBool.Response) -> SetBool.Response:
@@ -190,10 +188,10 @@ def test_service_answers_in_asyncio(
 
     node.create_service(SetBool, "switch", handle)
     spinner = spin(node)
-    with system.client("/switch", "std_srvs/srv/SetBool") as lease:
+    with system.client("/switch", "std_srvs/srv/SetBool") as reference:
 
         async def call(data: bool) -> Any:
-            return await answer(lease.entity.call_async(SetBool.Request(data=data)), 10)
+            return await await_future(reference.entity.call_async(SetBool.Request(data=data)), 10)
 
         assert asyncio.run(call(True)).message == "done"
         with pytest.raises(ServiceError, match="no"):
@@ -213,6 +211,6 @@ def test_read_only_refuses_to_change_anything(domain: int) -> None:
                 make()
 
 
-def test_logs_of_all_nodes_are_kept(system: System, node: zbot.Node) -> None:
+def test_log_lines_of_all_nodes_are_kept(system: System, node: zbot.Node) -> None:
     node.get_logger().warning("low battery")
     assert wait_until(lambda: [one.text for one in system.logs.since(0)] == ["low battery"])

@@ -21,7 +21,7 @@ def program() -> str:
     return "\n".join(blocks)
 
 
-def test_the_document_is_a_program_that_talks_to_a_node(
+def test_the_programs_of_the_wire_document_communicate_with_a_node(
     start: Callable[..., Any], capsys: pytest.CaptureFixture[str]
 ) -> None:
     sensor = start(sys.executable, "-u", "-m", "zbot_nodes.sensor")

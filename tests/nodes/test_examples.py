@@ -1,4 +1,4 @@
-"""Every program in `examples/` does what its page says, in a process of its own."""
+"""Tests of the programs in `examples/`, each in a process of its own."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_every_example_is_run_and_listed() -> None:
 
 
 @pytest.mark.parametrize("name", SAYS)
-def test_an_example_says_what_it_should(name: str, start: Start) -> None:
+def test_an_example_prints_its_documented_output(name: str, start: Start) -> None:
     example = start("zbot", "run", str(EXAMPLES / name))
     example.wait_for(SAYS[name])
     example.stop()

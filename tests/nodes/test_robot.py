@@ -1,4 +1,4 @@
-"""The simulated robot as a class meets it: real processes, seen and driven over topics."""
+"""Tests of the simulated robot in real processes, through its topics."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 
 class Student(zbot.Node):
-    """Hears everything that the robot tells, and drives it."""
+    """Node that receives every topic of the robot and drives it."""
 
     TOPICS: tuple[tuple[type[Any], str], ...] = (
         (Odometry, "/odom"),
@@ -91,7 +91,7 @@ def base(start: Start) -> Program:
 
 
 @pytest.mark.usefixtures("base")
-def test_the_base_tells_where_it_is(student: Student) -> None:
+def test_the_base_publishes_its_odometry(student: Student) -> None:
     assert student.hears("/odom", "/joint_states", "/tf", "/tf_static")
     odom = student.heard["/odom"]
     assert (odom.header.frame_id, odom.child_frame_id) == ("odom", "base_link")
@@ -168,7 +168,7 @@ def test_the_imu_feels_turning_and_gravity(student: Student, start: Start) -> No
 
 
 @pytest.mark.usefixtures("base")
-def test_the_camera_sees_sky_wall_and_floor(student: Student, start: Start) -> None:
+def test_the_camera_image_has_sky_wall_and_floor(student: Student, start: Start) -> None:
     start("zbot", "run", "robot_camera").wait_for("Camera ready")
     assert student.hears("/camera/image_raw", "/camera/camera_info")
     image = student.heard["/camera/image_raw"]
@@ -229,19 +229,19 @@ def test_navigation_stops_before_an_obstacle(
     goal.pose.position.x = 9.0  # behind the wall
     assert student.hears("/scan")
     student.goal.publish(goal)
-    program.wait_for("Something is in the way: giving up at (3.", 30)
+    program.wait_for("Obstacle ahead: giving up at (3.", 30)
     assert wait_until(lambda: student.heard["/odom"].twist.twist.linear.x == 0.0, 10)
     assert 3.5 < student.x < 3.8
 
 
-def test_navigation_patrols_until_somebody_else_drives(
+def test_navigation_patrols_until_another_node_drives(
     student: Student, navigation: Callable[..., Program]
 ) -> None:
     program = navigation("--ros-args", "-p", "patrol:=true")
     assert student.hears("/odom", "/plan")
     assert wait_until(lambda: student.x > 0.1, 20)
     student.order(0.0, -0.5)
-    program.wait_for("Somebody else drives: giving way")
+    program.wait_for("Another node drives: pausing")
     turning = -0.5
     assert wait_until(
         lambda: student.heard["/odom"].twist.twist.angular.z == pytest.approx(turning), 10
@@ -264,7 +264,7 @@ def test_one_command_starts_the_whole_robot(student: Student, start: Start) -> N
         return {info.node_name for info in student.get_subscriptions_info_by_topic("/cmd_vel")}
 
     assert wait_until(lambda: driven() == {"base_controller", "navigation"})
-    # What sensors are told behind the scenes is hidden from a class.
+    # The topic between base and sensors is hidden.
     shown = {topic for topic, _ in student.get_topic_names_and_types()}
     assert {topic for topic in shown if is_hidden(topic)} == {"/_ground_truth"}
     goal = PoseStamped()

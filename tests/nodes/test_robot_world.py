@@ -1,4 +1,4 @@
-"""The room of the simulated robot, and how it looks to its sensors."""
+"""Tests of the simulated room and of what the robot's sensors measure in it."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ ANGLES = st.floats(-math.pi, math.pi)
         (10, 10, 45, math.inf),
     ],
 )
-def test_distance_is_that_to_the_first_wall(
+def test_distance_ends_at_the_first_wall(
     x: float, y: float, degrees: float, expected: float
 ) -> None:
     assert distance(x, y, math.radians(degrees)) == pytest.approx(expected)
 
 
 @given(st.floats(-1.99, 3.99), st.floats(-2.49, 2.49), ANGLES)
-def test_whatever_is_seen_lies_on_a_wall(x: float, y: float, angle: float) -> None:
+def test_every_measured_point_is_on_a_wall(x: float, y: float, angle: float) -> None:
     far = distance(x, y, angle)
     assert 0 < far < math.hypot(6, 5) + 1e-6
     hit_x, hit_y = x + far * math.cos(angle), y + far * math.sin(angle)
@@ -62,7 +62,7 @@ def test_the_robot_needs_room_on_all_sides(x: float, y: float, expected: bool) -
     assert is_free(x, y) is expected
 
 
-def test_the_way_of_the_patrol_is_free() -> None:
+def test_the_path_of_the_patrol_is_free() -> None:
     for (from_x, from_y), (to_x, to_y) in pairwise([(0.0, 0.0), *PATROL, PATROL[0]]):
         for step in range(101):
             x = from_x + (to_x - from_x) * step / 100

@@ -1,4 +1,4 @@
-"""The programs of tf2_ros as a class meets them: real processes."""
+"""Tests of the programs of tf2_ros in real processes."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_echo_shows_every_form_of_a_rotation(start: Start) -> None:
     assert echo.wait_for("1.000").split() == ["0.000", "-1.000", "0.000", "0.000"]
 
 
-def test_a_program_written_for_ros2_looks_up(start: Start) -> None:
+def test_a_program_written_for_ros2_looks_up_a_transform(start: Start) -> None:
     start(*PUBLISHER, "1", "2", "3", "0", "0", "0", "1", "map", "base").wait_for("from 'map'")
     program = start(source=PROGRAM)
     program.wait_for("seen 1.0 2.0 3.0")
@@ -80,16 +80,14 @@ def test_a_program_written_for_ros2_looks_up(start: Start) -> None:
         (("--x", "1"), "--frame-id"),
     ],
 )
-def test_useless_transforms_are_refused(
-    start: Start, words: tuple[str, ...], sentence: str
-) -> None:
+def test_invalid_arguments_are_refused(start: Start, words: tuple[str, ...], sentence: str) -> None:
     publisher = start(*PUBLISHER, *words)
     assert publisher.wait() == 2
     assert sentence in publisher.output
 
 
 @pytest.mark.parametrize("rate", ["fast", "0"])
-def test_a_rate_that_is_none(start: Start, rate: str) -> None:
+def test_an_invalid_rate_is_refused(start: Start, rate: str) -> None:
     echo = start(*ECHO, "map", "base", rate)
     assert echo.wait() == 1
     assert f"echo_rate must be a number above 0, not '{rate}'" in echo.output

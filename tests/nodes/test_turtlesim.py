@@ -1,4 +1,4 @@
-"""The turtles as a class meets them: real processes, and the commands of the lesson."""
+"""Tests of turtlesim in real processes, with the commands of the lesson."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ def output(start: Start, *words: str) -> str:
 
 
 def pose(start: Start) -> dict[str, float]:
-    told = output(start, "topic", "echo", "--once", "/turtle1/pose")
-    return {name: float(value) for name, value in re.findall(r"^(\w+): (\S+)$", told, re.MULTILINE)}
+    text = output(start, "topic", "echo", "--once", "/turtle1/pose")
+    return {name: float(value) for name, value in re.findall(r"^(\w+): (\S+)$", text, re.MULTILINE)}
 
 
-def test_the_node_is_what_the_tutorial_shows(turtlesim: Program, start: Start) -> None:
-    told = output(start, "node", "info", "/turtlesim")
+def test_the_node_has_the_endpoints_of_the_tutorial(turtlesim: Program, start: Start) -> None:
+    text = output(start, "node", "info", "/turtlesim")
     for name in (
         "/turtle1/cmd_vel: geometry_msgs/msg/Twist",
         "/turtle1/color_sensor: turtlesim/msg/Color",
@@ -49,7 +49,7 @@ def test_the_node_is_what_the_tutorial_shows(turtlesim: Program, start: Start) -
         "/turtlesim/set_parameters: rcl_interfaces/srv/SetParameters",
         "/turtle1/rotate_absolute: turtlesim/action/RotateAbsolute",
     ):
-        assert f"    {name}\n" in told
+        assert f"    {name}\n" in text
     assert turtlesim.stop() == -2
 
 
@@ -68,10 +68,10 @@ def test_a_command_draws_an_arc(turtlesim: Program, start: Start) -> None:
     )
 
 
-def test_turtles_come_and_go(turtlesim: Program, start: Start) -> None:
+def test_turtles_are_spawned_and_killed(turtlesim: Program, start: Start) -> None:
     spawn = ("service", "call", "/spawn", "turtlesim/srv/Spawn")
-    told = output(start, *spawn, "{x: 2, y: 2, theta: 0.2, name: ''}")
-    assert "turtlesim.srv.Spawn_Response(name='turtle2')" in told
+    text = output(start, *spawn, "{x: 2, y: 2, theta: 0.2, name: ''}")
+    assert "turtlesim.srv.Spawn_Response(name='turtle2')" in text
     assert "/turtle2/pose" in output(start, "topic", "list")
     output(start, "service", "call", "/kill", "turtlesim/srv/Kill", "{name: turtle2}")
     assert "/turtle2/pose" not in output(start, "topic", "list")
@@ -81,13 +81,13 @@ def test_turtles_come_and_go(turtlesim: Program, start: Start) -> None:
 
 
 def test_a_turtle_turns_to_a_heading(turtlesim: Program, start: Start) -> None:
-    told = output(
+    text = output(
         start,
         *("action", "send_goal", "--feedback", "/turtle1/rotate_absolute"),
         *("turtlesim/action/RotateAbsolute", "{theta: 1.57}"),
     )
-    assert "Goal finished with status: SUCCEEDED" in told
-    (delta,) = re.findall(r"delta: (\S+)", told)
+    assert "Goal finished with status: SUCCEEDED" in text
+    (delta,) = re.findall(r"delta: (\S+)", text)
     assert float(delta) == pytest.approx(-1.57, abs=0.02)
     turtlesim.wait_for("Rotation goal completed successfully")
 
@@ -101,7 +101,7 @@ def test_parameters_have_their_ranges(turtlesim: Program, start: Start) -> None:
     assert "256" in refused.output
 
 
-def test_it_goes_on_at_the_wall(turtlesim: Program, start: Start) -> None:
+def test_turtlesim_continues_after_a_turtle_hits_the_wall(turtlesim: Program, start: Start) -> None:
     for theta in ("0.0", "1.57"):
         where = f"{{x: 11.0, y: 11.0, theta: {theta}}}"
         teleport = ("/turtle1/teleport_absolute", "turtlesim/srv/TeleportAbsolute", where)
@@ -114,11 +114,9 @@ def test_it_goes_on_at_the_wall(turtlesim: Program, start: Start) -> None:
 
 
 @pytest.mark.parametrize("name", ["a b", "1st", "dash-ed"])
-def test_a_name_that_no_topic_can_have_is_refused(
-    turtlesim: Program, start: Start, name: str
-) -> None:
-    told = output(start, "service", "call", "/spawn", "turtlesim/srv/Spawn", f"{{name: '{name}'}}")
-    assert "turtlesim.srv.Spawn_Response(name='')" in told
+def test_an_invalid_turtle_name_is_refused(turtlesim: Program, start: Start, name: str) -> None:
+    text = output(start, "service", "call", "/spawn", "turtlesim/srv/Spawn", f"{{name: '{name}'}}")
+    assert "turtlesim.srv.Spawn_Response(name='')" in text
     turtlesim.wait_for(f"A turtle cannot be named [{name}]")
     assert "turtlesim.srv.Spawn_Response(name='turtle2')" in output(
         start, "service", "call", "/spawn", "turtlesim/srv/Spawn", "{x: 1, y: 1}"

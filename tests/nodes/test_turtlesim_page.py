@@ -1,4 +1,4 @@
-"""turtlesim shows its page to whoever sits in front of the machine."""
+"""Tests of the page that turtlesim opens in the browser of this machine."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ HINT = "pip install 'zbot[web]'"
 
 
 @pytest.fixture
-def visited(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """Return the file with the addresses that were opened in this machine's browser."""
-    addresses = tmp_path / "visited"
+def address_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Return the file with the addresses that were opened in the browser."""
+    addresses = tmp_path / "address_file"
     browser = tmp_path / "browser.sh"
     browser.write_text(f'#!/bin/sh\necho "$1" >> {addresses}\n', encoding="utf-8")
     browser.chmod(0o755)
@@ -39,44 +39,44 @@ def visited(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return addresses
 
 
-def opened(addresses: Path) -> list[str]:
+def opened_addresses(addresses: Path) -> list[str]:
     return addresses.read_text(encoding="utf-8").split() if addresses.exists() else []
 
 
-def test_it_opens_the_page_at_the_turtle(start: Start, visited: Path) -> None:
+def test_turtlesim_opens_the_page_of_the_turtle(start: Start, address_file: Path) -> None:
     pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
     program = start(*RUN)
     program.wait_for("Spawning turtle [turtle1]")
-    assert wait_until(lambda: bool(opened(visited)), 30)
-    (address,) = opened(visited)
+    assert wait_until(lambda: bool(opened_addresses(address_file)), 30)
+    (address,) = opened_addresses(address_file)
     assert address.endswith("/turtle?node=/turtlesim")
     with urllib.request.urlopen(address) as page:
         assert page.status == 200
     other = start(*RUN, "--ros-args", "-r", "__ns:=/second")
     other.wait_for("Spawning turtle [turtle1]")
-    assert wait_until(lambda: len(opened(visited)) == 2, 30)
+    assert wait_until(lambda: len(opened_addresses(address_file)) == 2, 30)
     root = address.partition("/turtle")[0]
-    assert opened(visited)[1] == f"{root}/turtle?node=/second/turtlesim"
+    assert opened_addresses(address_file)[1] == f"{root}/turtle?node=/second/turtlesim"
     assert program.stop(timeout_s=20) == -2
     with pytest.raises(OSError, match="refused"):
         urllib.request.urlopen(root)
 
 
-def test_two_that_begin_at_once_share_a_page(start: Start, visited: Path) -> None:
+def test_two_turtlesims_share_a_page(start: Start, address_file: Path) -> None:
     pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
     launched = start("zbot", "launch", "turtlesim", "multisim.launch.py")
-    assert wait_until(lambda: len(opened(visited)) == 2, 40)
-    roots = {address.partition("/turtle?")[0] for address in opened(visited)}
+    assert wait_until(lambda: len(opened_addresses(address_file)) == 2, 40)
+    roots = {address.partition("/turtle?")[0] for address in opened_addresses(address_file)}
     assert len(roots) == 1
     assert launched.stop(timeout_s=20) == 0
 
 
-def test_its_page_ends_with_it_however_it_ends(start: Start, visited: Path) -> None:
+def test_the_page_ends_with_a_killed_turtlesim(start: Start, address_file: Path) -> None:
     pytest.importorskip("nicegui", reason="the page needs NiceGUI: pip install 'zbot[web]'")
     program = start(*RUN)
-    assert wait_until(lambda: bool(opened(visited)), 30)
+    assert wait_until(lambda: bool(opened_addresses(address_file)), 30)
     program.process.kill()
-    assert wait_until(lambda: not is_served(opened(visited)[0]), 20)
+    assert wait_until(lambda: not is_served(opened_addresses(address_file)[0]), 20)
 
 
 def is_served(address: str) -> bool:
@@ -90,18 +90,18 @@ def is_served(address: str) -> bool:
 @pytest.mark.parametrize(
     ("words", "variables"), [(("--no-browser",), {}), ((), {"ZBOT_NO_BROWSER": "1"})]
 )
-def test_it_does_not_when_nobody_wants_it(
-    start: Start, visited: Path, words: tuple[str, ...], variables: dict[str, str]
+def test_turtlesim_opens_no_page_when_it_is_switched_off(
+    start: Start, address_file: Path, words: tuple[str, ...], variables: dict[str, str]
 ) -> None:
     program = start(*RUN, *words, env=variables)
     program.wait_for("Spawning turtle [turtle1]")
     assert start("zbot", "topic", "echo", "--once", "/turtle1/pose").wait(20) == 0
-    assert opened(visited) == []
+    assert opened_addresses(address_file) == []
     assert program.stop() == -2
 
 
-def test_without_the_extra_it_says_how_to_get_it_and_runs_on(
-    start: Start, visited: Path, tmp_path: Path
+def test_turtlesim_runs_without_the_extra_and_prints_the_install_command(
+    start: Start, address_file: Path, tmp_path: Path
 ) -> None:
     hidden = "import sys; sys.modules['nicegui'] = None\n"
     (tmp_path / "sitecustomize.py").write_text(hidden, encoding="utf-8")
@@ -109,5 +109,5 @@ def test_without_the_extra_it_says_how_to_get_it_and_runs_on(
     program = start(*RUN, env={"PYTHONPATH": path})
     program.wait_for(HINT)
     assert start("zbot", "topic", "echo", "--once", "/turtle1/pose").wait(20) == 0
-    assert opened(visited) == []
+    assert opened_addresses(address_file) == []
     assert program.stop() == -2

@@ -18,13 +18,13 @@ def test_every_error_belongs_to_the_tree() -> None:
         (errors.InvalidParameterError(""), ValueError),
     ],
 )
-def test_a_stranger_can_catch_the_builtin(
+def test_each_error_is_also_a_builtin_exception(
     error: errors.ZbotError, builtin: type[Exception]
 ) -> None:
     assert isinstance(error, builtin)
 
 
-def test_facts_are_kept_as_attributes() -> None:
+def test_arguments_are_kept_as_attributes() -> None:
     error = errors.InvalidNameError("topic name", "a b", "a space is not allowed", 1)
     assert (error.name_type, error.name, error.error_msg, error.invalid_index) == (
         "topic name",

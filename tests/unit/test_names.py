@@ -136,7 +136,7 @@ def test_the_caret_counts_escaped_characters() -> None:
     assert str(caught.value).splitlines()[1:] == [r"  '\n'", "   ^"]
 
 
-def test_a_name_that_is_no_string_is_a_type_error() -> None:
+def test_a_name_that_is_not_a_string_is_a_type_error() -> None:
     with pytest.raises(ArgumentTypeError, match="node name must be a string, not int: 5"):
         validate_node_name(5)  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
 

@@ -91,7 +91,7 @@ def test_a_depth_of_zero_warns_at_the_caller() -> None:
     assert caught[0].filename == __file__
 
 
-def test_profiles_compare_by_value() -> None:
+def test_profiles_are_compared_by_value() -> None:
     assert QoSProfile(depth=1) == QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1)
     assert QoSProfile(depth=1) != QoSProfile(depth=2)
     assert QoSProfile(depth=1) != 1
@@ -121,7 +121,7 @@ def test_repr_names_the_policies() -> None:
         ),
     ],
 )
-def test_short_keys_are_what_a_person_types(policy: type[QoSPolicyEnum], keys: list[str]) -> None:
+def test_short_keys_are_accepted(policy: type[QoSPolicyEnum], keys: list[str]) -> None:
     assert policy.short_keys() == keys
     assert [policy(policy.get_from_short_key(key)).short_key for key in keys] == keys
 
@@ -171,7 +171,7 @@ def test_presets_are_those_of_ros(preset: str, numbers: tuple[int, ...]) -> None
     assert profile == getattr(qos, f"qos_profile_{preset}")
 
 
-def test_rosout_lines_live_ten_seconds() -> None:
+def test_rosout_lifespan_is_ten_seconds() -> None:
     assert QoSPresetProfiles.ROSOUT_DEFAULT.value.lifespan == Duration(seconds=10)
 
 
@@ -180,7 +180,7 @@ def test_every_pair_of_profiles_is_compatible() -> None:
     assert qos_check_compatible(qos_profile_sensor_data, picky) == (QoSCompatibility.OK, "")
 
 
-def test_policies_can_be_taken_out_and_put_in_again() -> None:
+def test_policies_can_be_exported_and_imported() -> None:
     picky = QoSProfile(history=HistoryPolicy.KEEP_ALL, depth=7, lifespan=Duration(seconds=5))
     policies = picky.get_c_qos_profile().to_dict()
     assert QoSProfile(**policies) == picky

@@ -122,18 +122,18 @@ def test_values_beyond_64_bits_overflow(kind: type[Time | Duration], seconds: fl
 
 
 @pytest.mark.parametrize("kind", [Time, Duration])
-def test_a_text_is_no_number(kind: type[Time | Duration]) -> None:
+def test_a_text_is_not_a_number(kind: type[Time | Duration]) -> None:
     with pytest.raises(ArgumentTypeError, match="seconds must be a number, not str: 'a'"):
         kind(seconds="a")  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
 
 
-def test_numpy_numbers_count_like_python_ones() -> None:
+def test_numpy_numbers_are_accepted_as_python_numbers() -> None:
     numpy = pytest.importorskip("numpy")
     assert Duration(seconds=numpy.int32(5)).nanoseconds == 5 * S_TO_NS
     assert Duration(seconds=numpy.float32(0.5)).nanoseconds == S_TO_NS // 2
 
 
-def test_the_clock_type_must_be_one() -> None:
+def test_an_invalid_clock_type_is_refused() -> None:
     with pytest.raises(ArgumentTypeError, match="clock_type must be a ClockType"):
         Time(clock_type=1)  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
 
@@ -174,6 +174,6 @@ def test_infinite_survives_a_message_and_any_factor() -> None:
 @pytest.mark.parametrize("kind", [Time, Duration])
 def test_programs_may_attach_attributes_of_their_own(kind: type[Time | Duration]) -> None:
     moment: Any = kind(seconds=3.5)
-    moment.secs = moment.nanoseconds // 10**9  # as programs moved from ROS 1 do
+    moment.secs = moment.nanoseconds // 10**9  # programs that were ported from ROS 1 do so
     assert moment.secs == 3
     assert moment == kind(seconds=3.5)

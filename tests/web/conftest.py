@@ -1,4 +1,4 @@
-"""Pages in a real browser: Chromium as the machine has it, driven by Playwright."""
+"""Fixtures for pages in the Chromium of this machine, driven by Playwright."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 _LOCAL = {"127.0.0.1", "localhost"}
 _ARGUMENTS = [
-    "--no-sandbox",  # it refuses to run as root otherwise
+    "--no-sandbox",  # Chromium refuses to run as root otherwise
     "--disable-gpu",
     "--disable-background-networking",
     "--disable-component-update",
@@ -32,8 +32,8 @@ _ARGUMENTS = [
 ]
 COMMAND = ("zbot", "web", "--no-browser", "--port", "0")
 ENDED_BY_CTRL_C = 130
-#: Generous: other tests use the machine's cores at the same time.
-PATIENCE_MS = 20_000
+#: Long, because other tests use the cores at the same time.
+PAGE_TIMEOUT_MS = 20_000
 
 
 def chromium() -> str | None:
@@ -43,7 +43,7 @@ def chromium() -> str | None:
 
 
 class Visit:
-    """One browser window; everything that it asked for and complained about."""
+    """Browser window with the requests that it sent and the errors that it reported."""
 
     def __init__(self, browser: Browser, **options: Any) -> None:
         self.context = browser.new_context(**options)
@@ -53,7 +53,7 @@ class Visit:
 
     def new_page(self) -> Page:
         page = self.context.new_page()
-        page.set_default_timeout(PATIENCE_MS)
+        page.set_default_timeout(PAGE_TIMEOUT_MS)
         page.on("request", lambda request: self.requests.append(request.url))
         page.on("websocket", lambda socket: self.requests.append(socket.url))
         page.on("pageerror", lambda error: self.errors.append(str(error)))
@@ -61,7 +61,7 @@ class Visit:
         return page
 
     def _note(self, message: Any) -> None:
-        # A server that a test has ended is missed by the pages that it leaves open.
+        # Pages that are still open report a refused connection after a test ended their server.
         if message.type == "error" and "net::ERR_CONNECTION_REFUSED" not in message.text:
             self.errors.append(message.text)
 
@@ -70,8 +70,8 @@ class Visit:
         hosts = ((url, urlsplit(url)) for url in self.requests)
         return [url for url, parts in hosts if parts.hostname and parts.hostname not in _LOCAL]
 
-    def complaints(self) -> list[str]:
-        """Return what went wrong, and what other machines were asked for, since the last call."""
+    def new_errors(self) -> list[str]:
+        """Return the errors and the requests to other machines since the last call."""
         found = self.errors + self.foreign_requests
         self.errors.clear()
         self.requests.clear()
@@ -79,7 +79,7 @@ class Visit:
 
 
 class Server:
-    """A running `zbot web`."""
+    """Running `zbot web`."""
 
     def __init__(self, program: Program) -> None:
         self.program = program
@@ -89,8 +89,8 @@ class Server:
         return self.program.stop(timeout_s=15)
 
 
-class Stage:
-    """What tests in a row share, as it starts more slowly than most of them run."""
+class SharedBrowser:
+    """Browser, window, domain and servers of successive tests, as they start slowly."""
 
     def __init__(self) -> None:
         self._ends = ExitStack()
@@ -103,7 +103,7 @@ class Stage:
         path = chromium()
         if path is None:
             pytest.skip("there is no Chromium on this machine")
-        playwright.expect.set_options(timeout=PATIENCE_MS)
+        playwright.expect.set_options(timeout=PAGE_TIMEOUT_MS)
         driver = self._ends.enter_context(playwright.sync_playwright())
         browser: Browser = driver.chromium.launch(executable_path=path, args=_ARGUMENTS)
         self._ends.callback(browser.close)
@@ -111,7 +111,7 @@ class Stage:
 
     @cached_property
     def window(self) -> Visit:
-        """A new one would load and compile everything anew, for a second."""
+        """Return one window for all tests: a new one needs a second to load the page."""
         window = Visit(self.browser)
         self._ends.callback(window.context.close)
         return window
@@ -129,7 +129,7 @@ class Stage:
         if words not in self._servers:
             command = [sys.executable, "-m", "zbot_cli", *COMMAND[1:], *words]
             server = Server(Program(command, folder, {**os.environ}))
-            self._ends.callback(_end, server)
+            self._ends.callback(_stop_with_ctrl_c, server)
             self._servers[words] = server
         return self._servers[words]
 
@@ -137,61 +137,61 @@ class Stage:
         self._ends.close()
 
 
-def _end(server: Server) -> None:
+def _stop_with_ctrl_c(server: Server) -> None:
     assert server.stop() == ENDED_BY_CTRL_C
 
 
-_STAGE = pytest.StashKey[Stage]()
+_SHARED_BROWSER = pytest.StashKey[SharedBrowser]()
 
 
-# Not for the whole session: while Playwright is there, asyncio.run() is not possible in its thread.
+# Not at the end of the session: while Playwright runs, asyncio.run() fails in its thread.
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> Iterator[None]:
-    """Close the stage after the last of the tests in a row that use it."""
+    """Close the shared browser after the last of successive tests that use it."""
     try:
         return (yield)
     finally:
-        if "stage" not in getattr(nextitem, "fixturenames", ()):
-            _close_stage(item.session)
+        if "shared_browser" not in getattr(nextitem, "fixturenames", ()):
+            _close_shared_browser(item.session)
 
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
-    _close_stage(session)  # where the session was told to stop before its last test
+    _close_shared_browser(session)  # for a session that stops before its last test
 
 
-def _close_stage(session: pytest.Session) -> None:
-    stage = session.stash.get(_STAGE, None)
-    if stage is not None:
-        del session.stash[_STAGE]
-        stage.close()
-
-
-@pytest.fixture
-def stage(request: pytest.FixtureRequest) -> Stage:
-    return request.session.stash.setdefault(_STAGE, Stage())
+def _close_shared_browser(session: pytest.Session) -> None:
+    shared_browser = session.stash.get(_SHARED_BROWSER, None)
+    if shared_browser is not None:
+        del session.stash[_SHARED_BROWSER]
+        shared_browser.close()
 
 
 @pytest.fixture
-def browser(stage: Stage) -> Browser:
-    return stage.browser
+def shared_browser(request: pytest.FixtureRequest) -> SharedBrowser:
+    return request.session.stash.setdefault(_SHARED_BROWSER, SharedBrowser())
 
 
 @pytest.fixture
-def window(stage: Stage) -> Visit:
-    return stage.window
+def browser(shared_browser: SharedBrowser) -> Browser:
+    return shared_browser.browser
 
 
 @pytest.fixture
-def domain(stage: Stage, monkeypatch: pytest.MonkeyPatch) -> int:
-    """Return the domain of the stage, after whatever the last test ran has left it."""
-    monkeypatch.setenv("ZBOT_DOMAIN_ID", str(stage.domain))
-    if stage.has_servers:
-        assert wait_until(is_quiet, 10), snapshot().nodes
-    return stage.domain
+def window(shared_browser: SharedBrowser) -> Visit:
+    return shared_browser.window
 
 
-def is_quiet() -> bool:
-    """Return whether there are no nodes but those of servers."""
+@pytest.fixture
+def domain(shared_browser: SharedBrowser, monkeypatch: pytest.MonkeyPatch) -> int:
+    """Return the shared domain, after the nodes of the previous test have left it."""
+    monkeypatch.setenv("ZBOT_DOMAIN_ID", str(shared_browser.domain))
+    if shared_browser.has_servers:
+        assert wait_until(has_servers_only, 10), snapshot().nodes
+    return shared_browser.domain
+
+
+def has_servers_only() -> bool:
+    """Return whether all nodes of the domain are those of servers."""
     nodes = snapshot().nodes
     servers = {node.zid for node in nodes if node.node.startswith("_zbot_web")}
     return {node.zid for node in nodes} == servers
@@ -199,7 +199,7 @@ def is_quiet() -> bool:
 
 @pytest.fixture
 def visit(browser: Browser, start: object) -> Iterator[Callable[..., Visit]]:  # noqa: ARG001
-    """Return a function that opens a browser window of its own; it closes before programs end."""
+    """Return a function that opens a new browser window; it closes before programs end."""
     visits: list[Visit] = []
 
     def open_window(**options: Any) -> Visit:
@@ -210,22 +210,22 @@ def visit(browser: Browser, start: object) -> Iterator[Callable[..., Visit]]:  #
     for one in visits:
         one.context.close()
     for one in visits:
-        assert one.complaints() == []
+        assert one.new_errors() == []
 
 
 @pytest.fixture
 def page(window: Visit, start: object) -> Iterator[Page]:  # noqa: ARG001 - programs end after it
-    """Return the window's page; at the end it must not have asked other machines for anything."""
+    """Return the window's page; at the end, check that it sent no request to other machines."""
     yield window.page
     window.page.goto("about:blank")
     window.page.mouse.move(0, 0)
     window.context.clear_cookies()
-    assert window.complaints() == []
+    assert window.new_errors() == []
 
 
 @pytest.fixture
 def another_page(window: Visit, page: Page) -> Iterator[Callable[[], Page]]:  # noqa: ARG001
-    """Return a function that opens one more page in the window; it ends before `page` does."""
+    """Return a function that opens one more page in the window; it closes before `page`."""
     yield window.new_page
     for one in window.context.pages[1:]:
         one.close()
@@ -243,26 +243,26 @@ def serve(browser: Browser, start: Callable[..., Program]) -> Callable[..., Serv
 
 @pytest.fixture
 def server(
-    browser: Browser,  # noqa: ARG001 - tells whether this machine can show pages
+    browser: Browser,  # noqa: ARG001 - skips without a browser
     domain: int,  # noqa: ARG001 - by the environment
-    stage: Stage,
+    shared_browser: SharedBrowser,
     tmp_path_factory: pytest.TempPathFactory,
 ) -> Server:
-    """Return the `zbot web` of the stage."""
-    return stage.server(tmp_path_factory.getbasetemp())
+    """Return the shared `zbot web`."""
+    return shared_browser.server(tmp_path_factory.getbasetemp())
 
 
 @pytest.fixture
 def read_only_server(
     browser: Browser,  # noqa: ARG001 - as above
     domain: int,  # noqa: ARG001
-    stage: Stage,
+    shared_browser: SharedBrowser,
     tmp_path_factory: pytest.TempPathFactory,
 ) -> Server:
-    """Return another one, whose pages may only look."""
-    return stage.server(tmp_path_factory.getbasetemp(), "--read-only")
+    """Return the shared `zbot web` whose pages are read-only."""
+    return shared_browser.server(tmp_path_factory.getbasetemp(), "--read-only")
 
 
 def pytest_configure() -> None:
-    # Playwright's driver would otherwise look for proxies, and ask them for 127.0.0.1.
+    # Without this, Playwright's driver would search for proxies and request 127.0.0.1 from them.
     os.environ.setdefault("NO_PROXY", "127.0.0.1,localhost")

@@ -1,4 +1,4 @@
-"""The panel of a class, in a real browser, with real hubs."""
+"""Tests of the panel of a class, in a real browser with real hubs."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.classroom.neighbour import Neighbour
+from tests.classroom.local_machine import LocalMachine
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -31,9 +31,9 @@ with zbot.init():
 
 
 @pytest.fixture
-def teacher(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Neighbour]:
-    """Make this machine, as the test's programs see it, a teacher's with an open class."""
-    machine = Neighbour(tmp_path / "teacher")
+def teacher(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[LocalMachine]:
+    """Open a class on this machine; the programs of the test see it as the teacher's machine."""
+    machine = LocalMachine(tmp_path / "teacher")
     for name in ("XDG_CONFIG_HOME", "ZBOT_HUB_PORT"):
         monkeypatch.setenv(name, machine.environment[name])
     machine.succeed("class", "start", "Robots")
@@ -42,9 +42,9 @@ def teacher(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Neighbo
 
 
 @pytest.fixture
-def student(teacher: Neighbour, tmp_path: Path, domain: int) -> Iterator[Neighbour]:
-    """A student whose number is the test's domain."""
-    machine = Neighbour(tmp_path / "student")
+def student(teacher: LocalMachine, tmp_path: Path, domain: int) -> Iterator[LocalMachine]:
+    """Add a student whose number is the test's domain."""
+    machine = LocalMachine(tmp_path / "student")
     number = ("--number", str(domain))
     machine.succeed("join", f"127.0.0.1:{teacher.port}", "--name", NAME, *number)
     yield machine
@@ -53,7 +53,7 @@ def student(teacher: Neighbour, tmp_path: Path, domain: int) -> Iterator[Neighbo
 
 def test_each_student_has_a_card_that_opens_the_graph(
     page: Page,
-    student: Neighbour,
+    student: LocalMachine,
     start: Callable[..., Program],
     serve: Callable[..., object],
     domain: int,
@@ -76,7 +76,7 @@ def test_each_student_has_a_card_that_opens_the_graph(
 
 
 def test_a_student_who_leaves_the_network_is_shown_as_lost(
-    page: Page, student: Neighbour, serve: Callable[..., object]
+    page: Page, student: LocalMachine, serve: Callable[..., object]
 ) -> None:
     page.goto(f"{getattr(serve(), 'address', '')}/class")
     page.locator(".zb-student").get_by_text("0 nodes").wait_for()
@@ -84,6 +84,6 @@ def test_a_student_who_leaves_the_network_is_shown_as_lost(
     page.locator(".zb-student-lost").get_by_text(re.compile("lost [0-9]+ s ago")).wait_for()
 
 
-def test_without_a_class_the_page_says_how_to_open_one(page: Page, server: object) -> None:
+def test_page_without_a_class_says_how_to_open_one(page: Page, server: object) -> None:
     page.goto(f"{getattr(server, 'address', '')}/class")
     page.get_by_text("no class is open on this machine").wait_for()

@@ -1,4 +1,4 @@
-"""The console in the page: lines of all nodes, filtered, paused, and thousands of them."""
+"""Tests of the console panel: filters, pause, and thousands of lines."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def loggers(
     context = make_context()
     nodes = zbot.Node("left", context=context), zbot.Node("right", context=context)
     page.goto(f"{server.address}/console")
-    clear(page)  # of what other tests logged
+    clear(page)  # lines that other tests logged
     expect(page.get_by_text("No log line yet.")).to_be_visible()
     return nodes
 
@@ -75,15 +75,15 @@ def test_a_pause_keeps_lines_and_clear_forgets_them(
     left.get_logger().info("one")
     expect(lines(page)).to_have_count(1)
     page.get_by_role("button", name="Pause").click()
-    expect(page.get_by_role("button", name="Go on")).to_be_visible()
+    expect(page.get_by_role("button", name="Resume")).to_be_visible()
     left.get_logger().info("two")
-    page.wait_for_timeout(400)  # time enough for a line to come, if it could
+    page.wait_for_timeout(400)  # long enough for a line to arrive
     expect(lines(page)).to_have_count(1)
     page.get_by_label("Text", exact=True).fill("o")
     expect(page.locator(".zb-command")).to_contain_text("'o' in")
     page.wait_for_timeout(400)
     expect(lines(page)).to_have_count(1)
-    page.get_by_role("button", name="Go on").click()
+    page.get_by_role("button", name="Resume").click()
     expect(lines(page)).to_have_count(2)
     clear(page)
     expect(lines(page)).to_have_count(0)

@@ -25,12 +25,12 @@ if TYPE_CHECKING:
     from tests.conftest import Program, Spinner
     from tests.web.conftest import Server
 
-#: On a machine that does nothing else it is 0.3 s.
+#: It takes 0.3 s on an idle machine.
 _SOON_S = 3.0
 
 
 class Nodes:
-    """Makes nodes, and keeps them until the test ends."""
+    """Factory of nodes that exist until the test ends."""
 
     def __init__(self, context: zbot.Context) -> None:
         self._context = context
@@ -98,7 +98,7 @@ def test_page_shows_what_the_command_prints(server: Server, page: Page, node: No
         assert len(drawn(page, "edge")) == len(printed["edges"])
 
 
-def test_nodes_come_and_go_at_once(
+def test_new_and_ended_nodes_are_shown_at_once(
     server: Server, page: Page, node: Nodes, start: Callable[..., Program]
 ) -> None:
     page.goto(f"{server.address}/graph")
@@ -118,12 +118,12 @@ def test_nodes_come_and_go_at_once(
     assert drawn(page, "node") == ["n:/listener", "n:/talker"]
 
 
-def test_what_is_there_stays_where_it_is(server: Server, page: Page, node: Nodes) -> None:
+def test_boxes_keep_their_places(server: Server, page: Page, node: Nodes) -> None:
     talk(node)
     page.goto(f"{server.address}/graph")
     page.wait_for_selector(of("/chatter"))
     page.locator(".zb-graph").hover()
-    page.mouse.wheel(0, 10)  # from now on the picture is not fitted to the page
+    page.mouse.wheel(0, 10)  # this ends the fit of the picture to the page
     before = {name: place(page, name) for name in ("/talker", "/chatter", "/listener")}
     node("late").create_subscription(String, "chatter", print, 10)
     page.wait_for_selector(of("/late"))
@@ -149,9 +149,7 @@ def test_modes_and_filters_are_in_the_address(server: Server, page: Page, node: 
     assert page.input_value("input[aria-label=Nodes]") == "-/listener"
 
 
-def test_a_wrong_filter_is_told_and_changes_nothing(
-    server: Server, page: Page, node: Nodes
-) -> None:
+def test_an_invalid_filter_changes_nothing(server: Server, page: Page, node: Nodes) -> None:
     talk(node)
     page.goto(f"{server.address}/graph")
     page.wait_for_selector(of("/chatter"))
@@ -160,7 +158,7 @@ def test_a_wrong_filter_is_told_and_changes_nothing(
     assert drawn(page, "topic") == ["t:/chatter"]
 
 
-def test_what_to_hide_and_to_group_is_a_menu(server: Server, page: Page, node: Nodes) -> None:
+def test_a_menu_selects_what_is_hidden_and_grouped(server: Server, page: Page, node: Nodes) -> None:
     talk(node)
     page.goto(f"{server.address}/graph")
     page.wait_for_selector(of("/chatter"))
@@ -171,7 +169,7 @@ def test_what_to_hide_and_to_group_is_a_menu(server: Server, page: Page, node: N
     page.wait_for_url("**/graph?debug-topics=1")
 
 
-def test_what_looks_wrong_is_red_with_a_sentence(server: Server, page: Page, node: Nodes) -> None:
+def test_probable_mistakes_are_red_with_a_sentence(server: Server, page: Page, node: Nodes) -> None:
     talk(node)
     lost = node("lost")
     lost.create_subscription(Int32, "chatter", print, 10)
@@ -185,7 +183,7 @@ def test_what_looks_wrong_is_red_with_a_sentence(server: Server, page: Page, nod
     assert drawn(page, "edge.wrong") == ["e:t:/chater>n:/lost#", "e:t:/chatter>n:/lost#"]
 
 
-def test_the_mouse_lights_up_neighbours(server: Server, page: Page, node: Nodes) -> None:
+def test_the_mouse_highlights_neighbours(server: Server, page: Page, node: Nodes) -> None:
     talk(node)
     node("other")
     page.goto(f"{server.address}/graph")
@@ -214,7 +212,7 @@ def test_a_click_shows_details_and_the_command(server: Server, page: Page, node:
     assert command(page) == "zbot graph"
 
 
-def test_rates_are_measured_only_if_wanted(
+def test_rates_are_measured_only_on_request(
     server: Server, page: Page, node: Nodes, spin: Callable[..., Spinner]
 ) -> None:
     talker, listener = talk(node)
@@ -235,7 +233,7 @@ def test_rates_are_measured_only_if_wanted(
     assert wait_until(lambda: publisher.get_subscription_count() == 1)
 
 
-def test_pictures_are_downloaded(server: Server, page: Page, node: Nodes, tmp_path: Path) -> None:
+def test_a_picture_is_downloaded(server: Server, page: Page, node: Nodes, tmp_path: Path) -> None:
     talk(node)
     page.goto(f"{server.address}/graph")
     page.wait_for_selector(of("/chatter"))
@@ -281,4 +279,4 @@ def test_a_large_graph_is_drawn_at_once(server: Server, page: Page, node: Nodes)
     begin = time.monotonic()
     page.reload()
     page.wait_for_function("document.querySelectorAll('.zb-graph .item').length === 200")
-    assert time.monotonic() - begin < allowed(10)  # 1.5 s on a machine that does nothing else
+    assert time.monotonic() - begin < allowed(10)  # 1.5 s on an idle machine

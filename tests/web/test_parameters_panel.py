@@ -1,4 +1,4 @@
-"""Parameters in the page: sliders, refusals, and what others set."""
+"""Tests of the parameters panel: sliders, refused values, and values of other programs."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_a_slider_changes_the_background_of_the_turtles(
     expect(command(page)).to_have_text(f"zbot param set /turtlesim background_r {value}")
 
 
-def test_parameters_show_what_they_are_for(demo: Page) -> None:
+def test_parameters_show_their_descriptions(demo: Page) -> None:
     expect(entry(demo, "speed")).to_contain_text("Speed in m/s")
     expect(entry(demo, "speed")).to_contain_text("0 to 2")
     expect(entry(demo, "wheel.radius")).to_contain_text("read-only")
@@ -73,7 +73,7 @@ def test_parameters_show_what_they_are_for(demo: Page) -> None:
     expect(field(demo, "wheel.radius")).to_have_count(0)
 
 
-def test_a_refused_value_shows_why_and_springs_back(demo: Page) -> None:
+def test_a_refused_value_is_reset_with_the_reason(demo: Page) -> None:
     field(demo, "speed").fill("5")
     demo.keyboard.press("Enter")
     expect(entry(demo, "speed")).to_contain_text("out of range")
@@ -88,7 +88,7 @@ def test_a_refused_value_shows_why_and_springs_back(demo: Page) -> None:
     expect(field(demo, "laps")).to_have_value("3")
 
 
-def test_values_that_are_set_elsewhere_are_seen(demo: Page) -> None:
+def test_values_set_by_other_programs_are_shown(demo: Page) -> None:
     assert zbot("param", "set", "/parameter_demo", "driver", "Grace").code == 0
     expect(field(demo, "driver")).to_have_value("Grace")
     field(demo, "driver").fill("Hedy")
@@ -98,9 +98,7 @@ def test_values_that_are_set_elsewhere_are_seen(demo: Page) -> None:
     assert zbot("param", "get", "/parameter_demo", "driver").out == "String value is: Hedy\n"
 
 
-def test_a_page_that_may_only_look_shows_values(
-    start: Start, read_only_server: Server, page: Page
-) -> None:
+def test_a_read_only_page_shows_values(start: Start, read_only_server: Server, page: Page) -> None:
     start("zbot", "run", "parameter_demo").wait_for("drives")
     page.goto(f"{read_only_server.address}/parameters?node=/parameter_demo")
     expect(entry(page, "driver")).to_contain_text("Ada")

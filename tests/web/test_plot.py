@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from tests.conftest import Program, Spinner
     from tests.web.conftest import Server
 
-#: All points of all curves, as they are in the browser: {name: [[time, value], ...]}
+#: All points of all curves in the browser: {name: [[time, value], ...]}
 POINTS = """() => Object.fromEntries(
     [...zbot.plot.plots.values()].flatMap(plot => [...plot.curves].map(
         ([name, curve]) => [name, curve.times.map((time, at) => [time, curve.values[at]])])))"""
@@ -45,7 +45,7 @@ def node(make_context: Callable[[], zbot.Context], spin: Callable[..., Spinner])
 
 
 def points(page: Page, name: str, count: int) -> list[tuple[float, float]]:
-    """Return a curve's points as soon as there are so many."""
+    """Return a curve's points when there are at least this many."""
     page.wait_for_function(f"({POINTS})()[{name!r}]?.length >= {count}")
     return [(time_s, value) for time_s, value in page.evaluate(POINTS)[name]]
 
@@ -54,12 +54,12 @@ def points(page: Page, name: str, count: int) -> list[tuple[float, float]]:
 def test_plot_follows_a_sine(server: Server, page: Page) -> None:
     page.goto(f"{server.address}/plot?curve=/wave.data")
     came = points(page, "/wave.data", 100)
-    # A busy machine may pause between taking a value and its stamp: the most must fit, not all.
+    # A busy machine may pause between value and stamp: most points must fit, not all.
     errors = sorted(abs(value - math.sin(2 * math.pi * at)) for at, value in came)
     assert errors[len(errors) // 2] < 0.2
     assert max(value for _, value in came) > 0.9
     assert min(value for _, value in came) < -0.9
-    # What is drawn goes as far up and down as the plot is high.
+    # The curve is as high as the plot.
     page.wait_for_function(
         """() => [...document.querySelectorAll('.zb-chart path')].some(
             path => path.getBBox().height > 200 && path.getAttribute('fill') === 'none')"""
@@ -83,16 +83,16 @@ def test_curves_are_added_and_removed_by_hand(server: Server, page: Page, node: 
 
 
 @pytest.mark.usefixtures("node")
-def test_topic_alone_stands_for_its_numbers(server: Server, page: Page) -> None:
+def test_topic_without_a_field_shows_all_its_numbers(server: Server, page: Page) -> None:
     page.goto(f"{server.address}/plot?curve=/pair")
     points(page, "/pair.data[0]", 5)
     points(page, "/pair.data[1]", 5)
 
 
-def test_curve_without_points_says_why(server: Server, page: Page, node: zbot.Node) -> None:
+def test_curve_without_points_shows_the_reason(server: Server, page: Page, node: zbot.Node) -> None:
     node.create_publisher(String, "text", 10)
     page.goto(f"{server.address}/plot?curve=/nothing.x,/wave.dada")
-    page.wait_for_selector("text=nobody uses /nothing yet")
+    page.wait_for_selector("text=no node uses /nothing yet")
     page.wait_for_selector("text=has no attribute 'dada'")
     page.fill("input[aria-label=Curve]", "/wave.data[")
     page.click("button:has-text('Add')")
@@ -104,12 +104,12 @@ def test_pause_stops_the_drawing_and_no_point_is_lost(server: Server, page: Page
     page.goto(f"{server.address}/plot?curve=/wave.data")
     points(page, "/wave.data", 20)
     page.click("button:has-text('Pause')")
-    page.wait_for_selector("button:has-text('Go on')")
+    page.wait_for_selector("button:has-text('Resume')")
     drawn = page.inner_html(".zb-chart")
     count = len(page.evaluate(POINTS)["/wave.data"])
     points(page, "/wave.data", count + 30)
     assert page.inner_html(".zb-chart") == drawn
-    page.click("button:has-text('Go on')")
+    page.click("button:has-text('Resume')")
     page.wait_for_function(
         "html => document.querySelector('.zb-chart').innerHTML !== html", arg=drawn
     )
@@ -133,7 +133,7 @@ def test_csv_has_every_point(server: Server, page: Page) -> None:
 
 
 @pytest.mark.usefixtures("node")
-def test_hidden_page_shows_what_came_meanwhile(server: Server, page: Page) -> None:
+def test_hidden_page_shows_all_points_when_it_returns(server: Server, page: Page) -> None:
     page.goto(f"{server.address}/plot?curve=/wave.data")
     points(page, "/wave.data", 10)
     pretend = """hidden => {

@@ -1,4 +1,4 @@
-"""Processes in the page: what runs, what it costs, and stopping it."""
+"""Tests of the processes panel: processor time, memory, and stopping a process."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def row(page: Page, node: str) -> Locator:
     return page.locator(".zb-list tbody tr").filter(has_text=node)
 
 
-def test_a_process_shows_what_it_costs(talker: Program, server: Server, page: Page) -> None:
+def test_a_process_shows_its_cpu_and_memory(talker: Program, server: Server, page: Page) -> None:
     page.goto(f"{server.address}/processes")
     expect(row(page, "/talker")).to_contain_text(str(talker.process.pid))
     expect(row(page, "/talker")).to_contain_text(re.compile(r"\d+ %"))
@@ -48,18 +48,18 @@ def test_stop_ends_a_process_as_ctrl_c_does(talker: Program, server: Server, pag
     expect(page.locator(".zb-command")).to_have_text("zbot node kill /talker")
     assert talker.wait(20) == -2
     expect(row(page, "/talker")).to_have_count(0)
-    expect(page.get_by_text("It has ended.")).to_be_visible()
+    expect(page.get_by_text("The process has ended.")).to_be_visible()
 
 
 def test_the_page_does_not_stop_itself(server: Server, page: Page) -> None:
     page.goto(f"{server.address}/processes")
     page.get_by_text("Hidden nodes").click()
     row(page, str(server.program.process.pid)).click()
-    expect(page.get_by_text("This process serves the page that you see.")).to_be_visible()
+    expect(page.get_by_text("This process serves this page.")).to_be_visible()
     expect(page.get_by_role("button", name="Stop")).to_have_count(0)
 
 
-def test_a_page_that_may_only_look_stops_nothing(
+def test_a_read_only_page_cannot_stop(
     talker: Program, read_only_server: Server, page: Page
 ) -> None:
     page.goto(f"{read_only_server.address}/processes")

@@ -6,7 +6,7 @@ from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
-from tests.web.conftest import PATIENCE_MS
+from tests.web.conftest import PAGE_TIMEOUT_MS
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from tests.web.conftest import Server
 
-#: What a page of another site tries, with how each attempt ended.
+#: Attempts of a page of another site; returns the result of each.
 ATTACK = """async address => {
     const host = address.replace("http://", "");
     const socket = new Promise(done => {
@@ -37,11 +37,11 @@ ATTACK = """async address => {
 
 
 @contextmanager
-def stranger(browser: Browser, **options: Any) -> Iterator[Page]:
-    """Yield a page whose complaints are expected."""
+def unsafe_page(browser: Browser, **options: Any) -> Iterator[Page]:
+    """Yield a page whose errors are expected."""
     context = browser.new_context(**options)
     page = context.new_page()
-    page.set_default_timeout(PATIENCE_MS)
+    page.set_default_timeout(PAGE_TIMEOUT_MS)
     try:
         yield page
     finally:
@@ -70,23 +70,23 @@ def another_site(html: str = "<title>evil</title>") -> Iterator[str]:
 
 
 def test_page_of_another_site_reaches_nothing(browser: Browser, server: Server) -> None:
-    with another_site() as evil, stranger(browser) as page:
+    with another_site() as evil, unsafe_page(browser) as page:
         page.goto(evil)
         assert page.evaluate(ATTACK, server.address) == ["refused"] * 4
 
 
 def test_page_cannot_be_framed(browser: Browser, server: Server) -> None:
     html = f"<iframe src='{server.address}/topics'></iframe>"
-    with another_site(html) as evil, stranger(browser) as page:
+    with another_site(html) as evil, unsafe_page(browser) as page:
         page.goto(evil)
         page.wait_for_load_state("load")
         inner = page.frames[1]
         assert inner.locator(".zb-title").count() == 0
 
 
-def test_link_of_another_site_leads_to_the_page(browser: Browser, server: Server) -> None:
+def test_link_of_another_site_opens_the_page(browser: Browser, server: Server) -> None:
     with another_site(f"<a href='{server.address}/topics'>zbot</a>") as other:  # noqa: SIM117
-        with stranger(browser) as page:
+        with unsafe_page(browser) as page:
             page.goto(other)
             page.click("a")
             page.wait_for_selector(".zb-list")
@@ -97,17 +97,17 @@ def test_other_machines_need_the_token(browser: Browser, serve: Callable[..., Se
     parts = urlsplit(server.address)
     assert parts.query.startswith("token=")
     bare = f"http://127.0.0.1:{parts.port}"
-    with stranger(browser) as page:
+    with unsafe_page(browser) as page:
         answer = page.goto(f"{bare}/topics")
         assert answer is not None
         assert answer.status == 403
-        assert "has a token in it" in page.inner_text("body")
+        assert "the token is missing" in page.inner_text("body")
         assert page.goto(f"{bare}/?token=guess").status == 403  # type: ignore[union-attr]
-    with stranger(browser) as page:
+    with unsafe_page(browser) as page:
         page.goto(f"{bare}/topics?{parts.query}")
         page.wait_for_selector(".zb-list")
         assert "token" not in page.url
-        # The socket works too, and so does the next page without the token.
+        # The socket works, and the next page needs no token.
         page.wait_for_function("window.socket?.connected")
         page.goto(f"{bare}/plot")
         page.wait_for_selector(".zb-plot")

@@ -55,7 +55,7 @@ def test_page_is_ready_within_three_seconds(
     serve: Callable[..., Server], visit: Callable[..., Visit]
 ) -> None:
     took: list[float] = []
-    limit_s = allowed(3.0)  # one quiet moment is enough
+    limit_s = allowed(3.0)  # one idle moment is enough
     while len(took) < 4 and min(took, default=limit_s + 1) > limit_s:
         page = visit().page
         began = time.monotonic()
@@ -90,11 +90,11 @@ def test_two_hundred_topics_at_fifty_hertz_are_shown(
     page.wait_for_function(
         f"before => +document.querySelector(`{shown}`).innerText > before + 20", arg=before
     )
-    page.fill("input[aria-label=Filter]", "t150")  # and it still obeys
+    page.fill("input[aria-label=Filter]", "t150")  # and the page still reacts
     page.wait_for_selector(".zb-list tr[data-key='/t199']", state="detached")
 
 
-def test_ctrl_c_ends_it_quietly(serve: Callable[..., Server], page: Page) -> None:
+def test_ctrl_c_ends_the_server_without_output(serve: Callable[..., Server], page: Page) -> None:
     server = serve()
     page.goto(server.address)
     page.wait_for_selector(".zb-title")

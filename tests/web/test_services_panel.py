@@ -1,4 +1,4 @@
-"""Services and actions in the page: forms from their types, replies, feedback, cancelling."""
+"""Tests of the services panel: forms, responses, feedback and cancellation."""
 
 from __future__ import annotations
 
@@ -68,22 +68,20 @@ def test_a_form_calls_spawn_and_a_second_turtle_is_drawn(
     expect(page.locator("[data-turtle]")).to_have_count(2)
 
 
-def test_services_of_every_node_are_shown_when_asked_for(
+def test_standard_services_are_shown_on_request(
     server: Server, page: Page, node: zbot.Node
 ) -> None:
     node.create_service(AddTwoInts, "add", lambda _, response: response)
     page.goto(f"{server.address}/services")
     expect(row(page, "/add")).to_contain_text("/worker")
     expect(row(page, "/worker/get_parameters")).to_have_count(0)
-    page.get_by_text("Those that every node has").click()
+    page.get_by_text("Services of every node").click()
     expect(row(page, "/worker/get_parameters")).to_be_visible()
     page.get_by_label("Filter").fill("add")
     expect(row(page, "/worker/get_parameters")).to_have_count(0)
 
 
-def test_what_a_handler_raises_is_told(
-    server: Server, page: Page, node: zbot.Node, spin: Spin
-) -> None:
+def test_an_exception_is_shown(server: Server, page: Page, node: zbot.Node, spin: Spin) -> None:
     def fail(_request: object, _response: object) -> AddTwoInts.Response:
         raise ValueError("the <b>numbers</b> are on strike")
 
@@ -94,7 +92,7 @@ def test_what_a_handler_raises_is_told(
     expect(page.locator(".zb-message")).to_contain_text("the <b>numbers</b> are on strike")
 
 
-def test_a_wrong_entry_cannot_be_sent(server: Server, page: Page, node: zbot.Node) -> None:
+def test_an_invalid_entry_cannot_be_sent(server: Server, page: Page, node: zbot.Node) -> None:
     node.create_service(AddTwoInts, "add", lambda _, response: response)
     page.goto(f"{server.address}/services?service=/add")
     page.get_by_label("a", exact=True).fill("two")
@@ -102,7 +100,7 @@ def test_a_wrong_entry_cannot_be_sent(server: Server, page: Page, node: zbot.Nod
     expect(page.get_by_role("button", name="Call")).to_be_disabled()
 
 
-def test_a_page_that_may_only_look_calls_nothing(
+def test_a_read_only_page_cannot_call(
     read_only_server: Server, page: Page, node: zbot.Node
 ) -> None:
     node.create_service(AddTwoInts, "add", lambda _, response: response)
@@ -132,7 +130,7 @@ def test_a_goal_shows_its_feedback_and_can_be_cancelled(
     expect(page.locator(".zb-goal-state")).to_have_text("succeeded")
 
 
-def test_a_goal_that_is_refused_or_goes_on_is_told(
+def test_a_rejected_or_running_goal_is_shown(
     server: Server, page: Page, node: zbot.Node, spin: Spin
 ) -> None:
     ended: zbot.Future[bool] = zbot.Future()
@@ -148,7 +146,7 @@ def test_a_goal_that_is_refused_or_goes_on_is_told(
     page.get_by_role("button", name="Send goal").click()
     expect(page.locator(".zb-goal-state")).to_have_text("accepted")
     page.get_by_role("button", name="Cancel").click()
-    expect(page.get_by_text("The server goes on")).to_be_visible()
+    expect(page.get_by_text("The server refused to cancel")).to_be_visible()
     ended.set_result(True)
     expect(page.locator(".zb-goal-state")).to_have_text("succeeded")
     expect(page.locator(".zb-message").nth(1)).to_contain_text("sequence")

@@ -30,7 +30,7 @@ def row(topic: str) -> str:
     return f".zb-list tr[data-key='{topic}']"
 
 
-def test_list_shows_who_uses_a_topic_and_how_much_comes(
+def test_list_shows_the_nodes_and_the_rate_of_a_topic(
     server: Server, page: Page, node: zbot.Node, spin: Callable[..., Spinner]
 ) -> None:
     publisher = node.create_publisher(String, "chatter", 10)
@@ -47,7 +47,7 @@ def test_list_shows_who_uses_a_topic_and_how_much_comes(
     page.wait_for_selector(row("/chatter"))
 
 
-def test_topic_comes_and_goes_within_a_moment(server: Server, page: Page, node: zbot.Node) -> None:
+def test_topic_appears_and_disappears_at_once(server: Server, page: Page, node: zbot.Node) -> None:
     page.goto(f"{server.address}/topics")
     page.wait_for_selector(".zb-list")
     publisher = node.create_publisher(String, "chatter", 10)
@@ -70,7 +70,7 @@ def test_script_in_a_message_is_text(
     assert page.locator(".zb-main img").count() == 0
 
 
-def test_details_show_the_tree_and_lead_to_the_plot(
+def test_details_show_the_tree_and_open_the_plot(
     server: Server, page: Page, node: zbot.Node, spin: Callable[..., Spinner]
 ) -> None:
     publisher = node.create_publisher(Twist, "cmd_vel", 10)
@@ -112,7 +112,7 @@ def test_publish_form_publishes_once_and_again(
     assert wait_until(lambda: not node.get_publishers_info_by_topic("/cmd_vel"), 10)
 
 
-def test_publish_form_says_what_is_wrong(server: Server, page: Page, node: zbot.Node) -> None:
+def test_publish_form_reports_invalid_entries(server: Server, page: Page, node: zbot.Node) -> None:
     node.create_subscription(Float64, "x", print, 10)
     page.goto(f"{server.address}/topics?topic=/x")
     page.fill("input[aria-label='data']", "1,5")
@@ -120,7 +120,7 @@ def test_publish_form_says_what_is_wrong(server: Server, page: Page, node: zbot.
     assert page.locator("button:has-text('Publish once')").is_disabled()
 
 
-def test_images_and_scans_are_pictures(
+def test_images_and_scans_are_shown_as_pictures(
     server: Server, page: Page, node: zbot.Node, spin: Callable[..., Spinner]
 ) -> None:
     camera = node.create_publisher(Image, "camera", 10)
@@ -167,11 +167,11 @@ def test_reloads_and_windows_leave_no_subscription(
     assert node.count_subscribers("/chatter") == 1
     for page in (first, second):
         page.close()
-    # Whoever has gone is given some seconds to come back.
+    # A closed page has some seconds to come back.
     assert wait_until(lambda: node.count_subscribers("/chatter") == 0, 30)
 
 
-def test_hidden_page_subscribes_to_nothing(server: Server, page: Page, node: zbot.Node) -> None:
+def test_hidden_page_has_no_subscription(server: Server, page: Page, node: zbot.Node) -> None:
     node.create_publisher(String, "chatter", 10)
     page.goto(f"{server.address}/topics")
     page.wait_for_selector(row("/chatter"))
@@ -195,7 +195,7 @@ def test_command_can_be_copied(server: Server, visit: Callable[..., Visit]) -> N
 
 
 @pytest.mark.parametrize("scheme", ["light", "dark"])
-def test_theme_follows_the_system_until_somebody_chooses(
+def test_theme_follows_the_system_until_it_is_chosen(
     server: Server, visit: Callable[..., Visit], scheme: str
 ) -> None:
     page = visit(color_scheme=scheme).page

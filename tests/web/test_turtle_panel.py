@@ -1,4 +1,4 @@
-"""The turtle in the page: seen, driven, drawn; in a real browser."""
+"""Tests of the turtle panel in a real browser."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     Start = Callable[..., Program]
 
 PLACE = re.compile(r"(\w+) +x (\S+) m +y (\S+) m +theta (\S+) rad")
-#: Red, green, blue and opacity of a pixel of the sheet, at metres.
+#: Red, green, blue and opacity of a pixel of the sheet; the position is in metres.
 PIXEL = """([x, y]) => {
   const sheet = document.querySelector(".zb-sheet"), scale = sheet.width / 500;
   const [column, row] = [x * 45 * scale, (499 - y * 45) * scale];
@@ -55,7 +55,7 @@ def turtle(page: Page, name: str) -> Locator:
 
 
 def place(page: Page) -> tuple[float, float, float]:
-    """Return x, y and theta of the chosen turtle; no numbers while none is seen."""
+    """Return x, y and theta of the selected turtle; NaN while there is no turtle."""
     found = PLACE.search(page.locator(".zb-turtle-place").inner_text())
     if found is None:
         return math.nan, math.nan, math.nan
@@ -63,7 +63,7 @@ def place(page: Page) -> tuple[float, float, float]:
 
 
 def colour_at(page: Page, x: float, y: float) -> tuple[int, int, int] | None:
-    """Return what was drawn at a place in metres; None where nobody drew."""
+    """Return the colour at a place in metres; None where nothing was drawn."""
     r, g, b, opacity = page.evaluate(PIXEL, [x, y])
     return (r, g, b) if opacity == 255 else None
 
@@ -73,7 +73,7 @@ def is_blank(page: Page, x: float, y: float) -> bool:
 
 
 def near(*colour: int) -> object:
-    # A canvas rounds on its way.
+    # A canvas rounds colours.
     return pytest.approx(colour, abs=3)
 
 
@@ -81,9 +81,9 @@ def command(page: Page) -> Locator:
     return page.locator(".zb-command")
 
 
-def waits_for(page: Page, condition: Callable[[], bool], timeout_s: float = 15) -> bool:
+def wait_in_page(page: Page, condition: Callable[[], bool], timeout_s: float = 15) -> bool:
     def look() -> bool:
-        page.wait_for_timeout(20)  # lets the browser's events come
+        page.wait_for_timeout(20)  # handles the browser's events
         return condition()
 
     return wait_until(look, timeout_s)
@@ -94,28 +94,26 @@ def test_an_arrow_key_drives_two_metres_and_draws_a_line(turtles: Page) -> None:
     expect(command(turtles)).to_have_text(
         'zbot topic pub --once /turtle1/cmd_vel geometry_msgs/msg/Twist "{linear: {x: 2.0}}"'
     )
-    assert waits_for(turtles, lambda: place(turtles)[0] > 7.5)
+    assert wait_in_page(turtles, lambda: place(turtles)[0] > 7.5)
     x, y, theta = place(turtles)
     assert x == pytest.approx(7.544, abs=0.1)
     assert (y, theta) == (5.54, 0.0)
-    assert waits_for(turtles, lambda: colour_at(turtles, 6.5, 5.544) == near(179, 184, 255))
+    assert wait_in_page(turtles, lambda: colour_at(turtles, 6.5, 5.544) == near(179, 184, 255))
     assert colour_at(turtles, 6.5, 5.0) is None
     # As with turtle_teleop_key, so that the lesson's graph looks the same.
     assert zbot("node", "list").out == "/teleop_turtle\n/turtlesim\n"
 
 
-def test_a_page_that_comes_later_shows_what_was_drawn(
-    turtles: Page, another_page: Callable[[], Page]
-) -> None:
+def test_a_later_page_shows_the_drawing(turtles: Page, another_page: Callable[[], Page]) -> None:
     turtles.keyboard.press("ArrowUp")
-    assert waits_for(turtles, lambda: place(turtles)[0] > 7.5)
+    assert wait_in_page(turtles, lambda: place(turtles)[0] > 7.5)
     late = another_page()
     late.goto(turtles.url)
     expect(turtle(late, "turtle1")).to_be_visible()
-    assert waits_for(late, lambda: colour_at(late, 6.5, 5.544) == near(179, 184, 255))
+    assert wait_in_page(late, lambda: colour_at(late, 6.5, 5.544) == near(179, 184, 255))
     turtles.get_by_role("button", name="Clear").click()
     for page in (turtles, late):
-        assert waits_for(page, partial(is_blank, page, 6.5, 5.544))
+        assert wait_in_page(page, partial(is_blank, page, 6.5, 5.544))
 
 
 def test_letters_turn_the_turtle_until_f_is_pressed(turtles: Page) -> None:
@@ -124,13 +122,13 @@ def test_letters_turn_the_turtle_until_f_is_pressed(turtles: Page) -> None:
         "zbot action send_goal /turtle1/rotate_absolute turtlesim/action/RotateAbsolute "
         '"{theta: 1.5708}"'
     )
-    assert waits_for(turtles, lambda: place(turtles)[2] > 0.3)
+    assert wait_in_page(turtles, lambda: place(turtles)[2] > 0.3)
     turtles.keyboard.press("f")
     turned = place(turtles)[2]
-    assert waits_for(turtles, lambda: place(turtles)[2] == place_later(turtles)[2])
+    assert wait_in_page(turtles, lambda: place(turtles)[2] == place_later(turtles)[2])
     assert turned <= place(turtles)[2] < 1.5
     turtles.keyboard.press("g")
-    assert waits_for(turtles, lambda: abs(place(turtles)[2]) <= 0.02)
+    assert wait_in_page(turtles, lambda: abs(place(turtles)[2]) <= 0.02)
 
 
 def place_later(page: Page) -> tuple[float, float, float]:
@@ -138,7 +136,7 @@ def place_later(page: Page) -> tuple[float, float, float]:
     return place(page)
 
 
-def test_turtles_come_with_their_pens_and_go(turtles: Page) -> None:
+def test_turtles_are_spawned_with_their_pens_and_killed(turtles: Page) -> None:
     turtles.get_by_label("x", exact=True).fill("3")
     turtles.get_by_label("Name of the new turtle").fill("eve")
     turtles.get_by_role("button", name="Spawn another").click()
@@ -148,10 +146,10 @@ def test_turtles_come_with_their_pens_and_go(turtles: Page) -> None:
     expect(command(turtles)).to_contain_text("zbot service call /eve/set_pen turtlesim/srv/SetPen")
     turtles.locator(".zb-stage").click(position={"x": 5, "y": 5})
     turtles.keyboard.press("ArrowUp")
-    assert waits_for(turtles, lambda: place(turtles)[0] > 4.95)
-    assert waits_for(turtles, lambda: colour_at(turtles, 4.0, 2.0) == near(255, 128, 0))
+    assert wait_in_page(turtles, lambda: place(turtles)[0] > 4.95)
+    assert wait_in_page(turtles, lambda: colour_at(turtles, 4.0, 2.0) == near(255, 128, 0))
     turtle(turtles, "turtle1").click()
-    assert waits_for(turtles, lambda: place(turtles)[1] == 5.54)
+    assert wait_in_page(turtles, lambda: place(turtles)[1] == 5.54)
     turtles.get_by_role("button", name="Kill").click()
     expect(turtle(turtles, "turtle1")).to_have_count(0)
     turtles.get_by_role("button", name="Reset").click()
@@ -159,7 +157,7 @@ def test_turtles_come_with_their_pens_and_go(turtles: Page) -> None:
     expect(turtle(turtles, "eve")).to_have_count(0)
 
 
-def test_a_name_that_is_taken_is_told(turtles: Page) -> None:
+def test_a_taken_name_is_reported(turtles: Page) -> None:
     turtles.get_by_label("Name of the new turtle").fill("turtle1")
     turtles.get_by_role("button", name="Spawn another").click()
     expect(turtles.get_by_text("A turtle named turtle1 already exists")).to_be_visible()
@@ -173,7 +171,7 @@ def test_the_background_can_be_chosen(turtles: Page) -> None:
     )
 
 
-def test_two_simulators_are_kept_apart(start: Start, server: Server, page: Page) -> None:
+def test_two_simulators_can_be_selected(start: Start, server: Server, page: Page) -> None:
     launched = start("zbot", "launch", "turtlesim", "multisim.launch.py")
     launched.wait_for("Spawning turtle [turtle1]")
     launched.wait_for("Spawning turtle [turtle1]")
@@ -181,16 +179,14 @@ def test_two_simulators_are_kept_apart(start: Start, server: Server, page: Page)
     expect(turtle(page, "turtle1")).to_be_visible()
     page.keyboard.press("ArrowUp")
     expect(command(page)).to_contain_text("/turtlesim2/turtle1/cmd_vel")
-    assert waits_for(page, lambda: place(page)[0] > 7.5)
+    assert wait_in_page(page, lambda: place(page)[0] > 7.5)
     page.get_by_label("Simulator").click()
     page.get_by_role("option", name="/turtlesim1/turtlesim").click()
-    assert waits_for(page, lambda: place(page)[0] == 5.54)
+    assert wait_in_page(page, lambda: place(page)[0] == 5.54)
     assert launched.stop(timeout_s=15) == 0
 
 
-def test_without_a_simulator_the_page_says_how_to_start_one(
-    start: Start, server: Server, page: Page
-) -> None:
+def test_page_without_a_simulator_has_a_hint(start: Start, server: Server, page: Page) -> None:
     page.goto(f"{server.address}/turtle")
     expect(page.get_by_text("No turtlesim is running.")).to_be_visible()
     program = start("zbot", "run", "turtlesim", "turtlesim_node", "--no-browser")
@@ -199,7 +195,7 @@ def test_without_a_simulator_the_page_says_how_to_start_one(
     expect(page.get_by_text("No turtlesim is running.")).to_be_visible()
 
 
-def test_a_page_that_may_only_look_has_no_controls(
+def test_a_read_only_page_has_no_controls(
     turtlesim: Program, read_only_server: Server, page: Page
 ) -> None:
     assert turtlesim.process.poll() is None

@@ -1,4 +1,4 @@
-"""Actions: goals that take time, with feedback on the way and a result in the end.
+"""Actions: goals that take time, send feedback, and have a result at the end.
 
     from example_interfaces.action import Fibonacci
     from zbot.action import ActionServer
@@ -11,8 +11,8 @@
 
     ActionServer(node, Fibonacci, "count", count)
 
-An action is three services and two topics of ROS 2: `<action>/_action/send_goal`, `cancel_goal`,
-`get_result`, `feedback` and `status`.
+An action uses three services and two topics of ROS 2. Their names begin with `<action>/_action/`.
+The services are `send_goal`, `cancel_goal` and `get_result`. The topics are `feedback`, `status`.
 """
 
 from zbot.action.client import ActionClient as ActionClient

@@ -1,4 +1,4 @@
-"""Which goals a cancel request means: one, all, or those accepted until a time (pure)."""
+"""Cancel requests. A request selects one goal, all goals, or the goals accepted up to a time."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ ERROR_REJECTED = 1
 ERROR_UNKNOWN_GOAL_ID = 2
 ERROR_GOAL_TERMINATED = 3
 
-_NOBODY = bytes(16)
+_NO_GOAL_ID = bytes(16)
 
 
 class Goal(Protocol):
-    """What has to be known of a goal."""
+    """The part of a goal that a cancel request uses."""
 
     @property
     def key(self) -> bytes:
@@ -29,12 +29,12 @@ class Goal(Protocol):
 
     @property
     def stamp_ns(self) -> int:
-        """When it was accepted, nanoseconds."""
+        """When the goal was accepted, nanoseconds."""
         ...
 
     @property
     def state(self) -> GoalState:
-        """Where it stands."""
+        """The goal's state."""
         ...
 
 
@@ -43,26 +43,27 @@ GoalT = TypeVar("GoalT", bound=Goal)
 
 @dataclass(frozen=True)
 class CancelQuery:
-    """A cancel request: all goals if both are zero, all until the stamp if that is not.
+    """A cancel request. It selects all goals if both values are zero.
 
     Attributes:
-        key: A goal's id; zero for none in particular.
-        stamp_ns: Goals accepted at or before it are meant too; zero for none.
+        key: The id of a goal that the request selects. Zero means no goal.
+        stamp_ns: The request also selects goals accepted at or before this time. Zero means no
+            time.
     """
 
     key: bytes
     stamp_ns: int
 
     def choose(self, goals: Iterable[GoalT]) -> tuple[list[GoalT], int]:
-        """Return the goals to cancel, and the return code if the server agrees."""
-        if self.key != _NOBODY and not self.stamp_ns:
+        """Return the goals to cancel, and the return code for a server that accepts the request."""
+        if self.key != _NO_GOAL_ID and not self.stamp_ns:
             return self._choose_one(goals)
         return [
-            goal for goal in goals if self._means(goal) and goal.state.is_cancelable
+            goal for goal in goals if self._selects(goal) and goal.state.is_cancelable
         ], ERROR_NONE
 
-    def _means(self, goal: Goal) -> bool:
-        if self.key == _NOBODY and not self.stamp_ns:
+    def _selects(self, goal: Goal) -> bool:
+        if self.key == _NO_GOAL_ID and not self.stamp_ns:
             return True
         return goal.key == self.key or goal.stamp_ns <= self.stamp_ns
 

@@ -1,4 +1,4 @@
-"""Action clients: they send goals to a server, and hear how it goes."""
+"""Action clients. They send goals to a server, and get feedback and results."""
 
 from __future__ import annotations
 
@@ -50,29 +50,29 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 qos_profile_action_feedback = QoSProfile(depth=10)
-_PATIENCE_S = 3.0  # that a goal waits for a server that is just starting; rclpy's wait for ever
-_STEP_S = 0.5  # a shutdown wakes nobody who waits for the graph
+_SERVER_TIMEOUT_S = 3.0  # a goal waits this long for a server that starts (in rclpy: for ever)
+_STEP_S = 0.5  # a shutdown does not wake threads that wait for the graph
 
 
 class _Goal:
-    """What a client keeps of a goal until its result has come."""
+    """A goal without a result yet, as its client stores it."""
 
     def __init__(self, feedback_callback: Callable[[Any], Any] | None) -> None:
         self.feedback_callback = feedback_callback
         self.handle: weakref.ref[ClientGoalHandle[Any, Any, Any]] | None = None
         self.state = GoalState.UNKNOWN
-        self.is_over = False  #: whether its result has come
+        self.is_over = False  #: whether the result has come
 
-    def tell(self, state: GoalState) -> None:
-        """Note where the goal stands; what was heard before the handle came counts too."""
+    def set_state(self, state: GoalState) -> None:
+        """Set the goal's state. A state that comes before the handle is kept for the handle."""
         self.state = state
         handle = self.handle() if self.handle is not None else None
         if handle is not None:
             handle.status = state.value
 
 
-class _Answer(Future[T]):
-    """Something that comes later; completed in the executor, where its callbacks run."""
+class _ActionFuture(Future[T]):
+    """A future that the executor completes, so that its callbacks run there at once."""
 
     def __init__(self, node: Node) -> None:
         super().__init__()
@@ -86,23 +86,23 @@ class _Answer(Future[T]):
 
 
 class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
-    """Sends goals: three clients and two subscriptions of a node, below one name.
+    """Sends goals. It has three clients and two subscriptions of a node, below one name.
 
     All methods may be called from any thread.
 
     Args:
-        node: The node that asks.
+        node: The node that sends the goals.
         action_type: Action class.
         action_name: Relative, `~/private` or absolute name.
-        callback_group: Decides beside what the callbacks may run; the node's if left out.
-        goal_service_qos_profile: Of the service that takes goals.
-        result_service_qos_profile: Of the service that gives results.
-        cancel_service_qos_profile: Of the service that cancels goals.
-        feedback_sub_qos_profile: Of the topic that tells how it goes.
-        status_sub_qos_profile: Of the topic that tells where each goal stands.
+        callback_group: Group of the callbacks. If left out, the node's default group is used.
+        goal_service_qos_profile: For the service that takes goals.
+        result_service_qos_profile: For the service that returns results.
+        cancel_service_qos_profile: For the service that cancels goals.
+        feedback_sub_qos_profile: For the topic with the feedback.
+        status_sub_qos_profile: For the topic with the states of all goals.
 
     Raises:
-        NotAnActionTypeError: The class is no action's.
+        NotAnActionTypeError: The class is not an action type.
         InvalidServiceNameError: The name breaks ROS 2's grammar.
         InvalidHandleError: The node was destroyed.
     """
@@ -125,10 +125,10 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         self._node = node
         self._action_type = action_type
         self._action_name = node.resolve_service_name(action_name)
-        self._lock = threading.RLock()  # re-entrant, for a signal's handler
+        self._lock = threading.RLock()  # re-entrant: a signal handler may take it
         self._goals: dict[bytes, _Goal] = {}
         impl, name = action_type.Impl, f"{self._action_name}/_action"
-        # First, so that nothing is missed of the first goal.
+        # Made before the clients, so that no feedback of the first goal is lost.
         self._feedback = FeedbackSubscription(
             node,
             impl.FeedbackMessage,
@@ -138,18 +138,18 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
             callback_group=callback_group or node.default_callback_group,
             goal_count=self._goals.__len__,
         )
-        # No callbacks of the user run here, so nothing has to wait for a group's turn.
-        free = ReentrantCallbackGroup()
-        self._answers = WorkQueue(node.handle.ready_queue, free)
+        # A reentrant group is enough, because no callbacks of the user run in it.
+        internal_group = ReentrantCallbackGroup()
+        self._work_queue = WorkQueue(node.handle.ready_queue, internal_group)
         self._timers: list[Timer] = []  # of goals that wait for a server
         self._status = node.create_subscription(
             impl.GoalStatusMessage,
             f"{name}/status",
             self._on_status,
             status_sub_qos_profile,
-            callback_group=free,
+            callback_group=internal_group,
         )
-        self._status.report_losses_to(_take_no_notice)  # the last one tells all
+        self._status.report_losses_to(_ignore_losses)  # the last message has all states
         connect = partial(node.create_client, callback_group=callback_group)
         self._goal_client = connect(
             impl.SendGoalService, f"{name}/send_goal", qos_profile=goal_service_qos_profile
@@ -171,14 +171,14 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         """The action's full name."""
         return self._action_name
 
-    # -- is there a server? --------------------------------------------------------------------
+    # -- server --------------------------------------------------------------------------------
 
     def server_is_ready(self) -> bool:
-        """Return whether there is a server that a goal would reach, complete with its topics."""
+        """Return whether there is a server that has all its services and topics."""
         clients = (self._goal_client, self._result_client, self._cancel_client)
-        return all(client.service_is_ready() for client in clients) and self._is_heard()
+        return all(client.service_is_ready() for client in clients) and self._has_publishers()
 
-    def _is_heard(self) -> bool:
+    def _has_publishers(self) -> bool:
         graph = self._node.context.graph
         graph.watch()
         snapshot = graph.snapshot()
@@ -186,17 +186,17 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         return all(snapshot.publishers(topic) for topic in topics)
 
     def wait_for_goal_service(self, timeout_sec: float) -> bool:
-        """Wait for who takes goals, complete with the rest of an action server or not."""
+        """Wait for the service that takes goals. Ignore the other parts of an action server."""
         return self._goal_client.wait_for_service(timeout_sec)
 
     def wait_for_server(self, timeout_sec: float | None = None) -> bool:
         """Wait for a server.
 
         Args:
-            timeout_sec: Seconds; `None` or less than 0 for as long as the context lives.
+            timeout_sec: Seconds. `None` or a number below 0 waits until the context is shut down.
 
         Returns:
-            Whether there is one.
+            Whether there is a server.
 
         Raises:
             InvalidHandleError: The client or its node was destroyed.
@@ -211,12 +211,12 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         for client in (self._cancel_client, self._result_client, self._goal_client):
             if not client.wait_for_service(left()):
                 return False
-        while context.ok() and not self._is_heard():
+        while context.ok() and not self._has_publishers():
             remaining = left()
             step = _STEP_S if remaining is None else min(remaining, _STEP_S)
             if not step:
                 return False
-            context.graph.wait_for(lambda _: self._is_heard(), step)
+            context.graph.wait_for(lambda _: self._has_publishers(), step)
         return self.server_is_ready()
 
     # -- goals ---------------------------------------------------------------------------------
@@ -230,45 +230,46 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         """Send a goal.
 
         Args:
-            goal: What is to be reached.
-            feedback_callback: Takes each feedback message: its `feedback` and `goal_id`; may be a
-                coroutine function.
-            goal_uuid: The goal's id; a random one if left out.
+            goal: The goal, of the action's `Goal` class.
+            feedback_callback: Takes each feedback message, which has `feedback` and `goal_id`. It
+                may be a coroutine function.
+            goal_uuid: The goal's id. If left out, a random id is used.
 
         Returns:
-            A future of the goal's handle, done when the server has accepted or refused the goal. It
-            fails with `ServiceError` when there is still no server after 3 s, or the server ends
-            before that.
+            A future of the goal's handle. The future is done when the server has accepted or
+            rejected the goal. The future fails with `ServiceError` if there is no server within
+            3 s, or if the server ends before it answers.
 
         Raises:
-            ActionMessageError: This is not the action's `Goal`.
+            ActionMessageError: `goal` is not of the action's `Goal` class.
         """
         request = self._request(goal, goal_uuid)
         self._remember(request.goal_id, feedback_callback)
-        answer: _Answer[ClientGoalHandle[GoalT, ResultT, FeedbackT]] = _Answer(self._node)
-        self._send(request, answer, time.monotonic() + _PATIENCE_S)
-        return answer
+        future: _ActionFuture[ClientGoalHandle[GoalT, ResultT, FeedbackT]]
+        future = _ActionFuture(self._node)
+        self._send(request, future, time.monotonic() + _SERVER_TIMEOUT_S)
+        return future
 
     def _send(
         self,
         request: Any,
-        answer: _Answer[ClientGoalHandle[GoalT, ResultT, FeedbackT]],
+        future: _ActionFuture[ClientGoalHandle[GoalT, ResultT, FeedbackT]],
         until: float,
     ) -> None:
         response = self._goal_client.call_async(request)
-        told = partial(self._on_goal_response, request, answer, response, until)
-        self._then(response, told)
+        self._then(response, partial(self._on_goal_response, request, future, response, until))
 
-    def _send_later(self, *sending: Any) -> None:
+    def _send_later(self, *arguments: Any) -> None:
         def send() -> None:
             if self._drop_timer(timer):
-                # Else another thread destroys the client, and nobody waits for the answer.
+                # If this error comes, another thread has destroyed the client. The future stays
+                # pending.
                 with contextlib.suppress(InvalidHandleError):
-                    self._send(*sending)
+                    self._send(*arguments)
 
         ready_queue, steady = self._node.handle.ready_queue, Clock(clock_type=ClockType.STEADY_TIME)
         timer = Timer(
-            send, self._answers.callback_group, int(_STEP_S * S_TO_NS), steady, ready_queue
+            send, self._work_queue.callback_group, int(_STEP_S * S_TO_NS), steady, ready_queue
         )
         self._timers.append(timer)
         ready_queue.add(timer)
@@ -283,9 +284,9 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         return True
 
     def _then(self, response: Future[Any], function: Callable[[], None]) -> None:
-        # Not as its done callback, which runs when its group is free: whoever awaits the answer may
-        # hold the group meanwhile.
-        response.add_waker(partial(self._answers.add, function))
+        # Not a done callback, because that waits for its callback group. The callback that awaits
+        # the response may hold that group.
+        response.add_waker(partial(self._work_queue.add, function))
 
     def _request(self, goal: GoalT, goal_uuid: UUID | None) -> Any:
         expected = self._action_type.Goal
@@ -304,7 +305,7 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
             self._goals.pop(key, None)
 
     def _finish(self, key: bytes) -> None:
-        """Forget a goal whose result has come, once its feedback was told."""
+        """Forget a goal after its result and after the callback for its last feedback."""
         if self._feedback.is_empty:
             self._forget(key)
         elif (goal := self._goals.get(key)) is not None:
@@ -313,18 +314,18 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
     def _on_goal_response(
         self,
         request: Any,
-        answer: _Answer[ClientGoalHandle[GoalT, ResultT, FeedbackT]],
+        future: _ActionFuture[ClientGoalHandle[GoalT, ResultT, FeedbackT]],
         response: Future[Any],
         until: float,
     ) -> None:
         error = response.exception()
         if error is None:
-            answer.set_result(self._handle(request.goal_id, response.result()))
-        elif _is_too_early(error) and time.monotonic() < until:
-            self._send_later(request, answer, until)
+            future.set_result(self._handle(request.goal_id, response.result()))
+        elif _is_server_missing(error) and time.monotonic() < until:
+            self._send_later(request, future, until)
         else:
             self._forget(bytes(request.goal_id.uuid))
-            answer.set_exception(error)
+            future.set_exception(error)
 
     def _handle(self, goal_id: UUID, response: Any) -> ClientGoalHandle[GoalT, ResultT, FeedbackT]:
         handle = ClientGoalHandle(self, goal_id, response)
@@ -342,7 +343,7 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         feedback_callback: Callable[[Any], Any] | None = None,
         goal_uuid: UUID | None = None,
     ) -> Any:
-        """Send a goal and wait for its end; another thread must spin for the feedback.
+        """Send a goal and wait for its result. The goal has feedback only if another thread spins.
 
         Args:
             goal: See `send_goal_async`.
@@ -350,11 +351,11 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
             goal_uuid: See `send_goal_async`.
 
         Returns:
-            A response with the goal's `status` and `result`; the status is `UNKNOWN` for a goal
-            that was not accepted.
+            A response that has the goal's `status` and `result`. If the goal was not accepted, the
+            status is `UNKNOWN`.
 
         Raises:
-            ActionMessageError: This is not the action's `Goal`.
+            ActionMessageError: `goal` is not of the action's `Goal` class.
             ServiceError: There is no server, or it ended before the goal did.
         """
         request = self._request(goal, goal_uuid)
@@ -369,11 +370,11 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
     def get_result_async(
         self, goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT]
     ) -> Future[Any]:
-        """Return a future of a goal's result; see `ClientGoalHandle`."""
-        answer: _Answer[Any] = _Answer(self._node)
+        """Return a future of a goal's result (see `ClientGoalHandle`)."""
+        future: _ActionFuture[Any] = _ActionFuture(self._node)
         response = self._result_client.call_async(self._result_request(goal_handle))
-        self._then(response, partial(self._on_result, goal_handle, answer, response))
-        return answer
+        self._then(response, partial(self._on_result, goal_handle, future, response))
+        return future
 
     def _result_request(self, goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT]) -> Any:
         return self._action_type.Impl.GetResultService.Request(goal_id=goal_handle.goal_id)
@@ -381,23 +382,23 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
     def _on_result(
         self,
         handle: ClientGoalHandle[GoalT, ResultT, FeedbackT],
-        answer: _Answer[Any],
+        future: _ActionFuture[Any],
         response: Future[Any],
     ) -> None:
         executor = self._node.executor
         while executor is not None and executor.serve(self._feedback):
-            continue  # what was published before the end comes before the result
+            continue  # run the callbacks for all feedback before the result is set
         error = response.exception()
         if error is None:
             handle.status = cast("Any", response.result()).status
         self._finish(handle.key)
         if error is None:
-            answer.set_result(response.result())
+            future.set_result(response.result())
         else:
-            answer.set_exception(error)
+            future.set_exception(error)
 
     def get_result(self, goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT]) -> Any:
-        """Wait for a goal's result; see `ClientGoalHandle`."""
+        """Wait for a goal's result and return it (see `ClientGoalHandle`)."""
         response = self._result_client.call(self._result_request(goal_handle))
         goal_handle.status = response.status
         self._finish(goal_handle.key)
@@ -406,16 +407,16 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
     def cancel_goal_async(
         self, goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT]
     ) -> Future[CancelGoal.Response]:
-        """Ask for a goal's end; see `ClientGoalHandle`."""
+        """Ask the server to cancel a goal (see `ClientGoalHandle`)."""
         return self._cancel_client.call_async(_cancel_request(goal_handle))
 
     def cancel_goal(
         self, goal_handle: ClientGoalHandle[GoalT, ResultT, FeedbackT]
     ) -> CancelGoal.Response:
-        """Ask for a goal's end and wait for the answer; see `ClientGoalHandle`."""
+        """Ask the server to cancel a goal, and wait for the response (see `ClientGoalHandle`)."""
         return cast("CancelGoal.Response", self._cancel_client.call(_cancel_request(goal_handle)))
 
-    # -- what the server tells -----------------------------------------------------------------
+    # -- messages of the server ----------------------------------------------------------------
 
     def _on_feedback(self, message: Any) -> Any:
         goal = self._goals.get(bytes(message.goal_id.uuid))
@@ -430,9 +431,9 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         for status in message.status_list:
             goal = known.pop(bytes(status.goal_info.goal_id.uuid), None)
             if goal is not None:
-                goal.tell(GoalState(status.status))
+                goal.set_state(GoalState(status.status))
         for key, goal in known.items():
-            # A goal that ended, and that the server has forgotten: nobody will ask for the result.
+            # The goal has ended and the server has forgotten it, so it has no result any more.
             if goal.is_over or goal.state.is_terminal:
                 self._forget(key)
 
@@ -442,21 +443,21 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         service_event_qos_profile: QoSProfile | int,
         introspection_state: ServiceIntrospectionState,
     ) -> None:
-        """Publish what the three services do, or publish it no longer; see `Service`."""
+        """Switch service introspection of the three services on or off (see `Service`)."""
         for one in (self._goal_client, self._result_client, self._cancel_client):
             one.configure_introspection(clock, service_event_qos_profile, introspection_state)
 
     def get_num_entities(self) -> NumberOfEntities:
-        """Return how many of each kind it is made of."""
+        """Return the numbers of the client's entities, by kind."""
         return NumberOfEntities(num_subscriptions=2, num_clients=3)
 
     # -- the end -------------------------------------------------------------------------------
 
     def destroy(self) -> None:
-        """Send no more; goals that are under way are forgotten here. May be called twice."""
+        """Destroy the client and forget its goals. A second call does nothing."""
         for subscription in (cast("Any", self._feedback), self._status):
             self._node.destroy_subscription(subscription)
-        self._answers.destroy()
+        self._work_queue.destroy()
         for timer in list(self._timers):
             self._drop_timer(timer)
         for client in (self._goal_client, self._result_client, self._cancel_client):
@@ -476,11 +477,11 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         self.destroy()
 
 
-def _take_no_notice(missing: int) -> None:  # noqa: ARG001 - what a subscription calls
+def _ignore_losses(missing: int) -> None:  # noqa: ARG001 - a subscription's callback
     return
 
 
-def _is_too_early(error: BaseException) -> bool:
+def _is_server_missing(error: BaseException) -> bool:
     return isinstance(error, ServiceError) and error.kind == "no_server"
 
 

@@ -1,4 +1,4 @@
-"""A goal as its client sees it."""
+"""Handle of a goal for an action client."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ if TYPE_CHECKING:
 
 
 class ClientGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
-    """A goal that was sent: ask for its result, or for its end.
+    """A goal that was sent. Its methods get the result, or cancel the goal.
 
-    Made by `ActionClient`; all methods may be called from any thread.
+    `ActionClient` makes it. All methods may be called from any thread.
 
     Args:
-        action_client: The client that sent it.
-        goal_id: Its id.
-        goal_response: What the server said.
+        action_client: The client that sent the goal.
+        goal_id: The goal's id.
+        goal_response: The server's response to the goal.
     """
 
-    status: int  #: the number of its state as far as it is known (GoalStatus)
+    status: int  #: number of the goal's last known state (GoalStatus)
 
     def __init__(
         self,
@@ -63,40 +63,40 @@ class ClientGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
 
     @property
     def stamp(self) -> Time:
-        """When the server accepted it, by the server's clock."""
+        """When the server accepted the goal, by the server's clock."""
         stamp: Time = self._goal_response.stamp
         return stamp
 
     @property
     def accepted(self) -> bool:
-        """Whether the server took it on."""
+        """Whether the server accepted the goal."""
         return bool(self._goal_response.accepted)
 
     def get_result(self) -> Any:
-        """Wait for the goal's end, and return a response with its `status` and `result`.
+        """Wait for the goal's end. Return a response that has the goal's `status` and `result`.
 
         Raises:
             ServiceError: The server ended before the goal did.
-            NotInitializedError: The context was shut down meanwhile.
+            NotInitializedError: The context was shut down during the wait.
         """
         return self._action_client.get_result(self)
 
     def get_result_async(self) -> Future[Any]:
-        """Return a future of a response with the goal's `status` and `result`.
+        """Return a future of a response that has the goal's `status` and `result`.
 
-        It fails with `ServiceError` when the server ends before the goal does.
+        The future fails with `ServiceError` if the server ends before the goal does.
         """
         return self._action_client.get_result_async(self)
 
     def cancel_goal(self) -> CancelGoal.Response:
-        """Ask for the goal's end, and wait for the answer: which goals are going to end.
+        """Ask the server to cancel the goal. Return a response with the goals that it cancels.
 
         Raises:
             ServiceError: There is no server.
-            NotInitializedError: The context was shut down meanwhile.
+            NotInitializedError: The context was shut down during the wait.
         """
         return self._action_client.cancel_goal(self)
 
     def cancel_goal_async(self) -> Future[CancelGoal.Response]:
-        """Ask for the goal's end; return a future of which goals are going to end."""
+        """Ask the server to cancel the goal. Return a future of the response."""
         return self._action_client.cancel_goal_async(self)

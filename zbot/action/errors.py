@@ -1,4 +1,4 @@
-"""What a user of actions can do wrong."""
+"""Errors in the use of actions."""
 
 from __future__ import annotations
 
@@ -6,19 +6,19 @@ from zbot.errors import ZbotError
 
 
 class NotAnActionTypeError(ZbotError, TypeError):
-    """A class was used as an action type that is none, such as a message or a service."""
+    """A class that is not an action type, such as a message, was used as an action type."""
 
     def __init__(self, given: object) -> None:
         self.given = given
         name = given.__qualname__ if isinstance(given, type) else repr(given)
         super().__init__(
-            f"{name} is no action type: take one from a package's `action` module, such as "
+            f"{name} is not an action type: take one from a package's `action` module, such as "
             "example_interfaces.action.Fibonacci"
         )
 
 
 class ActionMessageError(ZbotError, TypeError):
-    """A goal, result or feedback is of another type than its action says."""
+    """A goal, result or feedback is not of its action's class."""
 
     def __init__(self, action: str, expected: str, value: object) -> None:
         self.action, self.expected, self.value = action, expected, value
@@ -28,7 +28,7 @@ class ActionMessageError(ZbotError, TypeError):
 
 
 class ExecuteCallbackError(ZbotError, TypeError):
-    """A server's callback for goals cannot be called."""
+    """A server's execute callback cannot be called."""
 
     def __init__(self, value: object) -> None:
         self.value = value

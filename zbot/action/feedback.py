@@ -1,4 +1,4 @@
-"""Feedback as it comes to a client."""
+"""Subscription of an action client to feedback."""
 
 from __future__ import annotations
 
@@ -24,17 +24,17 @@ if TYPE_CHECKING:
 class FeedbackSubscription:
     """Queues the feedback of all goals of a client.
 
-    In contrast to other subscriptions it queues in Zenoh's own thread, which also brings results:
-    so what was published before a goal's end is here before the result is.
+    In contrast to other subscriptions, it queues messages in Zenoh's own thread. Zenoh delivers
+    results in the same thread, so the feedback of a goal is queued before its result comes.
 
     Args:
-        node: The node that listens.
+        node: The node that subscribes.
         msg_type: The action's feedback message.
         topic: The topic's full name.
-        callback: Takes each message; may be a coroutine function.
-        qos_profile: Its depth is how many messages wait for each goal that is under way.
-        callback_group: Decides beside what the callback may run.
-        goal_count: Returns how many goals are under way.
+        callback: Takes each message. It may be a coroutine function.
+        qos_profile: Its depth is the number of messages that the queue holds for each open goal.
+        callback_group: Decides which callbacks may run at the same time.
+        goal_count: Returns the number of open goals.
     """
 
     due_ns: int | None = None
@@ -55,12 +55,12 @@ class FeedbackSubscription:
         self.callback = callback
         self.callback_group = callback_group
         self.ready_queue = handle.ready_queue
-        self.lost_count = 0  #: messages that came faster than the callback took them
+        self.lost_count = 0  #: messages that were dropped because the queue was full
         self._context = context
         self._goal_count = goal_count
         self._logger_name = handle.logger_name
         self._queue: deque[zenoh.Sample] = deque()
-        self._in_hand: deque[None] = deque()  # one for each sample that was taken and not yet told
+        self._running: deque[None] = deque()  # one item for each callback that runs
         self._is_destroyed = False
         name = node.resolve_topic_name(topic)
         self.token: EndpointToken = handle.endpoint(
@@ -72,8 +72,8 @@ class FeedbackSubscription:
         self._subscriber: Any = context.session.declare_subscriber(key, receive)
         self._liveliness = context.graph.announce(self.token)
         callback_group.add_entity(self)
-        handle.subscriptions.append(cast("Any", self))  # it has what a node needs of one
-        handle.adviser.add(self.token, handle.logger_name)
+        handle.subscriptions.append(cast("Any", self))  # it has all that a node uses
+        handle.diagnostics.add(self.token, handle.logger_name)
         self.ready_queue.add(self)
 
     @property
@@ -88,7 +88,7 @@ class FeedbackSubscription:
 
     @property
     def qos_profile(self) -> QoSProfile:
-        """The quality of service it was made with."""
+        """The quality of service of the subscription."""
         return self.token.qos
 
     @called_by_zenoh
@@ -101,26 +101,26 @@ class FeedbackSubscription:
 
     @property
     def is_empty(self) -> bool:
-        """Whether all that came was told."""
-        return not (self._queue or self._in_hand)
+        """Whether the callback has run for all messages."""
+        return not (self._queue or self._running)
 
     def take(self) -> zenoh.Sample | None:
         """Return the oldest sample, if any."""
-        self._in_hand.append(None)
+        self._running.append(None)
         try:
             return self._queue.popleft()
         except IndexError:
-            self._in_hand.pop()
+            self._running.pop()
             return None
 
     def execute(self, sample: zenoh.Sample) -> Any:
         """Decode a sample and call the callback."""
         try:
-            return self._tell(sample)
+            return self._call_callback(sample)
         finally:
-            self._in_hand.pop()
+            self._running.pop()
 
-    def _tell(self, sample: zenoh.Sample) -> Any:
+    def _call_callback(self, sample: zenoh.Sample) -> Any:
         try:
             message = self._decode(sample.payload.to_bytes())
         except CodecError as error:
@@ -132,7 +132,7 @@ class FeedbackSubscription:
         return None if self._is_destroyed else self.callback(message)
 
     def destroy(self) -> None:
-        """Stop listening; may be called twice."""
+        """Unsubscribe. A second call does nothing."""
         if self._is_destroyed:
             return
         self._is_destroyed = True

@@ -1,4 +1,4 @@
-"""What the classes of an action's two ends are generic in: its goal, result and feedback."""
+"""Type parameters of action clients and servers: goal, result and feedback."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ FeedbackT = TypeVar("FeedbackT")
 
 
 class ActionGeneric(Generic[GoalT, ResultT, FeedbackT]):
-    """Base of the classes that an annotation may name with the types of an action's messages."""
+    """Base of the generic classes for actions, such as `ActionClient[Goal, Result, Feedback]`."""
 
     def __class_getitem__(cls, parameters: tuple[Any, ...]) -> Any:
-        # A fourth, the action's `Impl`, is one of rclpy's since ROS 2 Lyrical; none is told by it.
+        # Since ROS 2 Lyrical, rclpy has a fourth parameter, the action's `Impl`. zbot ignores it.
         return super().__class_getitem__(parameters[:3])  # type: ignore[misc]

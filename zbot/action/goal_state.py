@@ -1,4 +1,4 @@
-"""The life of a goal: its states, and the events that lead from one to the next (pure).
+"""State machine of a goal: its states, and the events that change the state.
 
 ACCEPTED --EXECUTE--> EXECUTING --SUCCEED--> SUCCEEDED
 |                     |-----ABORT------> ABORTED
@@ -17,7 +17,7 @@ from zbot.errors import ZbotError
 
 
 class GoalState(IntEnum):
-    """A goal's states, with the numbers of `action_msgs/msg/GoalStatus`."""
+    """States of a goal, with the numbers of `action_msgs/msg/GoalStatus`."""
 
     UNKNOWN = 0
     ACCEPTED = 1
@@ -34,17 +34,17 @@ class GoalState(IntEnum):
 
     @property
     def is_terminal(self) -> bool:
-        """Whether the goal has ended, and has or will have a result."""
+        """Whether the goal has ended. It has a result, or will soon have a result."""
         return self >= GoalState.SUCCEEDED
 
     @property
     def is_cancelable(self) -> bool:
-        """Whether somebody may still ask for the goal's end."""
+        """Whether the goal can be canceled."""
         return GoalEvent.CANCEL_GOAL in _TRANSITIONS.get(self, {})
 
 
 class GoalEvent(Enum):
-    """What can happen to a goal."""
+    """Events that change a goal's state."""
 
     EXECUTE = "execute"
     CANCEL_GOAL = "cancel_goal"
@@ -73,7 +73,7 @@ _TRANSITIONS: dict[GoalState, dict[GoalEvent, GoalState]] = {
 
 
 class GoalTransitionError(ZbotError, RuntimeError):
-    """A goal's state does not allow what was asked of it, e.g. a second `succeed()`."""
+    """A goal's state does not allow an event, for example a second `succeed()`."""
 
     def __init__(self, state: GoalState, event: GoalEvent) -> None:
         self.state, self.event = state, event
@@ -97,10 +97,10 @@ def events_of(state: GoalState) -> list[GoalEvent]:
 
 
 def next_state(state: GoalState, event: GoalEvent) -> GoalState:
-    """Return the state that an event leads to.
+    """Return the state after an event.
 
     Raises:
-        GoalTransitionError: The state does not allow it.
+        GoalTransitionError: The state does not allow the event.
     """
     try:
         return _TRANSITIONS[state][event]

@@ -1,4 +1,4 @@
-"""Which actions there are, and whose (rclpy's functions)."""
+"""Functions of rclpy that list the actions in the graph, or the actions of one node."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def get_action_names_and_types(node: Node) -> NamesAndTypes:
-    """Return every action that has a server or a client, with its types."""
+    """Return the name and types of every action that has a server or a client."""
     return node.context.graph.snapshot().actions()
 
 
@@ -33,7 +33,7 @@ def get_action_server_names_and_types_by_node(
 def get_action_client_names_and_types_by_node(
     node: Node, remote_node_name: str, remote_node_namespace: str
 ) -> NamesAndTypes:
-    """Return the actions that a node is a client of.
+    """Return the actions for which a node has a client.
 
     Raises:
         UnknownNodeError: There is no such node.

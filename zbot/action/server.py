@@ -1,4 +1,4 @@
-"""Action servers: they reach goals that take time, tell how it goes, and can be stopped."""
+"""Action servers. They execute goals, publish feedback, and can cancel goals."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.timer import Timer
 from zbot.executor.waitable import NumberOfEntities
 from zbot.interfaces import type_name
-from zbot.process.signals import user_part
+from zbot.process.signals import user_traceback
 from zbot.qos import (
     QoSProfile,
     qos_profile_action_status_default,
@@ -47,14 +47,14 @@ qos_profile_action_feedback = QoSProfile(depth=10)
 
 
 class GoalResponse(Enum):
-    """Whether a goal is taken on."""
+    """Answer that accepts or rejects a goal."""
 
     REJECT = 1
     ACCEPT = 2
 
 
 class CancelResponse(Enum):
-    """Whether a goal is going to be canceled."""
+    """Answer that accepts or rejects a cancel request."""
 
     REJECT = 1
     ACCEPT = 2
@@ -71,40 +71,41 @@ def default_goal_callback(goal_request: Any) -> GoalResponse:  # noqa: ARG001 - 
 
 
 def default_cancel_callback(cancel_request: Any) -> CancelResponse:  # noqa: ARG001 - as above
-    """Cancel nothing."""
+    """Reject every cancel request."""
     return CancelResponse.REJECT
 
 
 class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
-    """Reaches goals: three services and two topics of a node, below one name.
+    """Executes goals. It has three services and two topics of a node, below one name.
 
-    All callbacks may be coroutine functions. Goals are executed outside of every callback group, as
-    in rclpy: with several threads, or as coroutines, many can be under way at once.
+    All callbacks may be coroutine functions. As in rclpy, goals are executed outside of callback
+    groups. So several threads, or coroutines, can execute many goals at the same time.
 
     Args:
-        node: The node that serves.
+        node: The node of the server.
         action_type: Action class.
         action_name: Relative, `~/private` or absolute name.
-        execute_callback: Takes a `ServerGoalHandle`, and returns the action's `Result`. A goal that
-            it leaves without an end, or with an exception, is aborted. It may be left out where
-            `handle_accepted_callback` executes goals in its own way.
-        callback_group: Decides beside what the other callbacks may run; the node's if left out.
-        goal_callback: Takes the `Goal`; returns a `GoalResponse`. Accepts everything if left out.
-        handle_accepted_callback: Takes the `ServerGoalHandle` of a goal whose client has been told
-            that it is accepted; calls `execute()` on it, now or later.
-        cancel_callback: Takes a `ServerGoalHandle`, returns a `CancelResponse`. Refuses
-            if left out.
-        goal_service_qos_profile: Of the service that takes goals.
-        result_service_qos_profile: Of the service that gives results.
-        cancel_service_qos_profile: Of the service that cancels goals.
-        feedback_pub_qos_profile: Of the topic that tells how it goes.
-        status_pub_qos_profile: Of the topic that tells where each goal stands.
-        result_timeout: Seconds of the node's clock to keep a result after its goal's end; below 0:
-            for ever.
+        execute_callback: Takes a `ServerGoalHandle`, and returns the action's `Result`. A goal is
+            aborted if the callback raises an exception or does not end the goal. The callback may
+            be left out if `handle_accepted_callback` executes the goals itself.
+        callback_group: Group of the other callbacks. If left out, the node's default group is used.
+        goal_callback: Takes the `Goal`, and returns a `GoalResponse`. If left out, the server
+            accepts every goal.
+        handle_accepted_callback: Takes the `ServerGoalHandle` of an accepted goal, after the
+            client got the response. It must call the handle's `execute()`, now or later.
+        cancel_callback: Takes a `ServerGoalHandle`, and returns a `CancelResponse`. If left out,
+            the server rejects every request.
+        goal_service_qos_profile: For the service that takes goals.
+        result_service_qos_profile: For the service that returns results.
+        cancel_service_qos_profile: For the service that cancels goals.
+        feedback_pub_qos_profile: For the topic with the feedback.
+        status_pub_qos_profile: For the topic with the states of all goals.
+        result_timeout: Seconds of the node's clock that the server keeps a result after the
+            goal's end. With a number below 0, it keeps results for ever.
 
     Raises:
-        NotAnActionTypeError: The class is no action's.
-        ExecuteCallbackError: The callback cannot be called, or is missing.
+        NotAnActionTypeError: The class is not an action type.
+        ExecuteCallbackError: The execute callback cannot be called, or is missing.
         InvalidServiceNameError: The name breaks ROS 2's grammar.
         InvalidHandleError: The node was destroyed.
     """
@@ -131,8 +132,8 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         if not hasattr(action_type, "Impl"):
             raise NotAnActionTypeError(action_type)
         self._execute_callback: Callable[[Any], Any] | None = None
-        own_way = handle_accepted_callback not in (None, default_handle_accepted_callback)
-        if execute_callback is not None or not own_way:
+        has_handler = handle_accepted_callback not in (None, default_handle_accepted_callback)
+        if execute_callback is not None or not has_handler:
             self.register_execute_callback(cast("Any", execute_callback))
         self.register_goal_callback(goal_callback)
         self.register_handle_accepted_callback(handle_accepted_callback)
@@ -143,13 +144,13 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         self._action_name = node.resolve_service_name(action_name)
         self._logger = node.get_logger().get_child("action_server")
         self._goal_handles: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
-        self._clock = node.get_clock()  # a simulation keeps results for its own seconds
+        self._clock = node.get_clock()  # if it is simulated, so is the time that results are kept
         self._result_timeout_ns = int(result_timeout * S_TO_NS)
         self._ended: deque[tuple[int, bytes]] = deque()  # when (the node's clock) and which goal
         group = callback_group or node.default_callback_group
-        free = ReentrantCallbackGroup()  # here run no callbacks that a group could protect
-        self._executions = WorkQueue(node.handle.ready_queue, free)
-        self._expiry = self._make_timer(free)
+        unprotected = ReentrantCallbackGroup()  # for goals, results and the timer
+        self._executions = WorkQueue(node.handle.ready_queue, unprotected)
+        self._expiry = self._make_timer(unprotected)
         impl, name = action_type.Impl, f"{self._action_name}/_action"
         self._feedback = node.create_publisher(
             impl.FeedbackMessage, f"{name}/feedback", feedback_pub_qos_profile
@@ -171,9 +172,9 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
                 f"{name}/get_result",
                 self._on_result_request,
                 qos_profile=result_service_qos_profile,
-                callback_group=free,
+                callback_group=unprotected,
             ),
-            # Last, because a server is there for its clients when all of it is.
+            # Made last, because clients that find it expect the other parts too.
             serve(
                 impl.SendGoalService,
                 f"{name}/send_goal",
@@ -201,7 +202,7 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
 
     @property
     def is_over(self) -> bool:
-        """Whether nobody can be told anything any more."""
+        """Whether the node was destroyed or the context was shut down."""
         return self._node.handle.is_destroyed or not self._node.context.ok()
 
     # -- callbacks -----------------------------------------------------------------------------
@@ -212,33 +213,33 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         """Replace the callback that executes goals.
 
         Raises:
-            ExecuteCallbackError: It cannot be called.
+            ExecuteCallbackError: The callback cannot be called.
         """
         if not callable(execute_callback):
             raise ExecuteCallbackError(execute_callback)
         self._execute_callback = execute_callback
 
     def register_goal_callback(self, goal_callback: Callable[[Any], Any] | None) -> None:
-        """Replace the callback that decides about new goals; `None` accepts all."""
+        """Replace the callback that decides about new goals. `None` accepts all goals."""
         self._goal_callback = goal_callback or default_goal_callback
 
     def register_handle_accepted_callback(
         self, handle_accepted_callback: Callable[[Any], Any] | None
     ) -> None:
-        """Replace the callback that gets accepted goals; `None` executes them at once."""
+        """Replace the callback that gets accepted goals. `None` executes the goals at once."""
         self._handle_accepted_callback = (
             handle_accepted_callback or default_handle_accepted_callback
         )
 
     def register_cancel_callback(self, cancel_callback: Callable[[Any], Any] | None) -> None:
-        """Replace the callback that decides about canceling; `None` refuses."""
+        """Replace the callback that decides about cancel requests. `None` rejects all requests."""
         self._cancel_callback = cancel_callback or default_cancel_callback
 
     # -- requests ------------------------------------------------------------------------------
 
     async def _on_goal_request(self, request: Any, response: Any) -> Reply | Any:
         key = bytes(request.goal_id.uuid)
-        if key not in self._goal_handles and await self._wants(request.goal):
+        if key not in self._goal_handles and await self._is_accepted(request.goal):
             info = GoalInfo(goal_id=request.goal_id, stamp=self._node.get_clock().now().to_msg())
             handle = ServerGoalHandle(self, info, request.goal)
             if self._goal_handles.setdefault(key, handle) is handle:
@@ -247,13 +248,13 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         self._logger.debug(f"New goal rejected: {key.hex()}")
         return response
 
-    async def _wants(self, goal: Any) -> bool:
+    async def _is_accepted(self, goal: Any) -> bool:
         decision = await call(self._goal_callback, goal)
         if isinstance(decision, GoalResponse):
             return decision is GoalResponse.ACCEPT
         self._logger.warning(
             f"{self._action_name}: the goal callback returned {decision!r}, not a GoalResponse: "
-            "rejecting the goal"
+            "the goal is rejected"
         )
         return False
 
@@ -268,17 +269,17 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         query = CancelQuery(bytes(info.goal_id.uuid), stamp_ns)
         with self.lock:
             chosen, code = query.choose(list(self._goal_handles.values()))
-        canceling = [handle for handle in chosen if await self._cancels(handle)]
+        canceling = [handle for handle in chosen if await self._cancel(handle)]
         response.goals_canceling = [handle.goal_info for handle in canceling]
         response.return_code = ERROR_REJECTED if chosen and not canceling else code
         return response
 
-    async def _cancels(self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT]) -> bool:
+    async def _cancel(self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT]) -> bool:
         if await call(self._cancel_callback, handle) is not CancelResponse.ACCEPT:
             return False
         try:
             handle.update(GoalEvent.CANCEL_GOAL)
-        except GoalTransitionError as error:  # it ended while the callback was deciding
+        except GoalTransitionError as error:  # the goal ended during the callback
             self._logger.debug(f"Failed to cancel goal {handle.key.hex()}: {error}")
             return False
         return True
@@ -288,7 +289,7 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         handle = self._goal_handles.get(key)
         if handle is None:
             self._logger.warning(
-                f"{self._action_name}: somebody asks for the result of a goal that is unknown or "
+                f"{self._action_name}: a client asked for the result of a goal that is unknown or "
                 f"expired: {key.hex()}"
             )
             response.status = GoalState.UNKNOWN.value
@@ -302,10 +303,10 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         goal_handle: ServerGoalHandle[GoalT, ResultT, FeedbackT],
         execute_callback: Callable[[ServerGoalHandle[GoalT, ResultT, FeedbackT]], Any] | None,
     ) -> None:
-        """Let the executor run a goal; see `ServerGoalHandle.execute`."""
+        """Let the executor run a goal (see `ServerGoalHandle.execute`)."""
         callback = execute_callback or self._execute_callback
         if callback is None:
-            goal_handle.is_started = False  # the program itself reaches the goal, and ends it
+            goal_handle.is_started = False  # the program executes the goal itself
             return
         self._executions.add(partial(self._execute, goal_handle, callback))
 
@@ -318,9 +319,9 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         result = None
         try:
             result = self._checked(handle, await call(callback, handle))
-        except Exception as error:  # noqa: BLE001 - one goal fails, and the server goes on
+        except Exception as error:  # noqa: BLE001 - the server goes on after one goal failed
             if self.is_over:
-                return  # the program ends, and with it the goal: clients see that
+                return  # the program ends, and clients see that the server is gone
             self._report(error)
         else:
             if handle.is_active:
@@ -339,20 +340,20 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
             self.check_result(result)
         elif not handle.result_future.is_over:
             self._logger.warning(
-                f"{self._action_name}: the execute callback returned no result (does it end with "
-                "`return result`?): sending an empty one"
+                f"{self._action_name}: the execute callback returned no result, so an empty one is "
+                "sent; end the callback with `return result`"
             )
         return cast("ResultT | None", result)
 
     def _report(self, error: Exception) -> None:
-        lines = traceback.format_exception(type(error), error, user_part(error.__traceback__))
+        lines = traceback.format_exception(type(error), error, user_traceback(error.__traceback__))
         self._logger.error(f"Error raised in execute callback: {error}\n{''.join(lines).rstrip()}")
 
     def check_result(self, result: object) -> None:
-        """Refuse what is no result of this action.
+        """Raise an error if a value is not a result of this action.
 
         Raises:
-            ActionMessageError: It is not the action's `Result`.
+            ActionMessageError: The value is not of the action's `Result` class.
         """
         expected = self._action_type.Result
         if not isinstance(result, expected):
@@ -361,7 +362,7 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
     def deliver(
         self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT], result: ResultT | None
     ) -> None:
-        """Answer all who wait for a goal's result, and keep it for those who come later."""
+        """Send a goal's result to the clients that requested it, and keep it for later requests."""
         response = self._action_type.Impl.GetResultService.Response()
         response.status = handle.status
         response.result = self._action_type.Result() if result is None else result
@@ -391,10 +392,10 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
                 self._goal_handles.pop(key).destroy()
             self._schedule_expiry()
 
-    # -- what is published ---------------------------------------------------------------------
+    # -- topics --------------------------------------------------------------------------------
 
     def publish_status(self) -> None:
-        """Tell where each known goal stands."""
+        """Publish the states of all known goals."""
         message = self._action_type.Impl.GoalStatusMessage()
         with self.lock:
             message.status_list = [handle.status_message for handle in self._goal_handles.values()]
@@ -402,12 +403,12 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
                 self._status.publish(message)
             except InvalidHandleError:
                 if not self.is_over:
-                    raise  # else another thread has just destroyed the node: nobody is to be told
+                    raise  # otherwise, another thread has just destroyed the node
 
     def publish_feedback(
         self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT], feedback: FeedbackT
     ) -> None:
-        """Tell how a goal goes; see `ServerGoalHandle.publish_feedback`."""
+        """Publish feedback of a goal (see `ServerGoalHandle.publish_feedback`)."""
         expected = self._action_type.Feedback
         if not isinstance(feedback, expected):
             raise ActionMessageError(self._action_name, type_name(expected), feedback)
@@ -420,18 +421,18 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         service_event_qos_profile: QoSProfile | int,
         introspection_state: ServiceIntrospectionState,
     ) -> None:
-        """Publish what the three services do, or publish it no longer; see `Service`."""
+        """Switch service introspection of the three services on or off (see `Service`)."""
         for one in self._services:
             one.configure_introspection(clock, service_event_qos_profile, introspection_state)
 
     def get_num_entities(self) -> NumberOfEntities:
-        """Return how many of each kind it is made of."""
+        """Return the numbers of the server's entities, by kind."""
         return NumberOfEntities(num_timers=1, num_services=len(self._services))
 
     # -- the end -------------------------------------------------------------------------------
 
     def destroy(self) -> None:
-        """Serve no more; whoever waits for a result gets an error. May be called twice."""
+        """Destroy the server. Clients that wait for a result get an error. May be called twice."""
         for service in self._services:
             self._node.destroy_service(service)
         with self.lock:

@@ -1,4 +1,4 @@
-"""A goal as its server sees it."""
+"""Handle of a goal for an action server."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
 
 class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
-    """What a server does with one goal: run it, tell how it goes, end it.
+    """A goal that a server accepted. Its methods execute the goal, publish feedback, and end it.
 
-    Made by `ActionServer`; all methods may be called from any thread.
+    `ActionServer` makes it. All methods may be called from any thread.
 
     Args:
         action_server: The server that accepted the goal.
-        goal_info: The goal's id and when it was accepted.
-        goal_request: What is to be reached.
+        goal_info: The goal's id, and the time at which it was accepted.
+        goal_request: The goal, of the action's `Goal` class.
     """
 
     def __init__(
@@ -43,7 +43,7 @@ class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
         self.key = bytes(goal_info.goal_id.uuid)  #: the goal's id as bytes
         self.stamp_ns = goal_info.stamp.sec * S_TO_NS + goal_info.stamp.nanosec
         self.is_started = False  #: whether `execute` was called
-        self.result_future: Future[Any] = Future()  #: the response to whoever asks for the result
+        self.result_future: Future[Any] = Future()  #: the response to requests for the result
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ServerGoalHandle) and self.key == other.key
@@ -56,32 +56,32 @@ class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
 
     @property
     def request(self) -> GoalT:
-        """The goal: what is to be reached."""
+        """The goal, of the action's `Goal` class."""
         return self._goal_request
 
     @property
     def goal_id(self) -> UUID:
-        """The goal's id, made by the client."""
+        """The goal's id, which the client has made."""
         return self._status.goal_info.goal_id
 
     @property
     def goal_info(self) -> GoalInfo:
-        """The goal's id and when it was accepted."""
+        """The goal's id, and the time at which it was accepted."""
         return self._status.goal_info
 
     @property
     def status_message(self) -> GoalStatus:
-        """Where the goal stands, as the status topic tells it."""
+        """The goal's id and state, as in the messages of the status topic."""
         return self._status
 
     @property
     def state(self) -> GoalState:
-        """Where the goal stands; `UNKNOWN` once its server has forgotten it."""
+        """The goal's state. It is `UNKNOWN` after the server has forgotten the goal."""
         return GoalState.UNKNOWN if self._is_destroyed else GoalState(self._status.status)
 
     @property
     def status(self) -> int:
-        """The number of its state, as in `action_msgs/msg/GoalStatus`."""
+        """The number of the goal's state, as in `action_msgs/msg/GoalStatus`."""
         return int(self.state)
 
     @property
@@ -91,7 +91,7 @@ class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
 
     @property
     def is_cancel_requested(self) -> bool:
-        """Whether the goal is to be canceled: end soon, with `canceled()`."""
+        """Whether a cancel request was accepted. The callback should soon call `canceled()`."""
         return self.state is GoalState.CANCELING
 
     def execute(
@@ -102,52 +102,52 @@ class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
         """Let the executor run the goal.
 
         Args:
-            execute_callback: Runs this goal in place of the server's.
+            execute_callback: Executes this goal instead of the server's callback.
 
         Raises:
-            GoalTransitionError: It was called before, or the goal has ended.
+            GoalTransitionError: The goal is being executed already, or it has ended.
         """
-        # A goal that is to be canceled is run too: its callback knows how to end it.
+        # A goal that is being canceled is executed too, because the callback ends it.
         if not self.is_cancel_requested:
             self.update(GoalEvent.EXECUTE)
         self.is_started = True
         self._action_server.notify_execute(self, execute_callback)
 
     def executing(self) -> None:
-        """Say that the goal is being reached, by the program's own means in place of `execute`.
+        """Set the state to EXECUTING. A program that does not use `execute` calls this.
 
         Raises:
-            GoalTransitionError: It was said before, or the goal has ended.
+            GoalTransitionError: The goal is being executed already, or it has ended.
         """
         self.update(GoalEvent.EXECUTE)
 
     def publish_feedback(self, feedback: FeedbackT) -> None:
-        """Tell the client how it goes.
+        """Publish feedback for the client.
 
         Raises:
-            ActionMessageError: This is not the action's `Feedback`.
+            ActionMessageError: `feedback` is not of the action's `Feedback` class.
         """
         if not self._is_destroyed:
             self._action_server.publish_feedback(self, feedback)
 
     def succeed(self, response: ResultT | None = None) -> None:
-        """End the goal: it was reached.
+        """End the goal as SUCCEEDED.
 
         Args:
-            response: The result, sent at once; else the one that the callback returns.
+            response: The result, which is sent at once. If left out, the callback's result is sent.
 
         Raises:
             GoalTransitionError: The goal is not being executed.
-            ActionMessageError: This is not the action's `Result`.
+            ActionMessageError: `response` is not of the action's `Result` class.
         """
         self._end(GoalEvent.SUCCEED, response)
 
     def abort(self, response: ResultT | None = None) -> None:
-        """End the goal: the server gave it up; see `succeed`."""
+        """End the goal as ABORTED (see `succeed`)."""
         self._end(GoalEvent.ABORT, response)
 
     def canceled(self, response: ResultT | None = None) -> None:
-        """End the goal, as the client asked for; see `succeed`."""
+        """End the goal as CANCELED, after a cancel request (see `succeed`)."""
         self._end(GoalEvent.CANCELED, response)
 
     def _end(self, event: GoalEvent, result: ResultT | None) -> None:
@@ -155,13 +155,13 @@ class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
             self._action_server.check_result(result)
         self.update(event)
         if result is not None or not self.is_started:
-            self.deliver(result)  # nothing else will come from a callback
+            self.deliver(result)  # no callback will return a result
 
     def update(self, event: GoalEvent) -> None:
-        """Change the goal's state and tell everybody; nothing happens to a forgotten goal.
+        """Change the goal's state and publish it. Do nothing if the server has forgotten the goal.
 
         Raises:
-            GoalTransitionError: The state does not allow it.
+            GoalTransitionError: The state does not allow the event.
         """
         with self._action_server.lock:
             if self._is_destroyed:
@@ -170,10 +170,10 @@ class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
             self._action_server.publish_status()
 
     def deliver(self, result: ResultT | None) -> None:
-        """Send the result to all who asked or will ask for it; only the first counts."""
+        """Send the result to present and later requests. Calls after the first call do nothing."""
         if not self.result_future.is_over and not self._is_destroyed:
             self._action_server.deliver(self, result)
 
     def destroy(self) -> None:
-        """Forget the goal: nothing that is done with it from now on has an effect."""
+        """Forget the goal. The methods have no effect after this."""
         self._is_destroyed = True

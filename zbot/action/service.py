@@ -1,4 +1,4 @@
-"""Services of an action: they may answer much later, and go on after they have answered."""
+"""Services of an action. They may respond later, and may do work after the response."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Reply:
-    """A response, and what to do once it has been sent: a function or coroutine function."""
+    """A response, and a function or coroutine function to call after the response was sent."""
 
     message: Any
     then: Callable[[], Any]
@@ -33,52 +33,54 @@ class Reply:
 class ActionService(Service[Any, Any]):
     """A service whose callback may also return a `Reply`, or a `Future` of its response.
 
-    It takes no turn of its callback group while the future is pending. Requests that still wait for
-    one when the service is destroyed fail for their callers, as if the process had ended.
+    While the future is pending, the service does not hold its callback group. If the service is
+    destroyed, waiting requests fail for their callers, as if the process had ended.
     """
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         self._waiting: dict[int, zenoh.Query] = {}
-        self._then: deque[Callable[[], Any]] = deque()
+        self._after_reply: deque[Callable[[], Any]] = deque()
         super().__init__(*args, **kwargs)
 
-    def _answer(self, who: bytes, query: zenoh.Query, response: Any) -> None:
+    def _answer(self, request_id: bytes, query: zenoh.Query, response: Any) -> None:
         if isinstance(response, Future):
             self._waiting[id(query)] = query
-            response.add_waker(lambda: self._answer_when_over(who, query, response))
+            response.add_waker(lambda: self._answer_when_over(request_id, query, response))
             if self._is_destroyed:
-                self._drop_waiting()  # another thread destroyed it meanwhile
+                self._drop_waiting()  # another thread has destroyed the service
         elif isinstance(response, Reply):
-            super()._answer(who, query, response.message)
-            self._then.append(response.then)
+            super()._answer(request_id, query, response.message)
+            self._after_reply.append(response.then)
         else:
-            super()._answer(who, query, response)
+            super()._answer(request_id, query, response)
 
     def execute(self, taken: tuple[zenoh.Query, float]) -> Coroutine[Any, Any, None] | None:
-        """Answer a request, and go on in the same turn: a mistake there is not the caller's."""
+        """Respond to a request, then call the reply's function. The caller gets no error of it."""
         outcome = super().execute(taken)
-        return self._go_on() if outcome is None else outcome
+        return self._run_after_reply() if outcome is None else outcome
 
     async def _answer_later(
-        self, who: bytes, query: zenoh.Query, outcome: Coroutine[Any, Any, Any]
+        self, request_id: bytes, query: zenoh.Query, outcome: Coroutine[Any, Any, Any]
     ) -> None:
-        await super()._answer_later(who, query, outcome)
-        more = self._go_on()
-        if more is not None:
-            await more
+        await super()._answer_later(request_id, query, outcome)
+        rest = self._run_after_reply()
+        if rest is not None:
+            await rest
 
-    def _go_on(self) -> Coroutine[Any, Any, None] | None:
-        if not self._then:
+    def _run_after_reply(self) -> Coroutine[Any, Any, None] | None:
+        if not self._after_reply:
             return None
-        outcome = self._then.popleft()()
+        outcome = self._after_reply.popleft()()
         return outcome if inspect.iscoroutine(outcome) else None
 
-    def _answer_when_over(self, who: bytes, query: zenoh.Query, response: Future[Any]) -> None:
+    def _answer_when_over(
+        self, request_id: bytes, query: zenoh.Query, response: Future[Any]
+    ) -> None:
         if self._waiting.pop(id(query), None) is not None:
-            super()._answer(who, query, response.result())
+            super()._answer(request_id, query, response.result())
 
     def destroy(self) -> None:
-        """Serve no more, and let all requests that wait fail; may be called twice."""
+        """Destroy the service, and let all waiting requests fail. A second call does nothing."""
         super().destroy()
         self._drop_waiting()
 
@@ -98,12 +100,12 @@ def create_action_service(
     qos_profile: QoSProfile,
     callback_group: CallbackGroup,
 ) -> ActionService:
-    """Return a new service of a node; its coroutine function answers at once where it can."""
+    """Return a new service of a node. Its coroutine function responds at once if it can."""
     handle = node.handle
     service = ActionService(
         handle.context,
         srv_type,
-        lambda request, response: start(callback(request, response)),
+        lambda request, response: run_until_await(callback(request, response)),
         handle.endpoint(EntityKind.SERVICE, node.resolve_service_name(name), srv_type, qos_profile),
         ready_queue=handle.ready_queue,
         callback_group=callback_group,
@@ -115,20 +117,19 @@ def create_action_service(
     return service
 
 
-def start(coroutine: Coroutine[Any, Any, Any]) -> Any:
-    """Run a coroutine to its end and return its result; if it has to wait, return its rest.
+def run_until_await(coroutine: Coroutine[Any, Any, Any]) -> Any:
+    """Run a coroutine and return its result. If it has to wait, return the rest as a coroutine.
 
-    A callback that need not wait is answered inside the call, also where no executor could go on
-    with a coroutine.
+    A callback that does not wait is finished inside the call, so it needs no executor.
     """
     try:
         awaited = coroutine.send(None)
     except StopIteration as stop:
         return stop.value
-    return _go_on(coroutine, awaited)
+    return _continue(coroutine, awaited)
 
 
-async def _go_on(coroutine: Coroutine[Any, Any, Any], awaited: Any) -> Any:
+async def _continue(coroutine: Coroutine[Any, Any, Any], awaited: Any) -> Any:
     return await _steps(coroutine, awaited)
 
 

@@ -1,4 +1,4 @@
-"""Work of an action that the node's executor does: calling the user, one piece after the other."""
+"""Queue of functions of an action that the node's executor calls."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ if TYPE_CHECKING:
 
 
 class WorkQueue:
-    """Functions that wait for the executor, which may come later than they do.
+    """Functions that wait for the executor. They may be added before the node has an executor.
 
     Args:
-        ready_queue: The node's way to its executor.
-        callback_group: Decides beside what a function may run.
+        ready_queue: The node's ready queue.
+        callback_group: Decides which callbacks may run at the same time as a function.
     """
 
     due_ns: int | None = None
@@ -29,22 +29,22 @@ class WorkQueue:
         ready_queue.add(self)
 
     def add(self, function: Callable[[], Any]) -> None:
-        """Let the executor call a function or coroutine function; from any thread."""
+        """Let the executor call a function or coroutine function. Any thread may call this."""
         self._functions.append(function)
         self.ready_queue.post(self)
 
     def take(self) -> Callable[[], Any] | None:
-        """Return the function whose turn it is, if any."""
+        """Return the oldest function, or `None` if no function waits."""
         try:
             return self._functions.popleft()
         except IndexError:
             return None
 
     def execute(self, function: Callable[[], Any]) -> Any:
-        """Call it; a coroutine is the executor's to run."""
+        """Call the function. If it returns a coroutine, return that for the executor."""
         return function()
 
     def destroy(self) -> None:
-        """Forget what waits."""
+        """Remove the functions that wait."""
         self.ready_queue.remove(self)
         self._functions.clear()

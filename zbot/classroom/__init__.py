@@ -1,1 +1,1 @@
-"""Many machines: a hub on each, one of which the others dial, and classes of students on top."""
+"""Classes and hubs: many machines, each with a hub (a Zenoh router) that dials one common hub."""

@@ -1,7 +1,7 @@
 """`python -m zbot.classroom ROLE`: the hub that `zbot join` and `zbot class start` leave running.
 
-What it needs to know, secrets too, is in files that only its user can read, never on its command
-line.
+The hub reads its settings and secrets from files that only its user can read. They are never on
+its command line.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ from zbot.transport import membership
 
 
 def main() -> int:
-    """Run the hub of the role that this machine has joined in."""
+    """Run the hub of this machine's role, teacher or student; return the exit code."""
     try:
         joined = membership.load()
         if joined is None:
             raise NotJoinedError
         run = run_teacher if joined.role == "teacher" else run_student
-        run(joined, background.say_ready)
+        run(joined, background.report_ready)
     except ZbotError as error:
         print(error, flush=True)
         return 1

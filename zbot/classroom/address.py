@@ -1,4 +1,4 @@
-"""Addresses of machines: what a user types, and what this machine has itself."""
+"""Addresses of hubs as users type them, and this machine's own IP addresses."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from dataclasses import dataclass
 from zbot.classroom.errors import AddressError
 from zbot.transport.config import HUB_PORT
 
-#: Documentation addresses (RFC 5737): a UDP socket "connected" to one sends nothing, but the system
-#: chooses the address that it would send from. The first leads to the default route.
+#: Targets for UDP sockets. Connecting a UDP socket sends nothing, but the system chooses the local
+#: address for it. The first target is a documentation address (RFC 5737): its route is the default.
 _PROBES = ("192.0.2.1", "10.255.255.254", "172.31.255.254", "192.168.255.254")
 _MAX_PORT = 65535
 
-EVERYWHERE = "0.0.0.0"  #: every network that a machine is in  # noqa: S104 - said by the user
+EVERYWHERE = "0.0.0.0"  #: all interfaces of a machine  # noqa: S104 - the user asks for it
 
 
 @dataclass(frozen=True)
 class Address:
-    """Where a hub listens."""
+    """Host and TCP port of a hub."""
 
     host: str  #: a name or an IP address
     port: int = HUB_PORT
@@ -30,21 +30,21 @@ class Address:
 
     @property
     def endpoint(self) -> str:
-        """The same as a Zenoh endpoint."""
+        """The address as a Zenoh endpoint, such as `tcp/192.168.1.10:7447`."""
         return f"tcp/{self}"
 
 
 def parse_address(text: str, default_port: int = HUB_PORT) -> Address:
-    """Read `HOST`, `HOST:PORT`, `[IPv6]` or `[IPv6]:PORT`.
+    """Return the address in a text: `HOST`, `HOST:PORT`, `[IPv6]` or `[IPv6]:PORT`.
 
     Raises:
-        AddressError: The port is no number from 1 to 65535, or a part is missing.
+        AddressError: The port is not a number from 1 to 65535, or a part is missing.
     """
     host, port = _split(text.strip())
     if not host or any(char.isspace() or not char.isprintable() for char in host):
         raise AddressError(text, "write a name or IP address, such as 192.168.1.10")
     if set(host) & set("/#?;"):
-        raise AddressError(text, "a name or IP address has no such characters: / # ? ;")
+        raise AddressError(text, "a name or IP address cannot contain / # ? or ;")
     if port is None:
         return Address(host, default_port)
     if not (port.isascii() and port.isdigit() and 0 < int(port) <= _MAX_PORT):
@@ -63,10 +63,10 @@ def _split(text: str) -> tuple[str, str | None]:
 
 
 def own_addresses() -> list[str]:
-    """Return this machine's IPv4 addresses, that of the default route first, without loopback.
+    """Return this machine's IPv4 addresses without loopback; the default route's comes first.
 
-    Asks the system only, sends nothing, and knows the same on every system. Networks that lead to
-    no other machine may be missing.
+    Sends nothing: all addresses come from the operating system. An interface without a route may be
+    missing.
     """
     found = [_source_towards(probe) for probe in _PROBES]
     found += _addresses_of_interfaces() or _addresses_of_host_name()
@@ -84,9 +84,10 @@ def _source_towards(target: str) -> str:
 
 
 def _addresses_of_host_name() -> list[str]:
-    """Look up the host's own name, which Windows knows without asking anybody.
+    """Return the addresses of the host's own name.
 
-    Others ask a name server, and wait 10 s for one that is out of reach.
+    Used on Windows only, which needs no name server for its own name. Other systems may ask one,
+    and wait 10 s when it is unreachable.
     """
     try:
         return socket.gethostbyname_ex(socket.gethostname())[2]
@@ -95,7 +96,7 @@ def _addresses_of_host_name() -> list[str]:
 
 
 def _addresses_of_interfaces() -> list[str]:
-    """Ask the system for the address of each interface; Windows tells by the host's name."""
+    """Return the address of each interface; empty on Windows."""
     try:
         import fcntl  # noqa: PLC0415 - Windows has none
     except ImportError:

@@ -1,8 +1,8 @@
-"""Where laptops ask to be let into a class: the only thing that a stranger may speak to.
+"""Service that admits laptops to a class; the only one that a user who has not joined may query.
 
-Each question and answer is a JSON object. `hello` tells what class it is; `enrol` and `claim` carry
-the two steps of the PIN check (`zbot.security.pin`), at whose end the student gets number and
-secret; `release` gives a number back. A class without a PIN goes the same way, with an empty one.
+Each query and reply is a JSON object. `hello` returns the name of the class. `enrol` and `claim`
+are the two steps of the PIN check (`zbot.security.pin`); the student gets a number and a secret at
+its end. `release` gives a number back. A class without a PIN uses the same steps with an empty PIN.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _MACHINE_LENGTH = 64
 
 Document = dict[str, Any]
 
-# What a refusal is called, by the error that it comes from; the sentence goes along.
+# The value of `refused` in a reply, for each class of errors; the first match counts.
 _REFUSALS: tuple[tuple[type[SetupError], str], ...] = (
     (WrongPinError, "pin"),
     (TooManyGuessesError, "wait"),
@@ -35,16 +35,16 @@ _REFUSALS: tuple[tuple[type[SetupError], str], ...] = (
 
 @dataclass(frozen=True)
 class AdmissionRequest:
-    """What a student would like to be."""
+    """A laptop's request to join a class."""
 
-    machine: str  #: tells this laptop from others
-    host: str  #: what the laptop calls itself
+    machine: str  #: identifies the laptop
+    host: str  #: the laptop's host name
     name: str | None = None  #: the student's
-    number: int | None = None  #: the student's; the class chooses one if it is left out
+    number: int | None = None  #: the student's; `None`: the class chooses one
 
     @classmethod
     def of(cls, document: Document) -> AdmissionRequest:
-        """Read what came from a laptop; what makes no sense is left out."""
+        """Return the request in a document from a laptop; invalid fields get their defaults."""
         number = document.get("number")
         return cls(
             str(document.get("machine"))[:_MACHINE_LENGTH],
@@ -55,22 +55,22 @@ class AdmissionRequest:
 
 
 def release_proof(claim: str) -> str:
-    """Return what shows that whoever gives a number back is the one who has it.
+    """Return the proof that the sender of a `release` owns the number.
 
-    The claim came sealed, so nobody else knows it.
+    Only the owner knows the claim, because the class encrypted it for this laptop alone.
     """
     return hmac.new(claim.encode(), b"release", "sha256").hexdigest()
 
 
 class AdmissionService:
-    """Lets laptops in.
+    """Admission of laptops to a class.
 
     Args:
-        class_name: Told to whoever asks.
-        pin: The class's; empty if it has none.
-        register: Where numbers are claimed.
-        credentials: Returns what a laptop with a number needs to be let through.
-        changed: Called after the register has changed, with the number.
+        class_name: The class's name, returned by `hello`.
+        pin: The class's PIN; empty if it has none.
+        register: The numbers of the class.
+        credentials: Returns the credentials of a number, which its laptop needs to use the hub.
+        changed: Called with the number after the register has changed.
     """
 
     def __init__(
@@ -84,22 +84,22 @@ class AdmissionService:
     ) -> None:
         self._class_name = class_name
         self._has_pin = bool(pin)
-        self._pin_door = PinServer(Secret(pin))
+        self._pin_server = PinServer(Secret(pin))
         self._register = register
         self._credentials = credentials
         self._changed = changed
 
     def answer(self, question: Document) -> Document:
-        """Answer a question; a refusal is `{"refused": kind, "sentence": why}`."""
+        """Return the reply to a query; a refusal is `{"refused": kind, "sentence": reason}`."""
         steps = {
             "hello": self._hello,
-            "enrol": self._pin_door.challenge,
+            "enrol": self._pin_server.challenge,
             "claim": self._claim,
             "release": self._release,
         }
         step = steps.get(str(question.get("op")))
         if step is None:
-            return {"refused": "question", "sentence": "the class does not understand the question"}
+            return {"refused": "question", "sentence": "the class does not understand the request"}
         try:
             return step(question)
         except SetupError as error:
@@ -111,9 +111,9 @@ class AdmissionService:
         return {"class": self._class_name, "pin": self._has_pin, "version": __version__}
 
     def _claim(self, question: Document) -> Document:
-        admission = self._pin_door.admit(question)
-        wish = AdmissionRequest.of(admission.wish)
-        student = self._register.claim(wish.number, wish.name, wish.machine, wish.host)
+        admission = self._pin_server.admit(question)
+        request = AdmissionRequest.of(admission.request)
+        student = self._register.claim(request.number, request.name, request.machine, request.host)
         self._changed(student.number)
         return admission.seal(
             {

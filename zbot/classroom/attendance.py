@@ -1,4 +1,4 @@
-"""Which laptops are there, as the teacher's hub sees them, and what they say of themselves."""
+"""Attendance of a class: which laptops the teacher's hub sees, and the facts that they report."""
 
 from __future__ import annotations
 
@@ -24,37 +24,34 @@ if TYPE_CHECKING:
     from zbot.classroom.hub_process import HubProcess
 
 _FACTS_TIMEOUT_S = 1.0
-_LATEST_NS = 1 << 63  # the latest that clocks show; a number in JSON may have thousands of digits
+_MAX_TIME_NS = 1 << 63  # a number in JSON may have thousands of digits
 _NODE_TOKENS = "@zbot/*/*/*/*/NN/**"
 
 
 @dataclass
 class ConnectedLaptop:
-    """What is known of a student's laptop."""
+    """Facts about a student's laptop."""
 
     is_here: bool = False
-    since_ns: int = 0  #: when it came or went, since the epoch; 0 if it never came
+    since_ns: int = 0  #: when it was connected or lost, since the epoch; 0 if it was never seen
     version: str = ""
     system: str = ""
     last_error: dict[str, Any] | None = field(default=None)
-    clock_offset_s: float | None = None  #: how far its clock is ahead of the teacher's
+    clock_offset_s: float | None = None  #: its clock minus the teacher's
 
 
 class Attendance:
-    """Follows who comes and goes.
-
-    All methods may be called from any thread.
-    """
+    """Records which laptops are connected; all methods may be called from any thread."""
 
     def __init__(self) -> None:
-        self._seats: dict[int, ConnectedLaptop] = {}
+        self._laptops: dict[int, ConnectedLaptop] = {}
         self._lock = threading.Lock()
         self._serving: HubProcess | None = None
         self._watched: dict[int, Any] = {}
         self._arrivals: queue.SimpleQueue[tuple[int, bool] | None] = queue.SimpleQueue()
 
-    def equip(self, serving: HubProcess, numbers: Iterable[int]) -> None:
-        """Begin to watch, with a hub that was opened."""
+    def attach(self, serving: HubProcess, numbers: Iterable[int]) -> None:
+        """Watch the laptops of these numbers through a hub that was opened."""
         with self._lock:
             self._serving = serving
             self._watched.clear()
@@ -62,49 +59,49 @@ class Attendance:
             self.watch(number)
 
     def watch(self, number: int) -> None:
-        """Watch for a student's laptop."""
+        """Watch for a student's laptop; does nothing when it is watched already."""
         serving = self._serving
         with self._lock:
             if serving is None or number in self._watched:
                 return
-            # A token's subscriber is told of one that is there already.
+            # `history`: tokens that exist already are reported too.
             self._watched[number] = serving.session.liveliness().declare_subscriber(
-                here_key(number), self._teller(number), history=True
+                here_key(number), self._token_callback(number), history=True
             )
 
-    def _teller(self, number: int) -> Any:
+    def _token_callback(self, number: int) -> Any:
         @called_by_zenoh
-        def tell(sample: zenoh.Sample) -> None:
+        def on_token(sample: zenoh.Sample) -> None:
             self._note(number, sample.kind == zenoh.SampleKind.PUT)
 
-        return tell
+        return on_token
 
     def _note(self, number: int, is_here: bool) -> None:
         with self._lock:
-            seat = self._seats.setdefault(number, ConnectedLaptop())
-            if seat.is_here != is_here:
-                seat.is_here, seat.since_ns = is_here, time.time_ns()
+            laptop = self._laptops.setdefault(number, ConnectedLaptop())
+            if laptop.is_here != is_here:
+                laptop.is_here, laptop.since_ns = is_here, time.time_ns()
 
     def forget(self, number: int) -> None:
-        """Forget a laptop whose number was given back."""
+        """Forget a laptop whose number was released."""
         with self._lock:
-            self._seats.pop(number, None)
+            self._laptops.pop(number, None)
             watched = self._watched.pop(number, None)
         if watched is not None:
             watched.undeclare()
 
-    def seat(self, number: int) -> ConnectedLaptop:
-        """Return what is known of a laptop."""
+    def laptop(self, number: int) -> ConnectedLaptop:
+        """Return the facts about a laptop."""
         with self._lock:
-            return self._seats.setdefault(number, ConnectedLaptop())
+            return self._laptops.setdefault(number, ConnectedLaptop())
 
     def present(self) -> list[int]:
-        """Return the numbers of the laptops that are there."""
+        """Return the numbers of the connected laptops."""
         with self._lock:
-            return [number for number, seat in self._seats.items() if seat.is_here]
+            return [number for number, laptop in self._laptops.items() if laptop.is_here]
 
     def refresh(self) -> None:
-        """Ask everybody who is there for facts; takes as long as the slowest, 1 s at most."""
+        """Query the facts of all connected laptops; takes as long as the slowest, at most 1 s."""
         serving = self._serving
         if serving is None:
             return
@@ -134,22 +131,22 @@ class Attendance:
         return asked_ns
 
     def _learn(self, number: int, facts: dict[str, Any], asked_ns: int, came_ns: int) -> None:
-        seat = self.seat(number)
-        seat.version = clean_name(str(facts.get("version", "")))
-        seat.system = clean_name(str(facts.get("system", "")))
+        laptop = self.laptop(number)
+        laptop.version = clean_name(str(facts.get("version", "")))
+        laptop.system = clean_name(str(facts.get("system", "")))
         their_ns = facts.get("time_ns")
-        if isinstance(their_ns, int) and 0 <= their_ns < _LATEST_NS:
-            # The answer was given half-way between question and arrival, as NTP assumes.
-            seat.clock_offset_s = (their_ns - (asked_ns + came_ns) // 2) / 1e9
+        if isinstance(their_ns, int) and 0 <= their_ns < _MAX_TIME_NS:
+            # The laptop read its clock half-way between query and reply, as NTP assumes.
+            laptop.clock_offset_s = (their_ns - (asked_ns + came_ns) // 2) / 1e9
         error = facts.get("last_error")
         if isinstance(error, dict):
-            seat.last_error = {
+            laptop.last_error = {
                 "node": clean_name(str(error.get("node"))),
                 "text": clean_name(str(error.get("text"))),
             }
 
     def nodes(self) -> dict[int, list[str]]:
-        """Return the full names of everybody's nodes, by domain, without hidden ones."""
+        """Return the full names of all nodes by domain, without hidden ones."""
         serving = self._serving
         found: dict[int, list[str]] = {}
         if serving is None:
@@ -167,5 +164,5 @@ def _node_of(key: str) -> NodeToken | None:
     try:
         token = parse_token(key)
     except ValueError:
-        return None  # anybody may declare tokens in his own domain
+        return None  # a student may declare any token in its own domain
     return token if isinstance(token, NodeToken) else None

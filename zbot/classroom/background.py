@@ -1,7 +1,7 @@
-"""The hub as a process of its own, which outlives the terminal it was started from.
+"""Hub process in the background, which keeps running when its terminal is closed.
 
-One machine and user has one at most: a locked file says that it lives, and the system unlocks it
-whatever way the process ends.
+A user has at most one hub on a machine. The hub holds a lock on a file for as long as it runs; the
+system releases the lock however the process ends.
 """
 
 from __future__ import annotations
@@ -27,12 +27,12 @@ if TYPE_CHECKING:
 READY = "ready"
 _STOP_TIMEOUT_S = 5.0
 _PAUSE_S = 0.02
-_MOMENT_S = 0.2
+_LOCK_TIMEOUT_S = 0.2
 
 
 @dataclass(frozen=True)
 class RunningHub:
-    """What a hub says of itself in its state file."""
+    """Content of the state file of a running hub."""
 
     pid: int
     role: str
@@ -42,7 +42,7 @@ class RunningHub:
 
 
 def log_path() -> Path:
-    """Return the file that a hub in the background writes to."""
+    """Return the log file of a hub in the background."""
     return folder() / "hub.log"
 
 
@@ -66,9 +66,9 @@ def _lock(file: IO[str]) -> bool:
     return True
 
 
-def _lock_in_time(file: IO[str]) -> bool:
-    """Lock a file; whoever just looks whether it is locked holds it for a moment."""
-    deadline = time.monotonic() + _MOMENT_S
+def _lock_within_timeout(file: IO[str]) -> bool:
+    """Lock a file, with retries: `find` in another process holds the lock for a short time."""
+    deadline = time.monotonic() + _LOCK_TIMEOUT_S
     while not _lock(file):
         if time.monotonic() > deadline:
             return False
@@ -77,15 +77,15 @@ def _lock_in_time(file: IO[str]) -> bool:
 
 
 @contextlib.contextmanager
-def the_only_one() -> Iterator[None]:
-    """Be the machine's hub for the length of a block.
+def hub_lock() -> Iterator[None]:
+    """Hold the lock of this machine's hub for the length of a block.
 
     Raises:
-        AlreadyJoinedError: There is one.
+        AlreadyJoinedError: Another hub runs.
     """
     make_private_folder(folder())
     with (folder() / "hub.lock").open("w", encoding="utf-8") as file:
-        if not _lock_in_time(file):
+        if not _lock_within_timeout(file):
             running = find()
             raise AlreadyJoinedError(f"has a hub already ({running.role if running else 'busy'})")
         try:
@@ -94,20 +94,20 @@ def the_only_one() -> Iterator[None]:
             _state_path().unlink(missing_ok=True)
 
 
-def announce(role: str, listen: tuple[str, ...], connect: tuple[str, ...]) -> None:
-    """Write the state file, which says that the hub is ready."""
+def write_state(role: str, listen: tuple[str, ...], connect: tuple[str, ...]) -> None:
+    """Write the state file of a hub that is ready."""
     state = RunningHub(os.getpid(), role, list(listen), list(connect), time.time_ns())
     write_private(_state_path(), json.dumps(asdict(state)).encode())
 
 
 def find() -> RunningHub | None:
-    """Return the machine's hub if it lives."""
+    """Return this machine's hub; `None` if none runs."""
     if not _is_locked():
         return None
     try:
         return RunningHub(**json.loads(_state_path().read_text(encoding="utf-8")))
     except (OSError, ValueError, TypeError):
-        return None  # it has just started, or is about to end
+        return None  # it is starting or ending
 
 
 def _is_locked() -> bool:
@@ -119,15 +119,15 @@ def _is_locked() -> bool:
 
 
 def start(role: str) -> None:
-    """Start the hub and wait until it is ready; what it needs to know is in the membership file.
+    """Start the hub and wait until it is ready; its settings are in the membership file.
 
     Raises:
-        HubStartError: It ended instead, and said why.
+        HubStartError: The hub ended before it was ready; its last line is the reason.
     """
     make_private_folder(folder())
     write_private(log_path(), b"")
     with log_path().open("a", encoding="utf-8") as log:
-        process = subprocess.Popen(  # noqa: S603 - this Python, and a word of ours
+        process = subprocess.Popen(  # noqa: S603 - this Python and a constant
             [sys.executable, "-m", "zbot.classroom", role],
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
@@ -143,15 +143,15 @@ def start(role: str) -> None:
     if READY not in said:
         process.wait(_STOP_TIMEOUT_S)
         raise HubStartError(str(log_path()), said[-1] if said else "")
-    # It is nobody's child from here on: without this, Python warns that it still runs.
+    # The hub outlives this process. Without this line, Python warns that it still runs.
     process.returncode = 0
 
 
 def _environment() -> dict[str, str]:
-    """Return what the hub finds in its environment: no PIN, and zbot as it is found here."""
+    """Return the hub's environment: this process's without the PIN, with a path to zbot."""
     kept = {name: value for name, value in os.environ.items() if name != "ZBOT_PIN"}
     root = Path(__file__).parents[2]
-    if root.name != "site-packages":  # a checkout, which may only be found from its own folder
+    if root.name != "site-packages":  # a checkout, which may be importable from its folder only
         kept["PYTHONPATH"] = os.pathsep.join(filter(None, [str(root), kept.get("PYTHONPATH")]))
     return {**kept, "PYTHONUNBUFFERED": "1"}
 
@@ -162,15 +162,15 @@ def _detached() -> dict[str, Any]:
     return {"start_new_session": True}
 
 
-def say_ready() -> None:
-    """Tell the process that started this one, and write to the log from now on."""
+def report_ready() -> None:
+    """Tell the parent process that the hub is ready; further output goes to the log."""
     print(READY, flush=True)
     sys.stdout = sys.stderr
     os.dup2(2, 1)
 
 
 def stop() -> bool:
-    """End the hub and wait for it; return whether there was one."""
+    """End the hub and wait for its end; return whether one ran."""
     hub = find()
     if hub is None:
         return False

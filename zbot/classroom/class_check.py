@@ -1,4 +1,4 @@
-"""Marking a whole class: does everybody's domain do what is expected?"""
+"""Check of a whole class: whether each student's domain meets the teacher's expectations."""
 
 from __future__ import annotations
 
@@ -24,20 +24,20 @@ if TYPE_CHECKING:
 
 _TOKENS_TIMEOUT_S = 2.0
 _SHORTEST_S, _LONGEST_S = 2.5, 20.0
-_PERIODS = 3.5  # so that at least three messages come of what is slow
+_PERIODS = 3.5  # at least three messages of the slowest topic
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What became of one student's work."""
+    """Result of the check of one student."""
 
     number: int
     name: str
-    problems: tuple[str, ...]  #: empty if all is as expected
+    problems: tuple[str, ...]  #: empty if the student passes
 
     @property
     def passes(self) -> bool:
-        """Whether all is as expected."""
+        """Whether the student meets all expectations."""
         return not self.problems
 
 
@@ -46,12 +46,14 @@ def check(
     students: Sequence[dict[str, Any]],
     expectations: Sequence[Expectation],
 ) -> list[Verdict]:
-    """Look at everybody's graph, and count their messages for some seconds where rates matter.
+    """Return a verdict for each student.
+
+    Expectations with a rate take 2.5 to 20 s, in which messages are counted.
 
     Args:
         session: A client of the teacher's hub.
         students: Rows of the class's list, with `number`, `name` and `here`.
-        expectations: What each should do.
+        expectations: The expectations for every student.
     """
     here = [student["number"] for student in students if student["here"]]
     timed = [one for one in expectations if one.has_rate]
@@ -68,7 +70,7 @@ def check(
 
 
 def snapshots(session: zenoh.Session, numbers: Iterable[int]) -> dict[int, Snapshot]:
-    """Return the graphs of some students' domains, as a client of the teacher's hub sees them."""
+    """Return the graphs of some students' domains, seen by a client of the teacher's hub."""
     asked = {
         number: admin_query.tokens(session, token_selector(number), _TOKENS_TIMEOUT_S)
         for number in numbers
@@ -82,12 +84,12 @@ def _tokens(keys: Iterable[str]) -> list[Token]:
         try:
             found.append(parse_token(key))
         except TokenError:
-            continue  # anybody may declare tokens
+            continue  # a student may declare any token in its own domain
     return found
 
 
 class _Counter:
-    """When the messages of one topic came."""
+    """Number and arrival times of the messages of one topic."""
 
     def __init__(self) -> None:
         self._first_s = self._last_s = 0.0
@@ -103,7 +105,7 @@ class _Counter:
             self._count += 1
 
     def rate_hz(self, window_s: float) -> float:
-        """Return the mean rate; of a single message only that it was less than two."""
+        """Return the mean rate; with fewer than two messages, their number per window."""
         with self._lock:
             if self._count < 2:
                 return self._count / window_s

@@ -1,4 +1,4 @@
-"""What a class remembers while it is open, also over a restart of the teacher's machine."""
+"""Record of an open class in a file, which survives a restart of the teacher's machine."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
-#: The last ones that a student who joins late is shown.
-MOST_NOTICES = 20
-_ID_DIGITS = 31  # after the first; Zenoh's ids have 16 bytes
+#: Notices that are kept for students who join later.
+MAX_NOTICES = 20
+_ID_DIGITS = 31  # after the first digit; Zenoh's ids have 16 bytes
 
 
 class RecordError(ClassroomError, ValueError):
@@ -29,7 +29,7 @@ class RecordError(ClassroomError, ValueError):
 
     def __init__(self, path: Path, reason: str) -> None:
         self.path, self.reason = path, reason
-        super().__init__(f"cannot read {path} ({reason}): `zbot class stop` removes it")
+        super().__init__(f"cannot read {path} ({reason}): remove it with `zbot class stop`")
 
 
 @dataclass
@@ -37,21 +37,21 @@ class ClassRecord:
     """An open class."""
 
     name: str
-    master: str = field(repr=False)  #: from which every user's secret is made
+    master: str = field(repr=False)  #: the key from which every user's secret is derived
     pin: str = field(default="", repr=False)
-    keystore: str = ""  #: folder of the teacher's certificate, where hubs use them
+    keystore: str = ""  #: folder of the teacher's certificate; empty if hubs use none
     register: Register = field(default_factory=Register)
     is_open: bool = False  #: whether students may publish in the shared space
-    shares: list[tuple[int, int]] = field(default_factory=list)  #: whose domain, who may hear it
+    shares: list[tuple[int, int]] = field(default_factory=list)  #: (owner, reader) of a domain
     notices: list[dict[str, Any]] = field(default_factory=list)
-    holders: dict[int, str] = field(default_factory=dict)  #: which machine knows a number's secret
-    renewals: dict[int, int] = field(default_factory=dict)  #: how often it was made anew
+    holders: dict[int, str] = field(default_factory=dict)  #: the machine that has a number's secret
+    renewals: dict[int, int] = field(default_factory=dict)  #: how often a secret was renewed
 
-    def hand_to(self, number: int, machine: str) -> bool:
-        """Make a number's secret anew unless nobody but this machine knows the present one.
+    def assign(self, number: int, machine: str) -> bool:
+        """Assign a number to a machine; its secret is renewed if another machine knows it.
 
         Returns:
-            Whether it was: the hub has to be opened anew then.
+            Whether the secret was renewed; the hub has to be reopened then.
         """
         is_new = self.holders.get(number, machine) != machine
         if is_new:
@@ -60,7 +60,7 @@ class ClassRecord:
         return is_new
 
     def renew(self, number: int) -> None:
-        """Make a number's secret anew, so that whoever had the number is not let in again."""
+        """Renew a number's secret, so that the hub rejects the number's former owner."""
         self.renewals[number] = self.renewals.get(number, 0) + 1
         self.holders.pop(number, None)
 
@@ -69,7 +69,7 @@ class ClassRecord:
         return self.secret_of(f"{purpose}{user_of(number)}" + f" {renewed}" * bool(renewed))
 
     def secret_of(self, user: str) -> str:
-        """Return what is told to one user alone; always the same."""
+        """Return a user's secret; the same for each call with one name."""
         return hmac.new(self.master.encode(), user.encode(), hashlib.sha256).hexdigest()
 
     def hub_id(self, number: int) -> str:
@@ -77,9 +77,9 @@ class ClassRecord:
         return "f" + self._student_secret("hub of ", number)[:_ID_DIGITS]
 
     def credentials(self, number: int) -> dict[str, str]:
-        """Return what a student's laptop needs to be let through by the hub.
+        """Return what a student's laptop needs to be accepted by the teacher's hub.
 
-        Where there is a PIN, user name and secret; otherwise the hub just goes by ids, so that any
+        With a PIN: the hub's id, user name and secret. Without a PIN: only the hub's id, so any
         Zenoh program can talk to a laptop's nodes without a secret.
         """
         found = {"hub_id": self.hub_id(number)}
@@ -88,14 +88,14 @@ class ClassRecord:
         return found
 
     def users(self) -> Iterator[tuple[str, str]]:
-        """Yield every user that the hub knows, with its secret."""
+        """Yield every user of the hub with its secret."""
         yield LOBBY, LOBBY_SECRET.reveal()
         yield TEACHER, self.secret_of(TEACHER)
         for number in range(1, MAX_DOMAIN_ID + 1):
             yield user_of(number), self._student_secret("", number)
 
     def save(self) -> None:
-        """Write the file, for its user's eyes only."""
+        """Write the file; only its user can read it."""
         make_private_folder(folder())
         write_private(record_path(), json.dumps(asdict(self), indent=1).encode())
 
@@ -106,15 +106,15 @@ def user_of(number: int) -> str:
 
 
 def record_path() -> Path:
-    """Return where the open class is kept."""
+    """Return the file of the open class."""
     return folder() / "class.json"
 
 
 def load_record() -> ClassRecord:
-    """Read the open class.
+    """Return the open class.
 
     Raises:
-        NoClassError: There is none.
+        NoClassError: No class is open.
         RecordError: The file is damaged.
     """
     path = record_path()

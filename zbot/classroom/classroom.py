@@ -1,4 +1,4 @@
-"""The class itself, in the process of the teacher's hub: its door, and the teacher's desk."""
+"""Open class in the process of the teacher's hub: admission, and the teacher's commands."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from typing import TYPE_CHECKING, Any
 from zbot.classroom.address import EVERYWHERE, Address
 from zbot.classroom.admission import AdmissionService
 from zbot.classroom.attendance import Attendance
-from zbot.classroom.class_record import MOST_NOTICES, ClassRecord, user_of
+from zbot.classroom.class_record import MAX_NOTICES, ClassRecord, user_of
 from zbot.classroom.errors import ClassroomError
 from zbot.classroom.hub import HubSettings
-from zbot.classroom.keys import DESK_KEY, DOOR_KEY, NOTICES_KEY
+from zbot.classroom.keys import ADMISSION_KEY, COMMAND_KEY, NOTICES_KEY
 from zbot.classroom.link import Link
 from zbot.classroom.register import NumberError
-from zbot.log.announcement import NOTICE_KEY
+from zbot.log.teacher_notice import NOTICE_KEY
 from zbot.security.access import TEACHER, Share, teacher_access
 from zbot.transport import membership
 from zbot.transport.config import MAX_DOMAIN_ID
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 Document = dict[str, Any]
 
 _NUMBERS = range(1, MAX_DOMAIN_ID + 1)
-# What Linux, macOS and Windows call it.
+# On Linux, macOS and Windows.
 _LOOPBACK_INTERFACES = ("lo", "lo0", "Loopback Pseudo-Interface 1")
 
 
@@ -37,17 +37,17 @@ class Classroom:
     """An open class.
 
     Args:
-        record: What it remembers.
-        port: The TCP port that it is reached at.
+        record: The class's data, which are kept in a file.
+        port: TCP port of the hub.
     """
 
     def __init__(self, record: ClassRecord, port: int) -> None:
         self._record = record
         self._port = port
-        self._seats = Attendance()
-        self._lock = threading.RLock()  # the door and the desk have threads of their own
+        self._attendance = Attendance()
+        self._lock = threading.RLock()  # each of the three queryables has a thread
         self._serving: HubProcess | None = None
-        self._door = AdmissionService(
+        self._admission = AdmissionService(
             record.name,
             record.pin,
             record.register,
@@ -56,19 +56,19 @@ class Classroom:
         )
 
     def settings(self) -> HubSettings:
-        """Return how the hub is linked, and who may do what through it."""
+        """Return the hub's endpoints and access rules."""
         link = Link(self._record.keystore)
         listen = link.listening(Address(EVERYWHERE, self._port))
         students = {user_of(number): number for number in _NUMBERS}
         shares = [Share(owner, user_of(reader)) for owner, reader in self._record.shares]
         settings = teacher_access(students, shared_is_open=self._record.is_open, shares=shares)
         if not self._record.pin:
-            self._go_by_ids(settings["access_control"])
+            self._use_hub_ids(settings["access_control"])
         settings |= link.settings
         return HubSettings(listen, extra=settings)
 
-    def _go_by_ids(self, access: Document) -> None:
-        """Let the rules hold for hubs and this machine, rather than for users with passwords."""
+    def _use_hub_ids(self, access: Document) -> None:
+        """Apply the rules to hubs by their Zenoh ids, and to this machine, instead of to users."""
         ids = {user_of(number): self._record.hub_id(number) for number in _NUMBERS}
         for subject in access["subjects"]:
             user = subject["id"]
@@ -77,32 +77,32 @@ class Classroom:
                 subject["zids"] = [ids[user]]
             elif user == TEACHER:
                 subject["interfaces"] = list(_LOOPBACK_INTERFACES)
-            # What the lobby may, everybody may: a subject without conditions is anybody.
+            # The rules of the lobby apply to everybody: a subject without conditions matches all.
 
-    def equip(self, serving: HubProcess) -> None:
-        """Open the door and the desk."""
+    def attach(self, serving: HubProcess) -> None:
+        """Begin to answer laptops and the teacher through a hub that was opened."""
         self._serving = serving
-        serving.desk(DOOR_KEY, self._answer_door)
-        serving.desk(DESK_KEY, self._serve_teacher)
-        serving.desk(NOTICES_KEY, lambda _question: {"notices": self._record.notices})
-        self._seats.equip(serving, self._record.register.students)
+        serving.answer_queries(ADMISSION_KEY, self._answer_admission)
+        serving.answer_queries(COMMAND_KEY, self._answer_command)
+        serving.answer_queries(NOTICES_KEY, lambda _question: {"notices": self._record.notices})
+        self._attendance.attach(serving, self._record.register.students)
 
-    def _answer_door(self, question: Document) -> Document:
+    def _answer_admission(self, question: Document) -> Document:
         with self._lock:
-            return self._door.answer(question)
+            return self._admission.answer(question)
 
     def _on_claim(self, number: int) -> None:
         student = self._record.register.students.get(number)
-        changes_hands = student is not None and self._record.hand_to(number, student.machine)
+        is_reassigned = student is not None and self._record.assign(number, student.machine)
         self._record.save()
         if student is None:
-            self._seats.forget(number)
+            self._attendance.forget(number)
         else:
-            self._seats.watch(number)
-        if changes_hands:
+            self._attendance.watch(number)
+        if is_reassigned:
             self._apply()
 
-    def _serve_teacher(self, question: Document) -> Document:
+    def _answer_command(self, question: Document) -> Document:
         verbs = {
             "list": self._list,
             "say": self._say,
@@ -112,8 +112,8 @@ class Classroom:
         }
         verb = verbs.get(str(question.get("op")))
         if verb is None:
-            return {"error": "the class does not know this command: is its zbot older?"}
-        # Whoever changes something does so alone; a list may wait for laptops that sleep.
+            return {"error": "the class does not know this command: its zbot may be older"}
+        # Commands that change something run one at a time. A list waits for slow laptops, unlocked.
         try:
             with contextlib.nullcontext() if verb == self._list else self._lock:
                 return verb(question)
@@ -121,8 +121,8 @@ class Classroom:
             return {"error": str(error)}
 
     def _list(self, _question: Document) -> Document:
-        self._seats.refresh()
-        nodes = self._seats.nodes()
+        self._attendance.refresh()
+        nodes = self._attendance.nodes()
         students = sorted(self._record.register.students.values(), key=lambda one: one.number)
         missing = self._record.register.expected.keys() - self._record.register.students.keys()
         return {
@@ -137,33 +137,33 @@ class Classroom:
         }
 
     def _row(self, student: Student, nodes: list[str]) -> Document:
-        seat = self._seats.seat(student.number)
+        laptop = self._attendance.laptop(student.number)
         return {
             "number": student.number,
             "name": student.name,
             "host": student.host,
-            "here": seat.is_here,
-            "since": seat.since_ns / 1e9 or None,
+            "here": laptop.is_here,
+            "since": laptop.since_ns / 1e9 or None,
             "nodes": sorted(nodes),
-            "last_error": seat.last_error,
-            "clock_offset": seat.clock_offset_s,
-            "version": seat.version,
-            "system": seat.system,
+            "last_error": laptop.last_error,
+            "clock_offset": laptop.clock_offset_s,
+            "version": laptop.version,
+            "system": laptop.system,
         }
 
     def _say(self, question: Document) -> Document:
         assert self._serving is not None
         notice = {"text": str(question.get("text", "")), "time": time.time()}
-        self._record.notices = [*self._record.notices, notice][-MOST_NOTICES:]
+        self._record.notices = [*self._record.notices, notice][-MAX_NOTICES:]
         self._record.save()
         self._serving.session.put(NOTICE_KEY, json.dumps(notice))
-        return {"heard": len(self._seats.present())}
+        return {"heard": len(self._attendance.present())}
 
     def _free(self, question: Document) -> Document:
         number = _number(question.get("number"))
         student = self._record.register.free(number)
         if student is None:
-            return {"error": f"nobody has number {number}"}
+            return {"error": f"no student has number {number}"}
         self._record.renew(number)
         self._on_claim(number)
         self._apply()
@@ -182,7 +182,7 @@ class Classroom:
         return {"open": self._record.is_open}
 
     def _apply(self) -> None:
-        """Let the hub's rules change: Zenoh reads them when a session opens."""
+        """Save the rules and reopen the hub: Zenoh reads rules when a session opens."""
         assert self._serving is not None
         self._record.save()
         membership.save_users(self._record.users())

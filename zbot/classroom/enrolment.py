@@ -1,4 +1,4 @@
-"""Asking a class to be let in, from the laptop's side of its door."""
+"""Enrolment in a class, on the laptop's side."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 from zbot.classroom.admission import release_proof
 from zbot.classroom.errors import NoHubError, PinNeededError, RefusedError, SilentHubError
 from zbot.classroom.hub_queries import ask
-from zbot.classroom.keys import DOOR_KEY
-from zbot.classroom.link import IN_THE_CLEAR, Link
+from zbot.classroom.keys import ADMISSION_KEY
+from zbot.classroom.link import PLAINTEXT, Link
 from zbot.classroom.register import clean_name, clean_sentence
 from zbot.security.access import LOBBY, LOBBY_SECRET, credentials
 from zbot.security.pin import PinClient, WrongPinError
@@ -30,61 +30,61 @@ if TYPE_CHECKING:
 
 _ANSWER_TIMEOUT_S = 5.0
 _RELEASE_TIMEOUT_S = 1.0
-_LONGEST_WAIT_S = 30.0  # behind somebody who guesses PINs
+_LONGEST_WAIT_S = 30.0  # while wrong PINs of others slow the class down
 
 
-def knock(
-    address: Address, wish: AdmissionRequest, ask_pin: AskPin, link: Link = IN_THE_CLEAR
+def request_admission(
+    address: Address, request: AdmissionRequest, ask_pin: AskPin, link: Link = PLAINTEXT
 ) -> Membership:
-    """Ask whoever is behind an address to be let in.
+    """Join the class or the plain hub at an address.
 
     Args:
-        address: Of a hub.
-        wish: Name and number.
-        ask_pin: Called with the class's name if it has a PIN; `None` if nobody knows it.
-        link: How the hub speaks.
+        address: Address of the hub.
+        request: Name and number.
+        ask_pin: Called with the class's name if it has a PIN; returns `None` if the PIN is unknown.
+        link: Plain TCP or TLS.
 
     Returns:
-        What was joined: a class, or a plain hub, which asks nothing.
+        The membership: of a class, or of a plain hub, which needs no number.
 
     Raises:
-        NoHubError: It is no hub.
-        WrongPinError: The PIN is another.
-        PinNeededError: Nobody could be asked for it.
-        RefusedError: The number is taken, or there is none like it.
+        NoHubError: The program at the address is not a hub.
+        WrongPinError: The PIN is wrong.
+        PinNeededError: `ask_pin` returned `None`.
+        RefusedError: The number is taken or invalid.
         SilentHubError: The class does not answer.
     """
-    # A hub that asks for users refuses whoever has none, and the other way round.
+    # A hub with users refuses clients without one; a hub without users refuses clients with one.
     for settings in ({}, credentials(LOBBY, LOBBY_SECRET)):
         session = open_hub_client(link.endpoint(address), {**settings, **link.settings})
         if session is not None:
             with session:
-                return _Visit(session, address, is_class=bool(settings)).enrol(wish, ask_pin)
+                return _Enrolment(session, address, is_class=bool(settings)).enrol(request, ask_pin)
     raise NoHubError(address.host, address.port)
 
 
-class _Visit:
+class _Enrolment:
     def __init__(self, session: zenoh.Session, address: Address, *, is_class: bool) -> None:
         self._session = session
         self._address = address
-        self._is_class = is_class  # known before it has said anything: only classes have users
+        self._is_class = is_class  # only the hub of a class has users
 
-    def enrol(self, wish: AdmissionRequest, ask_pin: AskPin) -> Membership:
+    def enrol(self, request: AdmissionRequest, ask_pin: AskPin) -> Membership:
         begun = time.monotonic()
-        greetings = ask(self._session, DOOR_KEY, {"op": "hello"}, timeout_s=_ANSWER_TIMEOUT_S)
+        greetings = ask(self._session, ADMISSION_KEY, {"op": "hello"}, timeout_s=_ANSWER_TIMEOUT_S)
         if not greetings:
             if self._is_class or time.monotonic() - begun > _ANSWER_TIMEOUT_S / 2:
                 raise SilentHubError(self._address.host, self._address.port)
-            # At once: nobody serves a door there.
+            # The query ended before its timeout: no queryable for admission exists there.
             return Membership("partner", self._address.host, self._address.port)
         hello = greetings[0]
         pin = ask_pin(clean_name(str(hello.get("class")))) if hello.get("pin") else ""
         if pin is None:
             raise PinNeededError
-        guest = PinClient(Secret(pin))
-        challenge = self._ask("enrol", guest.hello())
-        sealed = self._ask("claim", guest.claim(challenge, asdict(wish)))
-        given = guest.opened(sealed)
+        client = PinClient(Secret(pin))
+        challenge = self._ask("enrol", client.hello())
+        sealed = self._ask("claim", client.claim(challenge, asdict(request)))
+        given = client.opened(sealed)
         try:
             return _membership(self._address, given)
         except (KeyError, TypeError, ValueError) as exc:
@@ -94,7 +94,7 @@ class _Visit:
         deadline = time.monotonic() + _LONGEST_WAIT_S
         while True:
             question["op"] = verb
-            answers = ask(self._session, DOOR_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
+            answers = ask(self._session, ADMISSION_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
             if not answers:
                 raise SilentHubError(self._address.host, self._address.port)
             wait_s = _wait_s(answers[0])
@@ -135,16 +135,16 @@ def _membership(address: Address, given: dict[str, Any]) -> Membership:
 
 
 def release(session: zenoh.Session, joined: Membership) -> bool:
-    """Give a number back; return whether the class has taken it.
+    """Release this laptop's number; return whether the class confirmed it.
 
     Args:
         session: A client of this machine's hub.
-        joined: The class.
+        joined: The membership in the class.
     """
     question = {
         "op": "release",
         "number": joined.number,
         "proof": release_proof(joined.claim),
     }
-    answers = ask(session, DOOR_KEY, question, timeout_s=_RELEASE_TIMEOUT_S)
+    answers = ask(session, ADMISSION_KEY, question, timeout_s=_RELEASE_TIMEOUT_S)
     return any(answer.get("released") is True for answer in answers)

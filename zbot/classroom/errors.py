@@ -1,4 +1,4 @@
-"""What can go wrong between machines, each in a sentence that says what to do."""
+"""Errors of classes and hubs; each message says what to do."""
 
 from __future__ import annotations
 
@@ -6,76 +6,76 @@ from zbot.errors import SetupError
 
 
 class ClassroomError(SetupError):
-    """Root of what can go wrong between machines."""
+    """Root of the errors of classes and hubs."""
 
 
 class AddressError(ClassroomError, ValueError):
-    """Something that should name a machine does not."""
+    """A text is not the address of a machine."""
 
     def __init__(self, text: str, reason: str) -> None:
         self.text, self.reason = text, reason
-        super().__init__(f"{text!r} is no address: {reason}")
+        super().__init__(f"{text!r} is not an address: {reason}")
 
 
 class CodeError(ClassroomError, ValueError):
-    """A join code was mistyped."""
+    """A join code has a typing error."""
 
     def __init__(self, text: str, reason: str) -> None:
         self.text, self.reason = text, reason
         super().__init__(f"the code {text!r} has a typo: {reason}; compare it with the teacher's")
 
 
-class DeadHostError(ClassroomError, ConnectionError):
-    """Nobody answers at an address at all."""
+class UnreachableHostError(ClassroomError, ConnectionError):
+    """No machine answers at an address."""
 
     def __init__(self, host: str, port: int) -> None:
         self.host, self.port = host, port
         super().__init__(
-            f"nobody answers at {host}:{port}: are you in the same network, and is that machine on?"
+            f"no machine answers at {host}:{port}: check that it is on and in the same network"
         )
 
 
 class BlockedPortError(ClassroomError, ConnectionError):
-    """A machine is there, but its port cannot be reached."""
+    """A machine answers, but its port cannot be reached."""
 
     def __init__(self, host: str, port: int) -> None:
         self.host, self.port = host, port
         super().__init__(
-            f"{host} is there but its port {port} is blocked: "
+            f"{host} answers, but its port {port} is blocked: "
             f"allow TCP {port} in the firewall of that machine"
         )
 
 
 class ClosedPortError(ClassroomError, ConnectionError):
-    """A machine is there, and no program listens on its port."""
+    """A machine answers, but no program listens on its port."""
 
     def __init__(self, host: str, port: int) -> None:
         self.host, self.port = host, port
         super().__init__(
-            f"{host} is there, but no class and no hub is open on its port {port}: "
+            f"{host} answers, but no class and no hub is open on its port {port}: "
             "start it there with `zbot class start` or `zbot hub`"
         )
 
 
 class NoHubError(ClassroomError, ConnectionError):
-    """Something listens on a port, and it is no hub."""
+    """The program that listens on a port is not a hub."""
 
     def __init__(self, host: str, port: int) -> None:
         self.host, self.port = host, port
         super().__init__(
-            f"what answers at {host}:{port} is no zbot hub, or one that lets nobody in without a "
+            f"the program at {host}:{port} is not a zbot hub, or is a hub that requires a "
             "certificate: ask the teacher"
         )
 
 
 class HubPortError(ClassroomError, OSError):
-    """A hub cannot listen where it should."""
+    """A hub cannot listen on its endpoint."""
 
     def __init__(self, endpoint: str, reason: str) -> None:
         self.endpoint, self.reason = endpoint, reason
         super().__init__(
-            f"cannot listen on {endpoint}: {reason}; another hub or Zenoh router may run here "
-            "(`zbot status`, `zbot leave`)"
+            f"cannot listen on {endpoint}: {reason}; find another hub with `zbot status` and stop "
+            "it with `zbot leave`, or stop the other program that listens there"
         )
 
 
@@ -84,11 +84,11 @@ class HubStartError(ClassroomError, OSError):
 
     def __init__(self, log: str, last_line: str) -> None:
         self.log, self.last_line = log, last_line
-        super().__init__(f"the hub did not start: {last_line or 'no reason given'} (see {log})")
+        super().__init__(f"the hub did not start: {last_line or 'it gave no reason'} (see {log})")
 
 
 class AlreadyJoinedError(ClassroomError):
-    """This machine takes part in something already."""
+    """This machine has joined something or runs a hub already."""
 
     def __init__(self, what: str) -> None:
         self.what = what
@@ -96,30 +96,28 @@ class AlreadyJoinedError(ClassroomError):
 
 
 class NotJoinedError(ClassroomError):
-    """This machine takes part in nothing."""
+    """This machine has not joined anything."""
 
     def __init__(self) -> None:
-        super().__init__("this machine has not joined anything: `zbot join CODE` does")
+        super().__init__("this machine has not joined anything: join with `zbot join CODE`")
 
 
 class NoClassError(ClassroomError):
     """No class is open on this machine."""
 
     def __init__(self) -> None:
-        super().__init__("no class is open on this machine: `zbot class start` opens one")
+        super().__init__("no class is open on this machine: open one with `zbot class start`")
 
 
 class PinNeededError(ClassroomError, PermissionError):
-    """A class asks for a PIN, and nobody can be asked for it."""
+    """A class requires a PIN, and no PIN was given."""
 
     def __init__(self) -> None:
-        super().__init__(
-            "the class asks for a PIN: run `zbot join` in a terminal, or set ZBOT_PIN for it"
-        )
+        super().__init__("the class requires a PIN: run `zbot join` in a terminal, or set ZBOT_PIN")
 
 
 class RefusedError(ClassroomError, PermissionError):
-    """The class does not let this machine in; the sentence is the class's own."""
+    """The class refuses this machine; the message comes from the class."""
 
     def __init__(self, kind: str, sentence: str) -> None:
         self.kind = kind
@@ -127,7 +125,7 @@ class RefusedError(ClassroomError, PermissionError):
 
 
 class SilentHubError(ClassroomError, TimeoutError):
-    """A hub was reached and its class does not answer."""
+    """A hub was reached, but its class does not answer."""
 
     def __init__(self, host: str, port: int) -> None:
         self.host, self.port = host, port
@@ -135,4 +133,4 @@ class SilentHubError(ClassroomError, TimeoutError):
 
 
 class ClassCommandError(ClassroomError):
-    """The class cannot do what its teacher asks; the sentence says why."""
+    """The class cannot carry out a command of its teacher; the message says why."""

@@ -1,11 +1,11 @@
-"""What a student's programs should do, in words, and whether they do: pure.
+"""Expectations that a student's programs should meet: their parser and their check.
 
     publishes std_msgs/String on /student_id at >= 1 Hz
     subscribes geometry_msgs/Twist on /cmd_vel
     serves example_interfaces/AddTwoInts on /add_two_ints
     runs /talker
 
-Several are joined by `and`.
+`and` joins several expectations. Nothing here uses the network.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from zbot.graph.snapshot import Snapshot
 
-#: A timer of 1 Hz is now and then late: so much less, or more, still counts.
+#: Accepted relative deviation from a rate: a timer of 1 Hz is sometimes late.
 TOLERANCE = 0.05
 
 _KINDS = {
@@ -43,7 +43,7 @@ _TYPE = re.compile(r"([A-Za-z]\w*)/(?:(?:msg|srv|action)/)?([A-Za-z]\w*)", re.AS
 
 
 class ExpectationError(ClassroomError, ValueError):
-    """An expectation is not understood."""
+    """A text is not an expectation."""
 
     def __init__(self, text: str, reason: str) -> None:
         self.text, self.reason = text, reason
@@ -53,25 +53,25 @@ class ExpectationError(ClassroomError, ValueError):
 
 @dataclass(frozen=True)
 class Expectation:
-    """One thing that a student's programs should do."""
+    """One endpoint or node that a student's programs should have."""
 
-    kind: EntityKind  #: `NODE` for one that should run
+    kind: EntityKind  #: `NODE` for a node that should run
     name: str  #: of the topic, service or node
     type_name: str = ""  #: `std_msgs/msg/String`
-    sign: str = ""  #: `>=`, `<=`, `>`, `<` or `=` where a rate is asked for
+    sign: str = ""  #: `>=`, `<=`, `>`, `<` or `=`; empty if no rate is expected
     rate_hz: float = 0.0
 
     @property
     def has_rate(self) -> bool:
-        """Whether messages have to be counted."""
+        """Whether a rate is expected, so that messages have to be counted."""
         return bool(self.sign)
 
     def problem(self, snapshot: Snapshot, rates_hz: Mapping[str, float]) -> str:
-        """Return what is wrong, empty if nothing is.
+        """Return how the expectation is not met; empty if it is met.
 
         Args:
             snapshot: The graph of the student's domain.
-            rates_hz: Measured, by topic.
+            rates_hz: Measured rates by topic.
         """
         if self.kind is EntityKind.NODE:
             return _node_problem(self.name, full_names(snapshot.nodes))
@@ -95,15 +95,15 @@ class Expectation:
         if is_right:
             return ""
         if rate_hz == 0:
-            return f"{self.name} has a publisher, and no message came"
+            return f"{self.name} has a publisher, but no message arrived"
         return f"{self.name} has {rate_hz:.2f} Hz, not {self.sign} {self.rate_hz:g} Hz"
 
 
 def parse_expectations(text: str) -> list[Expectation]:
-    """Read expectations.
+    """Return the expectations in a text.
 
     Raises:
-        ExpectationError: One is not understood.
+        ExpectationError: A part of the text is not an expectation.
     """
     return [_parse(part.strip()) for part in re.split(r"\s+and\s+|;", text.strip())]
 
@@ -117,7 +117,7 @@ def _parse(text: str) -> Expectation:
         raise ExpectationError(text, _reason(text))
     verb = match["verb"].lower()
     if match["rate"] and verb != "publishes":
-        raise ExpectationError(text, "only what is published has a rate")
+        raise ExpectationError(text, "only `publishes` can have a rate")
     return Expectation(
         _KINDS[verb],
         _name(text, match["name"]),
@@ -134,11 +134,11 @@ def _reason(text: str) -> str:
         return (
             f"did you mean {guess!r}?"
             if guess
-            else "it has to begin with publishes, subscribes, serves or runs"
+            else "it must begin with publishes, subscribes, serves or runs"
         )
     if " on " not in f"{text} ":
         return "`on /name` is missing"
-    return "what follows the name should be like `at >= 1 Hz`"
+    return "the words after the name must be like `at >= 1 Hz`"
 
 
 def _name(text: str, name: str) -> str:
@@ -153,7 +153,7 @@ def _name(text: str, name: str) -> str:
 def _type_name(text: str, name: str, kind: str) -> str:
     match = _TYPE.fullmatch(name)
     if match is None:
-        raise ExpectationError(text, f"{name!r} is no type such as std_msgs/String")
+        raise ExpectationError(text, f"{name!r} is not a type such as std_msgs/String")
     return f"{match[1]}/{kind}/{match[2]}"
 
 
@@ -175,7 +175,7 @@ def _missing(kind: EntityKind, name: str, present: list[str]) -> str:
 
 
 def _same_letters(name: str, present: list[str]) -> str | None:
-    """Return the name that differs only in case, underscores or namespace."""
+    """Return a name that differs only in case, underscores or namespace, or `None`."""
 
     def bare(one: str) -> str:
         return one.rpartition("/")[2].replace("_", "").lower()

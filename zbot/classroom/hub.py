@@ -1,8 +1,8 @@
-"""The hub: a Zenoh router in a Python process that links this machine with others.
+"""Hub: a Zenoh router in a Python process that links this machine with others.
 
-Nodes never leave loopback: the domains' meeting points dial the hub of their machine, and hubs dial
-one other hub, whose address they were told. So nothing depends on multicast, and a laptop behind an
-access point that isolates its clients is reached like any other.
+Nodes connect on loopback only. Each domain's meeting point dials the hub of its machine, and the
+hub dials one other hub at a given address. So nothing depends on multicast, and an access point may
+isolate its clients from each other.
 """
 
 from __future__ import annotations
@@ -19,24 +19,24 @@ from zbot.version import __version__
 if TYPE_CHECKING:
     import zenoh
 
-# A hub that says nothing for this long is taken for lost: short enough for a teacher to notice a
-# laptop that went to sleep, long enough for TCP to repeat three times what Wi-Fi loses.
+# A link without messages for this long is closed. The time is short enough to notice a laptop that
+# went to sleep, and long enough for TCP to repeat three times what Wi-Fi loses.
 _LEASE_MS = 4000
-# In a lease, and each is acknowledged: thirty idle laptops cost their teacher 4 kB/s.
+# In a lease. Each is acknowledged: thirty idle laptops cause 4 kB/s at the teacher's hub.
 _KEEP_ALIVES = 2
-# As soon as the other hub is back everything has to be; but a hundred laptops must not flood it.
+# Short, so that laptops are linked soon after the other hub is back; a hundred must not flood it.
 _RETRY = {"period_init_ms": 250, "period_max_ms": 500, "period_increase_factor": 2}
 _HANDSHAKE_MS = 3000  # networks lose packets
-# Laptops that come back at once after a restart wait for each other here.
+# All laptops redial at the same time after a restart of the teacher's hub.
 _ACCEPT_PENDING = 500
 _ADMIN_MESSAGES = ["declare_queryable", "query", "reply"]
 
 
 def open_access() -> dict[str, Any]:
-    """Return rules that let everything through but the admin space.
+    """Return access rules that allow everything except the admin space.
 
-    Each session has one; that of a class of thirty would be asked, and would answer, whenever
-    somebody looks around.
+    Each session has an admin space. Without this rule, one query of a student would be answered by
+    the sessions of the whole class.
     """
     rule = {
         "id": "admin space",
@@ -56,21 +56,18 @@ def open_access() -> dict[str, Any]:
 
 @dataclass(frozen=True)
 class HubSettings:
-    """How a hub is linked."""
+    """Endpoints and Zenoh settings of a hub."""
 
-    listen: tuple[str, ...]  #: Zenoh endpoints; one must be that which this machine's nodes dial
-    connect: tuple[str, ...] = ()  #: those of the hub that it dials
-    extra: dict[str, Any] = field(
-        default_factory=dict
-    )  #: more of Zenoh's configuration, which wins
+    listen: tuple[str, ...]  #: Zenoh endpoints; this machine's nodes dial one of them
+    connect: tuple[str, ...] = ()  #: endpoints of the hub that this hub dials
+    extra: dict[str, Any] = field(default_factory=dict)  #: Zenoh settings that override the others
 
     def zenoh_settings(self) -> dict[str, Any]:
         """Return Zenoh's configuration paths and values."""
         return {
             "transport/link/tx/lease": _LEASE_MS,
             "transport/link/tx/keep_alive": _KEEP_ALIVES,
-            # While a hub waits to get rid of what must not be dropped it does not redial (in
-            # microseconds).
+            # In microseconds. A hub does not redial while it waits to send a reliable message.
             "transport/link/tx/queue/congestion_control/block/wait_before_close": _LEASE_MS * 1000,
             "transport/unicast/accept_pending": _ACCEPT_PENDING,
             "transport/unicast/open_timeout": _HANDSHAKE_MS,
@@ -85,7 +82,7 @@ def open_router(settings: HubSettings) -> zenoh.Session:
     """Open a hub's session.
 
     Raises:
-        HubPortError: An endpoint to listen on is taken.
+        HubPortError: Another program listens on an endpoint.
     """
     facts = process_facts(__version__)
     try:
@@ -97,7 +94,7 @@ def open_router(settings: HubSettings) -> zenoh.Session:
 
 
 def dialled_links(session: zenoh.Session, settings: HubSettings) -> list[str]:
-    """Return the addresses of the links that a hub made itself, to one that it dials."""
+    """Return the remote addresses of a hub's outgoing links."""
     listening = {port_of(endpoint) for endpoint in settings.listen}
     dialled = {port_of(endpoint) for endpoint in settings.connect}
     return [

@@ -1,4 +1,4 @@
-"""The life of a hub's process: from its lock to its end by a signal."""
+"""Process of a hub: it takes the lock, opens the session, and closes it on a signal."""
 
 from __future__ import annotations
 
@@ -20,43 +20,45 @@ if TYPE_CHECKING:
 
     import zenoh
 
-#: What a hub answers to whoever asks `HUB_KEY` plus its process id.
+#: A hub answers queries on `@hub/<process id>` with facts about itself.
 HUB_KEY = "@hub"
 
-
 _JOIN_TIMEOUT_S = 2.0
-# On Windows a thread that waits without end does not see Ctrl-C.
-_TICK_S = 0.5 if sys.platform == "win32" else None
+# On Windows, Ctrl-C does not interrupt a wait without a timeout.
+_WAIT_S = 0.5 if sys.platform == "win32" else None
 
 
 class HubProcess:
-    """A hub that is open.
+    """Hub with an open session.
 
     Args:
-        session: The router's.
-        settings: How it is linked.
-        wake: Called to have the hub opened anew, with new settings.
+        session: The router's session.
+        settings: The endpoints and Zenoh settings of the session.
+        reopen: Called to close the hub and open it with new settings.
     """
 
     def __init__(
-        self, session: zenoh.Session, settings: HubSettings, wake: Callable[[], None]
+        self, session: zenoh.Session, settings: HubSettings, reopen: Callable[[], None]
     ) -> None:
         self.session = session
-        self.reopen = wake
+        self.reopen = reopen
         self._settings = settings
         self._threads: list[threading.Thread] = []
-        self._desks: list[HubQueries] = []
-        self.tell: dict[str, Callable[[], Any]] = {}  #: more that `zbot status` shows, by name
-        self.desk(f"{HUB_KEY}/{os.getpid()}", self._facts)
+        self._queries: list[HubQueries] = []
+        #: Functions that return further facts for `zbot status`, by the name of the fact.
+        self.extra_facts: dict[str, Callable[[], Any]] = {}
+        self.answer_queries(f"{HUB_KEY}/{os.getpid()}", self._facts)
 
-    def desk(self, key: str, answer: Callable[[dict[str, Any]], dict[str, Any] | None]) -> None:
+    def answer_queries(
+        self, key: str, answer: Callable[[dict[str, Any]], dict[str, Any] | None]
+    ) -> None:
         """Answer queries on a key for as long as the hub is open."""
-        desk = HubQueries(self.session, key, answer)
-        self._desks.append(desk)
-        self.join_later(desk.thread)
+        queries = HubQueries(self.session, key, answer)
+        self._queries.append(queries)
+        self.join_on_close(queries.thread)
 
-    def join_later(self, thread: threading.Thread) -> None:
-        """Wait, when the hub is closed, for a thread that ends with the session."""
+    def join_on_close(self, thread: threading.Thread) -> None:
+        """Have `close` wait for a thread that ends with the session."""
         self._threads.append(thread)
 
     def _facts(self, _question: dict[str, Any]) -> dict[str, Any]:
@@ -65,20 +67,20 @@ class HubProcess:
             "host": socket.gethostname(),
             "version": __version__,
             "linked": bool(dialled_links(self.session, self._settings)),
-            **{name: find() for name, find in self.tell.items()},
+            **{name: find() for name, find in self.extra_facts.items()},
         }
 
     def close(self) -> None:
-        """Close the session once nobody waits for an answer, then wait for the threads."""
-        for desk in self._desks:
-            desk.finish()
+        """Finish the query in progress, close the session, then wait for the threads."""
+        for queries in self._queries:
+            queries.finish()
         self.session.close()
         for thread in self._threads:
             thread.join(_JOIN_TIMEOUT_S)
 
 
 class _Signals:
-    """What the process waits for: its end, or a wish to be opened anew."""
+    """Events that the process waits for: a signal to end, or a request to reopen the hub."""
 
     def __init__(self) -> None:
         self.is_over = False
@@ -92,14 +94,14 @@ class _Signals:
         self._happened.set()
 
     def wait(self) -> None:
-        while not self._happened.wait(_TICK_S):
+        while not self._happened.wait(_WAIT_S):
             continue
         self._happened.clear()
 
 
 @contextlib.contextmanager
 def _signals() -> Iterator[_Signals]:
-    """Yield what SIGTERM and Ctrl-C set; the former handlers come back afterwards."""
+    """Yield the events that SIGTERM and SIGINT set; restore the former handlers afterwards."""
     caught = _Signals()
     numbers = (signal.SIGTERM, signal.SIGINT)
     before = {number: signal.signal(number, caught.end) for number in numbers}
@@ -114,35 +116,35 @@ def serve(
     role: str,
     settings: Callable[[], HubSettings],
     on_ready: Callable[[], None],
-    equip: Callable[[HubProcess], None] | None = None,
+    attach: Callable[[HubProcess], None] | None = None,
 ) -> None:
-    """Be this machine's hub until a signal comes.
+    """Run this machine's hub until SIGTERM or SIGINT.
 
     Args:
         role: Shown by `zbot status`.
-        settings: Returns how it is linked; asked again when it is opened anew.
-        on_ready: Called once others can connect.
-        equip: Adds what this role needs, each time it is opened.
+        settings: Returns the hub's settings; called each time that the hub is opened.
+        on_ready: Called once, when others can connect.
+        attach: Adds what this role needs; called each time that the hub is opened.
 
     Raises:
-        AlreadyJoinedError: This machine has a hub.
-        HubPortError: Its port is taken.
+        AlreadyJoinedError: This machine runs a hub already.
+        HubPortError: Another program uses the port.
     """
-    with background.the_only_one(), _signals() as signals:
-        tell = on_ready
+    with background.hub_lock(), _signals() as signals:
+        report = on_ready
         while not signals.is_over:
             present = settings()
             serving = HubProcess(open_router(present), present, signals.reopen)
             try:
-                if equip is not None:
-                    equip(serving)
-                background.announce(role, present.listen, present.connect)
-                tell()
+                if attach is not None:
+                    attach(serving)
+                background.write_state(role, present.listen, present.connect)
+                report()
                 signals.wait()
             finally:
                 serving.close()
-            tell = _say_nothing
+            report = _do_nothing
 
 
-def _say_nothing() -> None:
-    """Stand in for `on_ready` when the hub is opened again."""
+def _do_nothing() -> None:
+    """Take the place of `on_ready` when the hub is reopened."""

@@ -1,4 +1,4 @@
-"""Questions that a hub answers about itself, for the commands of its machine and its teacher."""
+"""Queries in JSON between hubs and commands: a queryable with a thread, and a client function."""
 
 from __future__ import annotations
 
@@ -14,21 +14,22 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 _QUEUE = 256
-_LARGEST = 64 * 1024  # bytes; what strangers send has a few hundred
-_LARGEST_ANSWER = 16 * 1024 * 1024  # a class of 232 with a hundred nodes each
+_LARGEST = 64 * 1024  # bytes; valid queries of users who have not joined have a few hundred
+_LARGEST_ANSWER = 16 * 1024 * 1024  # bytes; a class of 232 with a hundred nodes each
 
 Answer = dict[str, Any]
 
 
 class HubQueries:
-    """Answers the queries on one key, one after the other, in a thread of its own.
+    """Queryable on one key that answers queries one after the other, in a thread of its own.
 
     Its `thread` ends when the session is closed.
 
     Args:
-        session: The hub's.
+        session: The hub's session.
         key: Key expression, without wildcards.
-        answer: Gets a query's document and returns another; what it raises is told to the asker.
+        answer: Takes the document of a query and returns that of the reply, or `None` for no reply.
+            An exception is sent to the client as an error reply.
     """
 
     def __init__(
@@ -39,8 +40,8 @@ class HubQueries:
         self._queryable = session.declare_queryable(
             key, zenoh.handlers.FifoChannel(_QUEUE), complete=True
         )
-        self._at_work = threading.Lock()
-        self.thread = threading.Thread(target=self._run, name=f"zbot desk {key}", daemon=True)
+        self._answering = threading.Lock()
+        self.thread = threading.Thread(target=self._run, name=f"zbot queries {key}", daemon=True)
         self.thread.start()
 
     def _run(self) -> None:
@@ -50,29 +51,29 @@ class HubQueries:
                 query = receive()
             except zenoh.ZError:
                 return  # the session was closed
-            with self._at_work:
+            with self._answering:
                 self._serve(query)
 
     def finish(self) -> None:
-        """Wait until the question that is being answered, if any, is."""
-        with self._at_work:
+        """Wait for the reply to the query in progress, if there is one."""
+        with self._answering:
             return
 
     def _serve(self, query: zenoh.Query) -> None:
-        with query:  # the asker waits until it is left
+        with query:  # the client waits until the block ends
             try:
                 answer = self._answer(document_of(query.payload))
                 if answer is not None:
                     query.reply(self._key, json.dumps(answer))
             except zenoh.ZError:
-                return  # the asker has gone
-            except Exception as exc:  # noqa: BLE001 - one bad question must not end the desk
-                get_logger("hub").error(f"a question on {self._key} failed: {exc!r}")
+                return  # the client has closed its session
+            except Exception as exc:  # noqa: BLE001 - one bad query must not end the thread
+                get_logger("hub").error(f"a query on {self._key} failed: {exc!r}")
                 query.reply_err(json.dumps({"error": type(exc).__name__, "message": str(exc)}))
 
 
 def document_of(payload: zenoh.ZBytes | None, largest: int = _LARGEST) -> Answer:
-    """Return the JSON object of a payload; empty if it is none, or larger than some bytes."""
+    """Return the JSON object in a payload; empty if it is invalid or has over `largest` bytes."""
     if payload is None or len(payload) > largest:
         return {}
     try:
@@ -85,7 +86,7 @@ def document_of(payload: zenoh.ZBytes | None, largest: int = _LARGEST) -> Answer
 def ask(
     session: zenoh.Session, key: str, question: Answer | None = None, *, timeout_s: float
 ) -> list[Answer]:
-    """Return the answers to a question, those that come in time."""
+    """Return the replies to a query that arrive within `timeout_s`."""
     replies = session.get(key, payload=json.dumps(question or {}), timeout=timeout_s)
     return [
         document_of(reply.ok.payload, _LARGEST_ANSWER) for reply in replies if reply.ok is not None

@@ -1,9 +1,10 @@
-"""The code that a teacher writes on the board: where the class is, in four or eight characters.
+"""Join code: the address of a class in four or eight characters.
 
-It needs no name service and no multicast, because it is the address itself, in Crockford's base 32
-(no I, L, O, U; I, L and O are understood). Four characters are enough for laptops whose address
-begins like the teacher's; eight hold any address and one of sixteen ports. The last four bits check
-the others, so most typos are known as such before anything is sent.
+A code needs no name service and no multicast, because it is the address itself in Crockford's base
+32 (which has no I, L, O and U; I and L are read as 1, O as 0). Four characters are enough for
+laptops whose address begins with the same 16 bits as the teacher's. Eight characters hold any IPv4
+address and one of sixteen ports. The last four bits are a checksum, which finds most typing errors
+before anything is sent.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ from zbot.transport.config import HUB_PORT
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-#: Ports that a code can name, by their number in it: the usual one, then those that strict
-#: firewalls let out. The order is part of the code.
+#: Ports that a code can name, by their index in the code: the default, then ports that strict
+#: firewalls often allow. The order must not change.
 PORTS = (
     HUB_PORT,
     443,
@@ -43,12 +44,12 @@ _POLYNOMIAL = 0b10011  # x^4 + x + 1 (CRC-4-ITU): finds every error within four 
 
 
 def looks_like_code(text: str) -> bool:
-    """Return whether a text has the form of a code rather than that of an address."""
+    """Return whether a text has the form of a code, not that of an address."""
     return _LOOKS_LIKE_CODE.fullmatch(text.strip()) is not None
 
 
 def short_code(address: Address) -> str | None:
-    """Return four characters for laptops of the same /16; `None` if the port is not the usual."""
+    """Return four characters for laptops in the same /16; `None` if the port is not the default."""
     if address.port != HUB_PORT:
         return None
     number = _number(address)
@@ -56,7 +57,7 @@ def short_code(address: Address) -> str | None:
 
 
 def long_code(address: Address) -> str | None:
-    """Return eight characters, `XXXX-XXXX`, for any laptop; `None` for unlisted ports."""
+    """Return eight characters, `XXXX-XXXX`, for any laptop; `None` for a port not in `PORTS`."""
     if address.port not in PORTS:
         return None
     payload = _number(address) << 4 | PORTS.index(address.port)
@@ -65,19 +66,21 @@ def long_code(address: Address) -> str | None:
 
 
 def decode(text: str, own_addresses: Iterable[str]) -> list[Address]:
-    """Return where a code may lead to: one address, or one for each network of this machine.
+    """Return the addresses that a code can mean.
+
+    A long code means one address; a short code means one address in each network of this machine.
 
     Args:
         text: The code as it was typed, in any case, with or without its hyphen.
         own_addresses: This machine's IPv4 addresses; only a short code needs them.
 
     Raises:
-        CodeError: It has another length, a character that no code has, or its check fails.
+        CodeError: The length, a character or the checksum is wrong.
     """
     typed = text.strip().upper().replace("-", "").replace(" ", "")
-    strange = next((char for char in typed if char not in _VALUES), None)
-    if strange is not None:
-        raise CodeError(text, f"no code has a {strange}")
+    invalid = next((char for char in typed if char not in _VALUES), None)
+    if invalid is not None:
+        raise CodeError(text, f"codes do not contain {invalid}")
     value = 0
     for char in typed:
         value = value << 5 | _VALUES[char]
@@ -85,13 +88,13 @@ def decode(text: str, own_addresses: Iterable[str]) -> list[Address]:
         return [_long_address(text, value)]
     if len(typed) == _SHORT:
         return _short_addresses(text, value, own_addresses)
-    raise CodeError(text, f"it has {len(typed)} characters and codes have 4 or 8")
+    raise CodeError(text, f"it has {len(typed)} characters, but codes have 4 or 8")
 
 
 def _long_address(text: str, value: int) -> Address:
     payload = value >> _CHECK_BITS
     if _check(payload, 36) != value & 0xF:
-        raise CodeError(text, "its characters do not fit together")
+        raise CodeError(text, "its checksum is wrong")
     return Address(str(ipaddress.IPv4Address(payload >> 4)), PORTS[payload & 0xF])
 
 
@@ -102,8 +105,8 @@ def _short_addresses(text: str, value: int, own_addresses: Iterable[str]) -> lis
     if not found:
         raise CodeError(
             text,
-            "its characters do not fit together here (if they are right, this machine is in "
-            "another network than the teacher's: use the long code or the address)",
+            "its checksum is wrong here (if the code is right, this machine is in another network "
+            "than the teacher's: use the long code or the address)",
         )
     return [Address(str(ipaddress.IPv4Address(number))) for number in found]
 
@@ -112,7 +115,7 @@ def _number(address: Address) -> int:
     try:
         return int(ipaddress.IPv4Address(address.host))
     except ValueError as exc:
-        raise AddressError(address.host, "a code needs an IPv4 address") from exc
+        raise AddressError(address.host, "a code requires an IPv4 address") from exc
 
 
 def _short_check(number: int) -> int:
@@ -120,7 +123,7 @@ def _short_check(number: int) -> int:
 
 
 def _check(payload: int, bits: int) -> int:
-    """Return the remainder of a division by the polynomial, over GF(2)."""
+    """Return the remainder of a division by the polynomial over GF(2)."""
     value = payload << _CHECK_BITS
     for position in range(bits + _CHECK_BITS - 1, _CHECK_BITS - 1, -1):
         if value >> position & 1:

@@ -1,25 +1,25 @@
-"""The keys with which the hubs of a class speak to each other (see docs/wire.md)."""
+"""Key expressions that the hubs of a class use (see docs/wire.md)."""
 
 from __future__ import annotations
 
 from zbot.security.access import LOBBY_SPACE, STUDENT_SPACE, TEACHER_SPACE
 
 HERE = "here"
-DOOR_KEY = f"{LOBBY_SPACE}/door"  #: where strangers ask to be let in
-NOTICES_KEY = f"{TEACHER_SPACE}/notices"  #: answers with what was said before
-DESK_KEY = "@class/desk"  #: what the teacher's own commands ask
+ADMISSION_KEY = f"{LOBBY_SPACE}/door"  #: queries of laptops that join or leave
+NOTICES_KEY = f"{TEACHER_SPACE}/notices"  #: queries for earlier notices
+COMMAND_KEY = "@class/desk"  #: queries of the teacher's commands
 
 
 def here_key(number: int) -> str:
-    """Return the token of a student's laptop."""
+    """Return the key of the liveliness token of a student's laptop."""
     return f"{STUDENT_SPACE}/{number}/{HERE}"
 
 
 def facts_key(number: int) -> str:
-    """Return what a student's laptop answers about itself."""
+    """Return the key on which a student's laptop answers with facts about itself."""
     return f"{STUDENT_SPACE}/{number}/facts"
 
 
 def nodes_selector(number: int) -> str:
-    """Return the tokens of a student's nodes."""
+    """Return the selector of the tokens of a student's nodes."""
     return f"@zbot/{number}/*/*/*/NN/**"

@@ -1,4 +1,4 @@
-"""How hubs speak to each other: in the clear, or with the certificates of a keystore."""
+"""Link between hubs: plain TCP, or TLS with the certificates of a keystore."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Link:
-    """What hubs of one class or desk have in common.
+    """Protocol of the links between hubs.
 
     Attributes:
-        keystore: Folder of this machine's certificate; empty for links in the clear.
+        keystore: Folder of this machine's certificate; empty for plain TCP.
     """
 
     keystore: str = ""
 
     @classmethod
     def named(cls, folder: Path | None) -> Link:
-        """Return the link that a user has named with `--keystore`, whatever folder that is in.
+        """Return the link for the folder that a user has given with `--keystore`.
 
         Raises:
-            SecurityError: It cannot be told which certificate is meant.
+            SecurityError: The folder does not determine one certificate.
         """
         if folder is None:
             return cls()
@@ -38,7 +38,7 @@ class Link:
 
     @property
     def settings(self) -> dict[str, Any]:
-        """Zenoh's configuration paths and values for it."""
+        """Zenoh's configuration paths and values for the link."""
         if not self.keystore:
             return {}
         from zbot.security.tls import tls_settings  # noqa: PLC0415 - few use certificates
@@ -56,9 +56,9 @@ class Link:
         return f"tls/{address}" if self.keystore else address.endpoint
 
     def listening(self, address: Address) -> tuple[str, ...]:
-        """Return where a hub listens that others reach at an address: there, and on loopback.
+        """Return the endpoints of a hub that others reach at an address: that address and loopback.
 
-        Nodes of its own machine have no certificates, so the latter stays in the clear.
+        Loopback uses plain TCP, because the nodes of the hub's machine have no certificates.
         """
         own = hub_endpoint()
         if not self.keystore:
@@ -71,7 +71,7 @@ class Link:
         """Check that others can join this machine at an address.
 
         Raises:
-            SecurityError: Its certificate does not allow it.
+            SecurityError: This machine's certificate is not valid for the address.
         """
         if self.keystore:
             from zbot.security.tls import check_listening  # noqa: PLC0415 - few use certificates
@@ -82,7 +82,7 @@ class Link:
         """Check that this machine and the hub at an address accept each other's certificates.
 
         Raises:
-            SecurityError: They do not; the sentence says whose is wrong, and how.
+            SecurityError: They do not; the message says which certificate is wrong and why.
         """
         if self.keystore:
             from zbot.security.tls import check_dialling  # noqa: PLC0415 - few use certificates
@@ -90,4 +90,4 @@ class Link:
             check_dialling(self._identity, address.host, address.port)
 
 
-IN_THE_CLEAR = Link()
+PLAINTEXT = Link()

@@ -1,4 +1,4 @@
-"""What a laptop tells its teacher: that it is there, and some facts when it is asked."""
+"""Presence of a laptop in a class: its liveliness token, and the facts that it reports."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import zenoh
 from zbot.classroom.hub_queries import ask
 from zbot.classroom.keys import NOTICES_KEY, facts_key, here_key, nodes_selector
 from zbot.interfaces import get_message
-from zbot.log.announcement import notice_text
+from zbot.log.teacher_notice import notice_text
 from zbot.transport import admin_query
 from zbot.version import __version__
 from zbot.wire.codec import codec_for
@@ -28,15 +28,15 @@ _ERROR_LEVEL = 40  # rcl_interfaces/msg/Log: ERROR; FATAL is 50
 _QUEUE = 64
 _MAX_TEXT = 300
 _NOTICES_TIMEOUT_S = 0.5
-_LOOK_TIMEOUT_S = 0.5
+_QUERY_TIMEOUT_S = 0.5
 _MAX_LOG_BYTES = 64 * 1024
 
 
 class Presence:
-    """A student's laptop, seen from the class.
+    """Token and facts of a student's laptop.
 
     Args:
-        joined: As whom.
+        joined: The laptop's membership in the class.
     """
 
     def __init__(self, joined: Membership) -> None:
@@ -45,8 +45,8 @@ class Presence:
         self._known: set[str] = set()
         self._codec = codec_for(get_message("rcl_interfaces/msg/Log"))
 
-    def equip(self, serving: HubProcess) -> None:
-        """Begin to answer the teacher, and be seen."""
+    def attach(self, serving: HubProcess) -> None:
+        """Declare the token and begin to answer the teacher, through a hub that was opened."""
         number = self._joined.number
         self._session = serving.session
         self._logs = serving.session.declare_subscriber(
@@ -54,13 +54,13 @@ class Presence:
         )
         thread = threading.Thread(target=self._read_logs, name="zbot last error", daemon=True)
         thread.start()
-        serving.join_later(thread)
-        serving.tell["notices"] = lambda: said_before(serving.session)
-        serving.desk(facts_key(number), self._facts)
+        serving.join_on_close(thread)
+        serving.extra_facts["notices"] = lambda: earlier_notices(serving.session)
+        serving.answer_queries(facts_key(number), self._facts)
         self._token = serving.session.liveliness().declare_token(here_key(number))
 
     def _facts(self, _question: dict[str, Any]) -> dict[str, Any]:
-        self._look_back()
+        self._query_earlier_logs()
         return {
             "number": self._joined.number,
             "name": self._joined.name,
@@ -71,21 +71,21 @@ class Presence:
             "last_error": self._last_error,
         }
 
-    def _look_back(self) -> None:
-        """Ask new nodes for what they logged before this hub was linked with them."""
+    def _query_earlier_logs(self) -> None:
+        """Query the logs that new nodes published before this hub was linked with them."""
         selector = nodes_selector(self._joined.number)
-        found = set(admin_query.tokens(self._session, selector, _LOOK_TIMEOUT_S))
+        found = set(admin_query.tokens(self._session, selector, _QUERY_TIMEOUT_S))
         if found <= self._known:
             self._known = found
             return
         self._known = found
-        # What transient local publishers keep is asked of them like this (zenoh.ext).
+        # This query asks transient local publishers for their cached messages (zenoh.ext).
         for reply in self._session.get(
             f"{self._joined.number}/rosout/@adv/pub/**?_max={_QUEUE}",
-            admin_query.room(),
+            admin_query.large_queue(),
             consolidation=zenoh.ConsolidationMode.NONE,
             accept_replies=zenoh.ReplyKeyExpr.ANY,
-            timeout=_LOOK_TIMEOUT_S,
+            timeout=_QUERY_TIMEOUT_S,
         ):
             if reply.ok is not None:
                 self._note(reply.ok.payload.to_bytes())
@@ -105,7 +105,7 @@ class Presence:
         try:
             line: Any = self._codec.decode(payload)
         except CodecError:
-            return  # anything may be published on /rosout
+            return  # other programs may publish anything on /rosout
         stamp_ns = line.stamp.sec * 10**9 + line.stamp.nanosec
         latest_ns = self._last_error["time_ns"] if self._last_error else 0
         if line.level >= _ERROR_LEVEL and stamp_ns >= latest_ns:
@@ -116,8 +116,8 @@ class Presence:
             }
 
 
-def said_before(session: zenoh.Session) -> list[str]:
-    """Return what the teacher has said to the class, oldest first; empty if it is out of reach."""
+def earlier_notices(session: zenoh.Session) -> list[str]:
+    """Return the teacher's notices, oldest first; empty if the teacher's hub does not answer."""
     answers = ask(session, NOTICES_KEY, timeout_s=_NOTICES_TIMEOUT_S)
     notices = answers[0].get("notices") if answers else None
     return [notice_text(json.dumps(one).encode()) for one in notices or []]

@@ -1,4 +1,4 @@
-"""Why nothing answers: a look at a TCP port, before Zenoh gives its one answer to all of it."""
+"""Probe of a TCP port, which finds out why a hub cannot be reached; Zenoh reports no reason."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from zbot.classroom.errors import (
     BlockedPortError,
     ClassroomError,
     ClosedPortError,
-    DeadHostError,
+    UnreachableHostError,
 )
 
 if TYPE_CHECKING:
@@ -22,22 +22,24 @@ if TYPE_CHECKING:
 
     from zbot.classroom.address import Address
 
-#: A connection in one building takes milliseconds; after a lost packet it is tried again at 1 s.
+#: A connection in one building takes milliseconds; TCP repeats a lost packet after 1 s.
 _TIMEOUT_S = 1.25
 _LOOK_UP_S = 0.3
 _PAUSE_S = 0.05  # between attempts where the port is refused
-# Ports that hardly any machine leaves unanswered: a refusal there shows that it is on.
-_SIGN_OF_LIFE_PORTS = (22, 80, 135, 445, 5000, 7)
+# Most machines accept or refuse a connection on one of these ports; both show that they are on.
+_COMMON_PORTS = (22, 80, 135, 445, 5000, 7)
 _REFUSED = {errno.ECONNREFUSED, getattr(errno, "WSAECONNREFUSED", errno.ECONNREFUSED)}
 
 
-def first_that_answers(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S) -> Address:
+def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S) -> Address:
     """Return the first of some addresses that accepts a TCP connection; all are tried at once.
 
+    The error is that of the address where the probe came farthest.
+
     Raises:
-        DeadHostError: Nobody is at the (most promising) address.
-        BlockedPortError: A machine is, and something swallows what is sent to its port.
-        ClosedPortError: A machine is, and no program listens.
+        UnreachableHostError: No machine answers.
+        BlockedPortError: A machine answers, but a firewall drops the packets to the port.
+        ClosedPortError: A machine answers, but no program listens on the port.
         AddressError: The name is unknown.
     """
     answers: queue.SimpleQueue[tuple[Address, ClassroomError | None]] = queue.SimpleQueue()
@@ -50,25 +52,27 @@ def first_that_answers(candidates: Sequence[Address], timeout_s: float = _TIMEOU
     problems: list[ClassroomError] = []
     for candidate in candidates:
         try:
-            # Looking a name up may take longer than connecting, and cannot be told to hurry.
+            # A name look-up has no timeout of its own and may take longer than a connection.
             address, problem = answers.get(timeout=timeout_s + _LOOK_UP_S)
         except queue.Empty:
-            raise AddressError(candidate.host, "no name server answers: use the number") from None
+            raise AddressError(
+                candidate.host, "no name server answers: use the IP address"
+            ) from None
         if problem is None:
             return address
         problems.append(problem)
-    raise min(problems, key=_distance)
+    raise min(problems, key=_rank)
 
 
-def _distance(problem: ClassroomError) -> int:
-    """Order problems by how near they are to an open class."""
-    order = (ClosedPortError, BlockedPortError, DeadHostError)
+def _rank(problem: ClassroomError) -> int:
+    """Return the rank of a problem; the lower, the farther the probe came."""
+    order = (ClosedPortError, BlockedPortError, UnreachableHostError)
     return next((place for place, kind in enumerate(order) if isinstance(problem, kind)), 9)
 
 
 def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomError | None:
-    """Return why an address cannot be reached, `None` if it can; takes `timeout_s` at most."""
-    signs = _SignsOfLife(address.host)
+    """Return why an address cannot be reached, `None` if it can; takes at most `timeout_s`."""
+    other_ports = _OtherPorts(address.host)
     deadline = time.monotonic() + timeout_s
     while True:
         try:
@@ -78,35 +82,35 @@ def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomErro
         except socket.gaierror:
             return AddressError(address.host, "no machine of that name is known here")
         except TimeoutError:
-            seen = signs.seen
-            return (BlockedPortError if seen else DeadHostError)(address.host, address.port)
+            kind = BlockedPortError if other_ports.answered else UnreachableHostError
+            return kind(address.host, address.port)
         except OSError as exc:
             if exc.errno not in _REFUSED:
-                return DeadHostError(address.host, address.port)
-        # A teacher's hub is closed for a moment whenever somebody is let in or out.
+                return UnreachableHostError(address.host, address.port)
+        # A teacher's hub is closed for a moment whenever a number changes its owner.
         if time.monotonic() + _PAUSE_S > deadline:
             return ClosedPortError(address.host, address.port)
         time.sleep(_PAUSE_S)
 
 
-class _SignsOfLife:
-    """Knocks at other ports meanwhile: any answer, even a refusal, shows a machine."""
+class _OtherPorts:
+    """Connections to common ports of a host: any answer, even a refusal, shows that it is on."""
 
     def __init__(self, host: str) -> None:
         self._host = host
-        self._seen = threading.Event()
-        for port in _SIGN_OF_LIFE_PORTS:
-            threading.Thread(target=self._knock, args=(port,), daemon=True).start()
+        self._answered = threading.Event()
+        for port in _COMMON_PORTS:
+            threading.Thread(target=self._connect, args=(port,), daemon=True).start()
 
     @property
-    def seen(self) -> bool:
-        """Whether there was an answer by now."""
-        return self._seen.is_set()
+    def answered(self) -> bool:
+        """Whether the host has answered on any of the ports."""
+        return self._answered.is_set()
 
-    def _knock(self, port: int) -> None:
+    def _connect(self, port: int) -> None:
         try:
             with socket.create_connection((self._host, port), _TIMEOUT_S):
-                self._seen.set()
+                self._answered.set()
         except OSError as exc:
             if exc.errno in _REFUSED:
-                self._seen.set()
+                self._answered.set()

@@ -1,6 +1,6 @@
-"""Who has which number: claims, what a list of students says, and the rules between the two.
+"""Register of a class: the numbers that laptops have claimed, and the teacher's list of students.
 
-Pure: numbers, names and machines in, students or refusals out.
+Nothing here uses the network.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from zbot.classroom.errors import ClassroomError
-from zbot.terminal_text import plain
+from zbot.terminal_text import single_line
 from zbot.transport.config import MAX_DOMAIN_ID
 
 if TYPE_CHECKING:
@@ -24,13 +24,13 @@ _CLAIM_BYTES = 8
 
 
 class TakenError(ClassroomError):
-    """Somebody else has the number."""
+    """Another student has the number."""
 
     def __init__(self, number: int, holder: str) -> None:
         self.number, self.holder = number, holder
         super().__init__(
-            f"number {number} is taken by {holder}: choose another with --number, or none "
-            "(the teacher can free it: zbot class free NUMBER)"
+            f"number {number} is taken by {holder}: choose another with --number, leave --number "
+            "out, or ask the teacher to free it with `zbot class free NUMBER`"
         )
 
 
@@ -39,7 +39,7 @@ class NumberError(ClassroomError, ValueError):
 
     def __init__(self, number: object) -> None:
         self.number = number
-        super().__init__(f"a student's number is from 1 to {MAX_DOMAIN_ID}, not {number!r}")
+        super().__init__(f"a student's number must be from 1 to {MAX_DOMAIN_ID}, not {number!r}")
 
 
 class FullClassError(ClassroomError):
@@ -59,26 +59,26 @@ class RosterError(ClassroomError, ValueError):
 
 
 def clean_name(text: str) -> str:
-    """Return a name that can be shown anywhere: one line, nothing that moves a cursor, 64 at most.
+    """Return a name that is safe to print: one line of at most 64 printable characters.
 
-    Control characters and those that turn the direction of writing become spaces.
+    Control characters and characters that change the direction of writing become spaces.
     """
-    return plain(text, MAX_NAME_LENGTH)
+    return single_line(text, MAX_NAME_LENGTH)
 
 
 def clean_sentence(text: str) -> str:
-    """Return a sentence of another machine as it may be shown: like names, with 500 at most."""
-    return plain(text, MAX_SENTENCE_LENGTH)
+    """Return a message of another machine that is safe to print: as `clean_name`, at most 500."""
+    return single_line(text, MAX_SENTENCE_LENGTH)
 
 
 @dataclass(frozen=True)
 class Student:
-    """Somebody who has joined."""
+    """A student who has joined."""
 
     number: int
     name: str
-    machine: str  #: tells one laptop from another; random
-    host: str  #: what the laptop calls itself
+    machine: str  #: identifies the laptop; random
+    host: str  #: the laptop's host name
     claim: str = field(default_factory=lambda: secrets.token_hex(_CLAIM_BYTES))
 
 
@@ -90,18 +90,19 @@ class Register:
     students: dict[int, Student] = field(default_factory=dict)
 
     def claim(self, number: int | None, name: str | None, machine: str, host: str) -> Student:
-        """Give a number to a laptop; one that had a number before gets that again.
+        """Give a number to a laptop and return its student.
 
         Args:
-            number: The one it asks for; `None` for that of its name in the list, else a free one.
-            name: Of the student; `None` for what the list says, else that of the laptop.
-            machine: Which laptop it is.
-            host: What it calls itself.
+            number: The requested number. `None`: the number that the laptop has, else that of its
+                name in the list, else the next free one.
+            name: The student's name. `None`: the name in the list, else the host name.
+            machine: The laptop's identifier.
+            host: The laptop's host name.
 
         Raises:
-            NumberError: It is out of range.
-            TakenError: Somebody has it, or the list keeps it for somebody else.
-            FullClassError: None is left.
+            NumberError: The number is out of range.
+            TakenError: Another laptop has the number, or the list keeps it for another name.
+            FullClassError: No number is free.
         """
         wanted = self._number(number, name, machine)
         holder = self.students.get(wanted)
@@ -111,7 +112,7 @@ class Register:
         if kept_for and name and name.casefold() != kept_for.casefold():
             raise TakenError(wanted, kept_for)
         student = Student(wanted, kept_for or name or host, machine, host)
-        # A new dictionary: others may just look through the old one.
+        # A new dictionary: another thread may iterate over the old one.
         others = {n: one for n, one in self.students.items() if one.machine != machine}
         self.students = {**others, wanted: student}
         return student
@@ -135,17 +136,17 @@ class Register:
         return found
 
     def free(self, number: int) -> Student | None:
-        """Take a number back; return who had it."""
+        """Free a number; return the student who had it, `None` if it was free."""
         freed = self.students.get(number)
         self.students = {n: one for n, one in self.students.items() if n != number}
         return freed
 
 
 def load_roster(path: Path) -> dict[int, str]:
-    """Read the file of a list of students.
+    """Return the names in the file of a list of students, by number.
 
     Raises:
-        RosterError: It cannot be read, or see `read_roster`.
+        RosterError: The file cannot be read, or has an error (see `read_roster`).
     """
     try:
         return read_roster(path.read_text(encoding="utf-8"))
@@ -154,10 +155,12 @@ def load_roster(path: Path) -> dict[int, str]:
 
 
 def read_roster(text: str) -> dict[int, str]:
-    """Read a list of students: lines of `number,name`, with or without a heading.
+    """Return the names in a list of students, by number.
+
+    The list has lines of `number,name` or `number;name`, with or without a heading.
 
     Raises:
-        RosterError: A line has no number from 1 to 232, or one that another line has.
+        RosterError: A line has no number from 1 to 232, or the number of another line.
     """
     dialect = ";" if text.count(";") > text.count(",") else ","
     found: dict[int, str] = {}
@@ -169,8 +172,8 @@ def read_roster(text: str) -> dict[int, str]:
             continue
         number = int(cells[0]) if cells[0].isascii() and cells[0].isdigit() else 0
         if not 1 <= number <= MAX_DOMAIN_ID:
-            raise RosterError(line, f"{cells[0]!r} is no number from 1 to {MAX_DOMAIN_ID}")
+            raise RosterError(line, f"{cells[0]!r} is not a number from 1 to {MAX_DOMAIN_ID}")
         if number in found:
-            raise RosterError(line, f"number {number} is there twice")
+            raise RosterError(line, f"number {number} appears twice")
         found[number] = clean_name(" ".join(cells[1:]))
     return found

@@ -1,4 +1,4 @@
-"""What this machine takes part in, as `zbot status` shows it."""
+"""State of this machine's membership and hub, as `zbot status` prints it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _TIMEOUT_S = 1.0
 
 
 def present_state() -> dict[str, Any]:
-    """Return a document: role, address, whether the hub runs and whether it is linked."""
+    """Return a document with role, address, whether the hub runs and whether it is linked."""
     joined, hub = membership.load(), background.find()
     facts = {} if hub is None else hub_facts(hub.pid)
     is_linked = facts.get("linked", False)
@@ -40,7 +40,10 @@ def present_state() -> dict[str, Any]:
 
 
 def certificate_problem(joined: Membership) -> str | None:
-    """Return what is wrong with this machine's certificate, or that of the hub that it dials."""
+    """Return what is wrong with this machine's certificate or with that of the hub that it dials.
+
+    `None` if both are valid, or if the hub does not answer.
+    """
     if joined.role == "teacher":
         return None
     try:
@@ -48,12 +51,12 @@ def certificate_problem(joined: Membership) -> str | None:
     except SecurityError as error:
         return str(error)
     except OSError:
-        return None  # nobody answers there
+        return None  # no machine answers there
     return None
 
 
 def hub_facts(pid: int) -> dict[str, Any]:
-    """Return what this machine's hub says of itself; empty if it does not answer."""
+    """Return the facts that this machine's hub reports; empty if it does not answer."""
     session = open_hub_client()
     if session is None:
         return {}

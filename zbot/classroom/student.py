@@ -1,4 +1,4 @@
-"""The laptop's side: joining, leaving, and the hub that runs in between."""
+"""Student's side of a class: joining, leaving, and the hub that runs in between."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 from zbot.classroom import background, teacher
 from zbot.classroom.address import Address, own_addresses, parse_address
 from zbot.classroom.admission import AdmissionRequest
-from zbot.classroom.enrolment import knock, release
+from zbot.classroom.enrolment import release, request_admission
 from zbot.classroom.errors import AlreadyJoinedError
 from zbot.classroom.hub import HubSettings
 from zbot.classroom.hub_process import serve
 from zbot.classroom.join_code import decode, looks_like_code
 from zbot.classroom.link import Link
 from zbot.classroom.presence import Presence
-from zbot.classroom.probe import first_that_answers
+from zbot.classroom.probe import first_reachable
 from zbot.classroom.state import hub_facts
 from zbot.security.secret import make_private_folder, write_private
 from zbot.transport import membership
@@ -34,16 +34,18 @@ _MACHINE_BYTES = 8
 
 
 def find_hub(target: str) -> Address:
-    """Return where the hub is that a code or an address names, having knocked there.
+    """Return the address of the hub that a code or an address means, after a connection to it.
 
     Raises:
-        CodeError: The code has a typo.
-        AddressError: The address makes no sense.
-        DeadHostError: Nobody is there; `BlockedPortError` and `ClosedPortError`: see there.
+        CodeError: The code has a typing error.
+        AddressError: The address is invalid.
+        UnreachableHostError: No machine answers.
+        BlockedPortError: A machine answers, but its port is blocked.
+        ClosedPortError: A machine answers, but no program listens on its port.
     """
     if looks_like_code(target):
-        return first_that_answers(decode(target, own_addresses()))
-    return first_that_answers([parse_address(target)])
+        return first_reachable(decode(target, own_addresses()))
+    return first_reachable([parse_address(target)])
 
 
 def join(
@@ -54,27 +56,27 @@ def join(
     keystore: Path | None = None,
     ask_pin: Callable[[str], str | None] = lambda _class_name: None,
 ) -> Membership:
-    """Join what is behind a code or address, and leave a hub running that keeps to it.
+    """Join the class or hub at a code or address, and start a hub in the background.
 
     Args:
-        target: As the teacher shows it.
-        name: The student's.
-        number: The student's; the class chooses one if it is left out.
-        keystore: Folder of this machine's certificate, if the hub there uses them.
-        ask_pin: Returns the PIN of the class that it is given the name of.
+        target: Code or address, as the teacher gives it.
+        name: The student's name.
+        number: The student's number; `None`: the class chooses one.
+        keystore: Folder of this machine's certificate; `None` for plain TCP.
+        ask_pin: Takes the name of the class and returns its PIN, `None` if the PIN is unknown.
 
     Raises:
         AlreadyJoinedError: This machine has joined something.
-        ClassroomError: The hub cannot be found (`find_hub`) or lets nobody in (`knock`).
+        ClassroomError: The hub cannot be found (`find_hub`) or refuses (`request_admission`).
         SecurityError: This machine and the hub do not accept each other's certificates.
     """
-    _require_alone()
+    _check_not_joined()
     link = Link.named(keystore)
     address = find_hub(target)
     link.check_dialling(address)
-    wish = AdmissionRequest(machine_id(), socket.gethostname(), name, number)
+    request = AdmissionRequest(machine_id(), socket.gethostname(), name, number)
     with _without_membership():
-        joined = replace(knock(address, wish, ask_pin, link), keystore=link.keystore)
+        joined = replace(request_admission(address, request, ask_pin, link), keystore=link.keystore)
     background.stop()
     membership.save(joined, [(joined.user, joined.secret)])
     try:
@@ -85,11 +87,10 @@ def join(
     return joined
 
 
-def _require_alone() -> None:
-    """Refuse a machine that takes part in something.
+def _check_not_joined() -> None:
+    """Raise `AlreadyJoinedError` if this machine has opened or joined a class, or runs a hub.
 
-    Last week's class, which is not there any more, is nothing; neither is one without a hub, as
-    this machine was switched off in between.
+    A class that was joined counts only while this machine's hub runs and is linked with it.
     """
     present, hub = membership.load(), background.find()
     is_over = hub is None or not hub_facts(hub.pid).get("linked", False)
@@ -101,7 +102,7 @@ def _require_alone() -> None:
 
 @contextlib.contextmanager
 def _without_membership() -> Iterator[None]:
-    """Speak as somebody who has joined nothing; what was joined comes back after a failure."""
+    """Remove the membership for the length of a block; restore it if the block raises."""
     present = membership.load()
     membership.forget()
     try:
@@ -113,7 +114,7 @@ def _without_membership() -> Iterator[None]:
 
 
 def machine_id() -> str:
-    """Return what tells this user's machine from others; random, and the same from then on."""
+    """Return the identifier of this user's machine, which is random and kept in a file."""
     path = membership.folder() / "machine"
     try:
         return path.read_text(encoding="utf-8").strip()
@@ -125,7 +126,10 @@ def machine_id() -> str:
 
 
 def leave() -> Membership | None:
-    """Give the number back, end this machine's hub and forget the class; return what that was."""
+    """Release the number, end this machine's hub and remove the membership; return what it was.
+
+    On the teacher's machine the class is closed.
+    """
     try:
         present = membership.load()
     except membership.MembershipError:
@@ -143,11 +147,11 @@ def leave() -> Membership | None:
 
 
 def run_student(joined: Membership, on_ready: Callable[[], None]) -> None:
-    """Be the hub of a machine that has joined another, until a signal comes."""
+    """Run the hub of a machine that has joined another, until SIGTERM or SIGINT."""
     link, dialled = Link(joined.keystore), Address(joined.host, joined.port)
     extra = link.settings
     if joined.in_class:
         extra |= {"id": joined.hub_id}
     settings = HubSettings((hub_endpoint(),), (link.endpoint(dialled),), extra)
     presence = Presence(joined) if joined.in_class else None
-    serve(joined.role, lambda: settings, on_ready, presence.equip if presence else None)
+    serve(joined.role, lambda: settings, on_ready, presence.attach if presence else None)

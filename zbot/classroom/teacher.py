@@ -1,4 +1,4 @@
-"""The teacher's side: opening a class, asking it something, and closing it."""
+"""Teacher's side of a class: opening it, sending it commands, and closing it."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from zbot.classroom.classroom import Classroom
 from zbot.classroom.errors import AlreadyJoinedError, ClassCommandError, NoClassError
 from zbot.classroom.hub_process import serve
 from zbot.classroom.hub_queries import ask
-from zbot.classroom.keys import DESK_KEY
+from zbot.classroom.keys import COMMAND_KEY
 from zbot.classroom.link import Link
 from zbot.security.access import TEACHER
 from zbot.transport import membership
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
 
 _MASTER_BYTES = 32
-_REOPENING_S = 3.0  # 0.2 s are usual
+_REOPENING_S = 3.0  # it usually takes 0.2 s
 _PAUSE_S = 0.05
 _ANSWER_TIMEOUT_S = 5.0
 
@@ -46,23 +46,26 @@ def start(
     expected: dict[int, str] | None = None,
     keystore: Path | None = None,
 ) -> tuple[Membership, ClassRecord]:
-    """Open a class: leave a hub running that students can join.
+    """Open a class: start a hub in the background that students can join.
 
-    One that was open under the same name, before this machine was switched off, goes on: its
-    students come back by themselves, with their numbers.
+    A class that was open under the same name when this machine was switched off continues: its
+    laptops reconnect by themselves and keep their numbers.
 
     Args:
-        name: Shown to students.
-        port: TCP port to be reached at.
-        pin: Asked of students; empty for none, and for that of a class that goes on.
-        expected: Names of students, by number.
-        keystore: Folder of this machine's certificate, for a class whose hubs use them; left out
-            for none, and for that of a class that goes on.
+        name: The class's name, shown to students.
+        port: TCP port of the hub.
+        pin: PIN that students must know. Empty: no PIN, or the PIN of the class that continues.
+        expected: Names of students by number.
+        keystore: Folder of this machine's certificate. `None`: plain TCP, or the keystore of the
+            class that continues.
+
+    Returns:
+        The teacher's membership and the record of the class.
 
     Raises:
-        AlreadyJoinedError: This machine takes part in something.
-        HubStartError: The port is taken.
-        SecurityError: With this certificate nobody could join.
+        AlreadyJoinedError: This machine has joined something or runs a hub.
+        HubStartError: Another program uses the port.
+        SecurityError: The certificate would let no student join.
     """
     record = _present_record(name)
     record.pin = pin or record.pin
@@ -95,10 +98,10 @@ def _present_record(name: str) -> ClassRecord:
 
 
 def stop() -> Membership:
-    """Close the class that is open on this machine; the students' laptops stay joined to nothing.
+    """Close the class that is open on this machine, and return its membership.
 
     Raises:
-        NoClassError: There is none.
+        NoClassError: No class is open.
     """
     present = membership.load()
     if present is None or present.role != "teacher":
@@ -114,37 +117,36 @@ def _forget() -> None:
 
 
 def _client() -> zenoh.Session:
-    """Open a session at the class's hub."""
+    """Open a client session at the class's hub."""
     present = membership.load()
     if present is None or present.role != "teacher":
         raise NoClassError
-    # The hub is closed for a moment whenever somebody is let in or out: by the command before this
-    # one, perhaps.
+    # The hub is closed for a moment when its rules change, e.g. by the previous command.
     deadline = time.monotonic() + _REOPENING_S
     while (session := open_hub_client()) is None:
         if time.monotonic() > deadline or background.find() is None:
-            raise ClassCommandError("the class does not run: `zbot class start` lets it go on")
+            raise ClassCommandError("the class does not run: continue it with `zbot class start`")
         time.sleep(_PAUSE_S)
     return session
 
 
 def _ask(question: dict[str, Any]) -> list[dict[str, Any]]:
-    # A hub that is about to be opened anew may still let somebody in, and answers no more.
+    # A hub that is about to reopen may accept a client and then close without a reply.
     deadline = time.monotonic() + _REOPENING_S
     while True:
         with _client() as session:
-            answers = ask(session, DESK_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
+            answers = ask(session, COMMAND_KEY, question, timeout_s=_ANSWER_TIMEOUT_S)
         if answers or time.monotonic() > deadline:
             return answers
         time.sleep(_PAUSE_S)
 
 
 def command(question: dict[str, Any]) -> dict[str, Any]:
-    """Ask the class that is open on this machine.
+    """Send a command to the class that is open on this machine; return the reply.
 
     Raises:
-        NoClassError: There is none.
-        ClassCommandError: It refuses; its sentence says why.
+        NoClassError: No class is open.
+        ClassCommandError: The class does not answer or refuses; the message says why.
     """
     answers = _ask(question)
     if not answers or "error" in answers[0]:
@@ -154,11 +156,11 @@ def command(question: dict[str, Any]) -> dict[str, Any]:
 
 
 def check_class(expectations: Sequence[Expectation]) -> list[Verdict]:
-    """Return whether everybody who has joined does what is expected.
+    """Return a verdict for each student who has joined.
 
     Raises:
-        NoClassError: There is no class on this machine.
-        ClassCommandError: It does not run.
+        NoClassError: No class is open on this machine.
+        ClassCommandError: The class does not run.
     """
     students = command({"op": "list"})["students"]
     with _client() as session:
@@ -169,19 +171,19 @@ def graph_of(number: int) -> Snapshot:
     """Return the graph of a student's domain.
 
     Raises:
-        NoClassError: There is no class on this machine.
-        ClassCommandError: It does not run.
+        NoClassError: No class is open on this machine.
+        ClassCommandError: The class does not run.
     """
     with _client() as session:
         return snapshots(session, [number])[number]
 
 
 def run_teacher(opened: Membership, on_ready: Callable[[], None]) -> None:
-    """Be the hub of a class until a signal comes."""
+    """Run the hub of a class until SIGTERM or SIGINT."""
     classroom = Classroom(load_record(), opened.port)
-    serve("teacher", classroom.settings, on_ready, classroom.equip)
+    serve("teacher", classroom.settings, on_ready, classroom.attach)
 
 
 def address_of(opened: Membership) -> Address:
-    """Return where students find a class."""
+    """Return the address at which students join a class."""
     return Address(opened.host, opened.port)

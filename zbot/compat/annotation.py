@@ -1,4 +1,4 @@
-"""Names of rclpy that only annotations need: nothing at run time depends on them."""
+"""Types of rclpy for annotations in programs; nothing at run time depends on them."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.clock import ClockChange
-    from zbot.node.qos_events import PublisherEventCallbacks
+    from zbot.node.event_callbacks import PublisherEventCallbacks
     from zbot.parameters.parameter import Parameter
     from zbot.parameters.qos_overrides import QoSOverridingOptions
 
@@ -23,73 +23,73 @@ GoalT = TypeVar("GoalT")
 ResultT_co = TypeVar("ResultT_co", covariant=True)
 FeedbackT_co = TypeVar("FeedbackT_co", covariant=True)
 
-#: What can be a parameter's value: a truth value, number or text, or a list of one of these.
+#: Value of a parameter: a bool, a number or a text, or a list of one of these.
 AllowableParameterValue: TypeAlias = Any
 AllowableParameterValueT = TypeVar("AllowableParameterValueT")
 CallbackNames: TypeAlias = Literal[
     "on_configure", "on_cleanup", "on_shutdown", "on_activate", "on_deactivate", "on_error"
 ]
-#: What an event's callback gets: one of the info classes.
+#: Argument of an event's callback: one of the info classes.
 EventHandlerData: TypeAlias = Any
 JumpHandlePreCallbackType: TypeAlias = Callable[[], None]
 ClientGoalHandleDict: TypeAlias = dict[str, object]
 ServerGoalHandleDict: TypeAlias = dict[str, object]
-#: A value of a profile's policy: a member of one of its enums, a number or a duration.
+#: Value of a QoS policy: a member of one of its enums, a number or a duration.
 QoSProfileAttributes: TypeAlias = Any
-#: A function that takes a profile and returns a `SetParametersResult`.
+#: Function that takes a profile and returns a `SetParametersResult`.
 QosCallbackType: TypeAlias = Callable[[Any], Any]
-#: What an executor yields: a task, what it is a callback of, and its node.
+#: Items that an executor yields: a task, the entity whose callback it runs, and its node.
 YieldedCallback: TypeAlias = Any
-#: A class with these attributes is a service's: `Request`, `Response`.
+#: Class of a service, which has the attributes `Request`, `Response`.
 SendGoalService: TypeAlias = Service
 GetResultService: TypeAlias = Service
 ProtocolType: Any = type(Protocol)
 
 
 class PyCapsule(Protocol):
-    """A pointer of C, which zbot has none of."""
+    """Pointer of C, of which zbot has none."""
 
 
 class CommonMsgSrvMetaClass(ProtocolType):  # type: ignore[misc]
-    """What the classes of messages and services have in common."""
+    """Metaclass of the classes of messages and services."""
 
 
 class MsgMetaClass(CommonMsgSrvMetaClass):
-    """What the classes of messages have in common."""
+    """Metaclass of the classes of messages."""
 
 
 class EventMessage(Protocol):
-    """A service's event."""
+    """Event of a service."""
 
     info: ServiceEventInfo
 
 
 class SendGoalServiceRequest(Protocol[GoalT]):
-    """An action client's request."""
+    """Request of an action client to accept a goal."""
 
     goal_id: UUID
     goal: GoalT
 
 
 class SendGoalServiceResponse(Protocol):
-    """An action server's answer to it."""
+    """Response of an action server to the request for a goal."""
 
     accepted: bool
     stamp: Time
 
 
 class GetResultServiceRequest(Protocol):
-    """An action client's question for the result."""
+    """Request of an action client for the result."""
 
     goal_id: UUID
 
 
 class GetResultServiceResponse(Protocol[ResultT_co]):
-    """An action server's answer to it."""
+    """Response of an action server to the request for the result."""
 
     @property
     def status(self) -> int:
-        """How the goal ended."""
+        """End state of the goal."""
         ...
 
     @property
@@ -99,11 +99,11 @@ class GetResultServiceResponse(Protocol[ResultT_co]):
 
 
 class FeedbackMessage(Protocol[FeedbackT_co]):
-    """What an action server tells meanwhile."""
+    """Feedback of an action server."""
 
     @property
     def goal_id(self) -> UUID:
-        """Whose feedback it is."""
+        """Id of the goal."""
         ...
 
     @property
@@ -113,28 +113,28 @@ class FeedbackMessage(Protocol[FeedbackT_co]):
 
 
 class TimeJumpDictionary(TypedDict):
-    """A clock's jump, as rclpy's C library tells it."""
+    """Jump of a clock, as rclpy's C library reports it."""
 
     clock_change: ClockChange
     delta: int
 
 
 class TypeHashDictionary(TypedDict):
-    """A type's hash, as rclpy's C library tells it."""
+    """Hash of a type, as rclpy's C library reports it."""
 
     version: int
     value: bytes
 
 
 class SendGoalKWargs(TypedDict):
-    """What `ActionClient.send_goal` takes beside the goal."""
+    """Arguments of `ActionClient.send_goal` after the goal."""
 
     feedback_callback: Callable[[Any], None] | None
     goal_uuid: UUID | None
 
 
 class CreateLifecyclePublisherArgs(TypedDict, total=False):
-    """What `create_lifecycle_publisher` takes beside type, topic and profile."""
+    """Arguments of `create_lifecycle_publisher` after type, topic and profile."""
 
     callback_group: CallbackGroup | None
     event_callbacks: PublisherEventCallbacks | None
@@ -142,7 +142,7 @@ class CreateLifecyclePublisherArgs(TypedDict, total=False):
 
 
 class LifecycleNodeArgs(TypedDict, total=False):
-    """What `LifecycleNode` takes beside its name."""
+    """Arguments of `LifecycleNode` after its name."""
 
     context: Context | None
     cli_args: list[str] | None

@@ -1,4 +1,4 @@
-"""A node for programs that look at the graph and have none of their own: ros2cli's `DirectNode`."""
+"""Node for programs that only look at the graph: ros2cli's `DirectNode`."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ NODE_NAME_PREFIX = "_ros2cli"
 
 
 class CommandNode:
-    """A hidden node for a `with` block; it has all methods and attributes of a `Node`.
+    """Hidden node for a `with` block; it has all methods and attributes of a `Node`.
 
-    The graph is complete when it is made, so it waits for nothing, and there is no daemon to ask.
+    The graph is complete as soon as the node exists, so nothing waits for a daemon.
 
     Args:
-        args: What `argparse` made of a command line; only its `argv`, for `init`, is looked at.
-        node_name: What follows the prefix of its name; the process's number if left out.
+        args: Namespace that `argparse` returned; only its attribute `argv`, for `init`, is used.
+        node_name: Name of the node after its prefix; the pid of the process if left out.
     """
 
     def __init__(self, args: Any = None, *, node_name: str | None = None) -> None:
@@ -38,7 +38,7 @@ class CommandNode:
 
     @property
     def direct_node(self) -> Self:
-        """The node itself: there is no daemon that could stand for it."""
+        """This node: zbot has no daemon."""
         return self
 
     def __getattr__(self, name: str) -> Any:
@@ -59,7 +59,7 @@ class CommandNode:
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """Give a parser the options that `ros2`'s commands have in common; none changes anything."""
-    parser.add_argument("--spin-time", type=float, help="Accepted; there is nothing to wait for")
+    """Add the options that the commands of `ros2` share to a parser; they have no effect."""
+    parser.add_argument("--spin-time", type=float, help="Accepted; no effect")
     parser.add_argument("-s", "--use-sim-time", action="store_true", help="Accepted")
-    parser.add_argument("--no-daemon", action="store_true", help="Accepted; there is no daemon")
+    parser.add_argument("--no-daemon", action="store_true", help="Accepted; no effect")

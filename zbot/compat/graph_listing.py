@@ -1,4 +1,4 @@
-"""What ros2cli's Python packages tell programs of the graph; hidden names are left out."""
+"""Functions of ros2cli's Python packages about the graph; hidden names are left out."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import NamesAndTypes
     from zbot.node.node import Node
 
-_LOOK_AGAIN_S = 0.5  # how long a look at the graph may miss that the context has ended
+_STEP_S = 0.5  # longest time until a wait for the graph notices that the context has ended
 
 
 class SeveralTypesError(ZbotError, RuntimeError):
-    """A name in the graph has several types, so it is not clear which class is meant."""
+    """A name in the graph has several types, so a function cannot choose a class."""
 
     def __init__(self, name: str, types: list[str]) -> None:
         self.name, self.types = name, types
@@ -26,7 +26,7 @@ class SeveralTypesError(ZbotError, RuntimeError):
 
 
 class NodeName(NamedTuple):
-    """A node's name, in its parts and whole."""
+    """Name of a node: its parts, and the full name."""
 
     name: str
     namespace: str
@@ -34,7 +34,7 @@ class NodeName(NamedTuple):
 
 
 class TopicInfo(NamedTuple):
-    """A topic, service or action of a node, and its types."""
+    """Name of a topic, service or action of a node, and its types."""
 
     name: str
     types: list[str]
@@ -44,7 +44,7 @@ class TopicInfo(NamedTuple):
 
 
 def get_absolute_node_name(node_name: str) -> str | None:
-    """Return the name with a slash before it, None for an empty one."""
+    """Return the name with a leading slash, None for an empty name."""
     return f"/{node_name.removeprefix('/')}" if node_name else None
 
 
@@ -87,7 +87,7 @@ def get_subscriber_info(
 def get_service_server_info(
     *, node: Node, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
-    """Return the services that a node offers; see `get_publisher_info`."""
+    """Return the services that a node serves; see `get_publisher_info`."""
     name, namespace, _ = parse_node_name(remote_node_name)
     return _infos(node.get_service_names_and_types_by_node(name, namespace), include_hidden)
 
@@ -103,7 +103,7 @@ def get_service_client_info(
 def get_action_server_info(
     *, node: Node, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
-    """Return the actions that a node offers; see `get_publisher_info`."""
+    """Return the actions that a node serves; see `get_publisher_info`."""
     name, namespace, _ = parse_node_name(remote_node_name)
     found = action_graph.get_action_server_names_and_types_by_node(node, name, namespace)
     return _infos(found, include_hidden)
@@ -158,12 +158,12 @@ def get_action_names(*, node: Node) -> list[str]:
 def get_msg_class(
     node: Node, topic: str, blocking: bool = False, include_hidden_topics: bool = False
 ) -> type[Any] | None:
-    """Return the class of a topic's messages, None while nobody uses the topic.
+    """Return the class of a topic's messages, None if no node uses the topic.
 
     Args:
-        node: Looks at the graph.
+        node: The node whose context has the graph.
         topic: Relative, `~/private` or absolute name.
-        blocking: Wait until somebody uses it, or the node's context ends.
+        blocking: Wait until a node uses the topic, or the node's context ends.
         include_hidden_topics: Find hidden topics too.
 
     Raises:
@@ -177,7 +177,7 @@ def get_msg_class(
     if found is None:
         print(f"WARNING: topic [{topic}] does not appear to be published yet", file=sys.stderr)
     while blocking and found is None and node.context.ok():
-        node.context.graph.wait_for(lambda now: name in dict(now.topics()), _LOOK_AGAIN_S)
+        node.context.graph.wait_for(lambda now: name in dict(now.topics()), _STEP_S)
         found = _type_in(node.get_topic_names_and_types(), name)
     return None if found is None else get_message(found)
 
@@ -185,7 +185,7 @@ def get_msg_class(
 def get_service_class(
     node: Node, service: str, blocking: bool = False, include_hidden_services: bool = False
 ) -> type[Any] | None:
-    """Return the class of a service, None while nobody offers or uses it; see `get_msg_class`."""
+    """Return the class of a service, None if no node uses the service; see `get_msg_class`."""
     name = node.resolve_service_name(service, only_expand=True)
     if is_hidden(name) and not include_hidden_services:
         return None
@@ -193,7 +193,7 @@ def get_service_class(
     if found is None:
         print(f"WARNING: service [{service}] does not appear to be available yet", file=sys.stderr)
     while blocking and found is None and node.context.ok():
-        node.context.graph.wait_for(lambda now: name in dict(now.services()), _LOOK_AGAIN_S)
+        node.context.graph.wait_for(lambda now: name in dict(now.services()), _STEP_S)
         found = _type_in(node.get_service_names_and_types(), name)
     return None if found is None else get_service(found)
 

@@ -1,7 +1,7 @@
-"""rclpy's filters of log calls as classes, for programs that use these themselves.
+"""Filters of log calls with rclpy's classes, for programs that use these classes directly.
 
-zbot's own loggers keep what `once=True` and its like need with the place of the call
-(`zbot.log.call_site`); the classes here hold the same rules for a context that the caller keeps.
+zbot's own loggers store the state of `once=True` and the other filters with the call site
+(`zbot.log.call_site`). The classes here have the same rules for a context that the caller stores.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _OWN_FILES = str(Path(zbot.__file__).parent) + os.sep
 
 
 class RcutilsLoggerContext(TypedDict):
-    """What a log call has asked for."""
+    """Context of a log call: the filters that it uses."""
 
     name: str
     severity: LoggingSeverity
@@ -34,13 +34,13 @@ class RcutilsLoggerContext(TypedDict):
 
 
 class OnceContext(RcutilsLoggerContext):
-    """The context of a call that logs once."""
+    """Context of a call that logs once."""
 
     has_been_logged_once: bool
 
 
 class ThrottleContext(RcutilsLoggerContext):
-    """The context of a call that is throttled."""
+    """Context of a call that is throttled."""
 
     throttle_duration_sec: float
     throttle_time_source_type: Clock
@@ -48,13 +48,13 @@ class ThrottleContext(RcutilsLoggerContext):
 
 
 class SkipFirstContext(RcutilsLoggerContext):
-    """The context of a call whose first line is skipped."""
+    """Context of a call whose first line is skipped."""
 
     first_has_been_skipped: bool
 
 
 class LoggingFilterArgs(TypedDict, total=False):
-    """The options of log calls that filter."""
+    """Options of log calls for filters."""
 
     once: bool
     throttle_duration_sec: float
@@ -63,7 +63,7 @@ class LoggingFilterArgs(TypedDict, total=False):
 
 
 class LoggingFilterParams(TypedDict, total=False):
-    """The options of a filter with their defaults; `None` where there is none."""
+    """Options of a filter with their defaults; `None` for an option without a default."""
 
     once: bool | None
     throttle_duration_sec: float | None
@@ -72,7 +72,7 @@ class LoggingFilterParams(TypedDict, total=False):
 
 
 class LoggingArgs(LoggingFilterArgs, total=False):
-    """The options of log calls."""
+    """All options of log calls."""
 
     name: str
 
@@ -81,16 +81,16 @@ class _CallerId(NamedTuple):
     function_name: str
     file_path: str
     line_number: int
-    last_index: int  #: tells two calls on one line apart
+    last_index: int  #: distinguishes calls on the same line
 
 
 class CallerId(_CallerId):
-    """The place of a log call: the innermost one that is not zbot's, or the frame that is given."""
+    """Call site of a log call: the given frame, or the innermost frame outside of zbot."""
 
     __slots__ = ()
 
     def __new__(cls, frame: FrameType | None = None) -> CallerId:
-        """Find the place."""
+        """Find the call site."""
         found = frame or sys._getframe(1)  # noqa: SLF001 - inspect's way takes 100 times as long
         while frame is None and found.f_code.co_filename.startswith(_OWN_FILES) and found.f_back:
             found = found.f_back
@@ -100,17 +100,17 @@ class CallerId(_CallerId):
 
 
 class LoggingFilter:
-    """Base of the filters; its own lets every line through."""
+    """Base class of the filters, which lets all lines pass."""
 
-    #: The filter's options and their defaults; those whose default is `None` must be given.
+    #: Options of the filter and their defaults; an option whose default is `None` is required.
     params: ClassVar[LoggingFilterParams] = {}
 
     @classmethod
     def initialize_context(cls, context: Any, **kwargs: Any) -> None:
-        """Put the filter's options into a call's context.
+        """Add the filter's options to a call's context.
 
         Raises:
-            LogOptionError: One without a default is missing.
+            LogOptionError: A required option is missing.
         """
         for name, default in cls.params.items():
             value = kwargs.get(name, default)
@@ -120,18 +120,18 @@ class LoggingFilter:
 
     @staticmethod
     def should_log(context: Any) -> bool:  # noqa: ARG004 - what the other filters take
-        """Return whether the call may log now, and note in the context that it was asked."""
+        """Return whether the call may log now, and record the call in the context."""
         return True
 
 
 class Once(LoggingFilter):
-    """Only the first call logs."""
+    """Filter that lets only the first call log."""
 
     params: ClassVar[LoggingFilterParams] = {"once": None}
 
     @classmethod
     def initialize_context(cls, context: Any, **kwargs: Any) -> None:
-        """Put the filter's options into a call's context, and that it has not logged yet."""
+        """Add the filter's options to a call's context, and record that it has not logged."""
         super().initialize_context(context, **kwargs)
         context["has_been_logged_once"] = False
 
@@ -143,7 +143,7 @@ class Once(LoggingFilter):
 
 
 class Throttle(LoggingFilter):
-    """At most one line in a duration."""
+    """Filter that lets at most one call log in a duration."""
 
     params: ClassVar[LoggingFilterParams] = {
         "throttle_duration_sec": None,
@@ -152,10 +152,10 @@ class Throttle(LoggingFilter):
 
     @classmethod
     def initialize_context(cls, context: Any, **kwargs: Any) -> None:
-        """Put the filter's options into a call's context, and that it has not logged yet.
+        """Add the filter's options to a call's context, and record that it has not logged.
 
         Raises:
-            NotAClockError: `throttle_time_source_type` is no clock.
+            NotAClockError: `throttle_time_source_type` is not a clock.
         """
         super().initialize_context(context, **kwargs)
         context["throttle_last_logged"] = 0
@@ -165,7 +165,7 @@ class Throttle(LoggingFilter):
 
     @staticmethod
     def should_log(context: Any) -> bool:
-        """Return whether the duration is over since the last line."""
+        """Return whether the duration since the last line is over."""
         now = context["throttle_time_source_type"].now().nanoseconds
         is_open: bool = (
             now >= context["throttle_last_logged"] + context["throttle_duration_sec"] * 1e9
@@ -176,25 +176,25 @@ class Throttle(LoggingFilter):
 
 
 class SkipFirst(LoggingFilter):
-    """All calls but the first log."""
+    """Filter that lets all calls except the first log."""
 
     params: ClassVar[LoggingFilterParams] = {"skip_first": None}
 
     @classmethod
     def initialize_context(cls, context: Any, **kwargs: Any) -> None:
-        """Put the filter's options into a call's context, and that none was skipped yet."""
+        """Add the filter's options to a call's context, and record that no call was skipped."""
         super().initialize_context(context, **kwargs)
         context["first_has_been_skipped"] = False
 
     @staticmethod
     def should_log(context: Any) -> bool:
-        """Return whether a call came before this one."""
+        """Return whether this is not the first call."""
         skipped: bool = context["first_has_been_skipped"]
         context["first_has_been_skipped"] = True
         return skipped
 
 
-#: The filters by their names, in the order in which they are asked.
+#: The filters by name, in the order in which they are applied.
 supported_filters: OrderedDict[SupportedFiltersKeys, type[LoggingFilter]] = OrderedDict()
 supported_filters["throttle"] = Throttle
 supported_filters["skip_first"] = SkipFirst
@@ -202,10 +202,10 @@ supported_filters["once"] = Once
 
 
 def get_filters_from_kwargs(**kwargs: Any) -> list[SupportedFiltersKeys]:
-    """Return the names of the filters that the options of a log call switch on.
+    """Return the names of the filters that the options of a log call enable.
 
     Raises:
-        LogOptionError: An option is unknown, or one without a default is missing.
+        LogOptionError: An option is unknown, or a required one is missing.
     """
     known = [name for one in supported_filters.values() for name in one.params]
     for name in kwargs:

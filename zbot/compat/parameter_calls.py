@@ -1,4 +1,4 @@
-"""Other nodes' parameters in one call each: the functions of ros2cli's `ros2param`."""
+"""Functions of ros2cli's `ros2param`, which get and set parameters of other nodes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from rcl_interfaces.msg import Parameter, ParameterValue
 
-_PATIENCE_S = 5.0  # as long as ros2cli waits for a node's services
+_SERVICE_TIMEOUT_S = 5.0  # ros2cli's timeout for a node's services
 
 _TYPE_NAMES = {
     ParameterType.PARAMETER_NOT_SET: "not set",
@@ -34,43 +34,44 @@ _TYPE_NAMES = {
 
 
 class NoParameterServiceError(ZbotError, RuntimeError):
-    """A node's parameters were asked for, and it did not offer them in time."""
+    """A node has no parameter services, or they did not appear in time."""
 
     def __init__(self, node_name: str) -> None:
         self.node_name = node_name
-        super().__init__(f"{node_name} offered no parameter services within {_PATIENCE_S:.0f} s")
+        timeout = f"{_SERVICE_TIMEOUT_S:.0f} s"
+        super().__init__(f"{node_name} offered no parameter services within {timeout}")
 
 
 def get_value(*, parameter_value: ParameterValue) -> Any:
-    """Return the value of a message; None if it is not set."""
+    """Return the value in a message; None if it is not set."""
     return parameter.parameter_value_to_python(parameter_value)
 
 
 def get_parameter_value(*, string_value: str) -> ParameterValue:
-    """Return what a text on the command line means, as a message."""
+    """Return the value of a text on the command line, as a message."""
     return parameter.get_parameter_value(string_value)
 
 
 def get_parameter_type_string(parameter_type: int) -> str:
-    """Return the name of a type of parameters, as `ros2 param describe` prints it."""
+    """Return the name of a parameter type, as `ros2 param describe` prints it."""
     return _TYPE_NAMES[parameter_type]
 
 
 def call_get_parameters(
     *, node: Node, node_name: str, parameter_names: Sequence[str]
 ) -> GetParameters.Response:
-    """Ask a node for parameters; `values` has one for each name, of type "not set" if it has none.
+    """Ask a node for parameters; `values` has one for each name, "not set" if there is none.
 
     May be called anywhere, also in a callback.
 
     Args:
-        node: Asks.
-        node_name: Who is asked, with its namespace.
-        parameter_names: Whose values are asked for.
+        node: The node that asks.
+        node_name: Full name of the node that is asked.
+        parameter_names: Names of the parameters.
 
     Raises:
         NoParameterServiceError: The node offers no parameter services within 5 s.
-        ServiceError: The node ended meanwhile.
+        ServiceError: The node ended before it answered.
     """
     request = GetParameters.Request(names=list(parameter_names))
     response: GetParameters.Response = _answer(node, GetParameters, node_name, request)
@@ -80,7 +81,7 @@ def call_get_parameters(
 def call_set_parameters(
     *, node: Node, node_name: str, parameters: Sequence[Parameter]
 ) -> SetParameters.Response:
-    """Set parameters of a node; `results` tells of each whether it did. See the function above."""
+    """Set parameters of a node; `results` has a result for each. See `call_get_parameters`."""
     request = SetParameters.Request(parameters=list(parameters))
     response: SetParameters.Response = _answer(node, SetParameters, node_name, request)
     return response
@@ -115,7 +116,7 @@ _SERVICES: dict[type[Any], str] = {
 def _answer(node: Node, srv_type: type[Any], node_name: str, request: Any) -> Any:
     client: Any = node.create_client(srv_type, f"{node_name}/{_SERVICES[srv_type]}")
     try:
-        if not client.wait_for_service(_PATIENCE_S):
+        if not client.wait_for_service(_SERVICE_TIMEOUT_S):
             raise NoParameterServiceError(node_name)
         return client.call(request)
     finally:

@@ -1,7 +1,7 @@
-"""Tests of launches under pytest: files of `launch_testing`, and functions of `launch_pytest`.
+"""Plugin of pytest for launch tests: files of `launch_testing`, functions of `launch_pytest`.
 
-pytest loads this by its entry point wherever zbot is installed; it does nothing before a file asks
-for one of both.
+pytest loads this by its entry point if zbot is installed. It has no effect on files that use
+neither of them.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ _MARKS = {"launch_test", "rostest"}
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Make the marks known."""
+    """Register the marks."""
     for line in (
-        "launch_test: the function describes a launch that the file's test cases run beside",
-        "rostest: the same, by its older name",
-        "launch(fixture, shutdown=False): the test runs beside a launch_pytest.fixture",
+        "launch_test: the function describes the launch for the test cases of its file",
+        "rostest: older name of launch_test",
+        "launch(fixture, shutdown=False): the test runs with the launch of a launch_pytest.fixture",
     ):
         config.addinivalue_line("markers", line)
 
@@ -39,10 +39,10 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_pycollect_makemodule(
     module_path: Path, parent: pytest.Collector
 ) -> pytest.Module | None:
-    """Take over files that describe a launch with one of the marks."""
+    """Return a collector for a file with one of the marks, `None` for other files."""
     text = module_path.read_text(encoding="utf-8", errors="replace")
     if "generate_test_description" not in text or not any(mark in text for mark in _MARKS):
-        return None  # nothing is imported that is not asked for
+        return None  # avoids imports for files that do not need them
     module: pytest.Module = pytest.Module.from_parent(parent, path=module_path)
     function = getattr(module.obj, "generate_test_description", None)
     marks = {mark.name for mark in getattr(function, "pytestmark", [])}
@@ -50,7 +50,7 @@ def pytest_pycollect_makemodule(
 
 
 class _LaunchModule(pytest.Module):
-    """A file with a launch: one item for each row of its parameters."""
+    """File with a launch test: one item for each row of its parameters."""
 
     def collect(self) -> Iterable[pytest.Item]:
         from zbot.launch.testing.test_run import test_runs  # noqa: PLC0415 - only files that need it
@@ -60,17 +60,17 @@ class _LaunchModule(pytest.Module):
 
 
 class _LaunchItem(pytest.Item):
-    """One launch with all of its test cases."""
+    """One launch with all its test cases."""
 
     def __init__(self, *, test_run: TestRun, **options: Any) -> None:
         super().__init__(**options)
         self._run = test_run
 
     def runtest(self) -> None:
-        """Run the launch and its tests.
+        """Run the launch and its test cases.
 
         Raises:
-            _FailedCasesError: At least one of them failed.
+            _FailedCasesError: At least one test case failed.
         """
         report = io.StringIO()
         with redirect_stderr(report):
@@ -83,13 +83,13 @@ class _LaunchItem(pytest.Item):
             raise unittest.SkipTest("all of its tests were skipped")
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """Return the tests' own tracebacks."""
+        """Return the tracebacks of the test cases."""
         if isinstance(excinfo.value, _FailedCasesError):
             return str(excinfo.value)
         return super().repr_failure(excinfo, style)
 
     def reportinfo(self) -> tuple[Path, int, str]:
-        """Return where it is from."""
+        """Return the file, line and name of the item."""
         return self.path, 0, f"{self.path.name}::{self.name}"
 
 
@@ -106,7 +106,7 @@ class _FailedCasesError(Exception):
 def pytest_pycollect_makeitem(
     collector: pytest.Module | pytest.Class, name: str, obj: Any
 ) -> list[pytest.Item] | None:
-    """Give functions that are marked with `launch` their launch."""
+    """Return the items of a function that is marked with `launch`, with its fixture."""
     marks = [mark for mark in getattr(obj, "pytestmark", []) if mark.name == "launch"]
     if not marks or isinstance(obj, type) or not collector.funcnamefilter(name):
         return None
@@ -119,9 +119,9 @@ def pytest_pycollect_makeitem(
     fixture_name, scope = name_and_scope(made)
     test, shutdown = StagedTest(obj, fixture_name), bool(marks[0].kwargs.get("shutdown"))
     if scope == "function" or shutdown or not test.has_two_stages:
-        whole = test.whole(shutdown=shutdown)
+        whole = test.as_one_function(shutdown=shutdown)
         return _items(collector, name, whole, _Stage(made, fixture_name, scope, shutdown))
-    first, second = test.halves()
+    first, second = test.as_two_functions()
     return [
         *_items(collector, name, first, _Stage(made, fixture_name, scope, False)),
         *_items(
@@ -131,15 +131,15 @@ def pytest_pycollect_makeitem(
 
 
 class _Stage(NamedTuple):
-    """Which launch an item of pytest belongs to, and when."""
+    """Stage of a launch at which an item of pytest runs."""
 
     fixture: Any
     fixture_name: str
     scope: str
-    is_last: bool  #: whether the launch has ended by then
+    is_last: bool  #: whether the item runs after the end of the launch
 
     def key(self, item: pytest.Item) -> Any:
-        """Return the same for all items that share one launch."""
+        """Return a key that is equal for all items that share one launch."""
         parameters = getattr(item, "callspec", None)
         index = parameters.indices.get(self.fixture_name) if parameters is not None else None
         kinds: dict[str, Any] = {
@@ -159,7 +159,7 @@ def _items(
     collector: pytest.Module | pytest.Class, name: str, plain: Any, stage: _Stage
 ) -> list[pytest.Item]:
     used = pytest.mark.usefixtures(stage.fixture_name)(plain)
-    setattr(collector.obj, name, used)  # where pytest looks for what it calls
+    setattr(collector.obj, name, used)  # pytest calls the attribute of this name
     items: list[pytest.Item] = list(collector._genfunctions(name, used))  # noqa: SLF001 - pytest has no public way
     for item in items:
         item.stash[_STAGE] = stage
@@ -178,7 +178,7 @@ def _skipped(collector: pytest.Module | pytest.Class, name: str) -> pytest.Item:
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Let tests that end a launch come after all others that share it."""
+    """Move tests that end a launch after all others that share it."""
     places: defaultdict[Any, list[int]] = defaultdict(list)
     for place, item in enumerate(items):
         stage = item.stash.get(_STAGE, None)
@@ -194,16 +194,16 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 
 @pytest.fixture
 def launch_service() -> Any:
-    """Give the service of the launch that the test runs beside."""
+    """Return the launch service of the test's launch."""
     from zbot.launch.testing.error import LaunchTestError  # noqa: PLC0415 - as above
     from zbot.launch.testing.launch_fixture import running  # noqa: PLC0415 - as above
 
     if not running:
-        raise LaunchTestError("no launch runs: ask for its fixture in front of this one")
+        raise LaunchTestError("no launch is running: request its fixture before this one")
     return list(running.values())[-1].service
 
 
 @pytest.fixture
 def launch_context(launch_service: Any) -> Any:
-    """Give the context of the launch that the test runs beside."""
+    """Return the launch context of the test's launch."""
     return launch_service.context

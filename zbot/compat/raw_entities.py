@@ -1,7 +1,7 @@
-"""The classes of rclpy's C extension that a program's own `Waitable` is made of.
+"""Classes of rclpy's C extension from which programs build their own `Waitable`.
 
-Each gives the handle of one of zbot's objects that no executor looks at: the program puts it in its
-wait set and takes from it what is there. It ends with its node.
+Each returns the handle of an object of zbot that no executor serves: the program adds it to its
+wait set and takes messages or requests from it. It is destroyed with its node.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class _Own:
-    """What these objects have in place of a node's executor."""
+    """Substitute for a node's executor in these objects."""
 
     def __init__(self, node: NodeState) -> None:
         self.options: dict[str, Any] = {
@@ -40,7 +40,7 @@ def _profile(qos: PlainQoSProfile) -> QoSProfile:
 def Subscription(  # noqa: N802 - rclpy's name of a class
     node: NodeState, msg_type: type[Any], topic: str, qos: PlainQoSProfile
 ) -> subscription.SubscriptionHandle:
-    """Listen to a topic."""
+    """Return the handle of a subscription."""
     name = node.resolve(topic, is_service=False)
     token = node.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, _profile(qos))
     made: subscription.Subscription[Any] = subscription.Subscription(
@@ -54,7 +54,7 @@ def Subscription(  # noqa: N802 - rclpy's name of a class
 def Service(  # noqa: N802 - rclpy's name of a class
     node: NodeState, srv_type: type[Any], service_name: str, qos: PlainQoSProfile
 ) -> service.ServiceHandle:
-    """Serve a service."""
+    """Return the handle of a service."""
     name = node.resolve(service_name, is_service=True)
     token = node.endpoint(EntityKind.SERVICE, name, srv_type, _profile(qos))
     made: service.Service[Any, Any] = service.Service(
@@ -67,7 +67,7 @@ def Service(  # noqa: N802 - rclpy's name of a class
 def Client(  # noqa: N802 - rclpy's name of a class
     node: NodeState, srv_type: type[Any], service_name: str, qos: PlainQoSProfile
 ) -> client.ClientHandle:
-    """Call a service."""
+    """Return the handle of a client."""
     name = node.resolve(service_name, is_service=True)
     token = node.endpoint(EntityKind.CLIENT, name, srv_type, _profile(qos))
     made: client.Client[Any, Any] = client.Client(
@@ -80,7 +80,7 @@ def Client(  # noqa: N802 - rclpy's name of a class
 def GuardCondition(  # noqa: N802 - rclpy's name of a class
     context: Handle[Context],
 ) -> guard_condition.GuardConditionHandle:
-    """Let any thread make the waitable ready."""
+    """Return the handle of a guard condition, with which any thread can make the waitable ready."""
     return guard_condition.GuardCondition(context=context.entity).handle
 
 
@@ -90,6 +90,6 @@ def Timer(  # noqa: N802 - rclpy's name of a class
     period_nsec: int,
     autostart: bool = True,
 ) -> timer.TimerHandle:
-    """Make the waitable ready every period."""
+    """Return the handle of a timer, which makes the waitable ready every period."""
     group = ReentrantCallbackGroup()
     return timer.Timer(None, group, period_nsec, clock, ReadyQueue(), autostart=autostart).handle

@@ -1,4 +1,4 @@
-"""Messages and services filled from end to end, as tests that send every type need them."""
+"""Messages and services with values in all fields, for tests that send every type."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from zbot.interfaces.spec import INTEGER_RANGES
 if TYPE_CHECKING:
     from zbot.interfaces.spec import Field, FieldType, MessageSpec
 
-_SEQUENCE_LENGTH = 3  # where the definition sets no bound
+_SEQUENCE_LENGTH = 3  # for sequences without a bound
 
 
 def sample_messages(name: str) -> list[Any]:
-    """Return messages of a type: as it is made, with its highest and with its lowest values.
+    """Return messages of a type: with default, with highest and with lowest values.
 
     Args:
         name: The type's full name, `test_msgs/msg/Arrays`.
@@ -29,7 +29,7 @@ def sample_messages(name: str) -> list[Any]:
 
 
 def sample_services(name: str) -> list[tuple[Any, Any]]:
-    """Return pairs of a request and its response, filled like `sample_messages`."""
+    """Return pairs of request and response, with values as in `sample_messages`."""
     requests = sample_messages(f"{name}_Request")
     return list(zip(requests, sample_messages(f"{name}_Response"), strict=True))
 

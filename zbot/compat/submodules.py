@@ -1,4 +1,4 @@
-"""Submodules that are imported when they are first used: `import launch; launch.actions.Node`."""
+"""Lazy import of submodules at their first use: `import launch; launch.actions.Node`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ if TYPE_CHECKING:
 
 
 def submodules(package: str, *names: str) -> Callable[[str], Any]:
-    """Return a `__getattr__` for a package, under which these are imported when needed."""
+    """Return a `__getattr__` for a package, which imports these submodules at their first use."""
 
     def imported(name: str) -> Any:
         if name not in names:

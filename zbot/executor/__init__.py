@@ -1,1 +1,1 @@
-"""Executors, and all that waits in them: tasks, timers, clocks, callback groups."""
+"""Executors, and the objects that they run or use: tasks, timers, clocks and callback groups."""

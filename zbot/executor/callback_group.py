@@ -1,4 +1,4 @@
-"""Which callbacks may run at the same time."""
+"""Callback groups: they decide which callbacks may run at the same time."""
 
 from __future__ import annotations
 
@@ -13,11 +13,12 @@ if TYPE_CHECKING:
 
 
 class CallbackGroup:
-    """Decides whether a callback may begin while others of its group are running.
+    """Decides whether a callback may begin while other callbacks of its group are running.
 
-    A program's own group defines the three methods of execution. What it refuses, it is asked again
-    after the executor's next callback, whichever that is, or when the executor is woken. It may be
-    asked, and given back, for what turns out to have no work.
+    A program's own group defines `can_execute`, `beginning_execution` and `ending_execution`. If
+    the group refuses an entity, the executor asks again after its next callback, or when another
+    thread wakes the executor. An executor may also reserve and release the group for an entity
+    that has no work.
     """
 
     def __init__(self) -> None:
@@ -36,16 +37,16 @@ class CallbackGroup:
         raise NotImplementedError
 
     def beginning_execution(self, entity: Any) -> bool:
-        """Reserve the group for the entity; `False` means that it has to wait."""
+        """Reserve the group for the entity. Return `False` if the entity has to wait."""
         raise NotImplementedError
 
     def ending_execution(self, entity: Any) -> list[Any] | None:
-        """Give the group back; return the entities that were made to wait, if it knows them."""
+        """Release the group. Return the entities that wait for it, if the group knows them."""
         raise NotImplementedError
 
 
 class ReentrantCallbackGroup(CallbackGroup):
-    """Every callback may run at any time, even beside itself."""
+    """Group whose callbacks may run at any time, even several times at once."""
 
     def can_execute(self, entity: Any) -> bool:  # noqa: ARG002 - rclpy's signature
         """Return True."""
@@ -56,21 +57,21 @@ class ReentrantCallbackGroup(CallbackGroup):
         return True
 
     def ending_execution(self, entity: Any) -> list[Any]:  # noqa: ARG002 - rclpy's signature
-        """Return nobody: nobody ever waits."""
+        """Return an empty list: no entity ever waits."""
         return []
 
 
 class MutuallyExclusiveCallbackGroup(CallbackGroup):
-    """One callback of the group at a time, a coroutine's `await` included."""
+    """Group that runs one callback at a time. A coroutine that awaits counts as running."""
 
     def __init__(self) -> None:
         super().__init__()
-        self._lock = threading.RLock()  # re-entrant, for a signal's handler
+        self._lock = threading.RLock()  # re-entrant: a signal handler may take it
         self._active: Any = None
-        self._waiting: dict[Any, None] = {}  # in the order in which they came
+        self._waiting: dict[Any, None] = {}  # in the order of their requests
 
     def can_execute(self, entity: Any) -> bool:  # noqa: ARG002 - rclpy's signature
-        """Return whether nothing of the group is running."""
+        """Return whether no callback of the group is running."""
         return self._active is None
 
     def beginning_execution(self, entity: Any) -> bool:
@@ -83,7 +84,7 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
             return False
 
     def ending_execution(self, entity: Any) -> list[Any]:  # noqa: ARG002 - rclpy's signature
-        """Free the group and return who has waited longest; the next is returned after that one."""
+        """Release the group and return the entity that has waited longest, if any."""
         with self._lock:
             self._active = None
             first = next(iter(self._waiting), None)
@@ -93,27 +94,32 @@ class MutuallyExclusiveCallbackGroup(CallbackGroup):
             return [first]
 
     def dismiss(self) -> list[Any]:
-        """Return all that wait, where the one that was to go before them does not come."""
+        """Return all waiting entities, because the entity that they wait for will never run."""
         with self._lock:
             waiting, self._waiting = self._waiting, {}
             return list(waiting)
 
 
-_TELL_WHO_WAITED = {ReentrantCallbackGroup, MutuallyExclusiveCallbackGroup}
+#: The groups whose `ending_execution` returns the entities that wait.
+_KNOW_WAITING = {ReentrantCallbackGroup, MutuallyExclusiveCallbackGroup}
 
 
-class Refused:
-    """What an executor has to ask for again, for a program's own groups keep no list of it."""
+class GroupReservations:
+    """Reserves callback groups for an executor's entities.
+
+    It keeps the entities that a program's own group refused, because such a group does not list
+    them.
+    """
 
     def __init__(self) -> None:
         self._entities: deque[Any] = deque()
 
-    def begins(self, entity: Any) -> bool:
-        """Reserve an entity's group for it; `False` means that it has to wait."""
+    def reserve(self, entity: Any) -> bool:
+        """Reserve an entity's group for the entity. Return `False` if the entity has to wait."""
         group: CallbackGroup = entity.callback_group
-        if type(group) in _TELL_WHO_WAITED:
+        if type(group) in _KNOW_WAITING:
             return group.beginning_execution(entity)
-        # First, for another thread may give the group back while it is being asked.
+        # Before the group is asked, because another thread may release it in the meantime.
         self._entities.append(entity)
         if not (group.can_execute(entity) and group.beginning_execution(entity)):
             return False
@@ -121,17 +127,17 @@ class Refused:
             self._entities.remove(entity)
         return True
 
-    def ends(self, entity: Any) -> list[Any]:
-        """Give an entity's group back; return those that are to be asked for again."""
+    def release(self, entity: Any) -> list[Any]:
+        """Release an entity's group. Return the entities that must be queued again."""
         return [*(entity.callback_group.ending_execution(entity) or ()), *self.drain()]
 
-    def skipped(self, entity: Any) -> list[Any]:
-        """Return those that are to be asked again because an entity, in front of them, is not."""
+    def skip(self, entity: Any) -> list[Any]:
+        """Return the entities that waited for an entity which will not run, to queue them again."""
         group: CallbackGroup = entity.callback_group
         return group.dismiss() if isinstance(group, MutuallyExclusiveCallbackGroup) else []
 
     def drain(self) -> Iterator[Any]:
-        """Yield what was refused until now, each thing to one thread only."""
+        """Yield the entities that were refused until now. Each entity goes to one thread only."""
         with contextlib.suppress(IndexError):
             for _ in range(len(self._entities)):
                 yield self._entities.popleft()

@@ -1,4 +1,4 @@
-"""The callbacks that a thread is in, and what has to wait until they end."""
+"""Stack of the callbacks that a thread runs, with functions to call when they end."""
 
 from __future__ import annotations
 
@@ -13,26 +13,26 @@ if TYPE_CHECKING:
 
 
 class CallbackStack(threading.local):
-    """The calling thread's callbacks, the innermost last."""
+    """The callbacks that the calling thread runs. The innermost callback is the last item."""
 
     def __init__(self) -> None:
         self.stack: list[tuple[Executor, Entity]] = []
-        self._afterwards: list[tuple[int, Callable[[], object]]] = []
+        self._at_end: list[tuple[int, Callable[[], object]]] = []
 
     def pop(self) -> None:
-        """Leave the innermost callback."""
+        """Remove the innermost callback, and call the functions that it gave to `at_end`."""
         self.stack.pop()
-        while self._afterwards and self._afterwards[-1][0] > len(self.stack):
-            self._afterwards.pop()[1]()
+        while self._at_end and self._at_end[-1][0] > len(self.stack):
+            self._at_end.pop()[1]()
 
     def at_end(self, function: Callable[[], object]) -> None:
-        """Call a quick function when the innermost callback has ended."""
-        self._afterwards.append((len(self.stack), function))
+        """Call a function that takes little time when the innermost callback has ended."""
+        self._at_end.append((len(self.stack), function))
 
 
-callbacks = CallbackStack()
+running_callbacks = CallbackStack()
 
 
 def current_executor() -> Executor | None:
-    """Return the executor whose callback the calling thread is in, if any."""
-    return callbacks.stack[-1][0] if callbacks.stack else None
+    """Return the executor whose callback the calling thread runs, if any."""
+    return running_callbacks.stack[-1][0] if running_callbacks.stack else None

@@ -1,4 +1,4 @@
-"""Clocks: what time it is, sleeping until then, and being told when simulated time moves."""
+"""Clocks with system, steady or ROS time. They can sleep, and call functions at time jumps."""
 
 from __future__ import annotations
 
@@ -32,16 +32,16 @@ __all__ = [
     "TimeJump",
 ]
 
-# Ctrl-C does not interrupt a wait on Windows, and elsewhere not if it comes just before Python goes
-# to sleep.
+# On Windows, Ctrl-C does not interrupt a wait. On other systems, Ctrl-C does not interrupt a wait
+# if it comes just before Python goes to sleep.
 _LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
 
 
-class WakingContext(Protocol):
-    """What a sleep needs of a context."""
+class SleepContext(Protocol):
+    """The part of a context that a sleep uses."""
 
     def ok(self) -> bool:
-        """Return whether it is initialised and not shut down."""
+        """Return whether the context is initialised and not shut down."""
         ...
 
     def add_waker(self, waker: Callable[[], None]) -> None:
@@ -49,25 +49,25 @@ class WakingContext(Protocol):
         ...
 
     def remove_waker(self, waker: Callable[[], None]) -> None:
-        """Stop calling it."""
+        """Stop calling a function that was given to `add_waker`."""
         ...
 
 
 class ClockChange(enum.IntEnum):
-    """Whether a jump came with a change between the system's and simulated time."""
+    """Whether a jump is a change between system time and simulated time."""
 
     ROS_TIME_NO_CHANGE = 1  #: simulated before and after
     ROS_TIME_ACTIVATED = 2
     ROS_TIME_DEACTIVATED = 3
-    SYSTEM_TIME_NO_CHANGE = 4  #: the system's before and after
+    SYSTEM_TIME_NO_CHANGE = 4  #: system time before and after
 
 
 @dataclass(frozen=True)
 class TimeJump:
-    """What happened to a clock."""
+    """A jump of a clock's time."""
 
     clock_change: ClockChange
-    delta: Duration  #: new time less old; zero if the source of time changed
+    delta: Duration  #: new time minus old time, or zero if the source of time changed
 
     def __post_init__(self) -> None:
         if not isinstance(self.clock_change, ClockChange):
@@ -75,15 +75,15 @@ class TimeJump:
 
 
 class JumpThreshold:
-    """How large a jump must be to be told of.
+    """The smallest jumps for which a jump callback is called.
 
     Args:
-        min_forward: The least step forward, more than zero; `None` for never.
-        min_backward: The least step backward, less than zero; `None` for never.
-        on_clock_change: Whether to be told when simulated time is activated or deactivated.
+        min_forward: The smallest jump forward, more than zero. `None` ignores jumps forward.
+        min_backward: The smallest jump backward, less than zero. `None` ignores jumps backward.
+        on_clock_change: Whether it counts as a jump to activate or deactivate simulated time.
 
     Raises:
-        InvalidJumpError: A duration has the wrong sign, or nothing at all would be told.
+        InvalidJumpError: A duration has the wrong sign, or no jump can reach the threshold.
     """
 
     def __init__(
@@ -104,7 +104,7 @@ class JumpThreshold:
         self.on_clock_change = on_clock_change
 
     def is_reached(self, jump: TimeJump) -> bool:
-        """Return whether a jump is to be told."""
+        """Return whether a jump reaches the threshold."""
         if jump.clock_change in {ClockChange.ROS_TIME_ACTIVATED, ClockChange.ROS_TIME_DEACTIVATED}:
             return self.on_clock_change
         delta_ns = jump.delta.nanoseconds
@@ -118,12 +118,12 @@ class JumpHandle:
 
     Args:
         clock: The clock.
-        threshold: Which jumps to tell.
+        threshold: The jumps for which the callbacks are called.
         pre_callback: Called before the time changes.
         post_callback: Called with a `TimeJump` after the time changed.
 
     Raises:
-        InvalidJumpError: There is no callback, or one cannot be called.
+        InvalidJumpError: There is no callback, or a callback cannot be called.
     """
 
     def __init__(
@@ -144,7 +144,7 @@ class JumpHandle:
         self._jumps.append(self)
 
     def unregister(self) -> None:
-        """Call the callbacks no more; may be called twice."""
+        """Stop calling the callbacks. A second call does nothing."""
         with contextlib.suppress(ValueError):
             self._jumps.remove(self)
 
@@ -169,21 +169,21 @@ class TimeChangeHandle:
         self._changes.append(self)
 
     def unregister(self) -> None:
-        """Call the callback no more; may be called twice."""
+        """Stop calling the callback. A second call does nothing."""
         with contextlib.suppress(ValueError):
             self._changes.remove(self)
 
 
 class Clock:
-    """A clock of one type; `Clock(clock_type=ClockType.ROS_TIME)` makes a `ROSClock`.
+    """A clock of one type. `Clock(clock_type=ClockType.ROS_TIME)` makes a `ROSClock`.
 
     All methods may be called from any thread.
 
     Args:
-        clock_type: The system's time, steady time or ROS time.
+        clock_type: System time, steady time or ROS time.
 
     Raises:
-        ArgumentTypeError: It is no clock type that a clock can have.
+        ArgumentTypeError: `clock_type` is not a `ClockType`, or it is `UNINITIALIZED`.
     """
 
     @overload
@@ -191,7 +191,7 @@ class Clock:
     @overload
     def __new__(cls, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> Clock: ...
     def __new__(cls, *, clock_type: ClockType = ClockType.SYSTEM_TIME) -> Clock:
-        """Choose the class by the type."""
+        """Create a `ROSClock` for ROS time, else a `Clock`."""
         is_ros = cls is Clock and clock_type is ClockType.ROS_TIME
         return object.__new__(ROSClock if is_ros else cls)
 
@@ -202,23 +202,23 @@ class Clock:
             )
         self._clock_type = clock_type
         self._is_steady = clock_type is ClockType.STEADY_TIME
-        self._switches = 0  # how often the source of time changed
-        # Lists are changed and copied in one step each: no lock that a signal's handler could meet.
+        self._source_changes = 0  # how often the source of time changed
+        # Lists are changed and copied in one step, without a lock that a signal handler could need.
         self._jumps: list[JumpHandle] = []
         self._changes: list[TimeChangeHandle] = []
 
     @property
     def clock_type(self) -> ClockType:
-        """What its times count from."""
+        """The clock's type: system time, steady time or ROS time."""
         return self._clock_type
 
     @property
     def handle(self) -> Clock:
-        """The clock itself: there is nothing beneath it, unlike in rclpy."""
+        """The clock itself. In contrast to rclpy, a clock has no separate handle."""
         return self
 
     def __enter__(self) -> Self:
-        """Do nothing: programs hold rclpy's `handle` of a clock like that."""
+        """Do nothing. Programs use rclpy's `handle` of a clock in a `with` block."""
         return self
 
     def __exit__(
@@ -233,7 +233,7 @@ class Clock:
         return f"Clock(clock_type={self._clock_type.name})"
 
     def now(self) -> Time:
-        """Return the present time, of this clock's type."""
+        """Return the present time. Its clock type is this clock's type."""
         return Time(nanoseconds=self._now_ns(), clock_type=self._clock_type)
 
     def _now_ns(self) -> int:
@@ -248,16 +248,17 @@ class Clock:
     ) -> JumpHandle:
         """Call functions before and after simulated time jumps.
 
-        They are called in the thread that sets the time and must be quick. An exception reaches
-        whoever sets the time, and the callbacks after it are not called.
+        The thread that sets the time calls the functions, so they must be quick. If a function
+        raises an exception, the code that sets the time gets it, and the other functions are not
+        called.
 
         Args:
-            threshold: Which jumps to tell.
-            pre_callback: Called before the time changes; if it raises, the time stays.
+            threshold: The jumps for which the functions are called.
+            pre_callback: Called before the time changes. If it raises, the time does not change.
             post_callback: Called with a `TimeJump` after the time changed.
 
         Raises:
-            InvalidJumpError: There is no callback, or one cannot be called.
+            InvalidJumpError: There is no callback, or a callback cannot be called.
         """
         return JumpHandle(
             clock=self,
@@ -267,30 +268,30 @@ class Clock:
         )
 
     def on_time_change(self, callback: Callable[[], Any]) -> TimeChangeHandle:
-        """Call a quick function whenever simulated time was set, activated or deactivated.
+        """Call a quick function after simulated time was set, activated or deactivated.
 
-        It is called in the thread that did so, when the new time shows already. Clocks without
-        simulated time never call.
+        The thread that sets the time calls the function. Clocks without simulated time never call
+        it.
         """
         return TimeChangeHandle(self, callback)
 
-    def sleep_until(self, until: Time, context: WakingContext | None = None) -> bool:
-        """Sleep until a time of this clock; not at all if it is past.
+    def sleep_until(self, until: Time, context: SleepContext | None = None) -> bool:
+        """Sleep until a time of this clock. The call ends at once if that time is past.
 
-        On simulated time this lasts for ever if nobody publishes `/clock`.
+        On simulated time the sleep never ends if no node publishes `/clock`.
 
         Args:
             until: A time of the same clock type.
-            context: Its shutdown ends the sleep; the default context if left out.
+            context: Its shutdown ends the sleep. If left out, the default context is used.
 
         Returns:
-            Whether the time was reached; `False` if the context was shut down, or simulated time
-            was activated or deactivated and `until` lost its meaning.
+            Whether the time was reached. It is `False` if the context was shut down. It is also
+            `False` if simulated time was activated or deactivated: `until` has no meaning then.
 
         Raises:
             ClockTypeError: `until` is of another clock type.
-            NotInitializedError: The context is not initialised or shut down already.
-            ArgumentTypeError: `until` is no `Time`.
+            NotInitializedError: The context is not initialised, or it was shut down.
+            ArgumentTypeError: `until` is not a `Time`.
         """
         if not isinstance(until, Time):
             raise ArgumentTypeError("until", "a Time", until)
@@ -301,42 +302,42 @@ class Clock:
             raise ClockTypeError(self._clock_type.name, until.clock_type.name)
         return self._sleep(until.nanoseconds, context)
 
-    def sleep_for(self, rel_time: Duration, context: WakingContext | None = None) -> bool:
-        """Sleep for a duration of this clock's time; else like `sleep_until`."""
+    def sleep_for(self, rel_time: Duration, context: SleepContext | None = None) -> bool:
+        """Sleep for a duration of this clock's time, like `sleep_until`."""
         return self.sleep_until(self.now() + rel_time, context)
 
-    def _sleep(self, until_ns: int, context: WakingContext) -> bool:
-        # A signal's handler may wake the thread that it interrupted: of all that threads can wait
-        # for, only SimpleQueue promises to stand that, and never loses what came too early.
-        alarm: queue.SimpleQueue[None] = queue.SimpleQueue()
+    def _sleep(self, until_ns: int, context: SleepContext) -> bool:
+        # A signal handler may wake the thread that it interrupted. Only SimpleQueue promises that
+        # this is safe. It also keeps a wake-up that comes before the wait.
+        wakeups: queue.SimpleQueue[None] = queue.SimpleQueue()
 
         def wake() -> None:
-            alarm.put(None)
+            wakeups.put(None)
 
-        switches = self._switches
+        source_changes = self._source_changes
         context.add_waker(wake)
         handle = self.on_time_change(wake)
         try:
-            while context.ok() and self._switches == switches:
+            while context.ok() and self._source_changes == source_changes:
                 left_ns = until_ns - self._now_ns()
                 if left_ns <= 0:
                     return True
                 with contextlib.suppress(queue.Empty):
-                    alarm.get(timeout=self._patience_s(left_ns))
+                    wakeups.get(timeout=self._wait_s(left_ns))
             return False
         finally:
             handle.unregister()
             context.remove_waker(wake)
 
-    def _patience_s(self, left_ns: int) -> float:
+    def _wait_s(self, left_ns: int) -> float:
         return min(left_ns / 1e9, _LONGEST_WAIT_S)
 
 
 class ROSClock(Clock):
-    """A node's clock: the system's time, or simulated time while that is active."""
+    """A node's clock. It has simulated time while that is active, and system time otherwise."""
 
     def __new__(cls, *, clock_type: ClockType = ClockType.ROS_TIME) -> Self:
-        """Make a clock of ROS time; there is no other type of it."""
+        """Create a clock of ROS time. Every other type is an error."""
         if clock_type is not ClockType.ROS_TIME:
             raise ArgumentTypeError("a ROSClock's clock_type", "ClockType.ROS_TIME", clock_type)
         return object.__new__(cls)
@@ -345,8 +346,8 @@ class ROSClock(Clock):
         super().__init__(clock_type=clock_type)
         self._is_simulated = False
         self._simulated_ns = 0
-        # Re-entrant, for a callback may set the time again.
-        self._moving = threading.RLock()
+        # Re-entrant: a callback may set the time again.
+        self._jump_lock = threading.RLock()
 
     @property
     def ros_time_is_active(self) -> bool:
@@ -354,8 +355,8 @@ class ROSClock(Clock):
         return self._is_simulated
 
     def set_ros_time_is_active(self, active: bool) -> None:
-        """Switch between the system's time and simulated time. For the node's time source."""
-        with self._moving:
+        """Switch between system time and simulated time. The node's time source calls this."""
+        with self._jump_lock:
             if active == self._is_simulated:
                 return
             change = ClockChange.ROS_TIME_ACTIVATED if active else ClockChange.ROS_TIME_DEACTIVATED
@@ -364,14 +365,14 @@ class ROSClock(Clock):
     _set_ros_time_is_active = set_ros_time_is_active  # rclpy's name; tests of programs call it
 
     def set_ros_time_override(self, time: Time) -> None:
-        """Set the simulated time, which shows only while simulated time is active.
+        """Set the simulated time. `now()` returns it only while simulated time is active.
 
         Raises:
-            ArgumentTypeError: It is no `Time`.
+            ArgumentTypeError: `time` is not a `Time`.
         """
         if not isinstance(time, Time):
             raise ArgumentTypeError("time", "a Time", time)
-        with self._moving:
+        with self._jump_lock:
             if not self._is_simulated:
                 self._simulated_ns = time.nanoseconds
                 return
@@ -380,14 +381,14 @@ class ROSClock(Clock):
             self._jump(jump, time.nanoseconds, is_simulated=True)
 
     def _jump(self, jump: TimeJump, simulated_ns: int, *, is_simulated: bool) -> None:
-        told = [handle for handle in list(self._jumps) if handle.threshold.is_reached(jump)]
-        for handle in told:
+        reached = [handle for handle in list(self._jumps) if handle.threshold.is_reached(jump)]
+        for handle in reached:
             if handle.pre_callback is not None:
                 handle.pre_callback()
-        self._switches += is_simulated is not self._is_simulated
+        self._source_changes += is_simulated is not self._is_simulated
         self._simulated_ns, self._is_simulated = simulated_ns, is_simulated
         try:
-            for handle in told:
+            for handle in reached:
                 if handle.post_callback is not None:
                     handle.post_callback(jump)
         finally:
@@ -397,9 +398,9 @@ class ROSClock(Clock):
     def _now_ns(self) -> int:
         return self._simulated_ns if self._is_simulated else time.time_ns()
 
-    def _patience_s(self, left_ns: int) -> float:
-        # What is left of simulated time says nothing about how long it takes.
-        return _LONGEST_WAIT_S if self._is_simulated else super()._patience_s(left_ns)
+    def _wait_s(self, left_ns: int) -> float:
+        # A duration of simulated time may take any real time.
+        return _LONGEST_WAIT_S if self._is_simulated else super()._wait_s(left_ns)
 
 
 def _check_callable(argument: str, callback: object) -> None:
@@ -407,7 +408,7 @@ def _check_callable(argument: str, callback: object) -> None:
         raise InvalidJumpError(f"{argument} must be callable, not {callback!r}")
 
 
-def _default_context() -> WakingContext:
-    # By name, for the context is a layer above the clock.
-    context: WakingContext = importlib.import_module("zbot.context").get_default_context()
+def _default_context() -> SleepContext:
+    # Not imported above, because `zbot.context` may not be loaded yet.
+    context: SleepContext = importlib.import_module("zbot.context").get_default_context()
     return context

@@ -6,18 +6,18 @@ from zbot.errors import ZbotError
 
 
 class ClockTypeError(ZbotError, ValueError):
-    """A clock was given a time of another kind of clock."""
+    """A clock got a time of another clock type."""
 
     def __init__(self, clock_type: str, given: str) -> None:
         self.clock_type, self.given = clock_type, given
         super().__init__(
             f"the time's clock type does not match this clock's: it is {given}, not {clock_type}; "
-            "take it from the same clock's now()"
+            "take the time from the same clock's now()"
         )
 
 
 class InvalidJumpError(ZbotError, ValueError):
-    """A request to be told of time jumps can never be met, or names nothing to call."""
+    """A jump threshold can never be reached, or a jump callback is missing or cannot be called."""
 
     def __init__(self, reason: str) -> None:
         self.reason = reason
@@ -25,7 +25,7 @@ class InvalidJumpError(ZbotError, ValueError):
 
 
 class ShutdownError(ZbotError, RuntimeError):
-    """Something is used after its own shutdown()."""
+    """An object is used after its own shutdown()."""
 
     def __init__(self, what: str = "the executor") -> None:
         self.what = what
@@ -51,15 +51,15 @@ class CallbackSignatureError(ZbotError, RuntimeError):
 
 
 class RateInterruptedError(ZbotError):
-    """A rate's sleep was ended by the context's shutdown (rclpy's ROSInterruptException)."""
+    """The context's shutdown ended a rate's sleep (rclpy's ROSInterruptException)."""
 
     def __init__(self) -> None:
         super().__init__("interrupted by shutdown()")
 
 
 class TimerCancelledError(ZbotError, RuntimeError):
-    """rclpy's error for calling a canceled timer, for programs that catch it."""
+    """rclpy's error for a call of a canceled timer. zbot has it for programs that catch it."""
 
 
 class ConditionReachedException(ZbotError):  # noqa: N818 - rclpy's name
-    """What an executor was to wait for is there."""
+    """The condition of `wait_for_ready_callbacks` is true."""

@@ -1,8 +1,8 @@
-"""Executors: they wait for work of their nodes and run the callbacks.
+"""Executor that waits for work of its nodes and runs their callbacks.
 
-Nothing is polled. Entities post themselves to their node's ready queue when they may have work (from
-any thread); the executor pops them, takes one piece of work at a time in turn, and sleeps on one
-lock until the next post or the next timer.
+The executor does not poll. An entity posts itself to its node's ready queue when it may have work.
+Any thread may post. The executor removes one entity after the other from its queue, and takes one
+piece of work from each. Then it sleeps on one lock until the next post or the next timer.
 """
 
 from __future__ import annotations
@@ -10,16 +10,15 @@ from __future__ import annotations
 import contextlib
 import threading
 import time
-from collections import deque
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ExternalShutdownException, NotInitializedError
-from zbot.executor.callback_group import ReentrantCallbackGroup, Refused
-from zbot.executor.callback_stack import callbacks
+from zbot.executor.callback_group import ReentrantCallbackGroup
+from zbot.executor.callback_stack import running_callbacks
+from zbot.executor.entity_queue import EntityQueue
 from zbot.executor.errors import ConditionReachedException, ExecutorBusyError, ShutdownError
 from zbot.executor.task import Future, Task
 from zbot.executor.task_step import TaskStep
-from zbot.executor.timer_queue import TimerQueue
 from zbot.process import signals
 from zbot.time import TimeoutObject
 from zbot.transport.wakeup import BinarySemaphore
@@ -31,7 +30,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.context import Context
-    from zbot.executor.ready_queue import Entity, ReadyQueue
+    from zbot.executor.ready_queue import Entity
     from zbot.executor.spinnable import SpinnableNode
 
 
@@ -41,43 +40,38 @@ def _deadline_ns(timeout_sec: float | None) -> int | None:
     return time.monotonic_ns() + int(timeout_sec * 1e9)
 
 
-class Executor:
-    """The base of all executors: nodes, the queue of work, and waiting.
+class Executor(EntityQueue):
+    """Base class of all executors. It has the nodes, runs their callbacks, and waits for work.
 
     Args:
-        context: Spinning ends when it is shut down; the default context if left out.
+        context: Spinning ends when this context is shut down. If left out, the default context is
+            used.
     """
 
     def __init__(self, *, context: Context | None = None) -> None:
+        super().__init__()
         if context is None:
-            from zbot.context import get_default_context  # noqa: PLC0415 - it is above us
+            from zbot.context import get_default_context  # noqa: PLC0415 - not before it is needed
 
             context = get_default_context()
         self._context = context
         self._nodes: list[SpinnableNode] = []
-        self._ready: deque[Entity] = deque()
-        self._queued: set[Entity] = set()
-        self._refused = Refused()
-        self._agenda = TimerQueue()
-        self._signal = BinarySemaphore()
         self._is_shutdown = False
-        # Whether somebody wants to be looked at before the same entity's next callback.
-        self._is_disturbed = True
-        self._due_ns: int | None = None  # when the first timer wants to run
-        self._spinning = threading.Lock()
-        self._spinner: int | None = None
+        self._due_ns: int | None = None  # when the first timer is due
+        self._spin_lock = threading.Lock()
+        self._spinning_thread: int | None = None
         context.add_waker(self.wake)
 
     # -- nodes ---------------------------------------------------------------------------------
 
     @property
     def is_spinning(self) -> bool:
-        """Whether a thread runs callbacks here right now."""
-        return self._spinner is not None
+        """Whether a thread spins this executor now."""
+        return self._spinning_thread is not None
 
     @property
     def is_shutdown(self) -> bool:
-        """Whether it was shut down, and takes no node any more."""
+        """Whether the executor was shut down. `add_node` raises an error then."""
         return self._is_shutdown
 
     @property
@@ -86,7 +80,7 @@ class Executor:
         return self._context
 
     def add_node(self, node: SpinnableNode) -> bool:
-        """Take over a node's callbacks; `False` if they are this executor's already."""
+        """Run a node's callbacks from now on. Return `False` if the node was added before."""
         if self._is_shutdown:
             raise ShutdownError("this executor")
         if node in self._nodes:
@@ -99,31 +93,21 @@ class Executor:
         return True
 
     def remove_node(self, node: SpinnableNode) -> None:
-        """Leave a node's callbacks to others; nothing happens if it is not here."""
+        """Stop running a node's callbacks. Do nothing if this executor does not have the node."""
         if node in self._nodes:
             self._nodes.remove(node)
             node.handle.ready_queue.detach()
             node.handle.executor = None
-            self._forget(node.handle.ready_queue.entities)
+            self._discard(node.handle.ready_queue.entities)
 
     def get_nodes(self) -> list[SpinnableNode]:
-        """Return the nodes, in the order they were added."""
+        """Return the nodes in the order in which they were added."""
         return list(self._nodes)
-
-    def _forget(self, entities: list[Entity]) -> None:
-        self._is_disturbed = True
-        self._agenda.forget(entities)
-        # Other threads post and take meanwhile: turn the queue once, in atomic steps.
-        for _ in range(len(self._ready)):
-            entity = Executor._pop_ready(self)
-            if entity is not None:
-                for kept in self._refused.skipped(entity) if entity in entities else [entity]:
-                    self._post(kept)
 
     # -- tasks ---------------------------------------------------------------------------------
 
     def create_future(self) -> Future[Any]:
-        """Return a future whose done callbacks run here."""
+        """Return a future whose done callbacks run in this executor."""
         return Future(executor=self)
 
     def create_task(
@@ -132,108 +116,53 @@ class Executor:
         *args: Any,
         **kwargs: Any,
     ) -> Task[Any]:
-        """Run a function or coroutine in this executor; from any thread."""
+        """Run a function or coroutine in this executor. Any thread may call this."""
         task: Task[Any] = Task(callback, args, kwargs, executor=self)
         self.schedule(task)
         return task
 
     def schedule(self, task: Task[Any]) -> None:
-        """Queue a task's next step; from any thread."""
+        """Queue a task's next step. Any thread may call this."""
         self._post(TaskStep(task))
 
     def wake(self) -> None:
-        """Let a waiting `spin_once` look for work, and ask all waitables; from any thread."""
-        self._is_disturbed = True
+        """Wake a waiting `spin_once`, and ask all waitables for work. Any thread may call this."""
+        self._must_requeue = True
         for node in list(self._nodes):
             for waitable in list(node.handle.waitables):
                 self._queue(waitable)
-        for entity in self._refused.drain():
+        for entity in self._groups.drain():
             self._queue(entity)
-        self._signal.set()
-
-    def _post(self, entity: Entity) -> None:
-        self._queue(entity)
-        self._signal.set()
-
-    def _queue(self, entity: Entity) -> None:
-        # Once is enough: it leaves the set before it is asked for work.
-        if entity not in self._queued:
-            self._queued.add(entity)
-            self._ready.append(entity)
-            self._is_disturbed = True
-
-    def _pop_ready(self) -> Entity | None:
-        try:
-            entity = self._ready.popleft()
-        except IndexError:
-            return None
-        self._queued.discard(entity)
-        return entity
-
-    def _pop_due_or_ready(self) -> Entity | None:
-        due = self._agenda.pop_due(time.monotonic_ns())
-        if due is not None:
-            self._queue(due)
-        return self._pop_ready()
+        self._wakeup.set()
 
     # -- work ----------------------------------------------------------------------------------
 
-    def _next(
+    def _next_work(
         self, deadline_ns: int | None, stop: Callable[[], bool] | None = None
     ) -> tuple[Entity, Any] | None:
-        """Return the next piece of work; `None` at the deadline, on `stop`, or after a shutdown.
+        """Return the next piece of work.
+
+        Return `None` at the deadline, when `stop` returns true, or after a shutdown.
 
         Raises:
-            ExternalShutdownException: The context was shut down meanwhile.
+            ExternalShutdownException: The context was shut down during the wait.
         """
         while not (self._is_shutdown or (stop is not None and stop())):
             entity = self._pop_due_or_ready()
             if entity is not None:
-                work = self._take(entity)
+                work = self._take_work(entity)
                 if work is not None:
                     return work
                 continue
             if not self._context.ok():
-                self._tell_shutdown()
+                self._raise_shutdown()
                 return None
             if not self._sleep(deadline_ns):
                 return None
         return None
 
-    def _take(self, entity: Entity) -> tuple[Entity, Any] | None:
-        ready_queue = entity.ready_queue
-        if ready_queue is not None and ready_queue.executor is not self:
-            self._send_on(entity, ready_queue)
-            return None
-        if not self._refused.begins(entity):
-            return None  # it is posted again when the group is free
-        taken = entity.take()
-        if taken is not None:
-            return entity, taken
-        for waiting in self._refused.ends(entity):
-            self._queue(waiting)
-        due = entity.due_ns
-        if due is not None:
-            self._agenda.put(entity, due)
-        return None
-
-    def _send_on(self, entity: Entity, ready_queue: ReadyQueue) -> None:
-        ready_queue.post(entity)  # its node is, or went, to another executor
-        for waiting in self._refused.skipped(entity):
-            self._queue(waiting)
-
-    def _sleep(self, deadline_ns: int | None) -> bool:
-        wakes = [due for due in (deadline_ns, self._agenda.earliest_ns()) if due is not None]
-        if not wakes:
-            self._signal.wait(threading.TIMEOUT_MAX)
-            return True
-        left = min(wakes) - time.monotonic_ns()
-        if left > 0:
-            self._signal.wait(left / 1e9)
-        return deadline_ns is None or time.monotonic_ns() < deadline_ns
-
     def can_execute(self, entity: Entity) -> bool:
-        """Return whether an entity's callback group would let it run now."""
+        """Return whether an entity's callback group allows its callback to begin now."""
         return entity.callback_group.can_execute(entity)
 
     def wait_for_ready_callbacks(
@@ -242,31 +171,31 @@ class Executor:
         nodes: list[SpinnableNode] | None = None,  # noqa: ARG002 - rclpy's signature
         condition: Callable[[], bool] | None = None,
     ) -> tuple[Task[None], Entity, SpinnableNode | None]:
-        """Wait for one callback, for an executor of a program's own whose `spin_once` runs it.
+        """Return one ready callback. A program's own executor can run it in its `spin_once`.
 
         Args:
-            timeout_sec: Seconds to wait; `None` or below 0 for as long as it takes.
-            nodes: Accepted; the nodes of this executor are waited for, and no others.
-            condition: Ends the waiting when it is true; asked when something wakes the executor.
+            timeout_sec: Seconds to wait. With `None` or a number below 0 there is no limit.
+            nodes: Accepted and not used. The executor waits for all its nodes.
+            condition: The wait ends when this returns true. It is called after each wake-up.
 
         Returns:
-            A task that runs the callback when it is called, in any thread; what it is a callback
-            of; and the node of that.
+            Three objects: a task, the entity of the callback, and the node of the entity. A call of
+            the task runs the callback. Any thread may call the task.
 
         Raises:
-            TimeoutError: Nothing came in time.
+            TimeoutError: No callback was ready in time.
             ConditionReachedException: The condition is true.
             ShutdownError: This executor was shut down.
             ExternalShutdownException: The context was shut down.
         """
         seconds = timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec
-        with self._spins():
-            work = self._next(_deadline_ns(seconds), condition)
+        with self._hold_spin_lock():
+            work = self._next_work(_deadline_ns(seconds), condition)
         if work is not None:
             entity = work[0]
             if isinstance(entity.callback_group, ReentrantCallbackGroup):
-                self._queue(entity)  # its next piece may run beside this one
-            return Task(self._execute_alone, work), entity, self._node_of(entity)
+                self._queue(entity)  # its next work may run at the same time
+            return Task(self._execute_one, work), entity, self._node_of(entity)
         if self._is_shutdown:
             raise ShutdownError("this executor")
         if condition is not None and condition():
@@ -276,29 +205,29 @@ class Executor:
     def _wait_for_ready_callbacks(
         self, *args: Any, **kwargs: Any
     ) -> Iterator[tuple[Task[None], Entity, SpinnableNode | None]]:
-        # What rclpy's executors make of it, and those of programs that were derived from them.
+        # rclpy's private name: executors that programs derive from rclpy's call it.
         while True:
             yield self.wait_for_ready_callbacks(*args, **kwargs)
 
-    def _execute_alone(self, entity: Entity, taken: Any) -> None:
-        self._is_disturbed = True  # one callback, and no more
+    def _execute_one(self, entity: Entity, taken: Any) -> None:
+        self._must_requeue = True  # run one callback only
         try:
             self._execute(entity, taken)
         finally:
-            self._signal.set()  # it may have been another thread's: the entity may have more
+            self._wakeup.set()  # for the thread that spins: the entity may have more work
 
     def _node_of(self, entity: Entity) -> SpinnableNode | None:
         owners = (node for node in self._nodes if node.handle.ready_queue is entity.ready_queue)
         return next(owners, None)
 
     def _execute(self, entity: Entity, taken: Any) -> None:
-        """Run a piece of work and, while nobody else has any, the entity's next ones."""
+        """Run a piece of work, then the entity's further work while no other entity has work."""
         outcome = None
         execute, take = entity.execute, entity.take
-        callbacks.stack.append((self, entity))
+        running_callbacks.stack.append((self, entity))
         try:
-            # The common case of a busy topic: without a turn of the queue a message costs half.
-            while (outcome := execute(taken)) is None and not self._is_disturbed:
+            # The common case of a busy topic. A message takes half the time without the queue.
+            while (outcome := execute(taken)) is None and not self._must_requeue:
                 due = self._due_ns
                 if due is not None and due <= time.monotonic_ns():
                     break
@@ -308,47 +237,47 @@ class Executor:
         except NotInitializedError as exc:
             if self._context.ok():
                 raise
-            # The callback used what another thread, or the end of the program, has just closed.
+            # The callback used something that another thread or the program's end has just closed.
             raise ExternalShutdownException from exc
         finally:
-            callbacks.pop()
+            running_callbacks.pop()
             if outcome is None or not hasattr(outcome, "send"):
                 self._finish(entity)
         if outcome is not None and hasattr(outcome, "send"):
-            self._follow(entity, outcome)
+            self._run_coroutine(entity, outcome)
 
-    def _follow(self, entity: Entity, coroutine: Coroutine[Any, Any, Any]) -> None:
-        """Run an `async def` callback; its group stays taken until it ends."""
+    def _run_coroutine(self, entity: Entity, coroutine: Coroutine[Any, Any, Any]) -> None:
+        """Run an `async def` callback. Its callback group stays reserved until it ends."""
         task: Task[Any] = Task(coroutine, executor=self)
         try:
             task()
         finally:
-            # What it raises at once must not leave its group taken when nobody spins again.
+            # The group must also be released after an exception, because no thread may spin again.
             if task.is_over:
                 self._finish(entity)
             else:
-                # Not as a done callback: that would be a piece of work of its own.
+                # Not a done callback, which would be a separate piece of work.
                 task.add_waker(lambda: self._finish(entity))
                 if isinstance(entity.callback_group, ReentrantCallbackGroup):
-                    self._queue(entity)  # its next piece may begin while this one waits
+                    self._queue(entity)  # its next work may begin while this one waits
         if task.done():
             task.result()
 
     def serve(self, entity: Entity) -> bool:
-        """Run one piece of an entity's work inside the callback that the calling thread is in.
+        """Run one piece of an entity's work inside the callback that the calling thread runs.
 
-        A callback that waits for a service of its own executor would otherwise wait for itself. A
-        group that this thread holds does not keep the entity out: it is as if the callback called
-        the other.
+        Without this, a callback that waits for a service of its own executor would block for ever.
+        The entity may run even if the calling thread holds its callback group, because this is like
+        a direct call from one callback to the other.
 
         Returns:
-            Whether there was any, and the entity's group let it run.
+            Whether the entity had work and its callback group allowed it.
         """
         group = entity.callback_group
-        is_held = any(outer.callback_group is group for _, outer in callbacks.stack)
-        if not is_held and not self._refused.begins(entity):
+        is_held = any(outer.callback_group is group for _, outer in running_callbacks.stack)
+        if not is_held and not self._groups.reserve(entity):
             return False
-        callbacks.stack.append((self, entity))
+        running_callbacks.stack.append((self, entity))
         try:
             taken = entity.take()
             if taken is not None:
@@ -357,76 +286,69 @@ class Executor:
                     self.create_task(outcome)
             return taken is not None
         finally:
-            callbacks.pop()
-            for waiting in () if is_held else self._refused.ends(entity):
+            running_callbacks.pop()
+            for waiting in () if is_held else self._groups.release(entity):
                 self._queue(waiting)
 
     def _serve_next(self, deadline_ns: int | None, stop: Callable[[], bool] | None) -> None:
-        """Run one piece of work inside the callback that the spinning thread is in."""
+        """Run one piece of work inside the callback that the spinning thread runs."""
         while not (self._is_shutdown or (stop is not None and stop())):
             entity = self._pop_due_or_ready()
             if entity is not None:
-                if self._serve_in_turn(entity):
+                if self._serve_entity(entity):
                     return
             elif not self._context.ok():
-                self._tell_shutdown()
+                self._raise_shutdown()
                 return
             elif not self._sleep(deadline_ns):
                 return
 
-    def _serve_in_turn(self, entity: Entity) -> bool:
+    def _serve_entity(self, entity: Entity) -> bool:
         ready_queue = entity.ready_queue
         if ready_queue is not None and ready_queue.executor is not self:
-            self._send_on(entity, ready_queue)
+            self._forward(entity, ready_queue)
             return False
-        if any(outer is entity for _, outer in callbacks.stack):
-            return False  # a callback never begins inside itself; it is asked again at its end
+        if any(outer is entity for _, outer in running_callbacks.stack):
+            return (
+                False  # a callback never runs inside itself; the entity is queued again at its end
+            )
         if self.serve(entity):
-            self._queue(entity)  # it may have more
+            self._queue(entity)  # it may have more work
             return True
         due = entity.due_ns
         if due is not None:
-            self._agenda.put(entity, due)
+            self._timers.put(entity, due)
         return False
-
-    def _finish(self, entity: Entity) -> None:
-        # In front: they had their turn already, and were sent away.
-        for waiting in reversed(self._refused.ends(entity)):
-            if waiting not in self._queued:
-                self._queued.add(waiting)
-                self._ready.appendleft(waiting)
-                self._is_disturbed = True
-        self._queue(entity)  # it may have more
 
     # -- spinning ------------------------------------------------------------------------------
 
     def spin(self) -> None:
         """Run callbacks until the context or this executor is shut down.
 
-        An exception of a callback ends it and comes out here, as in rclpy.
+        An exception of a callback ends `spin` and is raised by it, as in rclpy.
 
         Raises:
             ExternalShutdownException: The context was shut down while no callback was running.
         """
         while self._context.ok() and not self._is_shutdown:
             self.spin_once()
-        self._tell_interruption()
+        self._raise_interruption()
 
-    def _tell_shutdown(self) -> None:
-        # Whoever shuts both down begins with the executor: that is a quiet end.
+    def _raise_shutdown(self) -> None:
+        # If a program shuts down the executor and then the context, `spin` raises no error.
         if not self._is_shutdown:
             raise ExternalShutdownException
 
-    def _tell_interruption(self) -> None:
-        # The handler's own exception may have been caught on its way, by a callback say.
+    def _raise_interruption(self) -> None:
+        # Other code, such as a callback, may have caught the signal handler's exception.
         if self._context.is_interrupted:
             raise ExternalShutdownException
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Run one callback, waiting for it at most `timeout_sec` seconds (`None`: for ever).
+        """Wait for one callback, at most `timeout_sec` seconds (`None`: no limit), and run it.
 
-        A callback may spin the executor that runs it: others run inside it then, those of its own
-        callback group too, but never itself.
+        A callback may spin the executor that runs it. Other callbacks then run inside the callback,
+        also callbacks of the same group. A callback never runs inside itself.
 
         Raises:
             ExecutorBusyError: Another thread spins this executor.
@@ -438,13 +360,13 @@ class Executor:
     ) -> None:
         """Run callbacks until the future is done, at most `timeout_sec` seconds.
 
-        Where another thread spins this executor already, this one only waits for the future.
+        If another thread spins this executor, the calling thread only waits for the future.
         """
         deadline = _deadline_ns(timeout_sec)
-        if self._is_spun_elsewhere():
-            self._wait_beside(future, deadline)
+        if self._is_spun_by_other_thread():
+            self._wait_for_future(future, deadline)
             return
-        future.add_waker(self._signal.set)
+        future.add_waker(self._wakeup.set)
         while not future.is_over and self._context.ok() and not self._is_shutdown:
             self._spin_once(deadline, lambda: future.is_over)
             if deadline is not None and time.monotonic_ns() >= deadline:
@@ -453,20 +375,20 @@ class Executor:
     def spin_once_until_future_complete(
         self, future: Future[Any], timeout_sec: float | None = None
     ) -> None:
-        """Run one callback, or return earlier when the future is done."""
-        if self._is_spun_elsewhere():
-            self._wait_beside(future, _deadline_ns(timeout_sec))
+        """Run one callback. The call ends earlier if the future is done."""
+        if self._is_spun_by_other_thread():
+            self._wait_for_future(future, _deadline_ns(timeout_sec))
             return
-        future.add_waker(self._signal.set)
+        future.add_waker(self._wakeup.set)
         self._spin_once(_deadline_ns(timeout_sec), lambda: future.is_over)
 
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         raise NotImplementedError
 
-    def _is_spun_elsewhere(self) -> bool:
-        return self._spinner not in (None, threading.get_ident())
+    def _is_spun_by_other_thread(self) -> bool:
+        return self._spinning_thread not in (None, threading.get_ident())
 
-    def _wait_beside(self, future: Future[Any], deadline_ns: int | None) -> None:
+    def _wait_for_future(self, future: Future[Any], deadline_ns: int | None) -> None:
         """Wait for a future while another thread runs the callbacks."""
         wake = BinarySemaphore()
         future.add_waker(wake.set)
@@ -483,28 +405,28 @@ class Executor:
             self._context.remove_waker(wake.set)
 
     @contextlib.contextmanager
-    def _spins(self) -> Iterator[None]:
-        if not self._spinning.acquire(blocking=False):
-            if self._spinner is not None:
+    def _hold_spin_lock(self) -> Iterator[None]:
+        if not self._spin_lock.acquire(blocking=False):
+            if self._spinning_thread is not None:
                 raise ExecutorBusyError
-            self._spinning.acquire()  # `wait_idle` holds it for a moment
+            self._spin_lock.acquire()  # `wait_idle` holds it only briefly
         in_main = threading.current_thread() is threading.main_thread()
         signals.MainThread.spins += in_main
-        self._spinner = threading.get_ident()
+        self._spinning_thread = threading.get_ident()
         try:
             yield
         finally:
-            self._spinner = None
+            self._spinning_thread = None
             signals.MainThread.spins -= in_main
-            self._spinning.release()
+            self._spin_lock.release()
 
     # -- end -----------------------------------------------------------------------------------
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
-        """Stop spinning, leave all nodes, and wait for running callbacks; may be called twice.
+        """Stop spinning, wait for running callbacks, and remove all nodes. May be called twice.
 
         Returns:
-            Whether the callbacks ended within `timeout_sec` seconds (`None`: waited for ever).
+            Whether the callbacks ended within `timeout_sec` seconds (`None`: no limit).
         """
         self._is_shutdown = True
         self.wake()
@@ -515,12 +437,12 @@ class Executor:
         return ended
 
     def wait_idle(self, timeout_s: float) -> bool:
-        """Wait until nothing spins here, other than the caller; below 0 for as long as it takes."""
-        if self._spinner == threading.get_ident():
+        """Wait until no other thread spins this executor. A timeout below 0 means no limit."""
+        if self._spinning_thread == threading.get_ident():
             return True  # a callback shuts down its own executor
-        ended = self._spinning.acquire(timeout=timeout_s)
+        ended = self._spin_lock.acquire(timeout=timeout_s)
         if ended:
-            self._spinning.release()
+            self._spin_lock.release()
         return ended
 
     def __enter__(self) -> Self:
@@ -533,33 +455,3 @@ class Executor:
         exc_tb: TracebackType | None,
     ) -> None:
         self.shutdown()
-
-
-class SingleThreadedExecutor(Executor):
-    """Runs every callback in the thread that spins."""
-
-    def spin(self) -> None:
-        """Run callbacks until the context or this executor is shut down.
-
-        Raises:
-            ExternalShutdownException: The context was shut down while no callback was running.
-        """
-        with self._spins():
-            while self._context.ok() and not self._is_shutdown:
-                self._is_disturbed = False
-                work = self._next(None)
-                if work is not None:
-                    self._due_ns = self._agenda.earliest_ns()
-                    self._is_disturbed = self._is_disturbed or bool(self._ready)
-                    self._execute(*work)
-        self._tell_interruption()
-
-    def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
-        if self._spinner == threading.get_ident():
-            self._serve_next(deadline_ns, stop)
-            return
-        with self._spins():
-            work = self._next(deadline_ns, stop)
-            self._is_disturbed = True  # one callback, and no more
-            if work is not None:
-                self._execute(*work)

@@ -1,4 +1,4 @@
-"""A callback that any thread can ask the executor to run."""
+"""Guard condition: its callback runs in the executor when any thread triggers it."""
 
 from __future__ import annotations
 
@@ -15,13 +15,16 @@ if TYPE_CHECKING:
 
 
 class GuardCondition:
-    """Runs its callback in the executor, once for any number of triggers since the last run.
+    """Runs its callback in the executor after one or more triggers.
+
+    Several triggers before the callback runs cause one run.
 
     Args:
-        callback: Called without arguments; may be a coroutine function.
-        callback_group: Decides beside what it may run.
-        context: Accepted: rclpy's guard conditions belong to one.
-        ready_queue: The node's way to its executor; one that only a `WaitSet` looks at has none.
+        callback: Called without arguments. It may be a coroutine function.
+        callback_group: Decides which callbacks may run at the same time.
+        context: Accepted and not used. rclpy's guard conditions belong to a context.
+        ready_queue: The node's ready queue. If left out, only a `WaitSet` can use the guard
+            condition.
     """
 
     due_ns: int | None = None
@@ -41,21 +44,21 @@ class GuardCondition:
 
     @property
     def handle(self) -> GuardConditionHandle:
-        """What a `WaitSet` takes."""
+        """The handle that a `WaitSet` takes."""
         return GuardConditionHandle(self)
 
     @property
     def has_work(self) -> bool:
-        """Whether it was triggered since the last time."""
+        """Whether the guard condition was triggered since the last `take`."""
         return self._triggered
 
     def trigger(self) -> None:
-        """Ask for the callback to be run; from any thread."""
+        """Ask the executor to run the callback. Any thread may call this."""
         self._triggered = True
         self.ready_queue.post(self)
 
     def take(self) -> object | None:
-        """Return something if it was triggered since the last time."""
+        """Return the guard condition if it was triggered since the last call, else `None`."""
         if not self._triggered:
             return None
         self._triggered = False

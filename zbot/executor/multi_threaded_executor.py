@@ -1,4 +1,4 @@
-"""The executor that runs callbacks beside each other."""
+"""Executor that runs callbacks in several threads at the same time."""
 
 from __future__ import annotations
 
@@ -23,18 +23,18 @@ if TYPE_CHECKING:
 
 
 def _core_count() -> int:
-    # A container or `taskset` may leave the process fewer cores than the machine has.
+    # A container or `taskset` may give the process fewer cores than the machine has.
     if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1
 
 
 class MultiThreadedExecutor(Executor):
-    """Runs callbacks in a pool of threads, as far as their callback groups allow.
+    """Runs callbacks in a pool of threads, as their callback groups allow.
 
     Args:
-        num_threads: Size of the pool; by default one per processor core, but at least 2. A pool of
-            one draws a `UserWarning`.
+        num_threads: Size of the pool. The default is the number of processor cores, but at least
+            2. With 1 there is a `UserWarning`.
         context: See `Executor`.
     """
 
@@ -42,9 +42,9 @@ class MultiThreadedExecutor(Executor):
         super().__init__(context=context)
         self._num_threads = max(1, num_threads or max(2, _core_count()))
         if self._num_threads == 1:
-            one = "a MultiThreadedExecutor of one thread runs no callbacks beside each other"
+            one = "a MultiThreadedExecutor with one thread runs one callback at a time"
             warnings.warn(f"{one}; use a SingleThreadedExecutor, or more threads", stacklevel=2)
-        # rclpy's name: programs look into it for the number of threads.
+        # rclpy's name: programs read the number of threads from it.
         self._executor = ThreadPoolExecutor(self._num_threads, thread_name_prefix="zbot executor")
         self._failures: deque[BaseException] = deque()
         self._idle = threading.Condition()
@@ -55,60 +55,60 @@ class MultiThreadedExecutor(Executor):
         """Run callbacks until the context or this executor is shut down.
 
         Raises:
-            ExternalShutdownException: Ctrl-C came while no callback was running.
+            ExternalShutdownException: The context was shut down while no callback was running.
         """
-        with self._spins():
+        with self._hold_spin_lock():
             while self._context.ok() and not self._is_shutdown:
-                self._turn(None, None)
-        self._tell_interruption()
+                self._run_next(None, None)
+        self._raise_interruption()
 
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         if threading.get_ident() in self._workers:
-            self._wait_for_another(deadline_ns)
+            self._wait_for_callback_end(deadline_ns)
             return
-        with self._spins():
-            self._turn(deadline_ns, stop)
+        with self._hold_spin_lock():
+            self._run_next(deadline_ns, stop)
 
-    def _turn(self, deadline_ns: int | None, stop: Callable[[], bool] | None) -> None:
+    def _run_next(self, deadline_ns: int | None, stop: Callable[[], bool] | None) -> None:
         # As in rclpy, a shutdown from outside lets this executor's spin() return.
         with contextlib.suppress(ExternalShutdownException):
-            work = self._next(deadline_ns, lambda: self._may_stop(stop))
+            work = self._next_work(deadline_ns, lambda: self._must_stop(stop))
             if work is not None:
-                self._hand_over(*work)
+                self._submit(*work)
         if self._failures:
             raise self._failures.popleft()
 
-    def _wait_for_another(self, deadline_ns: int | None) -> None:
-        """Wait, inside a callback, until another one ends: the spinning thread begins them."""
+    def _wait_for_callback_end(self, deadline_ns: int | None) -> None:
+        """Wait inside a callback until another ends. The spinning thread starts callbacks."""
         left = None if deadline_ns is None else (deadline_ns - time.monotonic_ns()) / 1e9
         with self._idle:
             self._idle.wait(left)
 
-    def _is_spun_elsewhere(self) -> bool:
-        # Between two callbacks nobody spins for a moment, and a callback must not take over.
-        return threading.get_ident() in self._workers or super()._is_spun_elsewhere()
+    def _is_spun_by_other_thread(self) -> bool:
+        # Between two callbacks no thread spins for a short time. A callback must not spin then.
+        return threading.get_ident() in self._workers or super()._is_spun_by_other_thread()
 
-    def _may_stop(self, stop: Callable[[], bool] | None) -> bool:
+    def _must_stop(self, stop: Callable[[], bool] | None) -> bool:
         return bool(self._failures) or (stop is not None and stop())
 
     def _pop_ready(self) -> Entity | None:
-        # Work that waits in the pool would be taken out of its bounded queue: leave it there.
+        # Work that waits for a thread stays in the entity's own queue, which has a limited length.
         return None if self._running >= self._num_threads else super()._pop_ready()
 
-    def _hand_over(self, entity: Entity, taken: Any) -> None:
+    def _submit(self, entity: Entity, taken: Any) -> None:
         with self._idle:
             self._running += 1
         if isinstance(entity.callback_group, ReentrantCallbackGroup):
-            self._queue(entity)  # its next piece may run beside this one
+            self._queue(entity)  # its next work may run at the same time
         try:
-            self._executor.submit(self._work, entity, taken)
+            self._executor.submit(self._run_in_pool, entity, taken)
         except RuntimeError:
-            # shutdown() came between, or the program is at its end.
+            # Another thread called shutdown(), or the program ends.
             self._is_shutdown = True
-            self._end_work()
+            self._end_run()
             self._finish(entity)
 
-    def _work(self, entity: Entity, taken: Any) -> None:
+    def _run_in_pool(self, entity: Entity, taken: Any) -> None:
         me = threading.get_ident()
         self._workers.add(me)
         try:
@@ -117,16 +117,16 @@ class MultiThreadedExecutor(Executor):
             self._failures.append(exc)
         finally:
             self._workers.discard(me)
-            self._end_work()
+            self._end_run()
 
-    def _end_work(self) -> None:
+    def _end_run(self) -> None:
         with self._idle:
             self._running -= 1
             self._idle.notify_all()
-        self._signal.set()
+        self._wakeup.set()
 
     def wait_idle(self, timeout_s: float) -> bool:
-        """Wait until nothing spins here and no callback runs, other than the caller's own."""
+        """Wait until no other thread spins this executor and no other callback runs."""
         own = threading.get_ident() in self._workers
         with self._idle:
             ended = self._idle.wait_for(
@@ -135,7 +135,7 @@ class MultiThreadedExecutor(Executor):
         return ended and super().wait_idle(timeout_s)
 
     def shutdown(self, timeout_sec: float | None = None, *, wait_for_threads: bool = True) -> bool:
-        """Stop spinning, leave all nodes, wait for running callbacks, and end the threads."""
+        """Stop spinning, wait for running callbacks, remove all nodes, and end the threads."""
         ended = super().shutdown(timeout_sec)
         own = threading.get_ident() in self._workers
         self._executor.shutdown(wait=wait_for_threads and ended and not own)

@@ -1,4 +1,4 @@
-"""How the parts of a node tell their executor that they have work."""
+"""Ready queue: a node's entities use it to tell their executor that they may have work."""
 
 from __future__ import annotations
 
@@ -12,38 +12,39 @@ if TYPE_CHECKING:
 
 
 class Entity(Protocol):
-    """What an executor can run: a subscription, timer, service, guard condition ..."""
+    """A subscription, timer, service, guard condition ... that an executor can run."""
 
     callback_group: CallbackGroup
 
     @property
     def ready_queue(self) -> ReadyQueue | None:
-        """Its node's ready queue; `None` for what belongs to an executor itself."""
+        """The ready queue of its node, or `None` for an entity of the executor itself."""
 
     @property
     def due_ns(self) -> int | None:
-        """When a timer wants to run (monotonic clock, nanoseconds); `None` for all others."""
+        """When a timer is due (monotonic clock, nanoseconds). `None` if this is not a timer."""
 
     def take(self) -> Any | None:
-        """Return one piece of work, or `None` if there is none; called by the executor's thread."""
+        """Return one piece of work, or `None`. The executor's thread calls this."""
 
     def execute(self, taken: Any, /) -> Any:
-        """Run the user's callback for what was taken; may return a coroutine."""
+        """Run the user's callback with the object that `take` returned. May return a coroutine."""
 
 
 class ReadyQueue:
-    """One node's slot for an executor: what is posted while it has none is asked for later.
+    """Connects the entities of one node with the executor that runs the node.
 
-    Entities keep their work themselves, so a post carries no data and may come too often.
+    A post without an executor is lost. When the next executor is attached, it asks every entity for
+    work. Entities keep their work themselves, so a post contains no data and may come too often.
     """
 
     def __init__(self) -> None:
-        self._lock = threading.RLock()  # re-entrant, for a signal's handler
+        self._lock = threading.RLock()  # re-entrant: a signal handler may take it
         self._entities: list[Entity] = []
         self._deliver: Callable[[Entity], None] | None = None
         self._attached: Callable[[Entity], None] | None = None
         self._watchers: list[tuple[Entity, Callable[[], object]]] = []
-        self.executor: object = None  #: who gets the posts now
+        self.executor: object = None  #: the executor that gets the posts now
 
     @property
     def entities(self) -> list[Entity]:
@@ -51,13 +52,13 @@ class ReadyQueue:
         return list(self._entities)
 
     def add(self, entity: Entity) -> None:
-        """Make an entity known; it is asked for work at once."""
+        """Add an entity and post it once."""
         with self._lock:
             self._entities.append(entity)
         self.post(entity)
 
     def remove(self, entity: Entity) -> None:
-        """Forget an entity; nothing happens if it is unknown."""
+        """Remove an entity. Do nothing if the entity is unknown."""
         with self._lock:
             if entity in self._entities:
                 self._entities.remove(entity)
@@ -66,7 +67,7 @@ class ReadyQueue:
         return entity in self._entities
 
     def attach(self, executor: object, deliver: Callable[[Entity], None]) -> None:
-        """Send posts to an executor's function, beginning with one for every entity."""
+        """Send all posts to an executor's function, and post every entity once."""
         with self._lock:
             self.executor, self._attached = executor, deliver
             self._choose_delivery()
@@ -75,29 +76,29 @@ class ReadyQueue:
             deliver(entity)
 
     def detach(self) -> None:
-        """Keep posts from now on until the next executor comes."""
+        """Send no posts until the next executor is attached."""
         with self._lock:
             self.executor = self._attached = None
             self._choose_delivery()
 
     def watch(self, entity: Entity, watcher: Callable[[], object]) -> None:
-        """Call a quick function too whenever an entity may have work, also without an executor."""
+        """Call a quick function with each post of an entity, also without an executor."""
         with self._lock:
             self._watchers.append((entity, watcher))
             self._choose_delivery()
 
     def unwatch(self, entity: Entity, watcher: Callable[[], object]) -> None:
-        """Undo one `watch`; nothing happens if there was none."""
+        """Undo one `watch`. Do nothing if there was no `watch`."""
         with self._lock:
             if (entity, watcher) in self._watchers:
                 self._watchers.remove((entity, watcher))
             self._choose_delivery()
 
     def _choose_delivery(self) -> None:
-        # Decided here and not with each post: hardly anything is ever watched.
-        self._deliver = self._deliver_and_tell if self._watchers else self._attached
+        # Decided here and not at each post, because few entities are watched.
+        self._deliver = self._deliver_and_notify if self._watchers else self._attached
 
-    def _deliver_and_tell(self, entity: Entity) -> None:
+    def _deliver_and_notify(self, entity: Entity) -> None:
         attached = self._attached
         if attached is not None:
             attached(entity)
@@ -106,7 +107,7 @@ class ReadyQueue:
                 watcher()
 
     def post(self, entity: Entity) -> None:
-        """Say that an entity may have work; from any thread."""
+        """Tell the executor that an entity may have work. Any thread may call this."""
         deliver = self._deliver
         if deliver is not None:
             deliver(entity)

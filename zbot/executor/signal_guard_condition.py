@@ -14,10 +14,10 @@ if TYPE_CHECKING:
 
 
 class SignalHandlerGuardCondition(GuardCondition):
-    """Guard condition that Ctrl-C and SIGTERM trigger, so that a `WaitSet` with it wakes up.
+    """Guard condition that Ctrl-C and SIGTERM trigger. They wake a `WaitSet` that contains it.
 
     Args:
-        context: The context that must be alive; the default one if left out.
+        context: The context that must be alive. If left out, the default context is used.
 
     Raises:
         NotInitializedError: The context is not alive.
@@ -33,7 +33,7 @@ class SignalHandlerGuardCondition(GuardCondition):
         """Stop reacting to signals.
 
         Raises:
-            InvalidHandleError: It was destroyed before.
+            InvalidHandleError: The guard condition was destroyed before.
         """
         if self not in signals.guard_conditions:
             raise InvalidHandleError("the guard condition")

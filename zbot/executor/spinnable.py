@@ -1,4 +1,4 @@
-"""Protocol of a node as executors see it."""
+"""Protocols of a node and its state, as executors use them."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ if TYPE_CHECKING:
 
 
 class SpinnableState(Protocol):
-    """What an executor uses of a node's inner part."""
+    """The part of a node's state that an executor uses."""
 
     executor: Executor | None
 
     @property
     def ready_queue(self) -> ReadyQueue:
-        """The queue through which the node's entities ask to be run."""
+        """The queue to which the node's entities post themselves when they may have work."""
         ...
 
     @property
     def waitables(self) -> Sequence[WaitableEntity]:
-        """The entities that a program made itself."""
+        """The waitables that the program added."""
         ...
 
     @property
@@ -34,11 +34,11 @@ class SpinnableState(Protocol):
 
 
 class SpinnableNode(Protocol):
-    """What an executor uses of a node."""
+    """The part of a node that an executor uses."""
 
     @property
     def handle(self) -> SpinnableState:
-        """The node's inner part."""
+        """The node's state."""
         ...
 
     @property

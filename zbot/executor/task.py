@@ -1,4 +1,4 @@
-"""Futures, and the coroutines of callbacks as tasks that an executor runs."""
+"""Futures, and tasks that run functions and coroutines step by step in an executor."""
 
 from __future__ import annotations
 
@@ -21,29 +21,29 @@ T = TypeVar("T")
 
 
 class FutureState(Enum):
-    """How far a future is."""
+    """Whether a future is pending, cancelled or finished."""
 
     PENDING = "PENDING"
     CANCELLED = "CANCELLED"
     FINISHED = "FINISHED"
 
 
-# Each member of an enum costs a look-up in its class, and every call of a service asks for some.
+# An attribute of an enum takes time to look up, and every service call needs several.
 _PENDING, _CANCELLED = FutureState.PENDING, FutureState.CANCELLED
 _FINISHED = FutureState.FINISHED
 
 
-class _Step(threading.local):
-    """The event loop of asyncio around the task's step that this thread runs, if any."""
+class _CurrentStep(threading.local):
+    """The asyncio event loop, if any, that was running when this thread's present step began."""
 
     loop: object = None
 
 
-_step = _Step()
+_current_step = _CurrentStep()
 
 
 def _running_loop() -> object:
-    asyncio = sys.modules.get("asyncio")  # a program without it must not wait for its import
+    asyncio = sys.modules.get("asyncio")  # not imported here: that takes long
     if asyncio is None:
         return None
     try:
@@ -53,18 +53,19 @@ def _running_loop() -> object:
 
 
 class Future(Generic[T]):
-    """A result that comes later: `await` it, or give it to `spin_until_future_complete`.
+    """A result that comes later. `await` it, or give it to `spin_until_future_complete`.
 
-    Done callbacks run on the executor if the future has one, else on the thread that completes it.
+    If the future has an executor, its done callbacks run there. Otherwise they run in the thread
+    that completes the future.
 
     Args:
-        executor: Runs the done callbacks; may be left out.
+        executor: Runs the done callbacks. It may be left out.
     """
 
     def __init__(self, *, executor: Any = None) -> None:
-        # Weak, for an executor holds the tasks that hold it.
+        # A weak reference, because the executor refers to its tasks.
         self._executor = None if executor is None else weakref.ref(executor)
-        self._lock = threading.RLock()  # re-entrant, for a signal's handler
+        self._lock = threading.RLock()  # re-entrant: a signal handler may take it
         self._state = _PENDING
         self._result: T | None = None
         self._exception: BaseException | None = None
@@ -73,29 +74,29 @@ class Future(Generic[T]):
 
     def __await__(self) -> Generator[Future[T] | None, None, T | None]:
         while not self.is_over:
-            # A loop that began inside the step, or without one, is who waits: it asks again later.
-            yield self if _running_loop() is _step.loop else None
+            # If the step has started an event loop, that loop waits and asks again later.
+            yield self if _running_loop() is _current_step.loop else None
         return self.result()
 
     def cancel(self) -> None:
-        """Mark as cancelled and run the done callbacks; nothing happens when already done."""
+        """Mark as cancelled and run the done callbacks. Do nothing if the future is over."""
         self._complete(_CANCELLED)
 
     def cancelled(self) -> bool:
-        """Return whether it was cancelled."""
+        """Return whether the future was cancelled."""
         return self._state is _CANCELLED
 
     def done(self) -> bool:
-        """Return whether a result or exception is set; a cancelled future is never done."""
+        """Return whether a result or exception is set. A cancelled future is never done."""
         return self._state is _FINISHED
 
     @property
     def is_over(self) -> bool:
-        """Whether nothing more will come: done or cancelled."""
+        """Whether the future is done or cancelled."""
         return self._state is not _PENDING
 
     def result(self) -> T | None:
-        """Return the result, `None` while there is none; raise the exception if that was set."""
+        """Return the result, or `None` if it is not set yet. Raise the exception if one is set."""
         if self._exception is not None:
             raise self._exception
         return self._result
@@ -105,15 +106,15 @@ class Future(Generic[T]):
         return self._exception
 
     def set_result(self, result: T) -> None:
-        """Complete with a result, in place of an earlier one; an exception that was set stays."""
-        self._complete(_FINISHED, result=result, again=True)
+        """Complete with a result, which replaces an earlier result. An earlier exception stays."""
+        self._complete(_FINISHED, result=result, replace=True)
 
     def set_exception(self, exception: BaseException) -> None:
         """Complete with an exception, which `result()` and `await` raise from now on."""
-        self._complete(_FINISHED, exception=exception, again=True)
+        self._complete(_FINISHED, exception=exception, replace=True)
 
     def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
-        """Call `callback(self)` when done, at once if it is."""
+        """Call `callback(self)` when the future is over. If it is over already, call it at once."""
         with self._lock:
             if not self.is_over:
                 self._callbacks.append(callback)
@@ -121,7 +122,7 @@ class Future(Generic[T]):
         self._run(callback)
 
     def add_waker(self, waker: Callable[[], object]) -> None:
-        """Call a quick function when over, at once if it is, in the thread that completes it."""
+        """Call a quick function in the completing thread, or at once if the future is over."""
         with self._lock:
             if not self.is_over:
                 self._wakers.append(waker)
@@ -129,7 +130,7 @@ class Future(Generic[T]):
         waker()
 
     def remove_done_callback(self, callback: Callable[[Self], Any]) -> bool:
-        """Take every occurrence of a callback back; return whether there was one."""
+        """Remove every occurrence of a callback. Return whether there was an occurrence."""
         with self._lock:
             kept = [known for known in self._callbacks if known != callback]
             removed = len(kept) < len(self._callbacks)
@@ -142,10 +143,10 @@ class Future(Generic[T]):
         *,
         result: T | None = None,
         exception: BaseException | None = None,
-        again: bool = False,
+        replace: bool = False,
     ) -> None:
         with self._lock:
-            if self.is_over and not again:
+            if self.is_over and not replace:
                 return
             self._state = state
             if exception is None:
@@ -155,9 +156,9 @@ class Future(Generic[T]):
             wakers, self._wakers = self._wakers, []
         for waker in wakers:
             waker()
-        self._tell()
+        self._run_callbacks()
 
-    def _tell(self) -> None:
+    def _run_callbacks(self) -> None:
         for callback in self._pop_callbacks():
             self._run(callback)
 
@@ -174,19 +175,19 @@ class Future(Generic[T]):
         try:
             callback(self)
         except ExternalShutdownException:
-            raise  # a signal came meanwhile
-        except Exception as exc:  # noqa: BLE001 - as in rclpy, not the completing thread's concern
+            raise  # a signal came during the callback
+        except Exception as exc:  # noqa: BLE001 - as in rclpy, the completing thread goes on
             warnings.warn(f"Unhandled exception in done callback: {exc}", stacklevel=2)
 
 
 class Task(Future[T]):
-    """A function or coroutine that an executor runs, step by step, until its result is there.
+    """A function or coroutine that an executor runs step by step until it has a result.
 
     Args:
         handler: A function, a coroutine function, or a coroutine.
         args: Positional arguments of the function.
         kwargs: Keyword arguments of the function.
-        executor: Where the next step is scheduled when something awaited is ready.
+        executor: Runs the next step when the awaited future is over.
     """
 
     def __init__(
@@ -204,13 +205,13 @@ class Task(Future[T]):
             function = cast("Callable[..., Any]", handler)
             self._coroutine = None
             self._call: Callable[[], Any] = lambda: function(*args, **(kwargs or {}))
-        self._stepping = threading.Lock()
+        self._step_lock = threading.Lock()
 
     def __call__(self) -> None:
-        """Run until the next `await` that is not ready, or to the end."""
-        with self._stepping:
+        """Run until the next `await` that has to wait, or to the end."""
+        with self._step_lock:
             if not self.is_over:
-                around, _step.loop = _step.loop, _running_loop()
+                outer_loop, _current_step.loop = _current_step.loop, _running_loop()
                 try:
                     self._step()
                 except BaseException as exc:
@@ -218,14 +219,14 @@ class Task(Future[T]):
                     if not isinstance(exc, Exception):
                         raise
                 finally:
-                    _step.loop = around
+                    _current_step.loop = outer_loop
 
     def executing(self) -> bool:
-        """Return whether a thread is running a step right now."""
-        return self._stepping.locked()
+        """Return whether a thread runs a step now."""
+        return self._step_lock.locked()
 
     def cancel(self) -> None:
-        """Stop at the present `await`; a function that has begun runs to its end."""
+        """Stop at the present `await`. A function that has begun runs to its end."""
         if self._coroutine is not None and not self.executing():
             self._coroutine.close()
         super().cancel()
@@ -246,7 +247,8 @@ class Task(Future[T]):
 
     def _resume_after(self, awaited: object) -> None:
         if isinstance(awaited, Future):
-            # Added without the future's own executor in between: the task decides where it goes on.
+            # Not a done callback, because the task continues in the task's executor, which may be
+            # different from the future's.
             awaited.add_waker(self._schedule)
         else:
             self._schedule()

@@ -1,4 +1,4 @@
-"""What an executor does for a task: one step after the other, each a piece of work in its queue."""
+"""Step of a task, as an entity that an executor queues and runs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _ALWAYS = ReentrantCallbackGroup()
 
 
 class TaskStep:
-    """A task's next step, as work in the queue: once, for the one after it is scheduled anew."""
+    """The next step of a task. It runs once. The task schedules a new object for the step after."""
 
     __slots__ = ("_is_taken", "callback_group", "task")
     due_ns: int | None = None
@@ -26,14 +26,14 @@ class TaskStep:
         self._is_taken = False
 
     def take(self) -> object | None:
-        """Return itself, once."""
+        """Return this object at the first call, and `None` at all later calls."""
         if self._is_taken or self.task.is_over:
             return None
         self._is_taken = True
         return self
 
     def execute(self, taken: object) -> None:  # noqa: ARG002 - every entity's signature
-        """Run the step; what the task raised is raised here, too."""
+        """Run the step, and raise the exception that the task raised."""
         self.task()
         if self.task.done():
-            self.task.result()  # what it raised ends spin(), as in rclpy
+            self.task.result()  # an exception ends spin(), as in rclpy

@@ -1,4 +1,4 @@
-"""Timers and rates: drift-free periods on any clock."""
+"""Timers and rates. They follow any clock, and their periods do not drift."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ if TYPE_CHECKING:
 
 
 class TimerInfo:
-    """When a timer was to run, and when it did.
+    """When a timer's call was due, and when it happened.
 
     Args:
         expected_call_time: Nanoseconds on the timer's clock.
         actual_call_time: Nanoseconds on the timer's clock.
-        clock_type: What kind of clock that is.
+        clock_type: The type of that clock.
 
     Raises:
-        ArgumentTypeError: `clock_type` is no `ClockType`.
+        ArgumentTypeError: `clock_type` is not a `ClockType`.
         NegativeTimeError: A time is below 0.
     """
 
@@ -54,16 +54,17 @@ class TimerInfo:
 class Timer:
     """Calls a function every period. Made by `Node.create_timer`.
 
-    A timer that is late calls once and goes on in its old rhythm: missed periods are skipped, and
-    the mean rate stays exact. On a simulated clock it follows `/clock`, else the monotonic clock.
+    A late timer calls the function once, skips the missed periods, and keeps its period boundaries.
+    So the mean rate stays exact. With a simulated clock the timer follows `/clock`. With other
+    clocks it follows the monotonic clock.
 
     Args:
-        callback: Called without arguments, or with a `TimerInfo`; may be a coroutine function.
-        callback_group: Decides beside what it may run.
+        callback: Called without arguments, or with a `TimerInfo`. It may be a coroutine function.
+        callback_group: Decides which callbacks may run at the same time.
         period_ns: Nanoseconds, 0 or more.
-        clock: The clock that it follows.
-        ready_queue: The node's way to its executor.
-        autostart: Whether it runs before the first `reset()`.
+        clock: The clock that the timer follows.
+        ready_queue: The node's ready queue.
+        autostart: Whether the timer runs before the first `reset()`.
     """
 
     def __init__(
@@ -90,7 +91,7 @@ class Timer:
 
     @property
     def callback(self) -> Callable[..., Any] | None:
-        """The function that is called."""
+        """The function that the timer calls."""
         return self._callback
 
     @callback.setter
@@ -100,12 +101,12 @@ class Timer:
 
     @property
     def clock(self) -> Clock:
-        """The clock that it follows."""
+        """The clock that the timer follows."""
         return self._clock
 
     @property
     def timer_period_ns(self) -> int:
-        """The period in nanoseconds; a new one counts from the last call."""
+        """The period in nanoseconds. A new period begins at the last call."""
         return self._period_ns
 
     @timer_period_ns.setter
@@ -116,7 +117,7 @@ class Timer:
 
     @property
     def due_ns(self) -> int | None:
-        """When it wants to run, on the monotonic clock; `None` if canceled or on simulated time."""
+        """When it is due, on the monotonic clock. `None` if canceled or on simulated time."""
         return None if self._is_canceled or self._is_simulated else self._next_ns
 
     @property
@@ -132,17 +133,17 @@ class Timer:
         self._next_ns = self._last_ns + self._period_ns
 
     def _on_time_change(self) -> None:
-        # A step forward only makes it due, for `/clock` may be coarser than the period.
+        # A step forward only makes the timer due, because `/clock` may be coarser than the period.
         is_simulated, now = self._is_simulated, self._now_ns()
         if is_simulated is not self._was_simulated or now < self._last_ns:
             self._restart()
             self.ready_queue.post(self)
         elif now >= self._next_ns and not self._is_canceled:
-            # Not at each step, which nearly all of a node's timers have to let pass.
+            # Not at each step of `/clock`, because most timers are not due then.
             self.ready_queue.post(self)
 
     def take(self) -> TimerInfo | None:
-        """Return the call that is due, and schedule the next one."""
+        """Return the call that is due, and schedule the next call. Return `None` if none is due."""
         now = self._now_ns()
         if self._is_canceled or now < self._next_ns:
             return None
@@ -165,12 +166,12 @@ class Timer:
 
     @property
     def is_destroyed(self) -> bool:
-        """Whether it never calls again."""
+        """Whether the timer was destroyed. A destroyed timer never calls its callback."""
         return self._is_destroyed
 
     @property
     def handle(self) -> TimerHandle:
-        """What a `WaitSet` takes, and what calls can be taken from without an executor."""
+        """The handle that a `WaitSet` takes. Its `call_timer` takes a call without an executor."""
         return TimerHandle(self)
 
     @property
@@ -183,15 +184,15 @@ class Timer:
         return not self._is_canceled and self._now_ns() >= self._next_ns
 
     def is_canceled(self) -> bool:
-        """Return whether it was canceled and not reset since."""
+        """Return whether the timer was canceled and has not been reset since."""
         return self._is_canceled
 
     def cancel(self) -> None:
-        """Stop calling until `reset()`; a call that is under way ends normally."""
+        """Stop calling until `reset()`. A call that has begun ends normally."""
         self._is_canceled = True
 
     def reset(self) -> None:
-        """Begin a new period now, also after `cancel()`.
+        """Begin a new period now. A canceled timer starts again.
 
         Raises:
             InvalidHandleError: The timer was destroyed.
@@ -203,15 +204,15 @@ class Timer:
         self.ready_queue.post(self)
 
     def time_since_last_call(self) -> int:
-        """Return nanoseconds since the last call, or since the start."""
+        """Return the nanoseconds since the last call, or since the start."""
         return self._now_ns() - self._last_ns
 
     def time_until_next_call(self) -> int | None:
-        """Return nanoseconds until the next call, negative when late; `None` if canceled."""
+        """Return the nanoseconds to the next call. Negative if late, `None` if canceled."""
         return None if self._is_canceled else self._next_ns - self._now_ns()
 
     def destroy(self) -> None:
-        """Never call again; may be called twice."""
+        """Never call the callback again. A second `destroy` does nothing."""
         self._is_destroyed = self._is_canceled = True
         if self._subscription is not None:
             self._subscription.unregister()
@@ -241,7 +242,7 @@ def _wants_info(callback: Callable[..., Any]) -> bool:
     """Return whether a timer's callback takes a `TimerInfo`.
 
     Raises:
-        CallbackSignatureError: It cannot be called with none or one argument.
+        CallbackSignatureError: The callback takes neither no argument nor one argument.
     """
     try:
         signature = inspect.signature(callback)
@@ -256,8 +257,8 @@ def _wants_info(callback: Callable[..., Any]) -> bool:
     raise CallbackSignatureError("a timer's callback", "() or (timer_info)")
 
 
-class _Wakefulness:
-    """What ends a rate's sleep early: its context's shutdown, or the rate's own end."""
+class _RateContext:
+    """Context of a rate's sleep. Both the context's shutdown and `Rate.destroy` wake the sleep."""
 
     def __init__(self, context: Context) -> None:
         self._context = context
@@ -284,11 +285,11 @@ class _Wakefulness:
 class Rate:
     """Sleeps so that a loop runs at a frequency. Made by `Node.create_rate`.
 
-    Unlike rclpy's it needs no executor spinning in another thread.
+    In contrast to rclpy's rate, it needs no executor that spins in another thread.
 
     Args:
-        timer: Its period and clock are the rate's. As in rclpy it goes on beside the sleeping, so
-            that a `spin_once()` in a loop of its own comes back with every period.
+        timer: The rate has the timer's period and clock. As in rclpy, the timer also runs during
+            the sleep, so that a `spin_once()` in another loop returns once a period.
         context: Its shutdown ends a sleep.
     """
 
@@ -297,29 +298,29 @@ class Rate:
         self._period = Duration(nanoseconds=timer.timer_period_ns)
         self._clock = timer.clock
         self._context = context
-        self._wakefulness = _Wakefulness(context)
+        self._sleep_context = _RateContext(context)
         self._next = self._clock.now() + self._period
 
     def sleep(self) -> None:
         """Sleep until the next multiple of the period, or until the rate is destroyed.
 
-        It does not sleep if that is past.
+        If that time is past, the call ends at once.
 
         Raises:
             RateInterruptedError: The context was shut down.
             InvalidHandleError: The rate was destroyed before.
         """
-        if self._wakefulness.is_destroyed:
+        if self._sleep_context.is_destroyed:
             raise InvalidHandleError("the rate")
         now = self._clock.now()
-        if now >= self._next + self._period:  # a loop that takes too long starts a new rhythm
+        if now >= self._next + self._period:  # the loop took too long: new period boundaries
             self._next = now
-        with contextlib.suppress(NotInitializedError):  # another thread ended it just now
-            self._clock.sleep_until(self._next, self._wakefulness)
+        with contextlib.suppress(NotInitializedError):  # another thread has just shut it down
+            self._clock.sleep_until(self._next, self._sleep_context)
         self._next += self._period
         if not self._context.ok():
             raise RateInterruptedError
 
     def destroy(self) -> None:
-        """Wake who sleeps, and refuse to sleep from now on."""
-        self._wakefulness.destroy()
+        """End the `sleep` of another thread. Every later `sleep` raises an error."""
+        self._sleep_context.destroy()

@@ -1,4 +1,4 @@
-"""What wants to run when: the timers of an executor."""
+"""Queue of an executor's timers, ordered by the time at which they are due."""
 
 from __future__ import annotations
 
@@ -13,35 +13,35 @@ if TYPE_CHECKING:
 
 
 class TimerQueue:
-    """Entities that want to run later, each at one time, the earliest first.
+    """Entities that are due later. Each entity has one time, and the earliest is first.
 
-    For the spinning thread alone, but for `forget`.
+    Any thread may call `forget`. Only the spinning thread may call the other methods.
     """
 
     def __init__(self) -> None:
         self._heap: list[tuple[int, int, Entity]] = []
         self._due: dict[Entity, int] = {}
-        self._tie = itertools.count()  # equal times are served in order, entities not compared
+        self._tie = itertools.count()  # order at equal times, because entities cannot be compared
 
     def put(self, entity: Entity, due_ns: int) -> None:
-        """Note when an entity wants to run, in place of what it wanted before."""
+        """Set the time at which an entity is due, and replace its earlier time."""
         if self._due.get(entity) == due_ns:
             return
         self._due[entity] = due_ns
         heapq.heappush(self._heap, (due_ns, next(self._tie), entity))
-        # A timer that is reset with every message leaves an outdated entry each time.
+        # Every reset of a timer leaves an outdated entry.
         if len(self._heap) > 2 * len(self._due) + 64:
             self._heap = [(due, next(self._tie), entity) for entity, due in list(self._due.items())]
             heapq.heapify(self._heap)
 
     def earliest_ns(self) -> int | None:
-        """Return when the first entity wants to run."""
+        """Return when the first entity is due, or `None` if the queue is empty."""
         while self._heap and self._due.get(self._heap[0][2]) != self._heap[0][0]:
             heapq.heappop(self._heap)
         return self._heap[0][0] if self._heap else None
 
     def pop_due(self, now_ns: int) -> Entity | None:
-        """Take out an entity whose time has come."""
+        """Remove and return an entity that is due. Return `None` if no entity is due."""
         earliest = self.earliest_ns()
         if earliest is None or earliest > now_ns:
             return None
@@ -50,6 +50,6 @@ class TimerQueue:
         return entity
 
     def forget(self, entities: Iterable[Entity]) -> None:
-        """Forget entities; from any thread."""
+        """Remove entities. Any thread may call this."""
         for entity in entities:
             self._due.pop(entity, None)

@@ -1,4 +1,4 @@
-"""A set of objects to wait for, without an executor."""
+"""Wait set: waits for several objects without an executor."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ if TYPE_CHECKING:
     from zbot.transport.handle import Handle
 
 Kind = Literal["subscription", "guard_condition", "timer", "client", "service", "event"]
-_POLL_S = 0.1  # on simulated time a timer has no moment to sleep until
+_POLL_S = 0.1  # on simulated time nobody knows when a timer is due
 
 
 class WaitSet:
     """Waits until one of several objects has something to take.
 
-    `Node.create_subscription` and its like make the objects; their `handle` is what goes in.
+    `Node.create_subscription` and similar methods make the objects. Add the `handle` of an object.
 
     Args:
-        sizes: rclpy's numbers of objects of each kind, and the context's handle; not needed here.
+        sizes: rclpy's numbers of objects of each kind, and the context's handle. They are not used.
     """
 
     def __init__(self, *sizes: object) -> None:  # noqa: ARG002 - rclpy's signature
@@ -31,32 +31,32 @@ class WaitSet:
         self._ready: dict[str, list[Handle[Any]]] = {}
 
     def clear_entities(self) -> None:
-        """Take everything out."""
+        """Remove all objects."""
         self._handles.clear()
         self._ready.clear()
 
     def add_subscription(self, handle: Handle[Any]) -> int:
-        """Wait for messages too; return the subscription's index for `is_ready`."""
+        """Add a subscription and return its index for `is_ready`."""
         return self._add("subscription", handle)
 
     def add_guard_condition(self, handle: Handle[Any]) -> int:
-        """Wait for a trigger too; return the guard condition's index."""
+        """Add a guard condition and return its index."""
         return self._add("guard_condition", handle)
 
     def add_timer(self, handle: Handle[Any]) -> int:
-        """Wait for a timer too; return its index."""
+        """Add a timer and return its index."""
         return self._add("timer", handle)
 
     def add_client(self, handle: Handle[Any]) -> int:
-        """Wait for a client's responses too; return its index."""
+        """Add a client and return its index. The wait set waits for its responses."""
         return self._add("client", handle)
 
     def add_service(self, handle: Handle[Any]) -> int:
-        """Wait for a service's requests too; return its index."""
+        """Add a service and return its index. The wait set waits for its requests."""
         return self._add("service", handle)
 
     def add_event(self, handle: Handle[Any]) -> int:
-        """Wait for an event of quality of service too; return its index."""
+        """Add an event of quality of service and return its index."""
         return self._add("event", handle)
 
     def _add(self, kind: Kind, handle: Handle[Any]) -> int:
@@ -65,12 +65,12 @@ class WaitSet:
         return len(handles) - 1
 
     def wait(self, timeout_nsec: int) -> None:
-        """Wait until something is ready, at most so many nanoseconds (negative: for ever)."""
+        """Wait until an object is ready, at most `timeout_nsec` nanoseconds (below 0: no limit)."""
         woken = BinarySemaphore()
         deadline = None if timeout_nsec < 0 else time.monotonic_ns() + timeout_nsec
         self.remember_waker(woken.set)
         try:
-            while not self._look():
+            while not self._update_ready():
                 left = self._left_s(deadline)
                 if left <= 0 and self._is_over(deadline):
                     return
@@ -89,8 +89,8 @@ class WaitSet:
             return min(left, _POLL_S)
         return left
 
-    def _look(self) -> bool:
-        """Note what is ready; a guard condition's trigger is used up by that."""
+    def _update_ready(self) -> bool:
+        """Note which objects are ready, and take the triggers of guard conditions."""
         self._ready = {
             kind: [handle for handle in handles if handle.entity.has_work]
             for kind, handles in self._handles.items()
@@ -104,30 +104,30 @@ class WaitSet:
         return self._handles[kind][index] in self._ready.get(kind, ())
 
     def get_ready_entities(self, kind: Kind) -> list[int]:
-        """Return the handles' `pointer`s of what was ready at the end of the last `wait`."""
+        """Return the `pointer` of each handle that was ready at the end of the last `wait`."""
         return [handle.pointer for handle in self._ready.get(kind, ())]
 
     # -- for executors -------------------------------------------------------------------------
 
     @property
     def due_ns(self) -> int | None:
-        """When the first of the timers and events wants to run (monotonic clock, nanoseconds)."""
+        """When the first timer or event is due (monotonic clock, nanoseconds)."""
         timed = (*self._handles.get("timer", ()), *self._handles.get("event", ()))
         dues = [handle.entity.due_ns for handle in timed]
         return min((due for due in dues if due is not None), default=None)
 
     def waits_for_same(self, other: WaitSet) -> bool:
-        """Return whether both hold the same objects."""
+        """Return whether both wait sets have the same objects."""
         return self._handles == other._handles
 
     def remember_waker(self, waker: Callable[[], object]) -> None:
-        """Call a quick function whenever one of the objects may have become ready."""
+        """Call a quick function whenever one of the objects may be ready."""
         for handles in self._handles.values():
             for handle in handles:
                 handle.entity.ready_queue.watch(handle.entity, waker)
 
     def forget_waker(self, waker: Callable[[], object]) -> None:
-        """Call a function of `remember_waker` no more."""
+        """Stop calling a function that was given to `remember_waker`."""
         for handles in self._handles.values():
             for handle in handles:
                 handle.entity.ready_queue.unwatch(handle.entity, waker)

@@ -1,4 +1,4 @@
-"""Work of a program's own kind in an executor: what tells by itself whether it is ready."""
+"""Waitables: work of a program's own kind that an executor runs."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ T = TypeVar("T")
 
 @dataclass(repr=False)
 class NumberOfEntities:
-    """How many of each kind a waitable adds to a wait set; numbers can be added up."""
+    """Numbers of the entities that a waitable adds to a wait set. `+` adds two such objects."""
 
     num_subscriptions: int = 0
     num_guard_conditions: int = 0
@@ -37,13 +37,14 @@ class NumberOfEntities:
 
 
 class Waitable(Generic[T]):
-    """Base of a program's own kind of work; `Node.add_waitable` hands it to the node's executor.
+    """Base class of a program's own kind of work. `Node.add_waitable` adds it to a node.
 
-    The executor asks `is_ready` whenever something in its wait set may be ready and whenever the
-    executor is woken; if it is, it takes the data and awaits `execute`.
+    The executor calls `is_ready` when an object of the wait set may be ready, and when another
+    thread wakes the executor. If `is_ready` returns true, the executor calls `take_data` and
+    awaits `execute`.
 
     Args:
-        callback_group: Decides beside what `execute` may run.
+        callback_group: Decides which callbacks may run at the same time as `execute`.
     """
 
     def __init__(self, callback_group: CallbackGroup) -> None:
@@ -52,7 +53,7 @@ class Waitable(Generic[T]):
         self._futures: list[Future[Any]] = []
 
     def __enter__(self) -> None:
-        """Keep what is waited for from being destroyed meanwhile; zbot needs no such thing."""
+        """Do nothing. In rclpy this protects the entities from being destroyed."""
 
     def __exit__(
         self,
@@ -63,19 +64,19 @@ class Waitable(Generic[T]):
         """See `__enter__`."""
 
     def add_future(self, future: Future[Any]) -> None:
-        """Note a future whose done callbacks belong into the executor."""
+        """Keep a future whose done callbacks run in the executor."""
         self._futures.append(future)
 
     def remove_future(self, future: Future[Any]) -> None:
-        """Forget a future."""
+        """Remove a future."""
         self._futures.remove(future)
 
     def is_ready(self, wait_set: WaitSet) -> bool:
-        """Return whether there is something to take."""
+        """Return whether `take_data` has data to return."""
         raise NotImplementedError("Must be implemented by subclass")
 
     def take_data(self) -> T:
-        """Return what `execute` is to get."""
+        """Return the data for `execute`."""
         raise NotImplementedError("Must be implemented by subclass")
 
     async def execute(self, taken_data: T) -> None:
@@ -83,20 +84,20 @@ class Waitable(Generic[T]):
         raise NotImplementedError("Must be implemented by subclass")
 
     def get_num_entities(self) -> NumberOfEntities:
-        """Return how many of each kind `add_to_wait_set` adds."""
+        """Return how many entities of each kind `add_to_wait_set` adds."""
         raise NotImplementedError("Must be implemented by subclass")
 
     def add_to_wait_set(self, wait_set: WaitSet) -> None:
-        """Add the handles of what is waited for."""
+        """Add the handles of the entities to wait for."""
         raise NotImplementedError("Must be implemented by subclass")
 
 
 class WaitableEntity:
-    """A waitable in the shape that zbot's executors run.
+    """Entity that lets zbot's executors run a waitable.
 
     Args:
-        waitable: The program's own work.
-        ready_queue: Its node's way to the executor.
+        waitable: The program's waitable.
+        ready_queue: The node's ready queue.
     """
 
     def __init__(self, waitable: Waitable[Any], ready_queue: ReadyQueue) -> None:
@@ -108,11 +109,11 @@ class WaitableEntity:
 
     @property
     def due_ns(self) -> int | None:
-        """When the first of its timers wants to run."""
+        """When the first of its timers is due (monotonic clock, nanoseconds)."""
         return self._waited_for.due_ns
 
     def take(self) -> tuple[Any] | None:
-        """Ask the waitable; return what it took, in a tuple because that may be `None`."""
+        """Return the waitable's data in a tuple, as the data may be `None`. `None`: not ready."""
         if self._is_destroyed:
             return None
         wait_set = WaitSet()
@@ -125,11 +126,11 @@ class WaitableEntity:
         return (self.waitable.take_data(),) if self.waitable.is_ready(wait_set) else None
 
     def execute(self, taken: tuple[Any]) -> Any:
-        """Let the waitable work on what it took."""
+        """Run the waitable with the data."""
         return self.waitable.execute(taken[0])
 
     def destroy(self) -> None:
-        """Ask it no more."""
+        """Never run the waitable again."""
         self._is_destroyed = True
         self._waited_for.forget_waker(self._post)
         self._waited_for = WaitSet()

@@ -1,1 +1,1 @@
-"""Graph of a domain: its nodes, topics and services, and the drawing of them."""
+"""Graph of a domain, with nodes, topics and services, and the drawing of the graph."""

@@ -1,7 +1,7 @@
-"""The picture of the graph: where everything goes, and SVG of it.
+"""Drawing of the graph as SVG.
 
-Pure. Each node, topic, edge and frame is a group with `data-key`, so that a page can find it again,
-move it, and react to it; names are also in `data-node` and `data-topic`.
+Each node, topic, edge and frame is an SVG group with the attribute `data-key`. A page finds the
+group by this key, to move the group and to react to clicks. `data-node` and `data-topic` have names.
 """
 
 from __future__ import annotations
@@ -26,25 +26,25 @@ if TYPE_CHECKING:
 _MARGIN = 24.0
 _NODE_HEIGHT = 46.0
 _BOX_HEIGHT = 38.0
-_LINE = 18.0  # one line of text to the next
-_LONG = 34  # characters of a name that is broken in two lines
-_HEAD = 10.0  # an arrow head's length
+_LINE = 18.0  # distance of two lines of text
+_LONG = 34  # in characters; longer names get two lines
+_HEAD = 10.0  # length of an arrow head
 _EMPTY = "no node is running"
 
 
 @dataclass(frozen=True)
 class Drawing:
-    """A picture of the graph."""
+    """View of the graph with its layout."""
 
     view: GraphView
     layout: Layout
 
     def svg(self, labels: Mapping[Edge, str] | None = None) -> str:
-        """Return it as a file that needs nothing else, for light and dark screens.
+        """Return a complete SVG file for light and dark screens.
 
         Args:
-            labels: What to write beside edges, as their rates. With any mapping, also an empty one,
-                every edge has a place for it (`text.rate`) that a page can fill.
+            labels: Texts beside edges, such as rates. If a mapping is given, even an empty mapping,
+                every edge has an element `text.rate` that a page can fill.
         """
         body = "\n".join([*self._frames(), *self._edges(labels), *self._items()])
         left, top, right, bottom = self.layout.bounds if self.layout.places else (0, 0, 220, 40)
@@ -83,7 +83,7 @@ class Drawing:
             yield _edge(edge, route, points, label)
 
     def _touching(self, key: str, point: tuple[float, float]) -> tuple[float, float]:
-        """Move a point from the box around an ellipse to the ellipse."""
+        """Return the point at the same height on a node's ellipse. Other points are unchanged."""
         if not key.startswith("n:"):
             return point
         place = self.layout.places[key]
@@ -105,7 +105,7 @@ class Drawing:
 
 
 def draw(view: GraphView, previous: Drawing | None = None) -> Drawing:
-    """Return a picture; what was in the previous one moves as little as possible."""
+    """Return a drawing. Boxes from the previous drawing move as little as possible."""
     items = [Item(node_key(one), *_node_size(one), view.frames_of(one)) for one in view.nodes]
     items.extend(
         Item(box.key, *_box_size(box.name), view.frames_of(box.name)) for box in view.boxes
@@ -122,7 +122,7 @@ def _still_valid(view: GraphView, previous: Drawing | None) -> Layout | None:
 
 
 def lines_of(name: str) -> list[str]:
-    """Return a name in one line, or in two if it is long; broken before the best `/`."""
+    """Return the lines of a name. A long name has two lines and ends the first near its middle."""
     if len(name) <= _LONG:
         return [name]
     breaks = [index for index, one in enumerate(name) if one == "/" and index]
@@ -156,7 +156,7 @@ def _box(box: TopicView, place: Place) -> str:
     size = f'width="{place.width:.1f}" height="{place.height:.1f}" rx="6"'
     shape = f'<rect x="{left:.1f}" y="{top:.1f}" {size}/>'
     if box.kind.value != "topic":
-        # What stands for several things has a double border.
+        # A box that replaces several topics has a double border.
         inner = f'width="{place.width - 8:.1f}" height="{place.height - 8:.1f}" rx="3"'
         shape += f'<rect class="inner" x="{left + 4:.1f}" y="{top + 4:.1f}" {inner}/>'
     classes = f"item topic {box.kind.value}" if box.kind.value != "topic" else "item topic"
@@ -170,7 +170,7 @@ def _item(
     key: str, place: Place, shape: str, *, classes: str, facts: str, name: str, title: str
 ) -> str:
     lines = lines_of(name)
-    first = 5.0 - (len(lines) - 1) * _LINE / 2  # 5: from the middle of a line to its foot
+    first = 5.0 - (len(lines) - 1) * _LINE / 2  # 5 is from the middle of a line to its baseline
     spans = "".join(
         f'<tspan x="0" y="{first + number * _LINE:.1f}">{escape(line)}</tspan>'
         for number, line in enumerate(lines)
@@ -183,7 +183,7 @@ def _item(
 
 
 def edge_key(edge: Edge) -> str:
-    """Return what tells an edge from everything else in the picture."""
+    """Return an edge's key, unique in the drawing."""
     return f"e:{edge.start_key}>{edge.end_key}#{edge.label}"
 
 
@@ -207,7 +207,7 @@ def _edge(edge: Edge, route: Route, points: list[tuple[float, float]], rate: str
 
 
 def _beside(edge: Edge, points: list[tuple[float, float]]) -> tuple[float, float]:
-    """Return where a rate goes: beside the topic's box, where edges are apart least often."""
+    """Return the position of a rate, the middle of the edge's segment next to a node."""
     (x, y), (next_x, next_y) = points[:2] if edge.is_publishing else points[-2:]
     return ((x + next_x) / 2, (y + next_y) / 2)
 
@@ -234,7 +234,7 @@ def _head(tip: tuple[float, float], way: int) -> str:
 
 
 def _outline(frame: Frame) -> str:
-    """Return the outline of neighbouring slices: along the tops, and back along the bottoms."""
+    """Return the SVG path around a frame. It goes along the tops of slices, then the bottoms."""
     upper = [(x, top) for left, top, right, _ in frame.slices for x in (left, right)]
     lower = [(x, low) for left, _, right, low in frame.slices[::-1] for x in (right, left)]
     corners = _without_repeats(upper + lower)
@@ -242,7 +242,7 @@ def _outline(frame: Frame) -> str:
 
 
 def _without_repeats(corners: list[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Leave out corners that are none: where two slices are equally high."""
+    """Return the corners without duplicates and without corners on a straight line."""
     kept = []
     for number, corner in enumerate(corners):
         before, after = corners[number - 1], corners[(number + 1) % len(corners)]
@@ -262,7 +262,7 @@ def _rounded(corners: list[tuple[float, float]]) -> Iterator[str]:
 
 
 def _towards(corner: tuple[float, float], other: tuple[float, float]) -> tuple[float, float]:
-    """Return the point on the way to another corner where the rounding ends."""
+    """Return the point where the rounding of a corner ends, on the line to another corner."""
     dx, dy = other[0] - corner[0], other[1] - corner[1]
     length = abs(dx) + abs(dy)
     part = min(10.0, length / 2) / length if length else 0.0

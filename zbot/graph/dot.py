@@ -1,4 +1,4 @@
-"""The picture of the graph in Graphviz's language."""
+"""Drawing of the graph in DOT, Graphviz's language."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ _HEAD = """digraph graph_of_nodes {
 
 
 def dot(drawn: GraphView) -> str:
-    """Return the picture for `dot`: nodes as ellipses, topics as boxes, namespaces as frames."""
+    """Return a view in DOT. Nodes become ellipses, topics boxes, and namespaces clusters."""
     statements = {node_key(name): (name, _node(name)) for name in drawn.nodes}
     for box in drawn.boxes:
         shape = "box" if box.kind is BoxKind.TOPIC else "box3d"

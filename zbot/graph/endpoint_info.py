@@ -1,4 +1,4 @@
-"""What `get_publishers_info_by_topic` tells of each publisher or subscription (rclpy's names)."""
+"""Description of a publisher or subscription, which `get_publishers_info_by_topic` returns."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _DIGEST_LENGTH = 32  # SHA-256, in the first version of ROS 2's type hashes
 
 
 class TopicEndpointTypeEnum(IntEnum):
-    """Which side of a topic an endpoint is on."""
+    """Kind of an endpoint: publisher or subscription."""
 
     INVALID = 0
     PUBLISHER = 1
@@ -32,10 +32,10 @@ _SIDES = {
 
 @dataclass(slots=True)
 class TypeHash:
-    """A type's hash in two parts; `str()` joins them to `RIHS01_...`.
+    """Hash of a type; `str()` returns `RIHS01_...`.
 
     Args:
-        version: Of the way it is computed; there is 1.
+        version: The version of the hash's algorithm. Only version 1 exists.
         value: The digest, 32 bytes.
     """
 
@@ -46,7 +46,7 @@ class TypeHash:
 
     @classmethod
     def parse(cls, text: str) -> TypeHash:
-        """Return the hash that a text such as `RIHS01_df66...` stands for; else an invalid one."""
+        """Return the hash of a text such as `RIHS01_df66...`. Other texts give an invalid hash."""
         head, _, digits = text.partition("_")
         try:
             return cls(int(head.removeprefix("RIHS")), bytes.fromhex(digits))
@@ -61,7 +61,7 @@ class TypeHash:
 
 @dataclass(slots=True)
 class TopicEndpointInfo:
-    """What is known of one publisher or subscription."""
+    """Node, type, gid and QoS profile of one publisher or subscription."""
 
     node_name: str = ""
     node_namespace: str = ""
@@ -73,7 +73,7 @@ class TopicEndpointInfo:
 
     @classmethod
     def of(cls, token: EndpointToken) -> TopicEndpointInfo:
-        """Return the facts of a token."""
+        """Return the description of the endpoint that a token announces."""
         return cls(
             node_name=token.node,
             node_namespace=token.namespace,
@@ -85,7 +85,7 @@ class TopicEndpointInfo:
         )
 
     def __str__(self) -> str:
-        """Return what `ros2 topic info --verbose` prints."""
+        """Return the text that `ros2 topic info --verbose` prints."""
         qos = self.qos_profile
         depth = f" ({qos.depth})" if qos.history is HistoryPolicy.KEEP_LAST else ""
         return "\n".join(

@@ -1,7 +1,4 @@
-"""What a picture of the graph leaves out, and what it draws as one: rqt_graph's choices.
-
-Pure: names in, yes or no out.
-"""
+"""Filters and grouping of the drawn graph. The options are the same as in rqt_graph."""
 
 from __future__ import annotations
 
@@ -17,10 +14,11 @@ if TYPE_CHECKING:
 
 __all__ = ["UNGROUPED", "Filters", "Grouping", "InvalidFilterError", "compile_filter"]
 
-# As rqt_graph tells a name from a regular expression.
+# rqt_graph treats such a text as a name, and any other text as a regular expression.
 _PLAIN = re.compile(r"[a-zA-Z0-9_/]+")
-# rqt_graph's quiet names, but whole: it looks for them anywhere in a name, and so loses a student's
-# `/clock_face` and `/monitor_robot`. Of its list, `/monitor` and `/clock` may be a student's node.
+# Names that rqt_graph hides as "quiet". zbot compares whole names. rqt_graph searches for parts of
+# names, so it also hides nodes like `/clock_face` and `/monitor_robot`. This list does not contain
+# `/monitor` and `/clock` of rqt_graph, because students often use these names for nodes.
 _TOOLS = re.compile(
     r".*/(rqt|rviz)[^/]*|.*/(diag_agg|runtime_logger|pr2_dashboard|cpu_monitor|hd_monitor|rxloggerlevel)"
 )
@@ -30,58 +28,58 @@ _ACTION_PART = "/_action/"
 
 
 class InvalidFilterError(ZbotError, ValueError):
-    """A filter has a part that is no regular expression.
+    """A part of a filter is not a regular expression.
 
     Attributes:
-        pattern: That part.
+        pattern: The wrong part.
     """
 
     def __init__(self, pattern: str, reason: str) -> None:
         self.pattern = pattern
         super().__init__(
-            f"invalid filter {pattern!r}: {reason}; write names or regular expressions with commas"
-            " between them, and - before those to leave out: /robot.*,-/robot_2"
+            f"invalid filter {pattern!r}: {reason}; write names or regular expressions, separated"
+            " by commas, and - before each one to leave out: /robot.*,-/robot_2"
         )
 
 
 @dataclass(frozen=True)
 class Filters:
-    """What is left out."""
+    """Choice of nodes and topics. Each switch leaves names out if it is True."""
 
     debug: bool = True  #: nodes of rqt and rviz; /rosout, /statistics, /clock
     tf: bool = False  #: transforms
     params: bool = True  #: /parameter_events
     dead_sinks: bool = False  #: topics without subscriptions
     leaf_topics: bool = False  #: topics with a single connection
-    actions: bool = False  #: actions, and the topics of theirs
+    actions: bool = False  #: actions, with their topics
     hidden: bool = True  #: names with a part that begins with an underscore
-    nodes: str = "/"  #: names and regular expressions of nodes, `-` before those to leave out
-    topics: str = "/"  #: likewise of topics
+    nodes: str = "/"  #: filter for names of nodes, as in `compile_filter`
+    topics: str = "/"  #: filter for names of topics, as in `compile_filter`
 
     def shows_node(self, name: str) -> bool:
-        """Whether a node is shown, whatever `nodes` says."""
+        """Whether the switches allow a node. This method ignores the filter `nodes`."""
         if self.debug and _TOOLS.fullmatch(name):
             return False
         return not (self.hidden and is_hidden(name))
 
     def shows_topic(self, name: str) -> bool:
-        """Whether a topic is shown, whatever `topics` says."""
+        """Whether the switches allow a topic. This method ignores the filter `topics`."""
         last = name.rpartition("/")[2]
         return not (
             (self.debug and last in _DEBUG_TOPICS)
             or (self.tf and name in TF_TOPICS)
             or (self.params and last == "parameter_events")
             or (self.actions and _ACTION_PART in name)
-            # An action's topics have a hidden name, but they are why two nodes belong together.
+            # Topics of actions have hidden names, but they show which nodes are connected.
             or (self.hidden and is_hidden(name) and _ACTION_PART not in name)
         )
 
 
 @dataclass(frozen=True)
 class Grouping:
-    """What is drawn as one."""
+    """Choice of topics that are drawn as one box, and of namespaces that get a frame."""
 
-    namespaces: int = 2  #: how many levels of namespaces get a frame; 0 for none
+    namespaces: int = 2  #: the number of namespace levels that get a frame
     actions: bool = True  #: an action is one box
     tf: bool = True  #: /tf and /tf_static are one box
     images: bool = True  #: an image and its compressed forms are one box
@@ -91,14 +89,14 @@ UNGROUPED = Grouping(namespaces=0, actions=False, tf=False, images=False)
 
 
 def compile_filter(text: str) -> Callable[[str], bool]:
-    """Return whether a name passes a filter, as rqt_graph reads it.
+    """Return a function that returns whether a filter allows a name, as in rqt_graph.
 
-    Parts are separated by commas. A part of letters, digits, `_` and `/` is a whole name, any other
-    is a regular expression that must match from the beginning. `-` before a part leaves its names
-    out. Nothing, or `/`, includes all.
+    Commas separate the parts of a filter. A part of letters, digits, `_` and `/` is a whole name.
+    Any other part is a regular expression that must match from the beginning of a name. `-` before
+    a part leaves out its names. An empty filter and the filter `/` include all names.
 
     Raises:
-        InvalidFilterError: A part is no regular expression.
+        InvalidFilterError: A part is not a regular expression.
     """
     parts = [part.strip() for part in text.split(",")]
     excludes = [_matcher(part[1:]) for part in parts if part.startswith("-")]
@@ -116,7 +114,7 @@ def _matcher(part: str) -> Callable[[str], bool]:
     if _PLAIN.fullmatch(part):
         return lambda name: name == part
     if not part:
-        return lambda _: False  # a lone "-", while somebody types
+        return lambda _: False  # only "-", while the user types
     try:
         pattern = re.compile(part)
     except re.error as exc:

@@ -1,7 +1,7 @@
-"""The graph of a domain: which nodes there are, and what they publish, subscribe to and serve.
+"""Graph of a domain, with nodes, publishers, subscriptions, servers and clients.
 
-It is made of Zenoh liveliness tokens (docs/wire.md), so it is right at once, everywhere, and a
-process that dies takes its tokens with it.
+The graph consists of Zenoh liveliness tokens (docs/wire.md). All sessions see each change at once,
+and Zenoh removes the tokens of a process that ends for any reason.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ import zenoh
 from zbot.errors import InvalidNameError
 from zbot.names import SEND_GOAL, fully_qualified, validate_full_topic_name
 from zbot.transport import admin_query
-from zbot.transport.foreign_call import in_one_go
+from zbot.transport.foreign_call import without_interruption
 from zbot.transport.wakeup import BinarySemaphore
 from zbot.wire.errors import TokenError
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
@@ -30,8 +30,8 @@ if TYPE_CHECKING:
 
     from zbot.wire.dialect import Dialect
 
-_ANSWER_TIMEOUT_S = 2.0  # 25 ms are usual
-#: What the admin space of a Zenoh program calls them.
+_ANSWER_TIMEOUT_S = 2.0  # usually 25 ms are enough
+#: Words in the keys of Zenoh's admin space.
 _FOREIGN_KINDS = {"publisher": EntityKind.PUBLISHER, "subscriber": EntityKind.SUBSCRIPTION}
 _MOST_WITHDRAWN = 1000
 
@@ -47,7 +47,7 @@ class Snapshot:
 
     @cached_property
     def nodes(self) -> list[NodeToken]:
-        """One token a node, sorted by full name; equal names appear as often as they exist."""
+        """One token for each node, sorted by full name. Several nodes can have the same name."""
         found = (token for token in self.tokens if isinstance(token, NodeToken))
         return sorted(found, key=lambda node: (_full(node), node.zid, node.nid))
 
@@ -81,7 +81,7 @@ class Snapshot:
         return self.on(topic, EntityKind.SUBSCRIPTION)
 
     def names_and_types(self, *kinds: EntityKind, node: str | None = None) -> NamesAndTypes:
-        """Return each name once with its types, sorted; only those of `node`, if given."""
+        """Return each name with its types, sorted. If `node` is given, return only its names."""
         found: dict[str, set[str]] = {}
         for end in self.of_kind(*kinds):
             if node is None or _full(end) == node:
@@ -101,9 +101,9 @@ class Snapshot:
         *kinds: Literal[EntityKind.SERVICE, EntityKind.CLIENT],
         node: str | None = None,
     ) -> NamesAndTypes:
-        """Return each action with its types, sorted; only those with servers or clients, if given.
+        """Return the actions that have endpoints of the given kinds, with their types, sorted.
 
-        An action is known by the service that takes its goals.
+        If `node` is given, return only its actions. The service `_action/send_goal` shows an action.
         """
         kinds = kinds or (EntityKind.SERVICE, EntityKind.CLIENT)
         return [
@@ -114,7 +114,7 @@ class Snapshot:
 
 
 class Announcement:
-    """A node or endpoint that others can see until it is undeclared, or the session closed."""
+    """Token of a node or endpoint. Sessions see it until `undeclare` or the session's end."""
 
     def __init__(self, graph: Graph, session: zenoh.Session, token: Token) -> None:
         self._graph = graph
@@ -123,25 +123,27 @@ class Announcement:
         graph.note(token, appeared=True)
 
     def undeclare(self) -> None:
-        """Withdraw it."""
+        """Remove the token from the graph."""
         self._declared.undeclare()
         self._graph.note(self._token, appeared=False)
 
 
 class Graph:
-    """The live graph of one context.
+    """Graph of one context, kept up to date.
 
-    Listeners are called in a thread of Zenoh's, or in the one that announces something: they must
-    be quick and not block.
+    Listeners are called in a thread of Zenoh, or in the thread that calls `announce` or
+    `undeclare`. They must return quickly and must not block.
 
     Args:
-        session: The session through which tokens are seen.
-        dialect: How tokens are written.
+        session: The session that receives the tokens.
+        dialect: The format of tokens.
         domain: 0 to 232.
-        settle: Waits until everybody has answered a question; called at the first look.
-        receiver: Makes a function into what Zenoh calls until the session is closed.
-        asks_first: Whether to ask who is there before following changes. A client's session answers
-            queries by itself, and incompletely, as soon as it follows them.
+        settle: Function that waits until all sessions have sent their tokens. The first snapshot
+            calls it.
+        receiver: Function that turns a function into a callback. Zenoh calls it while the session
+            is open.
+        asks_first: Whether to query all tokens before the subscription to changes. After this
+            subscription, a client's session would answer the query itself, and incompletely.
     """
 
     def __init__(
@@ -159,24 +161,24 @@ class Graph:
         self._receiver = receiver
         self._dialect = dialect
         self._domain = domain
-        self._keys = dialect.tokens_keys(domain)
+        self._keys = dialect.token_selectors(domain)
         self._tokens: dict[str, Token] = {}
         self._by_gid: dict[bytes, EndpointToken] = {}
-        # Programs count who listens before every message: what was sorted serves until a change.
+        # Cached until a change, because programs count subscriptions before every message.
         self._snapshot: Snapshot | None = None
-        self._lock = threading.RLock()  # re-entrant, for a signal's handler
+        self._lock = threading.RLock()  # re-entrant: a signal handler may use the graph
         self._listeners: list[weakref.ref[Any]] = []
         self._asks_first = asks_first
         self._watching = False
         self._is_complete = False
         self._gone: set[str] = set()
-        # Own tokens whose coming and going may still be queued, or was never told.
+        # Own tokens that were undeclared. Zenoh may deliver their samples later or never.
         self._withdrawn: dict[str, None] = {}
-        # No condition variable: a signal's exception could leave it taken, and Zenoh stuck.
+        # Not a condition variable: an exception of a signal handler could leave it locked.
         self._waiting: set[BinarySemaphore] = set()
 
     def watch(self) -> None:
-        """Begin to follow changes; `find` knows nothing before."""
+        """Subscribe to changes. Before this call, `find` returns None."""
         with self._lock:
             if self._watching:
                 return
@@ -187,11 +189,11 @@ class Graph:
             self._declare_subscriber(key, self._receiver(self._on_sample))
 
     def announce(self, token: Token) -> Announcement:
-        """Declare a token of this context, which its own graph shows at once."""
+        """Declare a token of this context. This graph contains the token at once."""
         return Announcement(self, self._session, token)
 
     def note(self, token: Token, *, appeared: bool) -> None:
-        """Change what is known, and tell the listeners if that is news."""
+        """Add or remove a token, and call the listeners if the graph has changed."""
         if appeared:
             changed = self._add(token)
         else:
@@ -202,15 +204,15 @@ class Graph:
                     if len(self._withdrawn) > _MOST_WITHDRAWN:
                         del self._withdrawn[next(iter(self._withdrawn))]
         if changed:
-            self._tell(token, appeared)
+            self._notify(token, appeared)
 
     def snapshot(self) -> Snapshot:
-        """Return the graph as it is now, complete from the first call on (1 to 25 ms then)."""
+        """Return the graph as it is now. The first call waits for all sessions (1 to 25 ms)."""
         if not self._asks_first:
-            # What comes or goes during the first look must not be missed.
+            # Before the query, so that no change during the query is missed.
             self.watch()
         if not self._watching:
-            return Snapshot(tuple(self._ask()))
+            return Snapshot(tuple(self._query_tokens()))
         if not self._is_complete:
             self._complete()
         with self._lock:
@@ -219,7 +221,7 @@ class Graph:
             return self._snapshot
 
     def wait_for(self, condition: Callable[[Snapshot], bool], timeout_s: float) -> bool:
-        """Wait until a condition on the graph holds; `False` if it did not in `timeout_s`."""
+        """Wait until a condition on the graph is true. Return False after `timeout_s` seconds."""
         self.watch()
         changed = BinarySemaphore()
         self._waiting.add(changed)
@@ -235,11 +237,11 @@ class Graph:
             self._waiting.discard(changed)
 
     def _complete(self) -> None:
-        tokens = list(self._ask())
+        tokens = list(self._query_tokens())
         for token in tokens:
             self._add(token)
         with self._lock:
-            # A token may have gone between its answer and here.
+            # A session may remove its token after its answer.
             for key in self._gone & self._tokens.keys():
                 self._forget(key)
             self._gone.clear()
@@ -253,11 +255,11 @@ class Graph:
         return gone
 
     def find(self, gid: bytes) -> EndpointToken | None:
-        """Return the endpoint that a message's gid names, if it is known (by now)."""
+        """Return the endpoint with the gid of a message, or None before its token has arrived."""
         return self._by_gid.get(gid)
 
     def add_listener(self, listener: Callable[[Token, bool], None]) -> None:
-        """Call a bound method `listener(token, appeared)` at each change while its object lives."""
+        """Call the bound method `listener(token, appeared)` at each change while its object exists."""
         self.watch()
         with self._lock:
             self._listeners.append(weakref.WeakMethod(listener))
@@ -270,20 +272,22 @@ class Graph:
         with self._lock:
             self._listeners = [ref for ref in self._listeners if ref() not in {None, listener}]
 
-    def _ask(self) -> Iterator[Token]:
-        for key in self._asked_of_router() if self._asks_first else self._told_by_peers():
+    def _query_tokens(self) -> Iterator[Token]:
+        for key in self._tokens_from_router() if self._asks_first else self._tokens_from_peers():
             token = self._parse(key)
             if token is not None:
                 yield token
 
-    def _asked_of_router(self) -> Iterable[str]:
+    def _tokens_from_router(self) -> Iterable[str]:
         asked = [admin_query.tokens(self._session, key, _ANSWER_TIMEOUT_S) for key in self._keys]
         return itertools.chain.from_iterable(asked)
 
-    def _told_by_peers(self) -> Iterable[str]:
-        # A peer that follows tokens answers its own questions from what it happens to have heard.
-        # Whoever is told that tokens are followed sends theirs, and then answers what comes next.
-        subscribers = [self._declare_subscriber(key, admin_query.room()) for key in self._keys]
+    def _tokens_from_peers(self) -> Iterable[str]:
+        # This session's own cache, which may be incomplete, would answer a query. But after a new
+        # subscription, each peer sends its tokens before it answers `settle`.
+        subscribers = [
+            self._declare_subscriber(key, admin_query.large_queue()) for key in self._keys
+        ]
         self._settle()
         keys: dict[str, None] = {}
         for subscriber in subscribers:
@@ -297,20 +301,20 @@ class Graph:
 
     def _declare_subscriber(self, key: str, handler: Any) -> Any:
         subscribe = self._session.liveliness().declare_subscriber
-        return in_one_go(subscribe, key, handler, history=True)
+        return without_interruption(subscribe, key, handler, history=True)
 
     def _parse(self, key: str) -> Token | None:
         try:
             return self._dialect.parse_token(key)
         except TokenError:
-            return None  # anybody may declare tokens; what is no ROS token is not in the graph
+            return None  # a token of another program, which ROS 2 does not know
 
     def _on_sample(self, sample: zenoh.Sample) -> None:
         key = str(sample.key_expr)
         if sample.kind == zenoh.SampleKind.PUT:
             token = self._parse(key)
             if token is not None and self._add(token):
-                self._tell(token, True)
+                self._notify(token, True)
             return
         with self._lock:
             gone = self._forget(key)
@@ -318,7 +322,7 @@ class Graph:
             if not self._is_complete:
                 self._gone.add(key)
         if gone is not None:
-            self._tell(gone, False)
+            self._notify(gone, False)
 
     def _add(self, token: Token) -> bool:
         with self._lock:
@@ -330,7 +334,7 @@ class Graph:
                 self._by_gid[token.gid] = token
             return True
 
-    def _tell(self, token: Token, appeared: bool) -> None:
+    def _notify(self, token: Token, appeared: bool) -> None:
         for changed in list(self._waiting):
             changed.set()
         for ref in list(self._listeners):
@@ -340,18 +344,18 @@ class Graph:
 
 
 class Process(NamedTuple):
-    """What a session tells of its process in the admin space."""
+    """Process of a session. The session describes it in Zenoh's admin space."""
 
     zid: str
     host: str
     pid: int
     started_ns: int  #: nanoseconds since the epoch
-    version: str  #: of zbot
+    version: str  #: the version of zbot
     command: str
 
 
 def processes(session: zenoh.Session) -> dict[str, Process]:
-    """Return the zbot processes that can be seen, by session id (1 to 25 ms)."""
+    """Return the zbot processes of all reachable sessions, by session id (1 to 25 ms)."""
     found = {}
     for key, facts in admin_query.answers(session, "@/*/*", _ANSWER_TIMEOUT_S):
         zid = key.split("/")[1]
@@ -373,25 +377,25 @@ def _process(zid: str, payload: bytes) -> Process | None:
             str(facts["command"]),
         )
     except (ValueError, KeyError, TypeError):
-        return None  # a Zenoh program that is not zbot's
+        return None  # a Zenoh program that does not use zbot
 
 
 def foreign_topics(
     session: zenoh.Session, snapshot: Snapshot, domain: int
 ) -> dict[str, set[EntityKind]]:
-    """Return the topics that only plain Zenoh programs use, as these tell themselves.
+    """Return the topics that only plain Zenoh programs use, by reading their admin spaces.
 
     Args:
         session: A client's session.
-        snapshot: The graph: what it knows is not foreign.
+        snapshot: The graph. The result leaves out its topics and sessions.
         domain: 0 to 232.
     """
     own = {token.zid for token in snapshot.tokens} | {str(session.info.zid())}
-    strangers = admin_query.sessions(session, "*", _ANSWER_TIMEOUT_S).keys() - own
-    # All are asked before the first answer is waited for.
+    foreign = admin_query.sessions(session, "*", _ANSWER_TIMEOUT_S).keys() - own
+    # A list, so that all queries are sent before the first answer is read.
     asked = [
         admin_query.answers(session, f"@/{zid}/*/*/{domain}/**", _ANSWER_TIMEOUT_S)
-        for zid in strangers
+        for zid in foreign
     ]
     known = {end.name for end in snapshot.endpoints}
     found: dict[str, set[EntityKind]] = {}
@@ -407,7 +411,7 @@ def _is_name(name: str) -> bool:
     try:
         return validate_full_topic_name(name)
     except InvalidNameError:
-        return False  # a wildcard, or a key that is no ROS name
+        return False  # a wildcard, or a key that is not a valid name in ROS 2
 
 
 def _full(token: Token) -> str:
@@ -415,5 +419,5 @@ def _full(token: Token) -> str:
 
 
 def full_names(tokens: Iterable[Token]) -> list[str]:
-    """Return the full names of the nodes that tokens belong to."""
+    """Return the full names of the nodes to which tokens belong."""
     return [_full(token) for token in tokens]

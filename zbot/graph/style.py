@@ -1,6 +1,6 @@
-"""How the picture of the graph looks: its colours, for light and dark, and the width of its text.
+"""Style of the drawn graph, with colours for light and dark screens and widths of texts.
 
-The rules hold plain colours, not variables: programs that show SVG files know no variables.
+The CSS rules contain plain colours, as many programs that show SVG files ignore CSS variables.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ FONT_SIZE = 15
 LABEL_SIZE = 13
 _FAMILY = '"Helvetica Neue", Helvetica, Arial, "Liberation Sans", sans-serif'
 
-# Widths in Helvetica, in thousandths of the size (Adobe's font metrics); Arial has the same.
+# Widths in Helvetica and Arial, in thousandths of the font size (Adobe's font metrics).
 _WIDTHS = {
     **dict.fromkeys("ijl", 222),
     **dict.fromkeys(" ft/.,:I", 278),
@@ -26,12 +26,12 @@ _WIDTHS = {
     "W": 944,
 }
 _OTHER_WIDTH = 556
-_WIDE = 700  # beyond ASCII
+_WIDE = 700  # for characters that are not ASCII
 
 
 @dataclass(frozen=True)
 class Palette:
-    """Colours: what a thing is filled with, its border, its text."""
+    """Colours of the drawing. A tuple has the colours of filling, border and text."""
 
     ground: str
     text: str
@@ -81,14 +81,14 @@ DARK = Palette(
 
 
 def text_width(text: str, size: float) -> float:
-    """Return about how many pixels wide a text is; rather more than less."""
+    """Return the estimated width of a text in pixels. The estimate is usually a little too large."""
     units = sum(_WIDTHS.get(one, _OTHER_WIDTH if one < "\x7f" else _WIDE) for one in text)
     return units * size / 1000 * 1.04
 
 
 @lru_cache(maxsize=1)
 def style() -> str:
-    """Return the rules: light, dark where the screen is, and as classes `light` and `dark` say."""
+    """Return the CSS. The screen or the classes `light` and `dark` choose the colours."""
     dark = _colours(".zbot-graph:not(.light)", DARK)
     return "\n".join(
         [
@@ -146,7 +146,7 @@ def _edge_rules(where: str, colour: str) -> list[tuple[str, str]]:
 
 
 def _lit(name: str, colour: str) -> list[tuple[str, str]]:
-    """Return how something looks that a page lights up."""
+    """Return the CSS rules for nodes, topics and edges that the page highlights."""
     shapes = [
         (f".{name} {shape}", f"stroke: {colour}; stroke-width: 3") for shape in ("ellipse", "rect")
     ]

@@ -1,4 +1,4 @@
-"""The topics and actions of a snapshot: who is at their ends, and what looks wrong with them."""
+"""Topics and actions of a snapshot, with their nodes and with problems such as several types."""
 
 from __future__ import annotations
 
@@ -20,26 +20,26 @@ if TYPE_CHECKING:
 _ACTION = "/_action/"
 _TOPIC_KINDS = (EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION)
 _ACTION_ENDS = ("_SendGoal", "_FeedbackMessage")
-_IMAGE_FORMS = ("", "/compressed", "/compressedDepth", "/theora")  # of image_transport
+_IMAGE_FORMS = ("", "/compressed", "/compressedDepth", "/theora")  # the topics of image_transport
 _ENOUGH_IMAGES = 3  # as in rqt_graph
 
 
 class BoxKind(str, Enum):
-    """What a box stands for."""
+    """Kind of a box in the drawing."""
 
     TOPIC = "topic"
-    ACTION = "action"  #: goals go from its clients to its servers
-    TF = "tf"  #: all topics with transforms
-    IMAGES = "images"  #: one picture in several forms
+    ACTION = "action"  #: all topics and services of an action, with edges from clients to servers
+    TF = "tf"  #: `/tf` and `/tf_static`
+    IMAGES = "images"  #: the raw and compressed topics of one image
 
     def key(self, name: str) -> str:
-        """Return what tells a box from everything else in the picture."""
+        """Return the box's key, unique in the drawing."""
         return f"{self.value[0]}:{name}" if self is not BoxKind.TF else f"g:{name}"
 
 
 @dataclass(frozen=True, order=True)
 class End:
-    """What connects a node with a topic; an action's clients count as publishers."""
+    """Endpoint of a node on a topic. Clients of an action count as publishers."""
 
     node: str
     is_publisher: bool
@@ -48,19 +48,19 @@ class End:
 
 @dataclass(frozen=True)
 class TopicView:
-    """A topic, and what looks wrong with it."""
+    """Topic or action with its endpoints, and its problem if it has a problem."""
 
     name: str
     ends: tuple[End, ...]
     kind: BoxKind = BoxKind.TOPIC
-    has_clash: bool = False  #: whether its nodes use different types, and so cannot hear each other
-    guess: str | None = None  #: the published topic that was probably meant, if nobody publishes it
-    problem: str | None = None  #: a sentence, if there is something wrong
-    stands_for: tuple[str, ...] = ()  #: the topics that are drawn as this one
+    has_clash: bool = False  #: whether nodes use different types and exchange no messages
+    guess: str | None = None  #: a published topic with a similar name, if this topic has no publisher
+    problem: str | None = None  #: a sentence about the problem, if there is a problem
+    stands_for: tuple[str, ...] = ()  #: the topics that this box replaces
 
     @property
     def key(self) -> str:
-        """What tells it from everything else in the picture."""
+        """The key of its box, unique in the drawing."""
         return self.kind.key(self.name)
 
     @cached_property
@@ -80,31 +80,31 @@ class TopicView:
 
     @property
     def is_active(self) -> bool:
-        """Whether messages can go through it."""
+        """Whether it has publishers and subscriptions."""
         return bool(self.publishers and self.subscriptions)
 
     def among(self, nodes: Collection[str]) -> TopicView:
-        """Return it with the ends that belong to some nodes only."""
+        """Return a copy with only the endpoints of the given nodes."""
         return replace(self, ends=tuple(end for end in self.ends if end.node in nodes))
 
-    def can_hear(self, subscription: str, publisher: str) -> bool:
-        """Whether a node gets what another one publishes here."""
+    def receives(self, subscription: str, publisher: str) -> bool:
+        """Whether a subscribing node and a publishing node use the same type."""
         if not self.has_clash or self.stands_for:
             return True
         types = self._types_of(publisher, is_publisher=True)
         return not types.isdisjoint(self._types_of(subscription, is_publisher=False))
 
-    def is_unheard(self, publisher: str) -> bool:
-        """Whether no subscription can hear a node."""
+    def has_no_receiver(self, publisher: str) -> bool:
+        """Whether there are subscriptions, but their types all differ from a publisher's type."""
         listening = self.subscriptions
-        return bool(listening) and not any(self.can_hear(one, publisher) for one in listening)
+        return bool(listening) and not any(self.receives(one, publisher) for one in listening)
 
-    def is_deaf(self, subscription: str) -> bool:
-        """Whether a node can hear no publisher, though there are some or were to be some."""
+    def receives_nothing(self, subscription: str) -> bool:
+        """Whether all publishers have other types. Or none exists, and the name looks misspelled."""
         talking = self.publishers
         if not talking:
             return self.guess is not None
-        return not any(self.can_hear(subscription, one) for one in talking)
+        return not any(self.receives(subscription, one) for one in talking)
 
     def _types_of(self, node: str, *, is_publisher: bool) -> set[str]:
         return {
@@ -115,7 +115,7 @@ class TopicView:
 
 
 def find_topics(snapshot: Snapshot, nodes: Collection[str], grouping: Grouping) -> list[TopicView]:
-    """Return the topics that some nodes use, sorted by name, and their actions, if grouped."""
+    """Return the topics of the given nodes, and grouped actions, sorted by name."""
     topics: dict[str, list[End]] = {}
     actions: dict[str, list[End]] = {}
     for token in snapshot.endpoints:
@@ -127,13 +127,14 @@ def find_topics(snapshot: Snapshot, nodes: Collection[str], grouping: Grouping) 
         elif token.kind in _TOPIC_KINDS:
             end = End(node, token.kind is EntityKind.PUBLISHER, token.type_name)
             topics.setdefault(token.name, []).append(end)
-    made = {topic.name: topic for topic in _judged(topics, BoxKind.TOPIC)}
+    made = {topic.name: topic for topic in _with_problems(topics, BoxKind.TOPIC)}
     if grouping.tf:
         _join(made, "/tf", TF_TOPICS, BoxKind.TF)
     if grouping.images:
         _join_images(made)
     return sorted(
-        [*made.values(), *_judged(actions, BoxKind.ACTION)], key=lambda one: (one.name, one.kind)
+        [*made.values(), *_with_problems(actions, BoxKind.ACTION)],
+        key=lambda one: (one.name, one.kind),
     )
 
 
@@ -146,8 +147,8 @@ def _add_action_end(actions: dict[str, list[End]], token: EndpointToken, node: s
             actions.setdefault(name, []).append(end)
 
 
-def _judged(found: Mapping[str, list[End]], kind: BoxKind) -> Iterator[TopicView]:
-    # An action is there once it has a server: those are its subscriptions here.
+def _with_problems(found: Mapping[str, list[End]], kind: BoxKind) -> Iterator[TopicView]:
+    # Publishers offer a topic. Servers offer an action, and count as its subscriptions here.
     offers = kind is BoxKind.TOPIC
     offered = sorted(n for n, ends in found.items() if any(e.is_publisher is offers for e in ends))
     known = set(offered)
@@ -165,7 +166,7 @@ def _clash(topic: TopicView) -> str:
         nodes = sorted({end.node for end in topic.ends if end.type_name == type_name})
         uses.append(f"{type_name} ({', '.join(nodes)})")
     number = "two" if len(uses) == 2 else str(len(uses))
-    return f"{number} types cannot hear each other: {', '.join(uses)}"
+    return f"{number} types on one topic exchange no messages: {', '.join(uses)}"
 
 
 def _typo(topic: TopicView, guess: str | None) -> str | None:

@@ -1,7 +1,4 @@
-"""What a picture of the graph shows: nodes, topics, and which way messages go.
-
-Pure: it is made of a snapshot, and whoever shows it decides how.
-"""
+"""Selection of the nodes, topics and edges that a drawing of the graph contains."""
 
 from __future__ import annotations
 
@@ -22,65 +19,65 @@ if TYPE_CHECKING:
 __all__ = ["BoxKind", "Edge", "Filters", "GraphView", "Grouping", "Mode", "TopicView", "view"]
 
 
-_TOOL = "/_zbot_"  # nodes of zbot's own commands and of the page: nobody misses them
+_TOOL = "/_zbot_"  # for nodes of zbot's own commands and of the page; not reported as left out
 
 
 class Mode(str, Enum):
-    """Which topics are boxes of their own (rqt_graph's three choices)."""
+    """Choice of the topics that are drawn as boxes (the three modes of rqt_graph)."""
 
-    NODES = "nodes"  #: none: arrows lead from node to node, labelled with their topics
-    ACTIVE = "active"  #: those with publishers and subscriptions
-    ALL = "all"  #: all
+    NODES = "nodes"  #: no topics; edges go from node to node and have the topic as label
+    ACTIVE = "active"  #: topics with publishers and subscriptions
+    ALL = "all"  #: all topics
 
 
 @dataclass(frozen=True, order=True)
 class Edge:
-    """An arrow between names of nodes and topics; a label names the topic between two nodes."""
+    """Arrow from a node to a topic, from a topic to a node, or from a node to another node."""
 
     start: str
     end: str
     label: str = ""
-    is_publishing: bool = False  #: whether it leads from a node to a topic
-    kind: BoxKind = BoxKind.TOPIC  #: what the topic at its end, or on its label, is
-    is_wrong: bool = False  #: whether nothing can come through
+    is_publishing: bool = False  #: whether the arrow goes from a node to a topic
+    kind: BoxKind = BoxKind.TOPIC  #: the kind of its topic
+    is_wrong: bool = False  #: whether messages cannot pass, e.g. because types differ
 
     @property
     def is_both_ways(self) -> bool:
-        """Whether answers come back: goals go one way, feedback and results the other."""
+        """Whether it has two heads. Goals go one way, feedback and results go the other way."""
         return self.kind is BoxKind.ACTION
 
     @property
     def topic(self) -> str:
-        """The topic at its end or on its label."""
+        """The topic at one end of the arrow, or on its label."""
         return self.label or (self.end if self.is_publishing else self.start)
 
     @property
     def start_key(self) -> str:
-        """What tells the start from everything else in the picture."""
+        """The key of the box at its start, unique in the drawing."""
         is_node = self.label or self.is_publishing
         return node_key(self.start) if is_node else self.kind.key(self.start)
 
     @property
     def end_key(self) -> str:
-        """What tells the end from everything else in the picture."""
+        """The key of the box at its end, unique in the drawing."""
         return self.kind.key(self.end) if self.is_publishing else node_key(self.end)
 
 
 def node_key(name: str) -> str:
-    """Return what tells a node from a topic of the same name."""
+    """Return a node's key in the drawing. A topic of the same name has another key."""
     return f"n:{name}"
 
 
 @dataclass(frozen=True)
 class GraphView:
-    """What is drawn: everything sorted by name, so that equal graphs give equal pictures."""
+    """Content of a drawing. It is sorted by name, so that equal graphs give equal drawings."""
 
     mode: Mode
     nodes: tuple[str, ...]
     topics: tuple[TopicView, ...]
-    namespaces: int = 0  #: how many levels of them get a frame
-    problems: tuple[str, ...] = ()  #: sentences, also about topics that the mode leaves out
-    left_out: tuple[str, ...] = field(default=(), compare=False)  #: names that filters hide
+    namespaces: int = 0  #: the number of namespace levels that get a frame
+    problems: tuple[str, ...] = ()  #: sentences; some are about topics that the mode leaves out
+    left_out: tuple[str, ...] = field(default=(), compare=False)  #: names that are not drawn
 
     @property
     def boxes(self) -> tuple[TopicView, ...]:
@@ -89,12 +86,12 @@ class GraphView:
 
     @cached_property
     def edges(self) -> tuple[Edge, ...]:
-        """The arrows, each once."""
+        """The arrows without duplicates, sorted."""
         found = self._direct_edges() if self.mode is Mode.NODES else self._box_edges()
         return tuple(sorted(set(found)))
 
     def frames_of(self, name: str) -> tuple[str, ...]:
-        """Return the namespaces whose frames are around a name, the outermost first."""
+        """Return the namespaces whose frames contain a name. The outermost frame comes first."""
         parts = name.split("/")[1:-1][: self.namespaces]
         return tuple("/" + "/".join(parts[: depth + 1]) for depth in range(len(parts)))
 
@@ -102,16 +99,16 @@ class GraphView:
         for topic in self.topics:
             for start in topic.publishers:
                 for end in topic.subscriptions:
-                    is_wrong = not topic.can_hear(end, start)
+                    is_wrong = not topic.receives(end, start)
                     yield Edge(start, end, topic.name, kind=topic.kind, is_wrong=is_wrong)
 
     def _box_edges(self) -> Iterator[Edge]:
         for topic in self.topics:
             for node in topic.publishers:
-                is_wrong = topic.is_unheard(node)
+                is_wrong = topic.has_no_receiver(node)
                 yield Edge(node, topic.name, "", True, topic.kind, is_wrong)
             for node in topic.subscriptions:
-                yield Edge(topic.name, node, "", False, topic.kind, topic.is_deaf(node))
+                yield Edge(topic.name, node, "", False, topic.kind, topic.receives_nothing(node))
 
 
 def view(
@@ -120,17 +117,17 @@ def view(
     filters: Filters | None = None,
     grouping: Grouping | None = None,
 ) -> GraphView:
-    """Return what to draw of a snapshot.
+    """Return the part of a snapshot to draw.
 
     Raises:
-        InvalidFilterError: A filter has a part that is no regular expression.
+        InvalidFilterError: A part of a filter is not a regular expression.
     """
     filters, grouping = filters or Filters(), grouping or Grouping()
     names = {fully_qualified(node.namespace, node.node) for node in snapshot.nodes}
     open_nodes = {name for name in names if filters.shows_node(name)}
     passes = compile_filter(filters.nodes)
     nodes = {name for name in open_nodes if passes(name)}
-    # As in rqt_graph, a topic is judged with all its nodes, also those that are not drawn.
+    # As in rqt_graph, hidden nodes count too when zbot looks for problems and active topics.
     found = find_topics(snapshot, open_nodes, grouping)
     shown = [topic.among(nodes) for topic in _chosen(found, mode, filters)]
     judged = [topic.among(nodes) for topic in _chosen(found, Mode.ALL, filters)]
@@ -139,8 +136,8 @@ def view(
     kept = {topic.name for topic in topics} | nodes
     known = {name for name in names if _TOOL not in name} | {topic.name for topic in found}
     left_out = sorted(known - kept)
-    namespaces, everybody = grouping.namespaces, tuple(sorted(nodes))
-    return GraphView(mode, everybody, topics, namespaces, problems, tuple(left_out))
+    namespaces, all_nodes = grouping.namespaces, tuple(sorted(nodes))
+    return GraphView(mode, all_nodes, topics, namespaces, problems, tuple(left_out))
 
 
 def _chosen(topics: list[TopicView], mode: Mode, filters: Filters) -> Iterator[TopicView]:

@@ -1,4 +1,4 @@
-"""ROS 2 interface definitions, and the Python classes made from them."""
+"""Interface definitions of ROS 2, and the Python classes made from them."""
 
 from typing import TYPE_CHECKING
 
@@ -33,9 +33,9 @@ if TYPE_CHECKING:
     from zbot.interfaces.spec import MessageSpec as MessageSpec
     from zbot.interfaces.spec import ServiceSpec as ServiceSpec
 
-# Where each name lives: it is imported when it is first used, because a command that lists topics
+# Module of each name. A name is imported at its first use, because a command that only lists topics
 # needs no definitions.
-_HOMES = {
+_MODULES = {
     "Action": "zbot.interfaces.message",
     "Message": "zbot.interfaces.message",
     "Service": "zbot.interfaces.message",
@@ -64,4 +64,4 @@ _HOMES = {
     "ServiceSpec": "zbot.interfaces.spec",
 }
 
-__getattr__, __dir__ = lazy_names(__name__, _HOMES, "install_importer")
+__getattr__, __dir__ = lazy_names(__name__, _MODULES, "install_importer")

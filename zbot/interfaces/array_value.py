@@ -1,4 +1,4 @@
-"""Values of numeric arrays: `array.array` for sequences, ndarrays for fixed sizes if possible."""
+"""Values of numeric arrays: `array.array` for sequences, ndarrays for fixed sizes with numpy."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ DTYPES = {
 
 @functools.cache
 def numpy() -> Any | None:
-    """The numpy module, or None where it is not installed; imported at the first call."""
+    """Return the numpy module, imported at the first call, or None if it is not installed."""
     try:
         return importlib.import_module("numpy")
     except ImportError:
@@ -36,17 +36,17 @@ def numpy() -> Any | None:
 
 
 def is_ndarray(value: object) -> bool:
-    """Whether a value is an ndarray, without importing numpy to find out."""
+    """Return whether a value is an ndarray, without importing numpy."""
     module = sys.modules.get("numpy")
     return module is not None and isinstance(value, module.ndarray)
 
 
 def fixed_array(typecode: str, values: Iterable[Any]) -> Any:
-    """A fixed-size numeric field's value: an ndarray of the exact dtype, else an `array.array`.
+    """Return the value of a fixed-size numeric field: an ndarray, without numpy an `array.array`.
 
     Args:
-        typecode: The field's `array` typecode.
-        values: Its elements, already checked; an `array.array` of that typecode is not copied.
+        typecode: The field's `array` typecode, which also sets the ndarray's dtype.
+        values: The elements, already checked; an `array.array` of that typecode is not copied.
     """
     elements = values if isinstance(values, array) else array(typecode, values)
     module = numpy()
@@ -56,7 +56,7 @@ def fixed_array(typecode: str, values: Iterable[Any]) -> Any:
 def fixed_default(
     typecode: str, size: int, default: tuple[Any, ...] | None = None
 ) -> Callable[[], Any]:
-    """A function that makes the default value of a fixed-size numeric field, new each time."""
+    """Return a function that makes a new default value of a fixed-size numeric field."""
     if default is not None:
         return functools.partial(fixed_array, typecode, default)
 
@@ -68,12 +68,12 @@ def fixed_default(
 
 
 def same_elements(left: Any, right: Any) -> bool:
-    """Whether two fixed-size numeric values are equal, each an ndarray or an `array.array`."""
+    """Return whether two fixed-size numeric values (ndarray or `array.array`) are equal."""
     if is_ndarray(left) or is_ndarray(right):
         return len(left) == len(right) and bool((left == right).all())
     return bool(left == right)
 
 
 def elements_text(value: Any) -> str:
-    """A numeric sequence as ROS 2 prints it: only its elements."""
+    """Return a numeric sequence as ROS 2 prints it: only its elements."""
     return repr(value.tolist() if hasattr(value, "tolist") else value)

@@ -1,4 +1,4 @@
-"""Python classes made from specs."""
+"""Factory of the Python classes of messages, services and actions, given their specs."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from zbot.interfaces.array_value import elements_text, fixed_default, same_eleme
 from zbot.interfaces.errors import PositionalFieldError, UnknownFieldError
 from zbot.interfaces.message import (
     Action,
+    ConstantsMeta,
     Impl,
     Message,
     Service,
-    WithConstants,
     shown_name,
 )
 from zbot.interfaces.source import class_source
@@ -27,18 +27,18 @@ if TYPE_CHECKING:
     from zbot.interfaces.slot_type import AbstractType
     from zbot.interfaces.spec import ActionSpec, Field, MessageSpec, ServiceSpec
 
-    Find = Callable[[str], type[Any]]  #: the class of a type name
+    Find = Callable[[str], type[Any]]  #: returns the class of a type name
 
 
 class _Default:
-    """Stands in a signature for a default that has to be made new for each message."""
+    """Placeholder in a signature for a default that is made new for each message."""
 
     def __repr__(self) -> str:
         return "<default>"
 
 
-class _Late:
-    """A class attribute that is made when it is first looked at, then kept."""
+class _LazyClass:
+    """Descriptor of a class attribute that is made at the first access and then kept."""
 
     def __init__(self, make: Callable[[], type[Any]]) -> None:
         self._make = make
@@ -53,13 +53,13 @@ class _Late:
 
 
 class _SlotTypes:
-    """The attribute `SLOT_TYPES` of a message class: made at the first look, then kept."""
+    """Descriptor of a message class's `SLOT_TYPES`, made at the first access and then kept."""
 
     def __get__(self, instance: object, owner: type[Message]) -> tuple[AbstractType, ...]:
-        from zbot.interfaces.slot_type import slot_type  # noqa: PLC0415 - 4 ms; few programs look
+        from zbot.interfaces.slot_type import slot_type  # noqa: PLC0415 - 4 ms; few programs need it
 
         types = tuple(slot_type(field.type) for field in owner.SPEC.fields)
-        setattr(owner, "SLOT_TYPES", types)  # noqa: B010 - a class variable that checkers see fixed
+        setattr(owner, "SLOT_TYPES", types)  # noqa: B010 - type checkers see it as constant
         return types
 
 
@@ -69,7 +69,7 @@ _COMMON: dict[str, Any] = {
     "NAN": math.nan,
     "_Message": Message,
     "_SlotTypes": _SlotTypes,
-    "_WithConstants": WithConstants,
+    "_ConstantsMeta": ConstantsMeta,
     "_array": array,
     "_bool": bool,
     "_bytes": bytes,
@@ -86,11 +86,11 @@ _COMMON: dict[str, Any] = {
 
 
 def make_message(spec: MessageSpec, nested: dict[str, type[Any]]) -> type[Message]:
-    """A class for a message, given those of its fields that are messages, by field name."""
+    """Return a message class; `nested` has the classes of the fields that are messages, by name."""
     names = _namespace(spec, nested)
     source = class_source(spec)
     filename = f"<zbot {spec.name}>"
-    # So that a traceback through the class shows its lines.
+    # A traceback through the class then shows its source lines.
     linecache.cache[filename] = (len(source), None, source.splitlines(keepends=True), filename)
     exec(compile(source, filename, "exec", dont_inherit=True), names)  # noqa: S102 - our own source
     cls: type[Message] = names[spec.name.rpartition("/")[2]]
@@ -98,30 +98,30 @@ def make_message(spec: MessageSpec, nested: dict[str, type[Any]]) -> type[Messag
 
 
 def make_service(spec: ServiceSpec, find: Find) -> type[Service]:
-    """A class for a service; its Event is made when first used."""
+    """Return a service class; its Event is made at the first access."""
     attributes = {
         "Request": find(spec.request.name),
         "Response": find(spec.response.name),
-        "Event": _Late(functools.partial(find, spec.event.name)),
+        "Event": _LazyClass(functools.partial(find, spec.event.name)),
     }
-    cls: type[Service] = _make_holder(Service, spec, attributes)
+    cls: type[Service] = _namespace_class(Service, spec, attributes)
     return cls
 
 
 def make_action(spec: ActionSpec, find: Find) -> type[Action]:
-    """A class for an action; `Impl` and what is in it are made when first used."""
+    """Return an action class; the contents of its `Impl` are made at the first access."""
     attributes = {
         "Goal": find(spec.goal.name),
         "Result": find(spec.result.name),
         "Feedback": find(spec.feedback.name),
         "Impl": _impl(spec, find),
     }
-    cls: type[Action] = _make_holder(Action, spec, attributes)
+    cls: type[Action] = _namespace_class(Action, spec, attributes)
     return cls
 
 
 def module_name(type_name: str) -> str:
-    """The module where ROS 2 has a class: `std_srvs.srv._set_bool` for SetBool and its parts."""
+    """Return ROS 2's module of a class: `std_srvs.srv._set_bool` for SetBool and its parts."""
     package, kind, short = type_name.split("/")
     stem = short.partition("_")[0]
     stem = re.sub(r"(.)([A-Z][a-z]+)", r"\1_\2", stem)
@@ -137,11 +137,11 @@ def _impl(spec: ActionSpec, find: Find) -> type[Any]:
         "CancelGoalService": "action_msgs/srv/CancelGoal",
         "GoalStatusMessage": "action_msgs/msg/GoalStatusArray",
     }
-    attributes = {part: _Late(functools.partial(find, name)) for part, name in parts.items()}
+    attributes = {part: _LazyClass(functools.partial(find, name)) for part, name in parts.items()}
     return type("Impl", (Impl,), {"__module__": module_name(spec.name), **attributes})
 
 
-def _make_holder(base: type[Any], spec: ServiceSpec | ActionSpec, parts: dict[str, Any]) -> Any:
+def _namespace_class(base: type[Any], spec: ServiceSpec | ActionSpec, parts: dict[str, Any]) -> Any:
     attributes = {
         "__module__": module_name(spec.name),
         "__doc__": _doc(spec.name, spec.text),
@@ -166,7 +166,7 @@ def _namespace(spec: MessageSpec, nested: dict[str, type[Any]]) -> dict[str, Any
 
 
 def _field_names(type_name: str, field: Field, cls: type[Any] | None) -> dict[str, Any]:
-    names: dict[str, Any] = {f"_check_{field.name}": _Check(type_name, field, cls)}
+    names: dict[str, Any] = {f"_check_{field.name}": _LazyFieldCheck(type_name, field, cls)}
     kind = field.type
     if cls is not None:
         names[f"_class_{field.name}"] = cls
@@ -176,8 +176,8 @@ def _field_names(type_name: str, field: Field, cls: type[Any] | None) -> dict[st
     return names
 
 
-class _Check:
-    """The slow path of one field, made when a value first needs it."""
+class _LazyFieldCheck:
+    """Slow check of one field's values, made when the first value needs it."""
 
     __slots__ = ("_check", "_cls", "_field", "_type_name")
 
@@ -187,7 +187,7 @@ class _Check:
 
     def __call__(self, value: Any) -> Any:
         if self._check is None:
-            # Many programs never get here.
+            # Imported here because many programs never need it.
             from zbot.interfaces.field_check import field_check  # noqa: PLC0415
 
             self._check = field_check(self._type_name, self._field.type, self._cls)
@@ -195,7 +195,7 @@ class _Check:
 
 
 def _check_call(spec: MessageSpec, args: tuple[Any, ...], unknown: dict[str, Any]) -> None:
-    """Refuse arguments that are for no field; `check_fields` says what zbot does anyway."""
+    """Reject arguments that are not fields; `check_fields` is accepted: zbot always checks."""
     fields = tuple(field.name for field in spec.fields)
     if args:
         raise PositionalFieldError(spec.name, fields)

@@ -1,4 +1,4 @@
-"""The messages and services that ROS 2 makes out of a service's or an action's parts."""
+"""Specs of services and actions, with the messages and services that ROS 2 adds to their parts."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _INFO = Field("info", FieldType("service_msgs/msg/ServiceEventInfo"))
 
 
 def service(name: str, request: MessageSpec, response: MessageSpec, text: str = "") -> ServiceSpec:
-    """A service of two messages, with the Event that service introspection publishes."""
+    """Return a service of two messages, with the Event that service introspection publishes."""
     event = MessageSpec(
         f"{name}_Event",
         (
@@ -25,7 +25,7 @@ def service(name: str, request: MessageSpec, response: MessageSpec, text: str = 
 def action(
     name: str, goal: MessageSpec, result: MessageSpec, feedback: MessageSpec, text: str = ""
 ) -> ActionSpec:
-    """An action of three messages, with the services and the topic type that carry them."""
+    """Return an action of three messages, with the services and the message that carry them."""
     return ActionSpec(
         name,
         goal,

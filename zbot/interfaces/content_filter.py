@@ -1,9 +1,9 @@
-"""Content filters: a subscription takes only the messages of which an expression is true.
+"""Content filters, with which a subscription receives only messages that match an expression.
 
 The expressions are those of DDS (annex B of its specification): `data > 3 AND data < %0`,
-`pose.position.x BETWEEN 0 AND 1`, `name LIKE 'arm%'`, `NOT is_late = TRUE`. In a pattern `%` and
-`*` stand for any text, `_` and `?` for one character; `MATCH` takes a regular expression. `NOT`
-binds tightest; `AND` and `OR` go from left to right, so write brackets where both occur.
+`pose.position.x BETWEEN 0 AND 1`, `name LIKE 'arm%'`, `NOT is_late = TRUE`. In a `LIKE` pattern `%`
+and `*` match any text, `_` and `?` one character. `MATCH` has a regular expression. `NOT` has the
+highest precedence; `AND` and `OR` are evaluated from left to right, so use brackets to mix them.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from zbot.interfaces.field_path import FieldPath, FieldPathError
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    #: Whether a message is what the expression asks for.
+    #: Returns whether a message matches the expression.
     Condition = Callable[[Any], bool]
 
 _TOKEN = re.compile(
@@ -44,7 +44,7 @@ _WORDS = {"AND", "OR", "NOT", "BETWEEN", "LIKE", "MATCH", "TRUE", "FALSE"}
 
 
 class ContentFilterError(ZbotError, ValueError):
-    """A content filter cannot be applied to its type of messages."""
+    """A content filter's expression is not valid for its message type."""
 
     def __init__(self, expression: str, reason: str) -> None:
         self.expression, self.reason = expression, reason
@@ -53,7 +53,7 @@ class ContentFilterError(ZbotError, ValueError):
 
 @dataclass(frozen=True)
 class _Operand:
-    """A side of a comparison; `kind` is `None` where only a message can tell it."""
+    """A side of a comparison; `kind` is `None` if it is known only with a message."""
 
     read: Callable[[Any], Any]
     kind: str | None
@@ -64,22 +64,22 @@ class ContentFilter:
     """A compiled expression.
 
     Args:
-        expression: See above.
-        parameters: What `%0`, `%1` ... stand for, written as in an expression.
-        message_type: Whose fields it names.
+        expression: The expression; see the module's description.
+        parameters: Values of `%0`, `%1` ..., written as in an expression.
+        message_type: Class of the messages.
 
     Raises:
-        ContentFilterError: The expression breaks the grammar, names a field that is not there, or
-            compares what cannot be compared.
+        ContentFilterError: The expression breaks the grammar, names an unknown field, or compares
+            values of different types.
     """
 
     def __init__(self, expression: str, parameters: Sequence[str], message_type: type[Any]) -> None:
         self._condition = _Parser(expression, parameters, message_type).parse()
 
-    def admits(self, message: Any) -> bool:
-        """Return whether the expression is true of a message.
+    def matches(self, message: Any) -> bool:
+        """Return whether a message matches the expression.
 
-        A comparison with an element that a shorter list does not have is false.
+        A comparison with an element that the message's list does not have is false.
         """
         return self._condition(message)
 
@@ -90,12 +90,12 @@ class _Parser:
         self._parameters = parameters
         self._message = message_type()
         self._tokens = list(self._scan(self._expression))
-        self._at = 0
+        self._position = 0
 
     def parse(self) -> Condition:
-        condition = self._chain()
-        if self._at < len(self._tokens):
-            raise self._error(f"{self._tokens[self._at][1]!r} is too much")
+        condition = self._and_or()
+        if self._position < len(self._tokens):
+            raise self._error(f"{self._tokens[self._position][1]!r} is unexpected")
         return condition
 
     def _error(self, reason: str) -> ContentFilterError:
@@ -112,44 +112,44 @@ class _Parser:
             tokens.append(("sign", found.upper()) if is_keyword else (kind, found))
         return tokens
 
-    def _skip(self, *signs: str) -> str:
-        """Return the sign that comes next if it is one of these, and go on behind it."""
-        if self._at < len(self._tokens):
-            kind, text = self._tokens[self._at]
+    def _accept(self, *signs: str) -> str:
+        """Return the next token and skip it, if it is one of these signs; else an empty text."""
+        if self._position < len(self._tokens):
+            kind, text = self._tokens[self._position]
             if kind == "sign" and text in signs:
-                self._at += 1
+                self._position += 1
                 return text
         return ""
 
     def _expect(self, sign: str) -> None:
-        if not self._skip(sign):
+        if not self._accept(sign):
             raise self._error(f"{sign!r} is missing")
 
     # -- conditions ----------------------------------------------------------------------------
 
-    def _chain(self) -> Condition:
-        # DDS gives AND and OR no order of precedence, and Fast DDS goes from left to right.
-        condition = self._single()
-        while word := self._skip("AND", "OR"):
-            condition = _joined(word, condition, self._single())
+    def _and_or(self) -> Condition:
+        # DDS defines no precedence of AND and OR; Fast DDS evaluates them from left to right.
+        condition = self._negation()
+        while word := self._accept("AND", "OR"):
+            condition = _combined(word, condition, self._negation())
         return condition
 
-    def _single(self) -> Condition:
-        if self._skip("NOT"):
-            inner = self._single()
+    def _negation(self) -> Condition:
+        if self._accept("NOT"):
+            inner = self._negation()
             return lambda message: not inner(message)
-        if self._skip("("):
-            inner = self._chain()
+        if self._accept("("):
+            inner = self._and_or()
             self._expect(")")
             return inner
         return self._predicate()
 
     def _predicate(self) -> Condition:
         left = self._operand()
-        negated = bool(self._skip("NOT"))
-        if self._skip("BETWEEN"):
+        negated = bool(self._accept("NOT"))
+        if self._accept("BETWEEN"):
             return self._range(left, negated=negated)
-        sign = "" if negated else self._skip(*_COMPARISONS)
+        sign = "" if negated else self._accept(*_COMPARISONS)
         if not sign:
             raise self._error("a comparison is missing: = <> < > <= >= LIKE MATCH BETWEEN")
         return self._comparison(left, sign, self._operand())
@@ -174,27 +174,27 @@ class _Parser:
             try:
                 return compare(first(message), second(message))
             except FieldPathError:
-                return False  # a list that is too short
+                return False  # the list is too short
 
         return condition
 
     def _check_pattern(self, left: _Operand, sign: str, right: _Operand) -> None:
-        if {left.kind, right.kind} - {"text", None}:
-            raise self._error(f"{sign} needs texts")
+        if {left.kind, right.kind} - {"string", None}:
+            raise self._error(f"{sign} needs strings on both sides")
         if sign == "MATCH" and not right.field:
             pattern = right.read(None)
             try:
                 re.compile(pattern)
             except re.error as exc:
-                raise self._error(f"{pattern!r} is no regular expression: {exc}") from None
+                raise self._error(f"{pattern!r} is not a regular expression: {exc}") from None
 
     # -- operands ------------------------------------------------------------------------------
 
     def _operand(self) -> _Operand:
-        if self._at >= len(self._tokens):
-            raise self._error("something is missing at its end")
-        kind, text = self._tokens[self._at]
-        self._at += 1
+        if self._position >= len(self._tokens):
+            raise self._error("a field or a value is missing at the end")
+        kind, text = self._tokens[self._position]
+        self._position += 1
         if kind == "word":
             return self._field(text)
         if kind == "parameter":
@@ -205,14 +205,14 @@ class _Parser:
         value: Any
         if kind == "text":
             value = text[1:-1]
-            return _Operand(lambda _: value, "text")
+            return _Operand(lambda _: value, "string")
         if kind == "number":
             value = int(text, 0) if _INTEGER.match(text) else float(text)
         elif text in {"TRUE", "FALSE"}:
             value = text == "TRUE"
-            return _Operand(lambda _: value, "truth value")
+            return _Operand(lambda _: value, "bool")
         else:
-            raise self._error(f"{text!r} stands where a field or a value belongs")
+            raise self._error(f"a field or a value is needed in place of {text!r}")
         return _Operand(lambda _: value, "number")
 
     def _parameter(self, number: int) -> _Operand:
@@ -221,7 +221,7 @@ class _Parser:
         tokens = self._scan(self._parameters[number])
         if len(tokens) != 1 or tokens[0][0] in {"word", "parameter"}:
             raise self._error(
-                f"the parameter {self._parameters[number]!r} is no value: write texts in quotes"
+                f"the parameter {self._parameters[number]!r} is not a value: put strings in quotes"
             )
         return self._literal(*tokens[0])
 
@@ -237,20 +237,20 @@ class _Parser:
         try:
             kind: str | None = self._kind(text, path.select(self._message))
         except FieldPathError:
-            kind = None  # an element of a list that is empty in a new message
+            kind = None  # the list is empty in a new message
         return _Operand(path.select, kind, field=True)
 
     def _kind(self, text: str, value: Any) -> str:
         if isinstance(value, str):
-            return "text"
+            return "string"
         if isinstance(value, bool):
-            return "truth value"
+            return "bool"
         if isinstance(value, (int, float)):
             return "number"
-        raise self._error(f"{text} is no number, text or truth value")
+        raise self._error(f"{text} is not a number, string or bool")
 
 
-def _joined(word: str, left: Condition, right: Condition) -> Condition:
+def _combined(word: str, left: Condition, right: Condition) -> Condition:
     if word == "AND":
         return lambda message: left(message) and right(message)
     return lambda message: left(message) or right(message)
@@ -259,7 +259,7 @@ def _joined(word: str, left: Condition, right: Condition) -> Condition:
 def _comparable(left: _Operand, right: _Operand) -> bool:
     if None in {left.kind, right.kind} or left.kind == right.kind:
         return True
-    return left.field and left.kind == "truth value" and right.kind == "number"
+    return left.field and left.kind == "bool" and right.kind == "number"
 
 
 def _regex(pattern: str) -> str:

@@ -1,4 +1,4 @@
-"""Any message as an ordered dictionary, as YAML or as CSV: the functions of `rosidl_runtime_py`."""
+"""Conversion of messages to ordered dictionaries, YAML and CSV, as in `rosidl_runtime_py`."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections import OrderedDict
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces.field_path import is_message
-from zbot.interfaces.plain_value import Shortening, items_of, leaves, plain, shown_item
+from zbot.interfaces.plain_value import Shortening, csv_values, items_of, plain, shown_item
 from zbot.interfaces.yaml_text import dump
 
 if TYPE_CHECKING:
@@ -25,10 +25,10 @@ def message_to_ordereddict(
     """Return a message as a dictionary of dictionaries, lists, numbers and texts.
 
     Args:
-        msg: The message; of a serialized one, the bytes are all that there is.
-        truncate_length: How many elements and characters are kept; `None` for all.
-        no_arr: Put type and length in place of every list.
-        no_str: Put the length in place of every text.
+        msg: The message; a serialized one becomes `{'bytes': msg}`.
+        truncate_length: Maximum number of elements and of characters; `None` for all.
+        no_arr: Replace each list by its type and length.
+        no_str: Replace each string by its length.
     """
     if isinstance(msg, bytes):
         return OrderedDict(bytes=msg)
@@ -45,10 +45,7 @@ def message_to_yaml(
     no_str: bool = False,
     flow_style: bool = False,
 ) -> str:
-    """Return a message as YAML that ends with a newline; see `message_to_ordereddict`.
-
-    With `flow_style`, everything stands on one line.
-    """
+    """Return a message as YAML, with `flow_style` on one line; see `message_to_ordereddict`."""
     if isinstance(msg, bytes):
         return dump({"bytes": msg}, flow_style=flow_style)
     shortening = Shortening(truncate_length, no_arr, no_str, short_list=_NO_LIST_IS_SHORT)
@@ -62,8 +59,8 @@ def message_to_csv(
     no_arr: bool = False,
     no_str: bool = False,
 ) -> str:
-    """Return the values in a message with commas between; see `message_to_ordereddict`."""
-    return ",".join(leaves(msg, Shortening(truncate_length, no_arr, no_str)))
+    """Return the values of a message, separated by commas; see `message_to_ordereddict`."""
+    return ",".join(csv_values(msg, Shortening(truncate_length, no_arr, no_str)))
 
 
 def get_message_slot_types(msg: Any) -> OrderedDict[str, AbstractType]:
@@ -78,7 +75,7 @@ def convert_value(
     no_arr: bool = False,
     no_str: bool = False,
 ) -> Any:
-    """Return what `message_to_ordereddict` makes of a value that is in no message."""
+    """Return any value as `message_to_ordereddict` converts the values of a message."""
     if is_message(value):
         return message_to_ordereddict(
             value, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str
@@ -88,7 +85,7 @@ def convert_value(
 
 def _shortened(value: Any, shortening: Shortening) -> Any:
     if isinstance(value, dict):
-        # A key is never cut off: two of them could become the same.
+        # Keys are not truncated, because two keys could become equal.
         return {key: _shortened(item, shortening) for key, item in value.items()}
     if isinstance(value, str) and shortening.no_str:
         return f"<string length: <{len(value)}>>"

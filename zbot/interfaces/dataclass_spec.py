@@ -1,4 +1,4 @@
-"""Python dataclasses as message definitions."""
+"""Specs of messages that are defined as Python dataclasses."""
 
 from __future__ import annotations
 
@@ -27,26 +27,26 @@ if TYPE_CHECKING:
 _BASES: dict[Any, str] = {bool: "bool", int: "int64", float: "float64", str: "string"}
 _USABLE = "bool, int, float, str, bytes, a message class, a dataclass, or a list of one of these"
 
-_being_derived: list[type[Any]] = []
+_in_progress: list[type[Any]] = []
 
 
 def dataclass_spec(cls: type[Any], spec_of: Callable[[type[Any]], InterfaceSpec]) -> MessageSpec:
-    """Derive a message definition from a dataclass, and register the class under its name.
+    """Return the spec of a dataclass, and register the class under its type name.
 
-    `int` is int64, `float` float64, `bytes` uint8[], `list[float]` float64[]. Another type is
-    named as a definition would: `Annotated[int, "uint8"]`, `Annotated[list[float], "float32[9]"]`.
+    `int` becomes int64, `float` float64, `bytes` uint8[] and `list[float]` float64[]. An annotation
+    selects another type: `Annotated[int, "uint8"]`, `Annotated[list[float], "float32[9]"]`.
 
     Args:
         cls: The dataclass. Its type name is `<top-level module>/msg/<class>`, with the script's
             name in place of `__main__`.
-        spec_of: Gives the definitions of the classes inside it.
+        spec_of: Returns the specs of the classes inside it.
 
     Raises:
-        NotAMessageTypeError: A field, or the name of the class, cannot be a message's.
+        NotAMessageTypeError: A field, or the name of the class, is not valid in a message.
     """
-    if cls in _being_derived:
+    if cls in _in_progress:
         raise NotAMessageTypeError(cls, "it contains itself")
-    _being_derived.append(cls)
+    _in_progress.append(cls)
     try:
         name = f"{_package(cls)}/msg/{cls.__name__}"
         check_interface_name(name)
@@ -54,7 +54,7 @@ def dataclass_spec(cls: type[Any], spec_of: Callable[[type[Any]], InterfaceSpec]
     except GrammarError as error:
         raise NotAMessageTypeError(cls, str(error)) from error
     finally:
-        _being_derived.pop()
+        _in_progress.pop()
     register_class(spec, cls)
     return spec
 
@@ -115,7 +115,7 @@ def _default(field: dataclasses.Field[Any], field_type: FieldType) -> Scalar | N
 
 
 def _package(cls: type[Any]) -> str:
-    """The top-level module as a ROS package name: lower case letters, digits, underscores."""
+    """Return the top-level module's name as a valid package name, e.g. `my_robot`."""
     module = cls.__module__
     if module == "__main__":
         module = _main_name()
@@ -124,7 +124,7 @@ def _package(cls: type[Any]) -> str:
 
 
 def _main_name() -> str:
-    """The name under which another program would import the running script."""
+    """Return the module name under which another program would import the running script."""
     main = sys.modules["__main__"]
     spec = getattr(main, "__spec__", None)
     if spec is not None:

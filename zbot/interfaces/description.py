@@ -1,4 +1,4 @@
-"""Type descriptions and their RIHS01 hashes, equal to those of ROS 2 (REP 2016)."""
+"""Type descriptions and their RIHS01 hashes, equal to ROS 2's (REP 2016)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
     from zbot.interfaces.spec import InterfaceSpec
 
-#: `FieldType.type_id` of type_description_interfaces; a .msg file's `char` is uint8 to it.
+#: `FieldType.type_id` of type_description_interfaces, in which a .msg file's `char` is uint8.
 TYPE_IDS = {
     "int8": 2,
     "uint8": 3,
@@ -30,22 +30,22 @@ TYPE_IDS = {
     "wstring": 18,
 }
 NESTED_ID = 1
-#: What a bound adds to the id of `string` and `wstring`.
+#: Added to the id of a `string` or `wstring` with a bound.
 BOUNDED_STRING = 4
-#: What being an array adds to any id.
+#: Added to the id of the element type of an array or a sequence.
 ARRAY, BOUNDED_SEQUENCE, SEQUENCE = 48, 96, 144
-#: The field that ROS 2 gives a message without fields, as a C structure cannot be empty.
+#: The field that ROS 2 adds to a message without fields, because a C structure cannot be empty.
 EMPTY_MEMBER = Field("structure_needs_at_least_one_member", FieldType("uint8"))
 
 
 def hash_of(spec: InterfaceSpec, get_spec: Callable[[str], InterfaceSpec]) -> str:
-    """The hash that ROS 2 calls the type's version: `RIHS01_` and 64 hexadecimal digits.
+    """Return the type's hash: `RIHS01_` and 64 hexadecimal digits.
 
     Args:
         spec: The interface.
-        get_spec: Finds the messages inside it.
+        get_spec: Returns the specs of the messages inside it.
     """
-    import hashlib  # noqa: PLC0415 - 4 ms for both, and the command line hashes nothing
+    import hashlib  # noqa: PLC0415 - 4 ms for both, and most commands need no hash
     import json  # noqa: PLC0415
 
     text = json.dumps(type_description(spec, get_spec))
@@ -55,10 +55,10 @@ def hash_of(spec: InterfaceSpec, get_spec: Callable[[str], InterfaceSpec]) -> st
 def type_description(
     spec: InterfaceSpec, get_spec: Callable[[str], InterfaceSpec]
 ) -> dict[str, Any]:
-    """The description of a type and of all types inside it.
+    """Return the description of a type and of all types inside it.
 
-    The shape is that of `type_description_interfaces/msg/TypeDescription`, without defaults: they
-    are no part of what is hashed.
+    It has the fields of `type_description_interfaces/msg/TypeDescription`, without default values,
+    which are not part of the hash.
     """
     seen: dict[str, dict[str, Any]] = {}
     waiting = [spec]
@@ -101,7 +101,7 @@ def _action_parts(spec: ActionSpec) -> dict[str, MessageSpec | ServiceSpec]:
 
 
 def _individual(name: str, fields: tuple[Field, ...]) -> dict[str, Any]:
-    # The order of the keys matters: the JSON text is what is hashed.
+    # The order of the keys matters, because the hash is that of the JSON text.
     return {
         "type_name": name,
         "fields": [{"name": field.name, "type": _type(field.type)} for field in fields],

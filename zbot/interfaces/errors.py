@@ -1,4 +1,4 @@
-"""Errors of definitions, and of values that a field does not take."""
+"""Errors about definitions, and about values that a field does not accept."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ class InterfaceSyntaxError(ZbotError, ValueError):
     Attributes:
         file: The definition's file, or its type name when it has none.
         line: Line number from 1, or 0 when the definition as a whole is wrong.
-        reason: The rule that it breaks, and what to write instead.
+        reason: The rule that the definition breaks, and what to write.
     """
 
     def __init__(self, file: str, line: int, source: str, reason: str) -> None:
@@ -22,7 +22,7 @@ class InterfaceSyntaxError(ZbotError, ValueError):
 
 
 class UnknownPackageError(ZbotError, ModuleNotFoundError, LookupError):
-    """No package of that name holds message, service or action definitions here."""
+    """No package with that name has message, service or action definitions here."""
 
     def __init__(self, package: str, suggestions: tuple[str, ...] = ()) -> None:
         self.package, self.suggestions = package, suggestions
@@ -30,7 +30,7 @@ class UnknownPackageError(ZbotError, ModuleNotFoundError, LookupError):
 
 
 class UnknownInterfaceError(ZbotError, AttributeError, LookupError):
-    """A known package has no message, service or action of that name."""
+    """A known package has no message, service or action with that name."""
 
     def __init__(self, name: str, suggestions: tuple[str, ...] = ()) -> None:
         self.name, self.suggestions = name, suggestions
@@ -38,13 +38,13 @@ class UnknownInterfaceError(ZbotError, AttributeError, LookupError):
 
 
 class FieldTypeError(ZbotError, TypeError, AssertionError):
-    """A message's field was given a value of the wrong Python type; ROS 2's classes assert it.
+    """A message's field got a value of the wrong Python type (ROS 2: AssertionError).
 
     Attributes:
         type_name: The message, e.g. `geometry_msgs/msg/Vector3`.
-        field: The field's name, with an index where one element is wrong: `ranges[3]`.
-        expected: What belongs there.
-        value: What was given.
+        field: The field's name, with an index if one element is wrong: `ranges[3]`.
+        expected: Description of a valid value.
+        value: The given value.
     """
 
     def __init__(self, type_name: str, field: str, expected: str, value: object) -> None:
@@ -54,7 +54,7 @@ class FieldTypeError(ZbotError, TypeError, AssertionError):
 
 
 class FieldValueError(ZbotError, ValueError, AssertionError):
-    """A message's field was given a value of the right type that it cannot hold.
+    """A message's field got a value of the right type that it cannot hold.
 
     The attributes are those of `FieldTypeError`.
     """
@@ -76,7 +76,7 @@ class UnknownFieldError(ZbotError, TypeError, AssertionError):
 
 
 class PositionalFieldError(ZbotError, TypeError):
-    """A message was constructed with values that do not say which field they are for."""
+    """A message was constructed with positional arguments."""
 
     def __init__(self, type_name: str, fields: tuple[str, ...]) -> None:
         self.type_name, self.fields = type_name, fields
@@ -86,9 +86,9 @@ class PositionalFieldError(ZbotError, TypeError):
 
 
 class NotAMessageTypeError(ZbotError, TypeError, AttributeError):
-    """A class was used as a message, service or action type that is none, or cannot be one.
+    """A class that is not a message, service or action was used as one.
 
-    rclpy misses an attribute in such a class, and programs catch that.
+    It is also an AttributeError, because rclpy raises that for such a class.
     """
 
     def __init__(self, given: object, reason: str) -> None:
@@ -98,7 +98,7 @@ class NotAMessageTypeError(ZbotError, TypeError, AttributeError):
 
 
 class InterfaceKindError(NotAMessageTypeError, RuntimeError):
-    """A class of another kind was used: a service where a message belongs, or the like."""
+    """A class has the wrong kind, e.g. a service class in place of a message class."""
 
     def __init__(self, given: object, expected: str) -> None:
         super().__init__(given, f"it is not {expected}")
@@ -106,10 +106,10 @@ class InterfaceKindError(NotAMessageTypeError, RuntimeError):
 
 
 class InterfaceConflictError(ZbotError, ValueError):
-    """A definition came from elsewhere under a name that has another definition here."""
+    """A definition from another machine differs from the definition with the same name here."""
 
     def __init__(self, name: str) -> None:
         self.name = name
         super().__init__(
-            f"{name} is defined differently here: bring both machines to the same definition"
+            f"{name} is defined differently here: install the same definition on both machines"
         )

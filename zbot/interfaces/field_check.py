@@ -1,4 +1,4 @@
-"""What a field takes, arrays and sequences included: the slow path of the generated classes."""
+"""Checks of a field's values, also arrays and sequences: the slow path of generated classes."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ if TYPE_CHECKING:
     from zbot.interfaces.spec import FieldType
 
 
-#: What can be iterated over, but whoever gives it for numbers means something else.
+#: Iterable types that are rejected for numbers.
 _NO_NUMBERS = (str, bytes, bytearray, Mapping)
 
 
 class _ListCheck:
-    """Lists of bools, bytes, strings or messages; one that fits is stored itself, as in ROS 2."""
+    """Check of lists of bools, bytes, strings or messages; a valid list is stored uncopied."""
 
     def __init__(self, field_type: FieldType, element: ScalarCheck) -> None:
         self.field_type, self.element = field_type, element
@@ -46,7 +46,7 @@ class _ListCheck:
 
 
 class _NumberSequenceCheck:
-    """Sequences of numbers, stored as `array.array`; one that fits is stored itself."""
+    """Check of number sequences, stored as `array.array`; a valid one is stored uncopied."""
 
     def __init__(self, field_type: FieldType, element: ScalarCheck) -> None:
         self.field_type, self.element = field_type, element
@@ -77,7 +77,7 @@ class _NumberSequenceCheck:
             try:
                 numbers = array(self.typecode, values)
             except OverflowError:
-                pass  # the loop below finds which one
+                pass  # the check of each element below finds the wrong one
             else:
                 if self.typecode != "f" or _infinities(numbers) == _infinities(values):
                     return numbers
@@ -95,11 +95,11 @@ class _NumberSequenceCheck:
         with module.errstate(over="ignore"):
             converted = module.ascontiguousarray(value, DTYPES[self.typecode])
         if self._has_changed(value, converted):
-            return self._from_values(label, value.tolist())  # finds which one does not fit
+            return self._from_values(label, value.tolist())  # finds the element that does not fit
         return _from_bytes(self.typecode, converted.tobytes())
 
     def _has_changed(self, value: Any, converted: Any) -> bool:
-        """Whether something did not fit: an int wrapped round, or a number became infinite."""
+        """Return whether a value did not fit: an int overflowed or a float became infinite."""
         module: Any = numpy()
         if self.typecode == "d" or value.dtype == converted.dtype:
             return False
@@ -112,7 +112,7 @@ class _NumberSequenceCheck:
 
 
 class _FixedNumbersCheck(_NumberSequenceCheck):
-    """A fixed number of numbers, stored as an ndarray of the exact dtype if numpy is installed."""
+    """Check of fixed-size number arrays, stored as an ndarray of the exact dtype with numpy."""
 
     def __call__(self, label: str, value: Any) -> Any:
         size = self.field_type.size
@@ -129,12 +129,12 @@ class _FixedNumbersCheck(_NumberSequenceCheck):
 def field_check(
     type_name: str, field_type: FieldType, cls: type[Any] | None
 ) -> Callable[[str, Any], Any]:
-    """The check for a field: called with its label and a value, it returns what to store.
+    """Return a function that gets a field's label and a value, and returns the value to store.
 
     Args:
         type_name: The message that has the field, for errors.
         field_type: The field's type.
-        cls: The class of the values if they are messages.
+        cls: Class of the values if they are messages.
     """
     element = scalar_check(type_name, field_type, cls)
     if field_type.kind == "scalar":
@@ -153,7 +153,7 @@ def _from_bytes(typecode: str, data: bytes | bytearray | memoryview) -> array[An
 
 
 def _infinities(numbers: array[float] | list[float]) -> int:
-    """How many there are: array('f') turns what is too large into one more, without a word."""
+    """Return the number of infinities: array('f') silently makes large numbers infinite."""
     return numbers.count(math.inf) + numbers.count(-math.inf)
 
 

@@ -1,4 +1,4 @@
-"""Parts of a message that a path names: `poses[0].position`."""
+"""Paths to parts of a message: `poses[0].position`."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ if TYPE_CHECKING:
 
 _INDICES = r"(?:\[[^\[\]]*\])"
 _PART = re.compile(rf"(?P<name>\w+)(?P<indices>{_INDICES}*)\Z")
-# ros2 writes an index as a part of its own: poses.[0].position
+# ros2 separates an index with a dot: poses.[0].position
 _LATER_PART = re.compile(rf"(?P<name>\w+|(?=\[))(?P<indices>{_INDICES}*)\Z")
 _INDEX = re.compile(r"\[([^\[\]]*)\]")
 
-#: A field's name, or what stands in brackets behind it.
+#: A field's name, an index or a slice.
 Step: TypeAlias = "str | int | slice"
 
 
 class FieldPathError(ZbotError):
-    """A field that was asked for does not exist."""
+    """A path is not valid, or its field does not exist."""
 
     def __init__(self, path: str, reason: str, hint: str | None = None) -> None:
         self.path, self.hint = path, hint
@@ -31,7 +31,7 @@ class FieldPathError(ZbotError):
 
 
 class FieldPath:
-    """A dotted path with indices and slices, as in `ranges[0]`, `ranges.[0]` and `points[2:5]`.
+    """A dotted path with indices and slices, e.g. `ranges[0]`, `ranges.[0]`, `points[2:5]`.
 
     Args:
         text: The path.
@@ -40,7 +40,7 @@ class FieldPath:
         text: The path.
 
     Raises:
-        FieldPathError: The text is no path.
+        FieldPathError: The text is not a path.
     """
 
     def __init__(self, text: str) -> None:
@@ -48,10 +48,10 @@ class FieldPath:
         self._steps = tuple(self._parse())
 
     def select(self, message: Any) -> Any:
-        """Return the part of a message that the path leads to.
+        """Return the part of a message at the path.
 
         Raises:
-            FieldPathError: It leads nowhere.
+            FieldPathError: The message has no such part.
         """
         value = message
         for step in self._steps:
@@ -64,10 +64,10 @@ class FieldPath:
         return value
 
     def check(self, message_type: type[Any]) -> None:
-        """Refuse a path that leads nowhere in any message of a type, before one has come.
+        """Check that messages of a type can have a part at the path.
 
         Raises:
-            FieldPathError: It names a field that the type lacks.
+            FieldPathError: The path names a field that the type does not have.
         """
         value = message_type()
         for step in self._steps:
@@ -76,7 +76,7 @@ class FieldPath:
             try:
                 value = follow(value, step)
             except IndexError:
-                return  # a list that is empty in a new message
+                return  # the list is empty in a new message
             except (AttributeError, TypeError):
                 self.select(message_type())
 
@@ -98,7 +98,7 @@ class FieldPath:
         if len(numbers) == 1 and numbers[0] is not None:
             return numbers[0]
         if len(numbers) not in {2, 3} or numbers[2:] == [0]:
-            raise FieldPathError(self.text, f"[{text}] is no index")
+            raise FieldPathError(self.text, f"[{text}] is not an index")
         return slice(*numbers)
 
     def _missing(self, value: Any, step: Step, reason: str) -> FieldPathError:
@@ -111,12 +111,12 @@ class FieldPath:
 
 
 def follow(value: Any, step: Step) -> Any:
-    """Return a field of a message, or elements of a list; methods and the like are neither.
+    """Return a field of a message or elements of a list, but not other attributes, e.g. methods.
 
     Raises:
         AttributeError: The value has no such field.
-        IndexError: The list is shorter.
-        TypeError: The value is no list.
+        IndexError: The list is too short.
+        TypeError: The value is not a list.
     """
     if not isinstance(step, str):
         return value[step]
@@ -126,7 +126,7 @@ def follow(value: Any, step: Step) -> Any:
 
 
 def fields_of(value: Any) -> Sequence[Any]:
-    """Return the fields of a message's definition; none for any other value."""
+    """Return the fields of a message's definition; empty for any other value."""
     if not is_message(value):
         return ()
     fields: Sequence[Any] = spec_of(type(value)).fields  # type: ignore[union-attr]
@@ -134,5 +134,5 @@ def fields_of(value: Any) -> Sequence[Any]:
 
 
 def is_message(value: Any) -> bool:
-    """Return whether a value is a message rather than a number, text or list."""
+    """Return whether a value is a message, not a number, string or list."""
     return hasattr(type(value), "get_fields_and_field_types") or hasattr(type(value), "SPEC")

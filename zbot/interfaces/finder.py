@@ -1,11 +1,10 @@
-"""`from std_msgs.msg import String`, without a package std_msgs on disk.
+"""Finders for `sys.meta_path` that make `from std_msgs.msg import String` work.
 
-The modules of a real ROS 2 win. What is missing is filled in: whole packages, and `msg`, `srv`,
-`action` in a real Python package that has no such module.
+The modules of an installed ROS 2 win. The finders add missing packages, and missing modules `msg`,
+`srv` and `action` in existing Python packages.
 
-These finders see every import of every program, so they load what makes the modules,
-`zbot.interfaces.importer`, for none but such a name: a command that lists topics does without, and
-starts a fifth earlier.
+Python asks these finders for every import. They load `zbot.interfaces.importer`, which makes the
+modules, only for such a name, so a command that lists topics starts a fifth faster.
 """
 
 from __future__ import annotations
@@ -21,29 +20,29 @@ if TYPE_CHECKING:
     from types import ModuleType
 
 
-#: They have modules named `action`, which are modules.
+#: Packages whose modules named `action` are real modules.
 _PLAIN_PACKAGES = {"zbot", "zbot_cli"}
 _JYTHONS = {"org", "java"}
 
 
 def install_importer() -> None:
-    """Make every known definition importable as in ROS 2; calling it again changes nothing."""
+    """Make every known definition importable as in ROS 2; a second call has no effect."""
     if not any(isinstance(finder, _KindFinder) for finder in sys.meta_path):
         sys.meta_path.insert(0, _KindFinder())
         sys.meta_path.append(_PackageFinder())
 
 
 class _KindFinder:
-    """Finds `std_msgs.msg`, unless there is a real module.
+    """Finder of `std_msgs.msg`, if there is no real module.
 
-    It stands first on `sys.meta_path`: to Python, a folder `my_package/msg` of .msg files is a
-    namespace package, which would be found before anything at the end of the list is asked.
+    It is first on `sys.meta_path`: a folder `my_package/msg` of .msg files is a namespace package
+    for Python, whose own finder would find it before a finder at the end of the list.
     """
 
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """Return a spec if a package has definitions of that kind, and no module of its own."""
+        """Return a spec if a package has definitions of that kind and no real module for them."""
         package, _, kind = fullname.partition(".")
         if kind not in KINDS or package in _PLAIN_PACKAGES:
             return None
@@ -59,12 +58,12 @@ class _KindFinder:
 
 
 class _PackageFinder:
-    """Finds `std_msgs` and `std_msgs.msg._string`, last, when there is nothing real."""
+    """Finder of `std_msgs` and `std_msgs.msg._string`, if no other finder finds a module."""
 
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """Return a spec if the name stands for definitions that are known here."""
+        """Return a spec if the name belongs to known definitions."""
         del path, target
         package, _, inside = fullname.partition(".")
         if inside.partition(".")[0] not in KINDS if inside else _is_pythons(package):
@@ -73,18 +72,18 @@ class _PackageFinder:
         if importer is None:
             return None
         spec: ModuleSpec | None
-        spec = importer.spec_below(fullname) if inside else importer.package_spec(package)
+        spec = importer.submodule_spec(fullname) if inside else importer.package_spec(package)
         return spec
 
 
 def _importer() -> Any:
-    """Return the module that makes the others; `None` for what it looks for while it is loaded."""
-    from zbot.interfaces import importer  # noqa: PLC0415 - see above
+    """Return the module `importer`; `None` while it is being imported itself."""
+    from zbot.interfaces import importer  # noqa: PLC0415 - see the module's docstring
 
     return importer if hasattr(importer, "package_spec") else None
 
 
 def _is_pythons(name: str) -> bool:
-    # Python's library looks for the modules of other systems, such as `_wmi` and `msvcrt`, and
-    # `copy` for Jython's.
+    # Python's library tries to import modules of other systems, e.g. `_wmi` and `msvcrt`, and
+    # `copy` imports Jython's.
     return name.startswith("_") or name in sys.stdlib_module_names or name in _JYTHONS

@@ -1,4 +1,4 @@
-"""ROS 2's rules for the names and types in a definition."""
+"""Grammar of ROS 2 for the names and types in a definition."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _PACKAGE = re.compile(r"(?!.*__)(?!.*_$)[a-z][a-z0-9_]*")
 _FIELD = _PACKAGE
 _CONSTANT = re.compile(r"(?!.*__)(?!.*_$)[A-Z][A-Z0-9_]*")
 _MESSAGE = re.compile(r"[A-Z][A-Za-z0-9]*")
-# Request, Response and the like are messages too, with an underscore in their names.
+# The parts of services and actions are messages too, with an underscore in their names.
 _PART = re.compile(
     r"[A-Z][A-Za-z0-9]*(_(Request|Response|Event|Goal|Result|Feedback|FeedbackMessage"
     r"|(SendGoal|GetResult)(_(Request|Response|Event))?))?"
@@ -22,7 +22,7 @@ _TYPE = re.compile(
 )
 _SIZE = re.compile(r"[1-9][0-9]{0,9}", re.ASCII)
 _MAX_BOUND = 2**32 - 1
-# A fixed array is allocated with its message, so a slip such as `uint8[9999999999]` must not be.
+# A message allocates its fixed arrays, so a typo such as `uint8[9999999999]` must be an error.
 _MAX_ARRAY = 2**24
 _MISTAKEN = {
     "int": "int32 (or int8, int16, int64)",
@@ -40,11 +40,11 @@ _ROS1_HEADER = "Header"
 
 
 class GrammarError(ValueError):
-    """A rule is broken; the parser adds file and line."""
+    """A definition breaks a rule; the parser adds file and line."""
 
 
 def check_interface_name(name: str) -> str:
-    """The package of a full name `pkg/msg/Name`; `GrammarError` if it is none."""
+    """Return the package of a full name `pkg/msg/Name`; raises `GrammarError` for another form."""
     package, _, rest = name.partition("/")
     kind, _, short = rest.partition("/")
     if kind not in {"msg", "srv", "action"}:
@@ -57,16 +57,16 @@ def check_interface_name(name: str) -> str:
 
 
 def check_field_name(name: str) -> None:
-    """`GrammarError` unless the name can be a field's."""
+    """Raise `GrammarError` if a field cannot have the name."""
     if not _FIELD.fullmatch(name):
         raise GrammarError(_lower_case_rule("field", name))
-    # ROS 2 refuses Python's keywords too; `self` is the receiver in the generated constructor.
+    # ROS 2 rejects Python's keywords too; `self` is a parameter of the generated constructor.
     if keyword.iskeyword(name) or name == "self":
         raise GrammarError(f"field name {name!r} is reserved in Python: choose another")
 
 
 def check_constant_name(name: str, value: str) -> None:
-    """`GrammarError` unless the name can be a constant's."""
+    """Raise `GrammarError` if a constant cannot have the name."""
     if _CONSTANT.fullmatch(name):
         return
     if _FIELD.fullmatch(name):
@@ -81,10 +81,10 @@ def check_constant_name(name: str, value: str) -> None:
 
 
 def parse_type(text: str, package: str) -> FieldType:
-    """The type that the first word of a line names; bare message names are the package's own.
+    """Return the type in the first word of a line; `package` is that of a bare message name.
 
     Raises:
-        GrammarError: It is no type; says what to write.
+        GrammarError: The text is not a type; the error says what to write.
     """
     match = _TYPE.fullmatch(text)
     if match is None:
@@ -93,7 +93,7 @@ def parse_type(text: str, package: str) -> FieldType:
     bound = 0
     if match["bounded"]:
         if base not in {"string", "wstring"}:
-            raise GrammarError(f"only a string has a bound of its own; an array is '{base}[<=10]'")
+            raise GrammarError(f"only a string has such a bound: write '{base}[<=10]' for an array")
         bound = _size(match["bound"], f"the bound of type {text!r}", _MAX_BOUND)
     if not match["array"]:
         return FieldType(base, string_bound=bound)

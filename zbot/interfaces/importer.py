@@ -1,4 +1,4 @@
-"""What `zbot.interfaces.finder` finds: the modules `std_msgs`, `std_msgs.msg` and those in it."""
+"""Loaders of the modules `std_msgs`, `std_msgs.msg` and `std_msgs.msg._string`."""
 
 from __future__ import annotations
 
@@ -27,27 +27,27 @@ def package_spec(package: str) -> ModuleSpec | None:
 
 
 def kind_spec(package: str, kind: str) -> ModuleSpec | None:
-    """Return the spec of `std_msgs.msg`; `None` where the package has nothing of that kind."""
+    """Return the spec of `std_msgs.msg`; `None` if the package has no interface of that kind."""
     names = _interfaces(package, kind)
     return ModuleSpec(f"{package}.{kind}", _KindLoader(names), is_package=True) if names else None
 
 
-def spec_below(fullname: str) -> ModuleSpec | None:
-    """Return the spec of `std_msgs.msg._string`; `None` if it was not asked for in such a module.
+def submodule_spec(fullname: str) -> ModuleSpec | None:
+    """Return the spec of `std_msgs.msg._string`; `None` if its parent is not a module made here.
 
     Raises:
-        ImportError: See `_KindModule.find_below`.
+        ImportError: See `_KindModule.find_submodule`.
     """
     parent, _, last = fullname.rpartition(".")
     module = sys.modules.get(parent)
-    return module.find_below(fullname, last) if isinstance(module, _KindModule) else None
+    return module.find_submodule(fullname, last) if isinstance(module, _KindModule) else None
 
 
 class _PackageLoader(Loader):
-    """A package that holds nothing itself, like `std_msgs`."""
+    """Loader of an empty package such as `std_msgs`."""
 
     def create_module(self, spec: ModuleSpec) -> ModuleType | None:
-        """Leave it to Python."""
+        """Return None: Python creates the module."""
         del spec
         return None
 
@@ -57,7 +57,7 @@ class _PackageLoader(Loader):
 
 
 class _KindLoader(Loader):
-    """A module like `std_msgs.msg`: its classes are made when they are first asked for."""
+    """Loader of a module such as `std_msgs.msg`, whose classes are made at the first access."""
 
     def __init__(self, names: dict[str, str]) -> None:
         self._names = names
@@ -70,13 +70,13 @@ class _KindLoader(Loader):
 
 
 class _ModuleLoader(Loader):
-    """A module like `std_srvs.srv._set_bool`: a class and those of its parts."""
+    """Loader of a module such as `std_srvs.srv._set_bool`, with a class and those of its parts."""
 
     def __init__(self, name: str) -> None:
         self._name = name
 
     def create_module(self, spec: ModuleSpec) -> ModuleType | None:
-        """Leave it to Python."""
+        """Return None: Python creates the module."""
         del spec
         return None
 
@@ -86,7 +86,7 @@ class _ModuleLoader(Loader):
 
 
 class _KindModule(ModuleType):
-    """Looks its attributes up in the registry."""
+    """Module whose attributes are classes from the registry."""
 
     def __init__(self, name: str, names: dict[str, str]) -> None:
         super().__init__(name)
@@ -94,7 +94,7 @@ class _KindModule(ModuleType):
         self.__all__ = sorted(names)  # what `import *` takes
 
     def __getattr__(self, attribute: str) -> Any:
-        if attribute.startswith("_"):  # Python's own questions, e.g. for __file__
+        if attribute.startswith("_"):  # Python's own look-ups, e.g. of __file__
             raise AttributeError(f"module {self.__name__!r} has no attribute {attribute!r}")
         # SetBool_Request is a part of SetBool.
         owner = self._names.get(attribute.partition("_")[0])
@@ -110,12 +110,12 @@ class _KindModule(ModuleType):
     def __dir__(self) -> list[str]:
         return sorted({*super().__dir__(), *self._names})
 
-    def find_below(self, fullname: str, last: str) -> ModuleSpec | None:
-        """Return the spec of `_set_bool`, which ROS 2 has for SetBool.
+    def find_submodule(self, fullname: str, last: str) -> ModuleSpec | None:
+        """Return the spec of ROS 2's module for an interface, e.g. `_set_bool` for SetBool.
 
         Raises:
-            ImportError: `from std_msgs.msg import Strng`: Python asks for a module of that name
-                when there is no attribute, and its own message would have no suggestion.
+            ImportError: For `from std_msgs.msg import Strng`. Python looks for a module if there is
+                no attribute with the name; its own error would have no suggestion.
         """
         if not last.startswith("_"):
             raise ImportError(self._missing(last), name=fullname)
@@ -129,7 +129,7 @@ class _KindModule(ModuleType):
 
 
 def _interfaces(package: str, kind: str) -> dict[str, str]:
-    """Class names and full names of a package's interfaces of one kind."""
+    """Return the full names of a package's interfaces of one kind, by class name."""
     names = registry.interface_names(package)
     return {name.rpartition("/")[2]: name for name in names if name.split("/")[1] == kind}
 

@@ -1,6 +1,6 @@
-"""The kinds of interface definitions."""
+"""Kinds of interface definitions."""
 
 from __future__ import annotations
 
-#: Folders of a package, endings of its files, and the middle of full names.
+#: Names of the folders in a package, file name extensions, and middle parts of full names.
 KINDS = ("msg", "srv", "action")

@@ -1,4 +1,4 @@
-"""Classes that are made when they are needed, for what most programs never use."""
+"""Service class that is loaded at the first request, for services that few programs use."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from typing import Any, cast
 from zbot.interfaces.registry import get_service
 
 
-class LateService:
-    """Stands for a service class until the first request comes.
+class LazyService:
+    """Placeholder of a service class, which is loaded when one of its parts is first used.
 
     Args:
-        name: Full name, `rcl_interfaces/srv/GetParameters`; must be the name of a service.
+        name: Full name of a service, e.g. `rcl_interfaces/srv/GetParameters`.
     """
 
     def __init__(self, name: str) -> None:
@@ -20,10 +20,10 @@ class LateService:
 
     @cached_property
     def Request(self) -> Any:  # noqa: N802 - as in a service class
-        """The request's class."""
+        """The request class."""
         return cast("Any", get_service(self._name)).Request
 
     @cached_property
     def Response(self) -> Any:  # noqa: N802 - as in a service class
-        """The response's class."""
+        """The response class."""
         return cast("Any", get_service(self._name)).Response

@@ -1,4 +1,4 @@
-"""The values that a definition writes: constants and defaults."""
+"""Literals in a definition: the values of constants and defaults."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ _QUOTES = "\"'"
 _QUOTED_ELEMENT = re.compile(r"""\s*("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|[^,"'\s][^,]*)\s*(,|$)""")
 _PREFIXED = re.compile(r"[+-]?0[xob]", re.IGNORECASE)
 _TRUE, _FALSE = ("true", "1"), ("false", "0")
-# Every number that fits any type is shorter; Python's int() would be slow on megabytes of digits.
+# Limit for int(), which is slow on megabytes of digits; every valid number is shorter.
 _LONGEST_NUMBER = 400
 
 
 def parse_value(field_type: FieldType, text: str) -> Scalar | tuple[Scalar, ...]:
-    """The value that a text means for a type.
+    """Return the value of a literal for a type.
 
-    Arrays are tuples, `byte` is `bytes` of length 1; everything else is what the message's field
-    holds in Python.
+    An array becomes a tuple and a `byte` becomes `bytes` of length 1. Any other value has the type
+    of the message's field in Python.
 
     Raises:
-        GrammarError: The text is no value of that type; says what is.
+        GrammarError: The text is not a value of the type; the error says what to write.
     """
     if field_type.is_message:
         raise GrammarError("a field that is a message cannot have a default")
@@ -32,9 +32,9 @@ def parse_value(field_type: FieldType, text: str) -> Scalar | tuple[Scalar, ...]
         raise GrammarError(f"the default of an array is a list such as [1, 2], not {text!r}")
     values = tuple(_scalar(field_type, part) for part in _elements(field_type, text[1:-1]))
     if field_type.kind == "array" and len(values) != field_type.size:
-        raise GrammarError(f"{field_type.size} values are needed, but here are {len(values)}")
+        raise GrammarError(f"{field_type.size} values are needed, but {len(values)} are given")
     if field_type.size and len(values) > field_type.size:
-        raise GrammarError(f"at most {field_type.size} values fit, but here are {len(values)}")
+        raise GrammarError(f"at most {field_type.size} values fit, but {len(values)} are given")
     return values
 
 
@@ -48,7 +48,8 @@ def _elements(field_type: FieldType, text: str) -> list[str]:
     while separator:
         match = _QUOTED_ELEMENT.match(text, position)
         if match is None:
-            raise GrammarError(f"cannot read the list at {text[position:].strip()!r}: quote texts")
+            rest = text[position:].strip()
+            raise GrammarError(f"cannot read the list at {rest!r}: put strings in quotes")
         parts.append(match[1].strip())
         position, separator = match.end(), match[2]
     return parts
@@ -77,12 +78,12 @@ def _integer(base: str, text: str) -> int:
     low, high = INTEGER_RANGES[base]
     value = _as_int(text)
     if value is None or not low <= value <= high:
-        raise GrammarError(f"a whole number from {low} to {high} belongs here, not {text!r}")
+        raise GrammarError(f"write a whole number from {low} to {high}, not {text!r}")
     return value
 
 
 def _as_int(text: str) -> int | None:
-    """Decimal, also with leading zeros, else `0x`, `0o` or `0b`; None if it is neither."""
+    """Return a decimal (leading zeros allowed), `0x`, `0o` or `0b` number; None for other text."""
     if len(text) > _LONGEST_NUMBER:
         return None
     try:
@@ -95,7 +96,7 @@ def _float(base: str, text: str) -> float:
     try:
         value = float(text)
     except ValueError:
-        reason = f"a number with '.' as its decimal point belongs here, not {text!r}"
+        reason = f"write a number with '.' as its decimal point, not {text!r}"
         raise GrammarError(reason) from None
     if base == "float32" and FLOAT32_MAX < abs(value) < float("inf"):
         raise GrammarError(f"{text} is too large for a float32: write float64")
@@ -116,7 +117,7 @@ def _unquoted(text: str) -> str:
         return text
     inner = text[1:-1]
     if len(text) < 2 or text[-1] != quote or inner.endswith("\\"):
-        raise GrammarError(f"the quote {quote} that opens the text is not closed at its end")
+        raise GrammarError(f"the string begins with {quote} and must end with {quote}")
     if re.search(rf"(?<!\\){quote}", inner):
-        raise GrammarError(f"a quote inside the text is written \\{quote}")
+        raise GrammarError(f"write \\{quote} for a quote inside the string")
     return inner.replace(f"\\{quote}", quote)

@@ -1,4 +1,4 @@
-"""Where definitions are: shipped, in the workspace, in a ROS 2 installation, in Python packages."""
+"""Locations of definitions: zbot itself, the workspace, an installed ROS 2, Python packages."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ _SHIPPED = Path(__file__).parent / "defs"
 
 
 def package_folder(package: str) -> Path | None:
-    """The folder with a package's definitions, in the first place that has it.
+    """Return the folder with a package's definitions, from the first location that has one.
 
-    What zbot ships comes first: then the types that every program uses are found at once.
+    zbot's own definitions come first, so the types that every program uses are found fast.
     """
     if not package.isidentifier():  # also keeps `..` and the like out of paths
         return None
@@ -30,25 +30,25 @@ def package_folder(package: str) -> Path | None:
 
 
 def definition_file(package: str, kind: str, short: str) -> Path | None:
-    """The file that defines an interface; None if there is none."""
+    """Return the file that defines an interface, or None."""
     folder = package_folder(package)
     file = folder / kind / f"{short}.{kind}" if folder else None
     return file if file is not None and file.is_file() else None
 
 
 def interface_files(package: str) -> list[Path]:
-    """Every definition file of a package."""
+    """Return all definition files of a package."""
     folder = package_folder(package)
     return [file for kind in KINDS for file in folder.glob(f"{kind}/*.{kind}")] if folder else []
 
 
 def shipped_packages() -> list[str]:
-    """The packages whose definitions come with zbot, sorted."""
+    """Return the packages whose definitions are part of zbot, sorted."""
     return sorted(folder.name for folder in _SHIPPED.iterdir() if has_definitions(folder))
 
 
 def known_packages() -> set[str]:
-    """Every package that has definitions somewhere."""
+    """Return all packages with definitions, from all locations."""
     names = {*shipped_packages(), *_workspace()}
     for share in _ament_shares():
         index = share / "ament_index" / "resource_index" / "rosidl_interfaces"
@@ -78,14 +78,14 @@ def _ament_shares() -> list[Path]:
 
 
 def _python_package_folders(package: str) -> Iterator[Path]:
-    """An installed Python package's own folder; nothing is imported, only paths are looked at."""
+    """Yield the folders of an installed Python package, without importing it."""
     spec = PathFinder.find_spec(package)
     locations = (spec and spec.submodule_search_locations) or ()
     yield from filter(has_definitions, map(Path, locations))
 
 
 def _installed_packages() -> set[str]:
-    """Python packages with definitions, on `sys.path`."""
+    """Return the Python packages on `sys.path` that have definitions."""
     return {
         folder.name
         for entry in sys.path

@@ -1,4 +1,4 @@
-"""Interfaces by name and by package: the lookups of `rosidl_runtime_py`."""
+"""Look-up of interfaces by name and by package, as in `rosidl_runtime_py`."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class InterfaceNameError(ZbotError, ValueError):
-    """A name is not that of a message, a service or an action, by its form or by what it names."""
+    """A name has the wrong form, or names an interface of another kind."""
 
     def __init__(self, wanted: str, name: str) -> None:
         self.name = name
@@ -28,11 +28,11 @@ class InterfaceNameError(ZbotError, ValueError):
 
 
 def get_interface(identifier: str) -> type[Any]:
-    """Return the class of a message, a service or an action, `std_msgs/msg/String`.
+    """Return the class of a message, a service or an action, e.g. `std_msgs/msg/String`.
 
     Raises:
-        InterfaceNameError: The name has not three parts, or its middle is none of msg, srv, action.
-        UnknownPackageError: No such package; also a ModuleNotFoundError.
+        InterfaceNameError: The name does not have three parts with msg, srv or action as second.
+        UnknownPackageError: The package does not exist; also a ModuleNotFoundError.
         UnknownInterfaceError: The package has no such interface; also an AttributeError.
     """
     parts = identifier.split("/")
@@ -42,9 +42,9 @@ def get_interface(identifier: str) -> type[Any]:
 
 
 def get_message(identifier: str) -> type[Message]:
-    """Return the class of a message, `std_msgs/msg/String` or `std_msgs/String`.
+    """Return the class of a message, e.g. `std_msgs/msg/String` or `std_msgs/String`.
 
-    Raises what `get_interface` raises.
+    Raises the errors of `get_interface`.
     """
     cls: type[Message] = _of_kind(identifier, "msg", "a message")
     return cls
@@ -75,17 +75,17 @@ def _of_kind(identifier: str, kind: str, wanted: str) -> Any:
 
 
 def is_message(interface: type[Any]) -> bool:
-    """Return whether a class is that of a message."""
+    """Return whether a class is a message class."""
     return hasattr(interface, "get_fields_and_field_types")
 
 
 def is_service(interface: type[Any]) -> bool:
-    """Return whether a class is that of a service."""
+    """Return whether a class is a service class."""
     return hasattr(interface, "Request") and hasattr(interface, "Response")
 
 
 def is_action(interface: type[Any]) -> bool:
-    """Return whether a class is that of an action."""
+    """Return whether a class is an action class."""
     return all(hasattr(interface, part) for part in ("Goal", "Result", "Feedback"))
 
 
@@ -95,9 +95,9 @@ _CHECKS = {"msg": is_message, "srv": is_service, "action": is_action}
 def import_message_from_namespaced_type(
     message_type: NamespacedType | AbstractNestedType,
 ) -> type[Message]:
-    """Return the class that an entry of `SLOT_TYPES` stands for.
+    """Return the message class of an entry of `SLOT_TYPES`.
 
-    Given an array or a sequence, warn and return the class of its elements.
+    For an array or a sequence, warn and return the class of its elements.
     """
     inner: Any = message_type
     if hasattr(inner, "value_type"):
@@ -108,23 +108,23 @@ def import_message_from_namespaced_type(
     return cls
 
 
-# -- what there is -----------------------------------------------------------------------------
+# -- lists of interfaces -----------------------------------------------------------------------
 
 
 def get_interface_packages() -> list[str]:
-    """Return every package with messages, services or actions."""
+    """Return all packages with messages, services or actions."""
     return registry.packages()
 
 
 def get_interfaces(
     package_names: Iterable[str] = (), *, kinds: Iterable[str] = KINDS
 ) -> dict[str, list[str]]:
-    """Return the interfaces of packages, of all if none is named: `{'std_srvs': ['srv/Empty']}`.
+    """Return the interfaces of the given packages or of all: `{'std_srvs': ['srv/Empty']}`.
 
-    A package without any is left out.
+    The result does not have packages without interfaces.
 
     Raises:
-        LookupError: There is no such package.
+        LookupError: A package does not exist.
     """
     wanted = list(package_names) or registry.packages()
     found = {package: _names(package, tuple(kinds)) for package in wanted}
@@ -147,11 +147,11 @@ def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[s
 
 
 def get_interface_path(interface_name: str) -> str:
-    """Return the file that defines an interface: `std_msgs/msg/String`, with or without `.msg`.
+    """Return the file that defines an interface, e.g. `std_msgs/msg/String` (`.msg` is optional).
 
     Raises:
-        InterfaceNameError: The name has not three parts.
-        LookupError: There is no such package, or no such file in it.
+        InterfaceNameError: The name does not have three parts.
+        LookupError: The package or the file does not exist.
     """
     parts = interface_name.split("/")
     if len(parts) != 3 or not all(parts):
@@ -171,7 +171,7 @@ def _names(package: str, kinds: tuple[str, ...]) -> list[str]:
     try:
         names = registry.interface_names(package)
     except UnknownPackageError:
-        package_prefix(package)  # a package of programs is one too
+        package_prefix(package)  # raises unless a package without interfaces has that name
         return []
     short = [name.partition("/")[2] for name in names]
     return [name for name in short if name.partition("/")[0] in kinds]

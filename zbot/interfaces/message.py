@@ -1,4 +1,4 @@
-"""What every generated message class has in common."""
+"""Base classes of the generated message, service and action classes."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 _IMMUTABLE = {bool, int, float, str, bytes}
 
 
-class WithConstants(type):
-    """Class of the message classes that have constants: none can be assigned, as in ROS 2.
+class ConstantsMeta(type):
+    """Metaclass of message classes with constants, which cannot be assigned, as in ROS 2.
 
-    The others do without: Python makes instances faster where the class is a plain `type`.
+    Other message classes do not have it: Python makes instances of a plain `type` faster.
     """
 
     SPEC: MessageSpec
@@ -40,7 +40,7 @@ class WithConstants(type):
 
 
 class Message:
-    """Base of the generated message classes: one slot `_name` behind each property `name`."""
+    """Base of the generated message classes, with a slot `_name` for each property `name`."""
 
     __slots__ = ()
 
@@ -49,13 +49,13 @@ class Message:
     SLOT_TYPES: ClassVar[tuple[AbstractType, ...]]
     _fields_and_field_types: ClassVar[dict[str, str]]
 
-    if TYPE_CHECKING:  # every class has its own, with its fields as keywords
+    if TYPE_CHECKING:  # each class has its own constructor, with its fields as keywords
 
         def __init__(self, **fields: Any) -> None: ...
 
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:
-        """Return the type of each field, as ROS 2 writes it, in order; the dict is the caller's."""
+        """Return the type of each field, as ROS 2 writes it, in order, as a new dict."""
         return dict(cls._fields_and_field_types)
 
     def __copy__(self) -> Self:
@@ -67,25 +67,25 @@ class Message:
         )
 
     def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...], Any]:
-        # By name, not by class: a process that unpickles has only to be able to import zbot.
+        # By name, not by class: then the process that unpickles only needs to import zbot.
         cls = type(self)
         key = cls.TYPE_NAME if "TYPE_NAME" in cls.__dict__ else cls
         values = tuple([getattr(self, f"_{field.name}") for field in cls.SPEC.fields])
         return rebuild, (key, values), getattr(self, "__dict__", None)
 
     def _duplicate(self, duplicated: Callable[[Any], Any]) -> Self:
-        # What is in the slots is valid already, so the properties are not asked again.
+        # The values in the slots are valid, so they are not checked again by the properties.
         twin = type(self).__new__(type(self))
         for field in self.SPEC.fields:
             slot = f"_{field.name}"
             setattr(twin, slot, duplicated(getattr(self, slot)))
-        for name, value in getattr(self, "__dict__", {}).items():  # of a derived class
+        for name, value in getattr(self, "__dict__", {}).items():  # attributes of a subclass
             setattr(twin, name, duplicated(value))
         return twin
 
 
 class Service:
-    """Base of the generated service classes: a namespace of three messages."""
+    """Base of the generated service classes, which are namespaces of three messages."""
 
     SPEC: ClassVar[ServiceSpec]
     TYPE_NAME: ClassVar[str]
@@ -96,7 +96,7 @@ class Service:
 
 
 class Action:
-    """Base of the generated action classes: a namespace of messages and services."""
+    """Base of the generated action classes, which are namespaces of messages and services."""
 
     SPEC: ClassVar[ActionSpec]
     TYPE_NAME: ClassVar[str]
@@ -107,22 +107,22 @@ class Action:
 
 
 class Impl:
-    """Base of what an action class has beside goal, result and feedback: `Fibonacci.Impl`."""
+    """Base of `Fibonacci.Impl`, which has an action's services and its topic messages."""
 
     __class_getitem__: ClassVar[Any] = classmethod(GenericAlias)
 
 
 def shown_name(message: Message) -> str:
-    """What a message's text begins with, as in ROS 2: `std_msgs.msg.String`, or a subclass's."""
+    """Return the class name in a message's `repr`, as in ROS 2: `std_msgs.msg.String`."""
     cls = type(message)
     package = cls.__module__.rpartition(".")[0]
     return f"{package}.{cls.__name__}" if package else cls.__name__
 
 
 def rebuild(key: str | type[Message], values: tuple[Any, ...]) -> Message:
-    """Undo `Message.__reduce__`, for pickle."""
+    """Return the message that `Message.__reduce__` described; pickle calls this."""
     if isinstance(key, str):
-        from zbot.interfaces.registry import get_message  # noqa: PLC0415 - the registry makes us
+        from zbot.interfaces.registry import get_message  # noqa: PLC0415 - the registry imports us
 
         cls = get_message(key)
     else:

@@ -1,11 +1,11 @@
-"""The text of .msg, .srv and .action files, read into specs."""
+"""Parser of .msg, .srv and .action files."""
 
 from __future__ import annotations
 
 import re
 from typing import NamedTuple
 
-from zbot.interfaces import derived, grammar
+from zbot.interfaces import composite_spec, grammar
 from zbot.interfaces.errors import InterfaceSyntaxError
 from zbot.interfaces.grammar import GrammarError
 from zbot.interfaces.literal import parse_value
@@ -20,14 +20,14 @@ from zbot.interfaces.spec import (
 )
 
 _SEPARATOR = "---"
-# Everything up to the first `#` that is not inside a quoted value. A quote opens a value only after
-# a space, `=`, `,` or `[`, so an apostrophe inside a word does not.
+# All text up to the first `#` outside of a quoted value. A quote begins a value only after a space,
+# `=`, `,` or `[`, so an apostrophe inside a word does not.
 _CODE = re.compile(r"""(?:(?<=[\s=,\[])(?:"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')|[^#])*""")
 _DECLARATION = re.compile(r"(?P<type>\S+)\s+(?P<name>[^\s=]+)\s*(?P<equals>=?)\s*(?P<value>.*)")
 
 
 class _Source(NamedTuple):
-    """One part of a file: its lines with their numbers, and where to say they come from."""
+    """One part of a file: its numbered lines, with package and file name for error messages."""
 
     package: str
     file: str
@@ -35,22 +35,22 @@ class _Source(NamedTuple):
 
 
 def split_comment(line: str) -> tuple[str, str]:
-    """One line as its code and its comment, which starts with `#` or is empty."""
+    """Return the code and the comment of a line; the comment starts with `#` or is empty."""
     match = _CODE.match(line)
     end = match.end() if match else 0
     return line[:end].rstrip(), line[end:]
 
 
 def parse(name: str, text: str, file: str = "") -> InterfaceSpec:
-    """Read a definition; the middle of its name says which kind: `std_srvs/srv/SetBool`.
+    """Return the spec of a definition of any kind.
 
     Args:
-        name: The full name of the interface.
+        name: The full name of the interface, e.g. `std_srvs/srv/SetBool`.
         text: The definition.
-        file: Where the text is from, for error messages; the name if it is not a file.
+        file: File of the definition, for error messages; default: the name.
 
     Raises:
-        InterfaceSyntaxError: The definition breaks the grammar; says where and what to write.
+        InterfaceSyntaxError: The definition breaks the grammar; has line and advice.
     """
     source = _source(name, text, file)
     kind = name.split("/")[1]
@@ -62,17 +62,17 @@ def parse(name: str, text: str, file: str = "") -> InterfaceSpec:
 
 
 def parse_message(name: str, text: str, file: str = "") -> MessageSpec:
-    """Read the text of a .msg file; see `parse`."""
+    """Return the spec in the text of a .msg file; see `parse`."""
     return _message(name, _source(name, text, file), text)
 
 
 def parse_service(name: str, text: str, file: str = "") -> ServiceSpec:
-    """Read the text of a .srv file; see `parse`."""
+    """Return the spec in the text of a .srv file; see `parse`."""
     return _service(name, _source(name, text, file), text)
 
 
 def parse_action(name: str, text: str, file: str = "") -> ActionSpec:
-    """Read the text of a .action file; see `parse`."""
+    """Return the spec in the text of a .action file; see `parse`."""
     return _action(name, _source(name, text, file), text)
 
 
@@ -92,7 +92,7 @@ def _source(name: str, text: str, file: str) -> _Source:
 
 def _service(name: str, source: _Source, text: str) -> ServiceSpec:
     request, response = _parts(source, "service", ("request", "response"))
-    return derived.service(
+    return composite_spec.service(
         name,
         _message(f"{name}_Request", request),
         _message(f"{name}_Response", response),
@@ -102,7 +102,7 @@ def _service(name: str, source: _Source, text: str) -> ServiceSpec:
 
 def _action(name: str, source: _Source, text: str) -> ActionSpec:
     goal, result, feedback = _parts(source, "action", ("goal", "result", "feedback"))
-    return derived.action(
+    return composite_spec.action(
         name,
         _message(f"{name}_Goal", goal),
         _message(f"{name}_Result", result),
@@ -112,7 +112,7 @@ def _action(name: str, source: _Source, text: str) -> ActionSpec:
 
 
 def _parts(source: _Source, kind: str, names: tuple[str, ...]) -> list[_Source]:
-    """The source cut at its `---` lines, into one part for each name."""
+    """Return the parts between the `---` lines, one for each name."""
     parts: list[list[tuple[int, str]]] = [[]]
     for number, line in source.lines:
         if line.rstrip() == _SEPARATOR:
@@ -156,7 +156,7 @@ def _message(name: str, source: _Source, text: str | None = None) -> MessageSpec
 def _declaration(code: str, package: str, number: int) -> Field | Constant:
     match = _DECLARATION.fullmatch(code)
     if match is None:
-        raise GrammarError(_why_no_declaration(code))
+        raise GrammarError(_not_a_declaration_reason(code))
     type_text, name, equals, value = match.groups()
     field_type = grammar.parse_type(type_text, package)
     if equals:
@@ -183,9 +183,9 @@ def _add(declared: Field | Constant, known: dict[str, Field] | dict[str, Constan
     known[declared.name] = declared  # type: ignore[assignment] # the caller picked the dict by type
 
 
-def _why_no_declaration(code: str) -> str:
+def _not_a_declaration_reason(code: str) -> str:
     if code.startswith(_SEPARATOR):
-        return f"only .srv and .action files have {_SEPARATOR!r} lines, of exactly three dashes"
+        return f"only .srv and .action files have {_SEPARATOR!r} lines, with exactly three dashes"
     if code.endswith((";", ":")):
-        return "a line is '<type> <name>', with no punctuation after it"
-    return "a line is '<type> <name>', e.g. 'float64 speed', but here is only one word"
+        return "a line is '<type> <name>', without punctuation after it"
+    return "a line is '<type> <name>', e.g. 'float64 speed', but this line has only one word"

@@ -1,4 +1,4 @@
-"""Messages as plain values: dictionaries, lists and leaves that YAML, JSON and CSV can write."""
+"""Conversion of messages to dictionaries, lists and scalars for YAML, JSON and CSV."""
 
 from __future__ import annotations
 
@@ -18,26 +18,26 @@ if TYPE_CHECKING:
 
 _OCTETS = {"byte", "char", "uint8"}
 _QUOTED_IN_CSV = frozenset(',"\r\n')
-#: Numeric lists up to this long stand on one line: a 6x6 covariance does, a scan does not.
+#: Maximum length of a numeric list on one line: that of a 6x6 covariance, but not of a scan.
 SHORT_LIST = 36
 
 
 @dataclass(frozen=True)
 class Shortening:
-    """How much of a message is kept; `length` is `None` for everything."""
+    """Options that shorten the output of a message."""
 
-    length: int | None = None  #: of texts and lists
-    no_arr: bool = False  #: of lists, only type and length
-    no_str: bool = False  #: of texts, only the length
-    flow_style: bool = False  #: lists on one line
-    short_list: int = SHORT_LIST  #: numeric lists up to this long stand on one line
+    length: int | None = None  #: maximum length of strings and lists; `None` for no limit
+    no_arr: bool = False  #: replace lists by their type and length
+    no_str: bool = False  #: replace strings by their length
+    flow_style: bool = False  #: write lists on one line
+    short_list: int = SHORT_LIST  #: maximum length of a numeric list on one line
 
 
 EVERYTHING = Shortening()
 
 
 def plain(message: Any, shortening: Shortening = EVERYTHING) -> dict[str, Any]:
-    """Return a message as a dictionary of what YAML can write, shortened as wished."""
+    """Return a message as a dictionary of plain values, shortened by the options."""
     return {
         field.name: _plain_value(getattr(message, field.name), field.type, shortening)
         for field in fields_of(message)
@@ -57,9 +57,9 @@ def _plain_value(value: Any, kind: FieldType, shortening: Shortening) -> Any:
 
 
 def shown_item(item: Any, length: int | None) -> Any:
-    """Return a number, or a text of at most `length` characters; bytes become characters."""
+    """Return a number, or a string of at most `length` characters; bytes become characters."""
     if isinstance(item, (bytes, bytearray)):
-        item = item.decode("latin-1")  # each byte as the character of that number
+        item = item.decode("latin-1")  # each byte becomes the character with that code
     if isinstance(item, str):
         is_long = length is not None and len(item) > length
         return item[:length] + "..." if is_long else item
@@ -67,10 +67,10 @@ def shown_item(item: Any, length: int | None) -> Any:
 
 
 def array_label(value: Any, kind: FieldType) -> str:
-    """Return what stands for a list that is left out."""
+    """Return the text that replaces a list, with its type and length."""
     base = kind.base
     if not (kind.is_message or kind.is_string):
-        base = str(type(kind)(base))  # as IDL calls it: double, octet
+        base = str(type(kind)(base))  # IDL's name: double, octet
     if kind.kind == "array":
         return f"<array type: {base}[{kind.size}]>"
     bound = f"[{kind.size}]" if kind.size else ""
@@ -97,15 +97,15 @@ def items_of(value: Any) -> list[Any]:
     return items
 
 
-def leaves(value: Any, shortening: Shortening = EVERYTHING) -> Iterator[str]:
-    """Return every value in a message, from the first to the last, as a line of CSV has it."""
+def csv_values(value: Any, shortening: Shortening = EVERYTHING) -> Iterator[str]:
+    """Yield the CSV text of each value in a message, in order."""
     if is_message(value):
         for field in fields_of(value):
             item = getattr(value, field.name)
             if shortening.no_arr and field.type.kind != "scalar":
                 yield array_label(item, field.type)
             else:
-                yield from leaves(item, shortening)
+                yield from csv_values(item, shortening)
     elif isinstance(value, str):
         text = f"<string length: <{len(value)}>>" if shortening.no_str else value
         yield _quoted(shown_item(text, shortening.length))
@@ -114,7 +114,7 @@ def leaves(value: Any, shortening: Shortening = EVERYTHING) -> Iterator[str]:
     else:
         shown = value if shortening.length is None else value[: shortening.length]
         for item in items_of(shown):
-            yield from leaves(item, shortening)
+            yield from csv_values(item, shortening)
         if len(shown) < len(value):
             yield "..."
 
@@ -126,10 +126,10 @@ def _quoted(text: str) -> str:
 
 
 def json_value(value: Any) -> Any:
-    """Return a value as JSON has it.
+    """Return a value in the form for JSON.
 
-    Numbers that JSON lacks (NaN, infinities) become null. Many bytes, of whichever type, become
-    base64; one byte is a number. `zbot topic pub` reads all of it but null.
+    NaN and infinities become null, because JSON does not have them. Arrays of bytes of any type
+    become base64, and one byte becomes a number. `zbot topic pub` can read all of these but null.
     """
     if is_message(value):
         return {

@@ -1,4 +1,4 @@
-"""From a Python class to its spec, its type name and its hash, whatever it was made by."""
+"""Spec, type name and hash of any Python class that can be an interface."""
 
 from __future__ import annotations
 
@@ -19,27 +19,27 @@ _hashes: dict[InterfaceSpec, str] = {}
 
 
 def spec_of(cls: type[Any]) -> InterfaceSpec:
-    """Look up the definition of a class: one of zbot's, a dataclass, or one of a real ROS 2.
+    """Return the spec of a class: one of zbot's, a dataclass, or one of an installed ROS 2.
 
     Raises:
-        NotAMessageTypeError: It is none of these, or a dataclass with a field that no message can
-            have; says which and why.
+        NotAMessageTypeError: The class is none of these, or is a dataclass with a field that a
+            message cannot have; has the reason.
     """
     if not isinstance(cls, type):
-        raise NotAMessageTypeError(cls, _why_no_class(cls))
+        raise NotAMessageTypeError(cls, _not_a_class_reason(cls))
     if issubclass(cls, (Message, Service, Action)) and hasattr(cls, "SPEC"):
         return cls.SPEC
     spec = _specs.get(cls)
     if spec is None:
-        spec = _specs[cls] = _derived(cls)
+        spec = _specs[cls] = _derived_spec(cls)
     return spec
 
 
 def message_spec_of(cls: type[Any]) -> MessageSpec:
-    """Look up the definition of a message class, as `spec_of` does.
+    """Return the spec of a message class, as `spec_of` does.
 
     Raises:
-        NotAMessageTypeError: It is no message's.
+        NotAMessageTypeError: The class is not a message class.
     """
     spec = spec_of(cls)
     if not isinstance(spec, MessageSpec):
@@ -49,7 +49,7 @@ def message_spec_of(cls: type[Any]) -> MessageSpec:
 
 
 def type_name(cls: type[Any]) -> str:
-    """Return the ROS name of a class, `std_msgs/msg/String`; raises what `spec_of` raises."""
+    """Return the type name of a class, `std_msgs/msg/String`; raises the errors of `spec_of`."""
     return spec_of(cls).name
 
 
@@ -57,8 +57,8 @@ def type_hash(interface: str | type[Any]) -> str:
     """Return the RIHS01 hash of an interface, given its name or its class.
 
     Raises:
-        NotAMessageTypeError: The class is no interface's.
-        UnknownPackageError: No such package here; has suggestions.
+        NotAMessageTypeError: The class is not an interface class.
+        UnknownPackageError: The package does not exist here; has suggestions.
         UnknownInterfaceError: The package has no such interface; has suggestions.
     """
     spec = _spec_for(interface)
@@ -69,18 +69,18 @@ def type_hash(interface: str | type[Any]) -> str:
 
 
 def type_description(interface: str | type[Any]) -> dict[str, Any]:
-    """Return what a type consists of, as the dict that its hash is made from.
+    """Return the description of a type, the dict from which its hash is computed.
 
-    The shape is that of `type_description_interfaces/msg/TypeDescription`. Raises what
-    `type_hash` raises.
+    It has the fields of `type_description_interfaces/msg/TypeDescription`. Raises the errors of
+    `type_hash`.
     """
     return description.type_description(_spec_for(interface), registry.get_spec)
 
 
 def has_sequences(interface: str | type[Any]) -> bool:
-    """Return whether a message holds a sequence, at any depth: it may be of any size then.
+    """Return whether a message has a sequence at any depth, so that its size can vary.
 
-    Raises what `type_hash` raises.
+    Raises the errors of `type_hash`.
     """
     spec = _spec_for(interface)
     fields = (field.type for field in spec.fields) if isinstance(spec, MessageSpec) else ()
@@ -93,8 +93,8 @@ def _spec_for(interface: str | type[Any]) -> InterfaceSpec:
     return registry.get_spec(interface) if isinstance(interface, str) else spec_of(interface)
 
 
-def _derived(cls: type[Any]) -> InterfaceSpec:
-    # Programs that use only ROS 2's own types never load either.
+def _derived_spec(cls: type[Any]) -> InterfaceSpec:
+    # Imported here because programs that use only ROS 2's types need neither module.
     if dataclasses.is_dataclass(cls):
         from zbot.interfaces.dataclass_spec import dataclass_spec  # noqa: PLC0415
 
@@ -104,16 +104,16 @@ def _derived(cls: type[Any]) -> InterfaceSpec:
         or hasattr(cls, "Request")
         or hasattr(cls, "Goal")
     ):
-        from zbot.interfaces.foreign_spec import foreign_spec  # noqa: PLC0415
+        from zbot.interfaces.ros2_class_spec import ros2_class_spec  # noqa: PLC0415
 
-        return foreign_spec(cls)
-    reason = "it is no message, service or action; a dataclass can be one"
+        return ros2_class_spec(cls)
+    reason = "it is not a message, service or action: use an interface class or a dataclass"
     raise NotAMessageTypeError(cls, reason)
 
 
-def _why_no_class(value: object) -> str:
+def _not_a_class_reason(value: object) -> str:
     if isinstance(value, (Message, Service, Action)) or dataclasses.is_dataclass(value):
         return f"it is an instance; pass its class, {type(value).__name__}"
     if isinstance(value, str):
         return "it is a string; get_interface() gives the class of a name"
-    return "it is no class"
+    return "it is not a class"

@@ -1,4 +1,4 @@
-"""Interfaces by name: their definitions are found, read and made into classes at first use."""
+"""Registry of interfaces by name, which loads definitions and makes classes at their first use."""
 
 from __future__ import annotations
 
@@ -35,78 +35,78 @@ if TYPE_CHECKING:
 
     from zbot.interfaces.message import Action, Message, Service
 
-# Deeper than any real message; keeps a hostile definition from exhausting the stack.
+# More than any real message has; protects the stack from a malicious definition.
 _MAX_NESTING = 60
 
 _lock = threading.RLock()
 _specs: dict[str, InterfaceSpec] = {}
 _files: dict[str, str] = {}
-_registered: list[str] = []  # what no file defines
+_registered: list[str] = []  # names without a definition file
 _classes: dict[str, type[Any]] = {}
-_being_made: list[str] = []
+_in_progress: list[str] = []
 
 
 def get_spec(name: str) -> InterfaceSpec:
-    """Look up a definition; `std_msgs/String` is short for `std_msgs/msg/String`.
+    """Return the spec with a name; `std_msgs/String` is short for `std_msgs/msg/String`.
 
     Parts have names too: `std_srvs/srv/SetBool_Request`, `pkg/action/Name_SendGoal`.
 
     Raises:
-        UnknownPackageError: No such package here; has suggestions.
+        UnknownPackageError: The package does not exist here; has suggestions.
         UnknownInterfaceError: The package has no such interface; has suggestions.
-        InterfaceSyntaxError: Its definition is wrong.
+        InterfaceSyntaxError: The definition is wrong.
     """
     with _lock:
         spec = _specs.get(name)
-        return spec if spec is not None else _found(name)
+        return spec if spec is not None else _find_spec(name)
 
 
 def get_interface(name: str) -> type[Any]:
-    """Look up the class of a message, a service or an action; raises what `get_spec` raises."""
+    """Return the class of a message, a service or an action; raises the errors of `get_spec`."""
     cls = _classes.get(name)
-    return cls if cls is not None else _made(get_spec(name))
+    return cls if cls is not None else _get_class(get_spec(name))
 
 
 def get_message(name: str) -> type[Message]:
-    """Look up the class of a message, e.g. `std_msgs/msg/String`; raises what `get_spec` raises."""
+    """Return the class of a message, `std_msgs/msg/String`; raises the errors of `get_spec`."""
     cls: type[Message] = _of_kind(name, "msg", MessageSpec)
     return cls
 
 
 def get_service(name: str) -> type[Service]:
-    """Look up the class of a service, `std_srvs/srv/SetBool`; raises what `get_spec` raises."""
+    """Return the class of a service, `std_srvs/srv/SetBool`; raises the errors of `get_spec`."""
     cls: type[Service] = _of_kind(name, "srv", ServiceSpec)
     return cls
 
 
 def get_action(name: str) -> type[Action]:
-    """Look up the class of an action; raises what `get_spec` raises."""
+    """Return the class of an action; raises the errors of `get_spec`."""
     cls: type[Action] = _of_kind(name, "action", ActionSpec)
     return cls
 
 
 def definition_text(name: str) -> str:
-    """The text of a definition, comments and all; raises what `get_spec` raises."""
+    """Return the text of a definition with its comments; raises the errors of `get_spec`."""
     return get_spec(name).text
 
 
 def packages() -> list[str]:
-    """Every package with definitions, sorted."""
+    """Return all packages with definitions, sorted."""
     return sorted(known_packages() | {name.partition("/")[0] for name in _registered})
 
 
 def has_package(package: str) -> bool:
-    """Whether a package has definitions; without listing all of them."""
+    """Return whether a package has definitions, without a list of all packages."""
     if any(name.startswith(f"{package}/") for name in _registered):
         return True
     return package_folder(package) is not None
 
 
 def interface_names(package: str) -> list[str]:
-    """The interfaces of a package, `pkg/action/Name`, `pkg/msg/Name`, `pkg/srv/Name`, sorted.
+    """Return the full names of a package's interfaces, e.g. `pkg/msg/Name`, sorted.
 
     Raises:
-        UnknownPackageError: No such package here; has suggestions.
+        UnknownPackageError: The package does not exist here; has suggestions.
     """
     names = {f"{package}/{file.parent.name}/{file.stem}" for file in interface_files(package)}
     names |= {name for name in _registered if name.startswith(f"{package}/")}
@@ -116,10 +116,10 @@ def interface_names(package: str) -> list[str]:
 
 
 def register_spec(spec: InterfaceSpec) -> None:
-    """Make a definition known that no file here has, e.g. one that another machine sent.
+    """Add a definition that no file here has, e.g. one that another machine sent.
 
     Raises:
-        InterfaceConflictError: Another definition of that name is known.
+        InterfaceConflictError: Another definition with that name is known.
     """
     with _lock:
         try:
@@ -133,7 +133,7 @@ def register_spec(spec: InterfaceSpec) -> None:
 
 
 def register_class(spec: MessageSpec, cls: type[Any]) -> None:
-    """Make a class of the user's, or of a real ROS 2, that of its name; the last one wins."""
+    """Add a class of the program or of an installed ROS 2; it replaces the class of its name."""
     with _lock:
         _add(spec, cls.__module__)
         _registered.append(spec.name)
@@ -149,8 +149,8 @@ def _of_kind(name: str, kind: str, spec_type: type[InterfaceSpec]) -> Any:
     return get_interface(spec.name)
 
 
-def _found(name: str) -> InterfaceSpec:
-    """The spec of a name that is not loaded yet, or known in full only."""
+def _find_spec(name: str) -> InterfaceSpec:
+    """Load and return the spec with a full or a short name."""
     parts = name.split("/")
     kinds = KINDS if len(parts) == 2 else (parts[1],) if len(parts) == 3 else ()
     for kind in kinds:
@@ -165,7 +165,7 @@ def _found(name: str) -> InterfaceSpec:
 def _load(package: str, kind: str, short: str) -> None:
     file = definition_file(package, kind, short) if kind in KINDS and short.isidentifier() else None
     if file is not None:
-        # Importing zbot reads no definition, so it need not load what does.
+        # Imported here because `import zbot` reads no definitions.
         from zbot.interfaces.parser import parse  # noqa: PLC0415
 
         _add(parse(f"{package}/{kind}/{short}", _text(file), str(file)), str(file))
@@ -179,7 +179,7 @@ def _text(file: Path) -> str:
 
 
 def _layout(spec: InterfaceSpec) -> tuple[Any, ...]:
-    """What two machines must agree on: names and types of the fields, not defaults or constants."""
+    """Return names and types of the fields, which must be equal on two machines."""
     if isinstance(spec, MessageSpec):
         return tuple((field.name, str(field.type)) for field in spec.fields)
     if isinstance(spec, ServiceSpec):
@@ -188,7 +188,7 @@ def _layout(spec: InterfaceSpec) -> tuple[Any, ...]:
 
 
 def _add(spec: InterfaceSpec, file: str) -> None:
-    """Make a spec known, with the parts of a service or an action."""
+    """Store a spec and the parts of a service or an action."""
     _specs[spec.name] = spec
     _files[spec.name] = file
     for part in parts_of(spec):
@@ -207,7 +207,7 @@ def _unknown(name: str, package: str, short: str) -> UnknownPackageError | Unkno
     return UnknownInterfaceError(name, tuple(shorts[near] for near in close_matches(short, shorts)))
 
 
-def _made(spec: InterfaceSpec) -> type[Any]:
+def _get_class(spec: InterfaceSpec) -> type[Any]:
     with _lock:
         cls = _classes.get(spec.name)
         if cls is None:
@@ -225,7 +225,7 @@ def _make(spec: InterfaceSpec) -> type[Any]:
 
 
 def _nested_classes(spec: MessageSpec) -> dict[str, type[Any]]:
-    """The class for each field that is a message; an error names the field's line."""
+    """Return the class for each field that is a message; an error names the field's line."""
     classes: dict[str, type[Any]] = {}
     for field in spec.fields:
         if field.type.is_message:
@@ -239,18 +239,18 @@ def _nested_classes(spec: MessageSpec) -> dict[str, type[Any]]:
 
 
 class _NestingError(Exception):
-    """Messages inside messages without an end; the caller adds file and line."""
+    """Messages contain themselves or are nested too deeply; the caller adds file and line."""
 
 
 @contextmanager
 def _nesting_guarded(spec: InterfaceSpec) -> Iterator[None]:
-    if spec.name in _being_made:
-        chain = " -> ".join((*_being_made[_being_made.index(spec.name) :], spec.name))
+    if spec.name in _in_progress:
+        chain = " -> ".join((*_in_progress[_in_progress.index(spec.name) :], spec.name))
         raise _NestingError(f"a message cannot contain itself: {chain}")
-    if len(_being_made) >= _MAX_NESTING:
+    if len(_in_progress) >= _MAX_NESTING:
         raise _NestingError(f"messages are nested deeper than {_MAX_NESTING} levels")
-    _being_made.append(spec.name)
+    _in_progress.append(spec.name)
     try:
         yield
     finally:
-        _being_made.pop()
+        _in_progress.pop()

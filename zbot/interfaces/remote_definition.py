@@ -1,10 +1,10 @@
-"""Definitions that only another machine has, made from the type description that it sends."""
+"""Definitions from other machines, made from the type descriptions that they send."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from zbot.interfaces import derived, grammar
+from zbot.interfaces import composite_spec, grammar
 from zbot.interfaces.description import (
     ARRAY,
     BOUNDED_SEQUENCE,
@@ -23,21 +23,21 @@ from zbot.interfaces.spec import Field, InterfaceSpec, MessageSpec, parts_of
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-# `char` has uint8's number: in a .msg file they are one type.
+# `char` has the number of uint8: both are one type in a .msg file.
 _BASES = {number: base for base, number in TYPE_IDS.items() if base != "char"}
 _STRING_IDS = (TYPE_IDS["string"], TYPE_IDS["wstring"])
 
 
 def register_description(description: Mapping[str, Any]) -> InterfaceSpec:
-    """Make a type known, and all types inside it, from a description as `type_description` gives.
+    """Register a type and all types inside it, given a description as from `type_description`.
 
-    Defaults, constants and comments are no part of a description: they are lost.
+    A description has no defaults, constants and comments, so the definition has none either.
 
     Returns:
         The definition of the type itself.
 
     Raises:
-        InterfaceSyntaxError: It is no valid description.
+        InterfaceSyntaxError: The description is not valid.
         InterfaceConflictError: A type has another definition here.
     """
     specs = specs_from(description)
@@ -47,10 +47,10 @@ def register_description(description: Mapping[str, Any]) -> InterfaceSpec:
 
 
 def specs_from(description: Mapping[str, Any]) -> list[InterfaceSpec]:
-    """Read the definitions out of a description, the type itself last; registers nothing.
+    """Return the definitions in a description, the type itself last, without registering them.
 
     Raises:
-        InterfaceSyntaxError: It is no valid description.
+        InterfaceSyntaxError: The description is not valid.
     """
     name = "type description"
     try:
@@ -63,26 +63,26 @@ def specs_from(description: Mapping[str, Any]) -> list[InterfaceSpec]:
     except GrammarError as error:
         raise InterfaceSyntaxError(name, 0, "", str(error)) from error
     except (AttributeError, KeyError, TypeError, ValueError, RecursionError) as error:
-        reason = f"this is no type description: {type(error).__name__}: {error}"
+        reason = f"the type description is not valid: {type(error).__name__}: {error}"
         raise InterfaceSyntaxError(name, 0, "", reason) from error
-    # What belongs to a service or an action is registered with it.
+    # The parts of a service or an action are registered together with it.
     return [*(spec for spec in messages.values() if not spec.name.startswith(f"{name}_")), last]
 
 
 def specs_from_sources(name: str, sources: Mapping[str, str]) -> list[InterfaceSpec]:
-    """Read the definitions out of their texts, comments and constants too; registers nothing.
+    """Return the definitions in some texts, with comments and constants, without registering them.
 
     Args:
         name: Full name of a type.
-        sources: Its text and those of the types inside it, by their full names.
+        sources: The texts of the type and of the types inside it, by full name.
 
     Returns:
-        The definitions, that of the type itself last.
+        The definitions; that of the type itself is the last.
 
     Raises:
-        InterfaceSyntaxError: One of them is no valid definition.
+        InterfaceSyntaxError: A text is not a valid definition.
     """
-    # Importing zbot reads no definition, so it need not load what does.
+    # Imported here because `import zbot` reads no definitions.
     from zbot.interfaces.parser import parse  # noqa: PLC0415
 
     try:
@@ -97,11 +97,11 @@ def specs_from_sources(name: str, sources: Mapping[str, str]) -> list[InterfaceS
 
 
 def hash_among(name: str, specs: Iterable[InterfaceSpec]) -> str:
-    """Return the hash of a type, or of a part of one, that is defined by `specs`.
+    """Return the hash of a type, or of a part of a type, that is defined by `specs`.
 
     Raises:
-        UnknownPackageError: A type inside it is neither among them nor known here.
-        UnknownInterfaceError: Likewise.
+        UnknownPackageError: A type inside it is neither in `specs` nor known here.
+        UnknownInterfaceError: The same.
     """
     found: dict[str, InterfaceSpec] = {}
     waiting = list(specs)
@@ -121,12 +121,12 @@ def _main(main: Mapping[str, Any], messages: dict[str, MessageSpec]) -> Interfac
     grammar.check_interface_name(name)
     parts = {field["name"]: field["type"]["nested_type_name"] for field in main["fields"]}
     if name.split("/")[1] == "srv" and "request_message" in parts:
-        return derived.service(
+        return composite_spec.service(
             name, messages[parts["request_message"]], messages[parts["response_message"]]
         )
     if "send_goal_service" in parts:
         goal, result, feedback = (messages[parts[key]] for key in ("goal", "result", "feedback"))
-        return derived.action(name, goal, result, feedback)
+        return composite_spec.action(name, goal, result, feedback)
     return _message(main)
 
 
@@ -154,12 +154,12 @@ def _field(field: Mapping[str, Any]) -> Field:
         raise GrammarError(f"there is no type number {type_id}")
     if offset:
         text += {SEQUENCE: "[]", BOUNDED_SEQUENCE: f"[<={size}]", ARRAY: f"[{size}]"}[offset]
-    # The parser's own rules for names, sizes and bounds then hold for what comes from afar.
+    # `parse_type` checks names, sizes and bounds with the rules for definition files.
     return Field(field["name"], grammar.parse_type(text, "unused"))
 
 
 def _element(type_id: int, kind: Mapping[str, Any]) -> str:
-    """The type, or that of the elements, as a definition writes it."""
+    """Return the type, or the type of the elements, as a definition writes it."""
     if type_id == NESTED_ID:
         nested: str = kind["nested_type_name"]
         grammar.check_interface_name(nested)

@@ -1,11 +1,11 @@
-"""Definitions of the classes of a real ROS 2 installation, read off the classes themselves."""
+"""Specs of classes from an installed ROS 2, made from their attributes."""
 
 from __future__ import annotations
 
 import importlib
 from typing import Any
 
-from zbot.interfaces import derived
+from zbot.interfaces import composite_spec
 from zbot.interfaces.errors import NotAMessageTypeError
 from zbot.interfaces.registry import register_class
 from zbot.interfaces.spec import Field, FieldType, InterfaceSpec, Kind, MessageSpec
@@ -13,27 +13,27 @@ from zbot.interfaces.spec import Field, FieldType, InterfaceSpec, Kind, MessageS
 _BASES = {"boolean": "bool", "octet": "byte", "float": "float32", "double": "float64"}
 
 
-def foreign_spec(cls: type[Any]) -> InterfaceSpec:
-    """Derive the definition of a class that ROS 2's own generator made.
+def ros2_class_spec(cls: type[Any]) -> InterfaceSpec:
+    """Return the spec of a class that ROS 2's own generator made, and register the class.
 
-    Constants are left out: nothing on the wire depends on them. The class, and those of the
-    messages inside it, become the ones that their names stand for.
+    The spec has no constants, because they do not change the wire format. The classes of the
+    messages inside it are registered too.
 
     Raises:
-        NotAMessageTypeError: The class does not look like one of ROS 2's.
+        NotAMessageTypeError: The class does not have the form of ROS 2's classes.
     """
     name = _name(cls)
     if hasattr(cls, "Goal"):
-        return derived.action(
+        return composite_spec.action(
             name, message_spec(cls.Goal), message_spec(cls.Result), message_spec(cls.Feedback)
         )
     if hasattr(cls, "Request"):
-        return derived.service(name, message_spec(cls.Request), message_spec(cls.Response))
+        return composite_spec.service(name, message_spec(cls.Request), message_spec(cls.Response))
     return message_spec(cls)
 
 
 def message_spec(cls: type[Any]) -> MessageSpec:
-    """Derive the definition of a message class; see `foreign_spec`."""
+    """Return the spec of a message class; see `ros2_class_spec`."""
     names = tuple(cls.get_fields_and_field_types())
     types = tuple(getattr(cls, "SLOT_TYPES", ()))
     if len(names) != len(types):
@@ -48,7 +48,7 @@ def message_spec(cls: type[Any]) -> MessageSpec:
 
 
 def _name(cls: type[Any]) -> str:
-    """`std_srvs/srv/SetBool_Request` of the class in `std_srvs.srv._set_bool`."""
+    """Return the type name, e.g. `std_srvs/srv/SetBool_Request` in `std_srvs.srv._set_bool`."""
     parts = cls.__module__.split(".")
     if len(parts) < 3 or parts[-2] not in {"msg", "srv", "action"}:
         reason = f"its module {cls.__module__!r} is not of the form package.msg._name"
@@ -64,7 +64,7 @@ def _default(cls: type[Any], name: str) -> Any:
 
 
 def _field_type(slot: Any) -> FieldType:
-    """A type of rosidl_parser.definition; told by its class's name, so nothing is imported."""
+    """Return the field type for an object of rosidl_parser.definition, without importing that."""
     match type(slot).__name__:
         case "Array":
             return _many(slot.value_type, "array", slot.size)

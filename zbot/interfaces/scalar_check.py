@@ -1,6 +1,7 @@
-"""Single values: what a field takes, converted where nothing is lost, refused otherwise.
+"""Checks of single values, which convert a value without loss or reject it.
 
-This is the slow path: generated classes test the exact types inline and come here with the rest.
+They are the slow path: a generated class tests the exact type inline, and calls a check only if
+that test fails.
 """
 
 from __future__ import annotations
@@ -15,32 +16,32 @@ from zbot.interfaces.spec import FLOAT32_MAX, INTEGER_RANGES, FieldType
 
 
 class ScalarCheck:
-    """What one value of a type may be; called with the field's label and the value."""
+    """Check of one value of a type, called with the field's label and the value."""
 
-    expected: str  #: completes "must be ..."
+    expected: str  #: text after "must be" in the error message
 
     def __init__(self, type_name: str, expected: str) -> None:
         self.type_name, self.expected = type_name, expected
 
     def __call__(self, label: str, value: Any) -> Any:
-        """Return what to store, or raise `FieldTypeError` or `FieldValueError`."""
+        """Return the value to store; raises `FieldTypeError` or `FieldValueError`."""
         raise NotImplementedError
 
     def fits(self, values: list[Any]) -> bool:
-        """Whether all of many values can be stored as they are; False only means: look at each."""
+        """Return True if all values can be stored unchanged; False if each must be checked."""
         return not values
 
     def wrong_type(self, label: str, value: object) -> FieldTypeError:
-        """The error for a value of another type."""
+        """Return the error for a value of another type."""
         return FieldTypeError(self.type_name, label, self.expected, value)
 
     def wrong_value(self, label: str, value: object) -> FieldValueError:
-        """The error for a value that is too large or too long."""
+        """Return the error for a value that is too large or too long."""
         return FieldValueError(self.type_name, label, self.expected, value)
 
 
 class _BoolCheck(ScalarCheck):
-    """True or False, also numpy's; numbers are refused."""
+    """Check of a bool, also numpy's; numbers are rejected."""
 
     def __init__(self, type_name: str) -> None:
         super().__init__(type_name, "a bool")
@@ -55,7 +56,7 @@ class _BoolCheck(ScalarCheck):
 
 
 class _IntegerCheck(ScalarCheck):
-    """Whole numbers in range, also enum members and numpy's; True is 1, as anywhere in Python."""
+    """Check of an integer in range, also an enum member or numpy's; True is 1, as in Python."""
 
     def __init__(self, type_name: str, base: str) -> None:
         self.low, self.high = INTEGER_RANGES[base]
@@ -71,7 +72,7 @@ class _IntegerCheck(ScalarCheck):
 
 
 class _FloatCheck(ScalarCheck):
-    """Real numbers; an int is widened, `inf` and `nan` are numbers too, a bool is refused."""
+    """Check of a float; an int is converted, `inf` and `nan` are allowed, a bool is rejected."""
 
     def __init__(self, type_name: str, base: str) -> None:
         self.is_single = base == "float32"
@@ -80,7 +81,7 @@ class _FloatCheck(ScalarCheck):
         )
 
     def __call__(self, label: str, value: Any) -> float:
-        # The first test is only for speed: a whole number is what people write most often here.
+        # The first test is only for speed, because most values here are ints.
         if value.__class__ is not int and not _is_real(value):
             raise self.wrong_type(label, value)
         try:
@@ -93,7 +94,7 @@ class _FloatCheck(ScalarCheck):
 
 
 class _StringCheck(ScalarCheck):
-    """Text that UTF-8 can carry, of at most `bound` characters if there is a bound."""
+    """Check of a string that UTF-8 can encode, of at most `bound` characters; 0 means no bound."""
 
     def __init__(self, type_name: str, bound: int) -> None:
         self.bound = bound
@@ -107,7 +108,7 @@ class _StringCheck(ScalarCheck):
         try:
             value.encode()
         except UnicodeEncodeError as error:
-            expected = "text that UTF-8 can hold (it has a lone surrogate)"
+            expected = "text that UTF-8 can encode (it has a lone surrogate)"
             raise FieldValueError(self.type_name, label, expected, value) from error
         return str.__str__(value)
 
@@ -116,7 +117,7 @@ class _StringCheck(ScalarCheck):
 
 
 class _ByteCheck(ScalarCheck):
-    """One byte, as ROS 2's Python has it: `bytes` of length 1."""
+    """Check of one byte, which is `bytes` of length 1 in ROS 2's Python."""
 
     def __init__(self, type_name: str) -> None:
         super().__init__(type_name, "bytes of length 1 such as b'\\x00'")
@@ -130,9 +131,9 @@ class _ByteCheck(ScalarCheck):
 
 
 class _MessageCheck(ScalarCheck):
-    """A message of one class, or of a class derived from it, or what stands for such a message.
+    """Check of a message of one class or a subclass, or of an object used in its place.
 
-    In rclpy, programs put a `Parameter` itself into an event that they do not send.
+    The only such object is `Parameter`, which rclpy's programs put into events they do not send.
     """
 
     def __init__(self, type_name: str, cls: type[Any], cls_name: str) -> None:
@@ -150,12 +151,12 @@ class _MessageCheck(ScalarCheck):
 
 
 def scalar_check(type_name: str, field_type: FieldType, cls: type[Any] | None) -> ScalarCheck:
-    """The check for one value of a field's base type.
+    """Return the check for one value of a field's base type.
 
     Args:
         type_name: The message that has the field, for errors.
-        field_type: The field's type; whether it is an array does not matter here.
-        cls: The class of the values if they are messages.
+        field_type: The field's type; for an array, the check is for its elements.
+        cls: Class of the values if they are messages.
     """
     if cls is not None:
         return _MessageCheck(type_name, cls, field_type.base)

@@ -1,4 +1,4 @@
-"""Filling a message from a dictionary of plain values: `set_message_fields`."""
+"""Setter of a message's fields from a dictionary of plain values: `set_message_fields`."""
 
 from __future__ import annotations
 
@@ -24,27 +24,27 @@ def set_message_fields(
     expand_header_auto: bool = False,
     expand_time_now: bool = False,
 ) -> list[StampSetter]:
-    """Set fields of a message; those that are not named keep their value.
+    """Set fields of a message; the other fields keep their values.
 
     Args:
         msg: The message, of any class that has ROS 2's attributes.
-        values: What to set, by the name of the field. A message inside is a dictionary, of which
-            what is left out gets its default, or a message.
-        expand_header_auto: Whether the text `auto` stands for a header with the time.
-        expand_time_now: Whether the text `now` stands for the time.
+        values: New values by field name. A nested message is a message or a dictionary; its fields
+            that the dictionary does not name get their defaults.
+        expand_header_auto: Whether the string `auto` means a header with the current time.
+        expand_time_now: Whether the string `now` means the current time.
 
     Returns:
-        A function for each place that is to get the time; it takes a `Time` message.
+        A function for each field that needs the current time; its argument is a `Time` message.
 
     Raises:
         AttributeError: The message has no such field.
-        TypeError: The values are no dictionary, or one has the wrong type.
-        ValueError: A value is out of range, or a text is no number.
+        TypeError: `values` is not a dictionary, or a value has the wrong type.
+        ValueError: A value is out of range, or a string is not a number.
     """
-    return _Filling(header_auto=expand_header_auto, time_now=expand_time_now).fill(msg, values)
+    return _FieldSetter(header_auto=expand_header_auto, time_now=expand_time_now).fill(msg, values)
 
 
-class _Filling:
+class _FieldSetter:
     def __init__(self, *, header_auto: bool, time_now: bool) -> None:
         self._texts = {_HEADER: "auto" if header_auto else None, _TIME: "now" if time_now else None}
         self._setters: list[StampSetter] = []
@@ -75,7 +75,7 @@ class _Filling:
     def _expand(self, message: Any, name: str, present: Any, text: str) -> None:
         kind = type_name(type(present))
         if text != self._texts.get(kind):
-            self.fill(present, text)  # which is refused
+            self.fill(present, text)  # raises TypeError
         owner, stamp = (message, name) if kind == _TIME else (present, "stamp")
         self._setters.append(partial(setattr, owner, stamp))
 
@@ -96,5 +96,5 @@ class _Filling:
 def _scalar(kind: type[Any], value: Any) -> Any:
     if isinstance(value, kind):
         return value
-    # A `byte` is an octet, which bytes(7) is not.
+    # A `byte` is one octet, but bytes(7) would be seven.
     return bytes([value]) if kind is bytes else kind(value)

@@ -1,6 +1,6 @@
-"""The types of fields as objects, with the classes and names of ROS 2's `rosidl_parser`.
+"""Types of fields as objects, with the class names of ROS 2's `rosidl_parser`.
 
-Programs that walk through any message look at them: `isinstance(slot, AbstractSequence)`.
+Programs for messages of any type use them: `isinstance(slot, AbstractSequence)`.
 """
 
 from __future__ import annotations
@@ -15,23 +15,23 @@ if TYPE_CHECKING:
 
 
 class AbstractType:
-    """Base of all types of fields."""
+    """Base of all field types."""
 
 
 class AbstractNestableType(AbstractType):
-    """Base of what arrays and sequences may consist of."""
+    """Base of the types that array and sequence elements can have."""
 
 
 @dataclass(frozen=True)
 class BasicType(AbstractNestableType):
-    """A number or a truth value, by its name in IDL: `double`, `boolean`, `uint8`."""
+    """A number or a bool, with its IDL name: `double`, `boolean`, `uint8`."""
 
     typename: str
 
 
 @dataclass(frozen=True)
 class NamedType(AbstractNestableType):
-    """A type that is known by a short name."""
+    """A type with a short name."""
 
     name: str
 
@@ -56,7 +56,7 @@ class NamespacedType(AbstractNestableType):
 
 
 class AbstractGenericString(AbstractNestableType):
-    """Base of all texts."""
+    """Base of all strings."""
 
     def has_maximum_size(self) -> bool:
         """Return whether the length is bounded."""
@@ -64,23 +64,23 @@ class AbstractGenericString(AbstractNestableType):
 
 
 class AbstractString(AbstractGenericString):
-    """Base of the texts of type `string`."""
+    """Base of the types for `string`."""
 
 
 class AbstractWString(AbstractGenericString):
-    """Base of the texts of type `wstring`."""
+    """Base of the types for `wstring`."""
 
 
 @dataclass(frozen=True)
 class BoundedString(AbstractString):
-    """A text of at most `maximum_size` characters."""
+    """A `string` of at most `maximum_size` characters."""
 
     maximum_size: int
 
 
 @dataclass(frozen=True)
 class UnboundedString(AbstractString):
-    """A text of any length."""
+    """A `string` of any length."""
 
 
 @dataclass(frozen=True)
@@ -108,30 +108,30 @@ class AbstractNestedType(AbstractType):
 
 @dataclass(frozen=True)
 class Array(AbstractNestedType):
-    """Always `size` elements."""
+    """An array of exactly `size` elements."""
 
     size: int
 
 
 @dataclass(frozen=True)
 class AbstractSequence(AbstractNestedType):
-    """Base of what has a changing number of elements."""
+    """Base of types with a variable number of elements."""
 
 
 @dataclass(frozen=True)
 class BoundedSequence(AbstractSequence):
-    """At most `maximum_size` elements."""
+    """A sequence of at most `maximum_size` elements."""
 
     maximum_size: int
 
 
 @dataclass(frozen=True)
 class UnboundedSequence(AbstractSequence):
-    """Any number of elements."""
+    """A sequence of any number of elements."""
 
 
 def slot_type(kind: FieldType) -> AbstractType:
-    """Return the type of a field as an object of ROS 2's classes."""
+    """Return a field's type as an object of these classes."""
     element = _element(kind)
     if kind.kind == "array":
         return Array(element, kind.size)
@@ -149,4 +149,4 @@ def _element(kind: FieldType) -> AbstractNestableType:
         return BoundedString(bound) if bound else UnboundedString()
     if kind.base == "wstring":
         return BoundedWString(bound) if bound else UnboundedWString()
-    return BasicType(str(FieldType(kind.base)))  # as IDL calls it
+    return BasicType(str(FieldType(kind.base)))  # IDL's name

@@ -1,8 +1,8 @@
-"""Python source of a message class.
+"""Generator of the Python source of a message class.
 
-Names of fields are parameters of the constructor, where they would hide a builtin or a global of
-the same name (`float`, `range`, `args`). So the generated code uses none but names that no field
-can have: with an underscore in front, or in capitals.
+The names of fields are parameters of the constructor, where they hide builtins and globals with the
+same name (`float`, `range`, `args`). So the generated code uses only names that a field cannot
+have: names with a leading underscore or in capitals.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _ZEROS: dict[str, Scalar] = {"bool": False, "byte": b"\x00", "string": "", "wstr
 
 
 def class_source(spec: MessageSpec) -> str:
-    """The class statement for a message; `classes.namespace` has the names that it uses."""
+    """Return the class statement of a message; `classes._namespace` has the names that it uses."""
     lines = [
         _class_line(spec),
         "    __doc__ = _DOC",
@@ -45,7 +45,7 @@ def class_source(spec: MessageSpec) -> str:
 
 def _class_line(spec: MessageSpec) -> str:
     has_constants = spec.constants or any(field.default is not None for field in spec.fields)
-    metaclass = ", metaclass=_WithConstants" if has_constants else ""
+    metaclass = ", metaclass=_ConstantsMeta" if has_constants else ""
     return f"class {spec.name.rpartition('/')[2]}(_Message{metaclass}):"
 
 
@@ -102,7 +102,7 @@ def _property(field: Field) -> list[str]:
 
 
 def _repr_fields(spec: MessageSpec) -> str:
-    # ROS 2 prints a sequence of numbers without the array('d', ...) around it.
+    # ROS 2 prints a sequence of numbers without `array('d', ...)`.
     return ", ".join(
         f"{field.name}={{_elements_text(self._{field.name})}}"
         if field.type.kind == "sequence" and field.type.typecode
@@ -112,7 +112,7 @@ def _repr_fields(spec: MessageSpec) -> str:
 
 
 def _parameter_default(field: Field) -> str:
-    """A scalar's own default; else a marker, so that no two messages share one value."""
+    """Return a scalar's default; else a placeholder, so that messages do not share one value."""
     if field.type.kind != "scalar" or field.type.is_message:
         return "DEFAULT"
     return _literal(_scalar_default(field))
@@ -136,7 +136,7 @@ def _initial(field: Field) -> str:
 
 
 def _new(field: Field) -> str:
-    """An expression for a new default value of a field that is an array or a message."""
+    """Return an expression for a new default value of a field that is an array or a message."""
     kind = field.type
     name, default = field.name, field.default
     if kind.is_message:
@@ -156,20 +156,20 @@ def _new(field: Field) -> str:
 
 
 def _checked(field: Field, variable: str) -> str:
-    """An expression for what to store: the value itself if it is plainly right."""
-    test = _exact(field, variable)
+    """Return an expression for the stored value: the value itself if it passes the inline test."""
+    test = _inline_test(field, variable)
     slow = f"_check_{field.name}({variable})"
     return f"{variable} if {test} else {slow}" if test else slow
 
 
-def _exact(field: Field, variable: str) -> str:
+def _inline_test(field: Field, variable: str) -> str:
     kind = field.type
     if kind.kind != "scalar":
-        return _exact_array(kind, variable)
+        return _inline_array_test(kind, variable)
     if kind.is_message:
         return f"{variable}.__class__ is _class_{field.name}"
     if kind.is_string:
-        # What is ASCII has no lone surrogate; CPython answers from a flag.
+        # An ASCII string has no lone surrogate, and isascii() only reads a flag in CPython.
         test = f"{variable}.__class__ is _str and {variable}.isascii()"
         return f"{test} and _len({variable}) <= {kind.string_bound}" if kind.string_bound else test
     if kind.base in INTEGER_RANGES:
@@ -183,7 +183,7 @@ def _exact(field: Field, variable: str) -> str:
     return f"{variable}.__class__ is _{'bool' if kind.base == 'bool' else 'float'}"
 
 
-def _exact_array(kind: FieldType, variable: str) -> str:
+def _inline_array_test(kind: FieldType, variable: str) -> str:
     if not kind.typecode or kind.kind == "array":
         return ""
     test = f"{variable}.__class__ is _array and {variable}.typecode == {kind.typecode!r}"

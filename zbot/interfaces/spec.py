@@ -1,4 +1,4 @@
-"""What a definition says: fields, constants and parts, as plain values."""
+"""Specs, the contents of definitions: fields, constants and parts."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple, Union
 Scalar = Union[bool, int, float, str, bytes]  # noqa: UP007 - evaluated at run time on Python 3.10
 Kind = Literal["scalar", "array", "sequence"]
 
-#: Integer types and the values they hold; `byte` and `char` are 0..255 in a definition's text.
+#: Range of each integer type; in a definition's text, `byte` and `char` are 0..255.
 INTEGER_RANGES: dict[str, tuple[int, int]] = {
     "int8": (-(2**7), 2**7 - 1),
     "uint8": (0, 2**8 - 1),
@@ -20,7 +20,7 @@ INTEGER_RANGES: dict[str, tuple[int, int]] = {
     "int64": (-(2**63), 2**63 - 1),
     "uint64": (0, 2**64 - 1),
 }
-#: Typecode of Python's `array` for each numeric type (standard sizes: every one of them is exact).
+#: Typecode of Python's `array` for each numeric type; each has the exact size of its type.
 TYPECODES: dict[str, str] = {
     "int8": "b",
     "uint8": "B",
@@ -38,7 +38,7 @@ FLOAT32_MAX = 3.4028234663852886e38
 STRING_TYPES = ("string", "wstring")
 PRIMITIVES = ("bool", "byte", *TYPECODES, *STRING_TYPES)
 
-# IDL's words, which get_fields_and_field_types() shows in place of those of a .msg file.
+# IDL's names, which get_fields_and_field_types() has in place of those of a .msg file.
 _IDL_NAMES = {
     "bool": "boolean",
     "byte": "octet",
@@ -51,7 +51,7 @@ _IDL_NAMES = {
 class FieldType(NamedTuple):
     """The type of one field.
 
-    Its `str()` is what ROS 2 shows in `get_fields_and_field_types()`: `sequence<double, 3>`.
+    Its `str()` is ROS 2's text in `get_fields_and_field_types()`: `sequence<double, 3>`.
     """
 
     base: str  #: `float64`, `string` ... or the full name of a message, `geometry_msgs/msg/Point`
@@ -103,8 +103,8 @@ class Field:
 
     name: str
     type: FieldType
-    default: Scalar | tuple[Scalar, ...] | None = None  #: None: the type's own zero value
-    line: int = field(default=0, compare=False)  #: where in the file, from 1; 0 if derived
+    default: Scalar | tuple[Scalar, ...] | None = None  #: None: the type's zero value
+    line: int = field(default=0, compare=False)  #: line in the file, from 1; 0 if not in a file
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,12 +114,12 @@ class Constant:
     name: str
     type: FieldType
     value: Scalar
-    line: int = field(default=0, compare=False)  #: where in the file, from 1
+    line: int = field(default=0, compare=False)  #: line in the file, from 1
 
 
 @dataclass(frozen=True, slots=True)
 class MessageSpec:
-    """A message, also one that is a part of a service or an action."""
+    """A message, which can be a part of a service or an action."""
 
     name: str  #: `std_msgs/msg/String`, `std_srvs/srv/SetBool_Request`
     fields: tuple[Field, ...]
@@ -171,7 +171,7 @@ InterfaceSpec = Union[MessageSpec, ServiceSpec, ActionSpec]  # noqa: UP007 - as 
 
 
 def parts_of(spec: InterfaceSpec) -> tuple[InterfaceSpec, ...]:
-    """Return what is defined along with a service or an action; nothing for a message."""
+    """Return the parts of a service or an action; empty for a message."""
     if isinstance(spec, ServiceSpec):
         return spec.request, spec.response, spec.event
     if isinstance(spec, ActionSpec):
@@ -181,6 +181,6 @@ def parts_of(spec: InterfaceSpec) -> tuple[InterfaceSpec, ...]:
 
 
 def _without_kind(base: str) -> str:
-    """`geometry_msgs/msg/Point` as `geometry_msgs/Point`; a primitive as it is."""
+    """Return `geometry_msgs/Point` for `geometry_msgs/msg/Point`; a primitive type unchanged."""
     first, slash, rest = base.partition("/")
     return f"{first}/{rest.rpartition('/')[2]}" if slash else base

@@ -1,11 +1,12 @@
-"""Type stubs for the generated classes, so that an editor completes `Twist().linear.x`.
+"""Generator of type stubs for message classes, with which an editor completes `Twist().linear.x`.
 
     python -m zbot.interfaces.stubs FOLDER [PACKAGE ...]
 
-writes `FOLDER/std_msgs/msg/__init__.pyi` and so on, for the packages shipped with zbot if none is
-named. zbot's wheel carries those, as folders without code: not as `std_msgs-stubs`, for which
-pyright warns at every import that there is no source. For types of your own, write them into
-`typings`, where pyright looks by itself, or into a folder named in mypy's `mypy_path`.
+This command writes `FOLDER/std_msgs/msg/__init__.pyi` and so on, for the given packages or for
+those shipped with zbot. zbot's wheel contains the latter as folders without code; with folders
+named `std_msgs-stubs`, pyright would warn at every import that the source is missing. Write stubs
+of your own types into `typings`, which pyright reads by default, or into a folder in mypy's
+`mypy_path`.
 """
 
 from __future__ import annotations
@@ -38,11 +39,11 @@ _PYTHON_TYPES = {"bool": "bool", "byte": "bytes", "string": "str", "wstring": "s
 
 
 def write_stubs(folder: Path, packages: Iterable[str]) -> list[Path]:
-    """Write the stubs of packages below a folder and return the files written.
+    """Write the stubs of packages into a folder, and return the written files.
 
     Raises:
-        UnknownPackageError: A package is not known here; has suggestions.
-        InterfaceSyntaxError: One of its definitions is wrong.
+        UnknownPackageError: A package does not exist here; has suggestions.
+        InterfaceSyntaxError: A definition is wrong.
     """
     written = []
     for package in packages:
@@ -55,7 +56,7 @@ def write_stubs(folder: Path, packages: Iterable[str]) -> list[Path]:
 
 
 def package_stubs(package: str) -> dict[str, str]:
-    """The stub files of a package: text by path below the package's folder."""
+    """Return the stub files of a package: texts by path in the package's folder."""
     modules: dict[str, list[str]] = {}
     for name in registry.interface_names(package):
         modules.setdefault(name.split("/")[1], []).append(name)
@@ -162,7 +163,7 @@ def _field(field: Field) -> Iterator[str]:
 
 
 def _stored(kind: FieldType) -> str:
-    """What reading the field gives."""
+    """Return the type of the field's value."""
     if kind.kind == "scalar":
         return _python_type(kind)
     if not kind.typecode:
@@ -173,7 +174,7 @@ def _stored(kind: FieldType) -> str:
 
 
 def _accepted(kind: FieldType) -> str:
-    """What the field can be set to."""
+    """Return the type of the values that can be assigned to the field."""
     return _python_type(kind) if kind.kind == "scalar" else f"Collection[{_python_type(kind)}]"
 
 
@@ -192,7 +193,7 @@ def _short(name: str) -> str:
 
 
 def main(arguments: list[str]) -> int:
-    """Run the command line; returns its exit code."""
+    """Run the command line, and return its exit code."""
     if not arguments or arguments[0].startswith("-"):
         print(__doc__, file=sys.stderr)
         return 2

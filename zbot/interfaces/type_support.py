@@ -1,4 +1,4 @@
-"""Whether a class is a message, a service or an action, and type variables for the kinds."""
+"""Checks that a class is a message, service or action, and type variables for each kind."""
 
 from __future__ import annotations
 
@@ -17,31 +17,31 @@ ActionT = TypeVar("ActionT", bound=Action)
 
 
 def check_for_type_support(interface: type[Any]) -> None:
-    """Refuse what is no message, service or action class.
+    """Check that a class is a message, service or action class.
 
     Raises:
-        NotAMessageTypeError: It is none.
+        NotAMessageTypeError: The class is none of these.
     """
     spec_of(interface)
 
 
 def check_is_valid_msg_type(interface: type[Any]) -> None:
-    """Refuse what is no message class.
+    """Check that a class is a message class.
 
     Raises:
-        NotAMessageTypeError: It is no interface's class at all.
-        InterfaceKindError: It is a service's or an action's.
+        NotAMessageTypeError: The class is not an interface class.
+        InterfaceKindError: The class is a service or action class.
     """
     if not isinstance(spec_of(interface), MessageSpec):
         raise InterfaceKindError(interface, "a message")
 
 
 def check_is_valid_srv_type(interface: type[Any]) -> None:
-    """Refuse what is no service class.
+    """Check that a class is a service class.
 
     Raises:
-        NotAMessageTypeError: It is no interface's class at all.
-        InterfaceKindError: It is a message's or an action's.
+        NotAMessageTypeError: The class is not an interface class.
+        InterfaceKindError: The class is a message or action class.
     """
     if not isinstance(spec_of(interface), ServiceSpec):
         raise InterfaceKindError(interface, "a service")

@@ -1,4 +1,4 @@
-"""Packages with interface definitions in the workspace around the current folder."""
+"""Search for packages with interface definitions in the workspace around the current folder."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def packages_around(roots: Roots) -> dict[str, list[Path]]:
-    """The folder, or folders, of every package below the roots that has definitions."""
+    """Return the folders of each package below the roots that has definitions, by package name."""
     found: dict[str, list[Path]] = {}
     for root, depth in roots:
         for folder in _package_folders(root, depth):
@@ -24,12 +24,12 @@ def packages_around(roots: Roots) -> dict[str, list[Path]]:
 
 
 def has_definitions(folder: Path) -> bool:
-    """Whether a folder has a msg, srv or action folder with definitions in it."""
+    """Return whether a folder has a msg, srv or action folder with definitions."""
     return any(next(folder.glob(f"{kind}/*.{kind}"), None) is not None for kind in KINDS)
 
 
 def _package_folders(root: Path, depth: int) -> Iterator[Path]:
-    """Folders with definitions at or below a root."""
+    """Yield the folders with definitions at or below a root."""
     for folder, names, below in walk(root, depth):
         if has_definitions(folder):
             yield folder

@@ -1,4 +1,4 @@
-"""The one place that knows PyYAML: values to text as ros2 writes it, and text to nodes."""
+"""YAML writer in ros2's format, and YAML reader that returns nodes, both based on PyYAML."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ __all__ = [
     "scalar",
 ]
 
-# libyaml writes and reads ten times faster; a PyYAML built without it lacks these names.
+# libyaml is ten times faster; a PyYAML built without it does not have these names.
 _BaseDumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
 _Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _UNLIMITED = 2**31 - 1
-# What PyYAML's own emitter makes of these line breaks does not read back.
+# PyYAML's own emitter writes these line breaks in a form that cannot be read again.
 _UNUSUAL_BREAKS = frozenset("\x85\u2028\u2029")
 
 
@@ -35,7 +35,7 @@ class Flow(list[Any]):
 
 
 class Quoted(str):
-    """A text in quotes, which no reader can take for something else."""
+    """A string that is written in quotes, so that it is always read as a string."""
 
     __slots__ = ()
 
@@ -49,14 +49,14 @@ def _represent_flow(dumper: Any, data: Flow) -> Any:
 
 
 class _Dumper(_BaseDumper):  # type: ignore[misc]
-    """Writes every value in full, also one that occurs twice."""
+    """Dumper that writes every value in full, also a value that occurs twice."""
 
     def ignore_aliases(self, data: object) -> bool:  # noqa: ARG002 - PyYAML's signature
         return True
 
 
 class _WideDumper(yaml.SafeDumper):
-    """Slower, and keeps what libyaml would escape: emoji and all else beyond the basic plane."""
+    """Slower dumper that does not escape characters above U+FFFF, e.g. emoji, as libyaml does."""
 
     def ignore_aliases(self, data: object) -> bool:  # noqa: ARG002 - PyYAML's signature
         return True
@@ -69,10 +69,7 @@ _WideDumper.add_representer(Quoted, _represent_quoted)
 
 
 def dump(value: Any, *, flow_style: bool = False) -> str:
-    """Return a dictionary or list of plain types as YAML, ending with a newline.
-
-    A block, unless `flow_style` puts everything on one line.
-    """
+    """Return plain values as YAML with a final newline; with `flow_style` on one line."""
     text = _dump(value, _Dumper, flow_style)
     if "\\U" in text:
         wide = _dump(value, _WideDumper, flow_style)
@@ -93,20 +90,20 @@ def _dump(value: Any, dumper: Any, flow_style: bool) -> str:
 
 
 def compose(text: str) -> Node | None:
-    """Return the node of a text's only document; None if it is empty.
+    """Return the node of the only document in a text; None if the text is empty.
 
     Raises:
-        YAMLError: The text is no YAML.
+        YAMLError: The text is not YAML.
     """
     node: Node | None = yaml.compose(text, Loader=_Loader)
     return node
 
 
 def scalar(node: ScalarNode) -> Any:
-    """Return the value of a scalar: a number, a truth value, None, a date or a text.
+    """Return the value of a scalar: a number, a bool, None, a date or a string.
 
     Raises:
-        YAMLError: Its tag is unknown, or its text does not fit the tag.
+        YAMLError: The scalar's tag is unknown, or its text does not fit the tag.
     """
     try:
         return SafeConstructor().construct_document(node)

@@ -1,6 +1,6 @@
-"""Launch files: several nodes and programs started, watched and stopped together.
+"""Launch files, which start, watch and stop several nodes and programs together.
 
-The names, arguments and meanings are those of ROS 2's launch and launch_ros.
+Names, arguments and behaviour are the same as in launch and launch_ros of ROS 2.
 """
 
 from zbot.launch.action import Action as Action

@@ -1,4 +1,4 @@
-"""Actions: what a launch file has done."""
+"""Base class of actions, the steps that a launch file describes."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 
 
 class Action(LaunchDescriptionEntity):
-    """Something to do, perhaps under a condition.
+    """A step of a launch, with an optional condition.
 
     Args:
-        condition: When to do it; always if left out.
+        condition: The action runs only if the condition is true. None means that it always runs.
     """
 
     def __init__(self, *, condition: Condition | None = None) -> None:
@@ -31,18 +31,18 @@ class Action(LaunchDescriptionEntity):
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:  # noqa: ARG003
-        """Return the class and the options that a tag in XML or YAML stands for.
+        """Return the class and the constructor options for a tag in XML or YAML.
 
-        Classes of extensions call this of the class that they extend, and add options of their own.
+        A subclass calls this method of its base class and adds its own options.
         """
         return cls, {}
 
     def describe(self) -> str:
-        """Return one line about it."""
+        """Return a description in one line."""
         return f"{type(self).__name__}()"
 
     def visit(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
-        """Do it if the condition holds."""
+        """Execute the action if its condition is true. Return the entities to visit next."""
         if self.condition is not None and not self.condition.evaluate(context):
             return None
         following = self.execute(context)
@@ -60,8 +60,8 @@ class Action(LaunchDescriptionEntity):
             future.add_done_callback(lambda _: context.emit_event_sync(event))
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
-        """Do it; return what is to be done next."""
+        """Perform the action and return the entities to visit next."""
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
-        """Return a future that is done when the action is; None if it is at once."""
+        """Return a future for the end of the action. Return None if `execute` does everything."""
         return None

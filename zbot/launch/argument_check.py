@@ -1,4 +1,4 @@
-"""What launch files with classes of their own check their arguments with."""
+"""Type checks for the arguments of custom launch actions, as in `launch.utilities`."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ def ensure_argument_type(
     argument_name: str,
     caller: str | None = None,
 ) -> None:
-    """Refuse an argument that is of none of some types.
+    """Check that an argument has one of the given types.
 
     Args:
         argument: The value.
-        types: One type, or several.
-        argument_name: What the argument is called.
-        caller: What it was given to.
+        types: One type, or several types.
+        argument_name: The argument's name, for the error text.
+        caller: The name of the function or class that takes the argument.
 
     Raises:
-        EntityTypeError: It is of none of them.
+        EntityTypeError: The argument has another type.
     """
     allowed = (types,) if isinstance(types, type) else tuple(types)
     if not isinstance(argument, allowed):
@@ -34,15 +34,15 @@ def ensure_argument_type(
 
 
 def is_a(obj: object, entity_type: type[Any]) -> bool:
-    """Return whether an object is of a type."""
+    """Return whether an object is an instance of a type."""
     return isinstance(obj, entity_type)
 
 
 def is_a_subclass(obj: object, entity_type: type[Any]) -> bool:
-    """Return whether an object, or what it is an object of, is derived from a type."""
+    """Return whether a class, or the class of an object, is derived from a type."""
     return issubclass(obj if isinstance(obj, type) else type(obj), entity_type)
 
 
 def isclassinstance(obj: object) -> bool:
-    """Return whether an object is one of a class, which all are."""
+    """Return True, because in Python every object is an instance of a class."""
     return isinstance(obj, object)

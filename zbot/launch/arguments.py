@@ -1,4 +1,4 @@
-"""The arguments that a launch description declares, and those on a command line."""
+"""Arguments of launch descriptions, and their values on a command line."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class DeclaredArgument:
-    """An argument, and whether it is declared only under a condition."""
+    """A declared argument. It is `conditional` if its declaration depends on a condition."""
 
     action: DeclareLaunchArgument
     conditional: bool
@@ -28,18 +28,18 @@ class DeclaredArgument:
 def declared_arguments(
     entity: LaunchDescriptionEntity, *, path: str = "", follow_includes: bool = True
 ) -> list[DeclaredArgument]:
-    """Return the arguments of a description and of what it includes, each name once.
+    """Return the arguments of a description and of its included files. Each name occurs once.
 
-    Included files whose path is not known before the launch are left out, as are arguments that an
-    include sets.
+    The result leaves out arguments that an include sets. It also leaves out included files whose
+    path is known only during the launch.
 
     Args:
         entity: The description.
-        path: The file that it comes from, if any.
-        follow_includes: Whether to look into included files.
+        path: The file of the description, if there is one.
+        follow_includes: Whether to read included files.
     """
     found: dict[str, DeclaredArgument] = {}
-    for one in _walk(entity, _Place(path=path, follows=follow_includes)):
+    for one in _walk(entity, _Position(path=path, follows=follow_includes)):
         present = found.get(one.action.name)
         if present is None or (present.conditional and not one.conditional):
             found[one.action.name] = one
@@ -47,17 +47,17 @@ def declared_arguments(
 
 
 @dataclass(frozen=True)
-class _Place:
-    """Where in a tree of launch files something stands."""
+class _Position:
+    """Position of an entity in a tree of launch files."""
 
-    path: str = ""  #: of the file
-    given: frozenset[str] = frozenset()  #: arguments that an include sets
-    chain: tuple[str, ...] = ()  #: files on the way here
+    path: str = ""  #: of the launch file
+    given: frozenset[str] = frozenset()  #: names of arguments that an include sets
+    chain: tuple[str, ...] = ()  #: including files, the outermost first
     conditional: bool = False
-    follows: bool = True  #: whether included files are looked into
+    follows: bool = True  #: whether included files are read
 
 
-def _walk(entity: LaunchDescriptionEntity, place: _Place) -> Iterator[DeclaredArgument]:
+def _walk(entity: LaunchDescriptionEntity, place: _Position) -> Iterator[DeclaredArgument]:
     from zbot.launch.actions.declare_argument import DeclareLaunchArgument  # noqa: PLC0415 - cycle
     from zbot.launch.actions.include import IncludeLaunchDescription  # noqa: PLC0415 - cycle
 
@@ -77,10 +77,10 @@ def _walk(entity: LaunchDescriptionEntity, place: _Place) -> Iterator[DeclaredAr
                 yield from _walk(one, replace(place, conditional=True))
 
 
-def _walk_include(entity: IncludeLaunchDescription, place: _Place) -> Iterator[DeclaredArgument]:
+def _walk_include(entity: IncludeLaunchDescription, place: _Position) -> Iterator[DeclaredArgument]:
     source = entity.launch_description_source
     path = source.location_before_launch(place.path) or ""
-    # What is missing, or without end, the launch itself will tell.
+    # The launch itself reports missing files and endless includes.
     if path in place.chain or (path and not Path(path).is_file()):
         return
     description = source.try_get_launch_description_without_context(place.path)
@@ -91,10 +91,10 @@ def _walk_include(entity: IncludeLaunchDescription, place: _Place) -> Iterator[D
 
 
 def parse_arguments(words: Sequence[str]) -> dict[str, str]:
-    """Return the values of `name:=value` words; of several with one name the last.
+    """Return the values of `name:=value` words. If a name occurs twice, the last value is used.
 
     Raises:
-        LaunchArgumentError: A word has another form.
+        LaunchArgumentError: A word does not have this form.
     """
     values: dict[str, str] = {}
     for word in words:

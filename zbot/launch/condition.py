@@ -1,4 +1,4 @@
-"""Conditions: whether an action is to be done."""
+"""Conditions, which decide whether an action is executed."""
 
 from __future__ import annotations
 
@@ -15,79 +15,79 @@ if TYPE_CHECKING:
 
 
 class Condition:
-    """Something that holds or not.
+    """A condition that is true or false during a launch.
 
     Args:
-        predicate: Called with the context.
+        predicate: Called with the context. None means that the condition is always true.
     """
 
     def __init__(self, *, predicate: Callable[[LaunchContext], bool] | None = None) -> None:
         self._predicate = predicate
 
     def evaluate(self, context: LaunchContext) -> bool:
-        """Return whether it holds."""
+        """Return whether the condition is true."""
         return self._predicate is None or self._predicate(context)
 
     def describe(self) -> str:
-        """Return one line about it."""
+        """Return a description in one line."""
         return f"{type(self).__name__}()"
 
 
 class AndCondition(Condition):
-    """Holds if all of several conditions hold."""
+    """Condition that is true if all conditions in it are true."""
 
     def __init__(self, conditions: Sequence[Condition]) -> None:
         super().__init__()
         self.conditions = list(conditions)
 
     def evaluate(self, context: LaunchContext) -> bool:
-        """Return whether it holds."""
+        """Return whether the condition is true."""
         return all(condition.evaluate(context) for condition in self.conditions)
 
     def describe(self) -> str:
-        """Return one line about it."""
+        """Return a description in one line."""
         parts = ", ".join(condition.describe() for condition in self.conditions)
         return f"{type(self).__name__}({parts})"
 
 
 class OrCondition(AndCondition):
-    """Holds if one of several conditions holds."""
+    """Condition that is true if at least one condition in it is true."""
 
     def evaluate(self, context: LaunchContext) -> bool:
-        """Return whether it holds."""
+        """Return whether the condition is true."""
         return any(condition.evaluate(context) for condition in self.conditions)
 
 
 class IfCondition(Condition):
-    """Holds if a text says true, 1, yes or on."""
+    """Condition that is true if a text is `true`, `1`, `yes` or `on`."""
 
     def __init__(self, predicate_expression: SomeSubstitutionsType) -> None:
         super().__init__()
         self.expression = normalize(predicate_expression)
 
     def evaluate(self, context: LaunchContext) -> bool:
-        """Return whether it holds.
+        """Return whether the condition is true.
 
         Raises:
-            ConditionError: The text says neither true nor false.
+            ConditionError: The text is neither true nor false.
         """
         return evaluate_condition_expression(context, self.expression)
 
     def describe(self) -> str:
-        """Return one line about it."""
+        """Return a description in one line."""
         return f"{type(self).__name__}({describe(self.expression)})"
 
 
 class UnlessCondition(IfCondition):
-    """Holds if a text says false, 0, no or off."""
+    """Condition that is true if a text is `false`, `0`, `no` or `off`."""
 
     def evaluate(self, context: LaunchContext) -> bool:
-        """Return whether it holds; see `IfCondition`."""
+        """Return whether the condition is true. See `IfCondition`."""
         return not super().evaluate(context)
 
 
 class LaunchConfigurationEquals(Condition):
-    """Holds if a launch configuration has a value; with None, if it is not set."""
+    """Condition that a launch configuration has a value. None means that it is not set."""
 
     def __init__(
         self, launch_configuration_name: str, expected_value: SomeSubstitutionsType | None
@@ -96,7 +96,7 @@ class LaunchConfigurationEquals(Condition):
         self.name, self.expected = launch_configuration_name, expected_value
 
     def evaluate(self, context: LaunchContext) -> bool:
-        """Return whether it holds."""
+        """Return whether the condition is true."""
         value = context.launch_configurations.get(self.name)
         if self.expected is None:
             return value is None
@@ -104,20 +104,20 @@ class LaunchConfigurationEquals(Condition):
 
 
 class LaunchConfigurationNotEquals(LaunchConfigurationEquals):
-    """Holds if a launch configuration does not have a value; with None, if it is set."""
+    """Condition that a launch configuration has another value. None means that it is set."""
 
     def evaluate(self, context: LaunchContext) -> bool:
-        """Return whether it holds."""
+        """Return whether the condition is true."""
         return not super().evaluate(context)
 
 
 def evaluate_condition_expression(
     context: LaunchContext, expression: SomeSubstitutionsType
 ) -> bool:
-    """Return whether a text says true.
+    """Return whether a text is `true`, `1`, `yes` or `on`.
 
     Raises:
-        ConditionError: It says neither true nor false.
+        ConditionError: The text is neither true nor false.
     """
     text = perform(context, expression)
     value = to_bool(text)

@@ -1,4 +1,4 @@
-"""What a launch knows while it runs: configurations, environment, handlers, the next event."""
+"""State of a running launch, e.g. configurations, environment, event handlers, event queue."""
 
 from __future__ import annotations
 
@@ -13,14 +13,13 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
 from zbot.launch.errors import (
+    LaunchUsageError,
     SubstitutionError,
-    UnbalancedPopError,
-    UnknownHandlerError,
     describe,
 )
 from zbot.launch.event import Shutdown
-from zbot.launch.journal import Journal
-from zbot.launch.process_group import ProcessGroup
+from zbot.launch.log_writer import LogWriter
+from zbot.launch.process_group import ProcessGroups
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Mapping, Sequence
@@ -31,7 +30,7 @@ if TYPE_CHECKING:
 
 
 class _Locals:
-    """Names that hold only while one event, or one included file, is worked on."""
+    """Names that are defined only while the launch processes one event or one included file."""
 
     _values: Mapping[str, Any]
 
@@ -43,20 +42,20 @@ class _Locals:
             return self._values[name]
         except KeyError:
             known = ", ".join(self._values) or "none"
-            raise AttributeError(f"no local '{name}' here; there are: {known}") from None
+            raise AttributeError(f"no local '{name}' here; known locals: {known}") from None
 
     def __setattr__(self, name: str, value: Any) -> None:
-        raise AttributeError(f"local '{name}' cannot be set here: use extend_locals()")
+        raise AttributeError(f"local '{name}' cannot be assigned: use extend_locals()")
 
 
 class LaunchContext:
     """The state of one launch.
 
     Args:
-        argv: The arguments that the launch was given.
-        noninteractive: Whether processes get no terminal to read from.
-        find_program: Called with a package and an executable before a node is started; raises
-            where there is none.
+        argv: The arguments of the launch.
+        noninteractive: Whether processes have no terminal as stdin.
+        find_program: Called with package and executable before a node starts. It raises an error if
+            the executable does not exist.
         debug: Whether debug lines are shown.
     """
 
@@ -75,8 +74,8 @@ class LaunchContext:
         self.environment: dict[str, str] = dict(os.environ)
         self.launch_configurations: dict[str, Any] = {}
         self.is_shutdown = False
-        self.failed = False  #: something went wrong that the exit code has to tell
-        self.program_failed = False  #: a program died by itself, with an error
+        self.failed = False  #: whether an error occurred, so that the exit code is 1
+        self.program_failed = False  #: whether a program exited with an error by itself
         self._saved: list[tuple[str, dict[str, Any]]] = []
         self._locals: list[dict[str, Any]] = []
         self._globals: dict[str, Any] = {}
@@ -91,13 +90,13 @@ class LaunchContext:
         self._labels = 0
         self._closers: list[Callable[[], object]] = []
 
-    # What substitutions ask for
+    # Methods for substitutions
 
     def perform_substitution(self, substitution: Substitution) -> str:
         """Return the text of a substitution.
 
         Raises:
-            SubstitutionError: It has none.
+            SubstitutionError: `perform` of the substitution does not return a string.
         """
         text = substitution.perform(self)
         if not isinstance(text, str):
@@ -108,7 +107,7 @@ class LaunchContext:
         return text
 
     def get_locals_as_dict(self) -> dict[str, Any]:
-        """Return the locals, the innermost first."""
+        """Return globals and locals. A new local replaces an older local of the same name."""
         return {**self._globals, **self._inner_locals()}
 
     def _inner_locals(self) -> dict[str, Any]:
@@ -116,38 +115,38 @@ class LaunchContext:
 
     @property
     def locals(self) -> _Locals:
-        """The locals, as attributes."""
+        """The locals as attributes of one object."""
         return _Locals(self.get_locals_as_dict())
 
     def extend_globals(self, extensions: Mapping[str, Any]) -> None:
-        """Set locals that hold until the launch ends."""
+        """Set names that stay defined until the launch ends."""
         self._globals.update(extensions)
 
     def extend_locals(self, extensions: Mapping[str, Any]) -> None:
-        """Set locals on top of those that hold, until `pop_locals`."""
+        """Add locals to the present locals, until `pop_locals` removes them."""
         self._locals.append(dict(extensions))
 
     def pop_locals(self) -> None:
-        """Forget what the last `extend_locals` set."""
+        """Remove the locals that the last `extend_locals` set."""
         self._locals.pop()
 
     @property
-    def depth(self) -> int:
-        """How many `extend_locals` are in force."""
+    def locals_depth(self) -> int:
+        """Number of `extend_locals` calls that are still in effect."""
         return len(self._locals)
 
-    def cut(self, depth: int) -> None:
-        """Forget what was set since there were so many."""
+    def truncate_locals(self, depth: int) -> None:
+        """Undo `extend_locals` calls until `depth` calls are left."""
         del self._locals[depth:]
 
     # Scopes
 
     def push(self, kind: str) -> None:
-        """Remember the `environment` or the `launch_configurations`, to return to them later."""
+        """Save the `environment` or the `launch_configurations` for a later `pop`."""
         self._saved.append((kind, dict(getattr(self, kind))))
 
     def pop(self, kind: str) -> None:
-        """Return to what the last `push` of that kind remembered."""
+        """Restore the values that the last `push` of the same kind saved."""
         for index in range(len(self._saved) - 1, -1, -1):
             if self._saved[index][0] == kind:
                 setattr(self, kind, self._saved.pop(index)[1])
@@ -156,9 +155,10 @@ class LaunchContext:
     # Events
 
     def register_event_handler(self, event_handler: BaseEventHandler, append: bool = False) -> None:
-        """Let a handler see every event from now on; the newest sees them first.
+        """Register a handler for later events, before other handlers, or last with `append`.
 
-        What it leads to has the locals of now: `ThisLaunchFile` means the file it stands in.
+        The actions of the handler get the present locals, so `ThisLaunchFile` is the file that
+        registered the handler.
         """
         self._locals_of[event_handler] = self._inner_locals()
         if append:
@@ -167,31 +167,31 @@ class LaunchContext:
             self._event_handlers.appendleft(event_handler)
 
     def unregister_event_handler(self, event_handler: BaseEventHandler) -> None:
-        """Let a handler see no more events.
+        """Remove a handler, so that it gets no more events.
 
         Raises:
-            UnknownHandlerError: It saw none.
+            LaunchUsageError: The handler is not registered.
         """
         if event_handler not in self._event_handlers:
-            raise UnknownHandlerError(event_handler)
+            raise LaunchUsageError(f"this event handler is not registered: {event_handler!r}")
         self._event_handlers.remove(event_handler)
         self._locals_of.pop(event_handler, None)
 
     def locals_of(self, event_handler: BaseEventHandler) -> dict[str, Any]:
-        """Return the locals that held when a handler was registered."""
+        """Return the locals at the time when a handler was registered."""
         return self._locals_of.get(event_handler, {})
 
     @property
     def event_handlers(self) -> tuple[BaseEventHandler, ...]:
-        """Those registered, in the order in which they see an event."""
+        """The registered handlers, in the order in which they are called."""
         return tuple(self._event_handlers)
 
     def would_handle_event(self, event: Event) -> bool:
-        """Return whether anybody waits for such an event."""
+        """Return whether a registered handler matches an event."""
         return any(handler.matches(event) for handler in self._event_handlers)
 
     def emit_event_sync(self, event: Event) -> None:
-        """Put an event at the end of the queue; from any thread."""
+        """Put an event at the end of the queue. Any thread may call this method."""
         if self._loop is None or threading.current_thread() is self._thread:
             self._emit(event)
         else:
@@ -206,31 +206,31 @@ class LaunchContext:
         self.wake()
 
     def fail(self, error: BaseException) -> None:
-        """Say what went wrong and end the launch, with exit code 1."""
+        """Log an error, and shut the launch down with exit code 1."""
         text = str(error) if isinstance(error, ZbotError) else describe(error)
         hint = getattr(error, "hint", "")
-        self.journal.error("launch", f"{text} ({hint})" if hint else text)
+        self.writer.error("launch", f"{text} ({hint})" if hint else text)
         trace = traceback.format_exception(type(error), error, error.__traceback__)
-        self.journal.debug("launch", "".join(trace))
+        self.writer.debug("launch", "".join(trace))
         self.failed = True
         if not self.is_shutdown:
             self.emit_event_sync(Shutdown(reason=text))
 
-    # For the service that runs this launch
+    # Methods for the service that runs this launch
 
     def begin(self, loop: asyncio.AbstractEventLoop) -> None:
-        """Work on events in this loop from now on."""
+        """Use this loop to process events from now on."""
         self._loop, self._wake = loop, asyncio.Event()
         self._thread = threading.current_thread()
         self.is_shutdown = self.failed = False
 
     def wake(self) -> None:
-        """Let the service look at what changed."""
+        """Wake the service, so that it checks for events and finished futures."""
         if self._wake is not None:
             self._wake.set()
 
     async def next_event(self) -> Event | None:
-        """Return the next event; None if none can come any more."""
+        """Wait for the next event and return it. Return None if the launch is idle."""
         while self._event_queue.empty():
             if self._wake is None or not self._pending:
                 return None
@@ -242,9 +242,9 @@ class LaunchContext:
         """Keep the launch running until a future is done."""
         if not future.done():
             self._pending.add(future)
-            future.add_done_callback(self._forget)
+            future.add_done_callback(self._on_future_done)
 
-    def _forget(self, future: asyncio.Future[Any]) -> None:
+    def _on_future_done(self, future: asyncio.Future[Any]) -> None:
         self._pending.discard(future)
         if not future.cancelled() and (error := future.exception()) is not None:
             self.fail(error)
@@ -252,68 +252,68 @@ class LaunchContext:
 
     @property
     def pending(self) -> frozenset[asyncio.Future[Any]]:
-        """What the launch still waits for."""
+        """The futures that the launch still waits for."""
         return frozenset(self._pending)
 
     @property
     def is_idle(self) -> bool:
-        """Whether nothing is left to happen and nothing to wait for."""
+        """Whether no event is queued and no future is pending."""
         return self._event_queue.empty() and not self._pending
 
     def create_task(self, coroutine: Coroutine[Any, Any, Any]) -> asyncio.Task[Any]:
-        """Run a coroutine, and keep the launch running until it ends."""
+        """Run a coroutine in the launch's loop. The launch waits for the end of the coroutine."""
         task = self.running_loop.create_task(coroutine)
         self.add_completion_future(task)
         return task
 
     @property
     def asyncio_loop(self) -> asyncio.AbstractEventLoop | None:
-        """The loop that the launch runs in; None while it does not run."""
+        """The event loop of the launch, or None while the launch does not run."""
         return self._loop
 
     @property
     def running_loop(self) -> asyncio.AbstractEventLoop:
-        """The loop that the launch runs in.
+        """The event loop of the launch.
 
         Raises:
-            SubstitutionError: It does not run.
+            SubstitutionError: The launch does not run.
         """
         if self._loop is None:
             raise SubstitutionError("this launch is not running yet")
         return self._loop
 
     @cached_property
-    def journal(self) -> Journal:
-        """Where lines are written to."""
-        journal = Journal(debug=self.debug)
-        self.on_close(journal.close)
-        return journal
+    def writer(self) -> LogWriter:
+        """Writer of the launch's log lines. The first use creates it."""
+        writer = LogWriter(debug=self.debug)
+        self.on_close(writer.close)
+        return writer
 
     @cached_property
-    def family(self) -> ProcessGroup:
-        """The processes of this launch."""
-        family = ProcessGroup()
-        self.on_close(family.close)
-        return family
+    def process_groups(self) -> ProcessGroups:
+        """The process groups of this launch. The first use creates them."""
+        process_groups = ProcessGroups()
+        self.on_close(process_groups.close)
+        return process_groups
 
     def next_label(self, name: str) -> str:
-        """Return the name that a process goes by: `talker-1`."""
+        """Return a new label for a process, e.g. `talker-1`."""
         self._labels += 1
         return f"{name}-{self._labels}"
 
     def on_close(self, function: Callable[[], object]) -> None:
-        """Have a function called when the launch has ended."""
+        """Register a function to call when the launch has ended. The last function runs first."""
         self._closers.append(function)
 
     def close(self) -> None:
-        """Give back what the launch holds; may be called twice."""
+        """Release the resources of the launch. A second call does nothing."""
         while self._closers:
             self._closers.pop()()
         self._loop = self._wake = self._thread = None
-        for held in ("journal", "family"):  # made anew if it is run again
+        for held in ("writer", "process_groups"):  # a second run creates them again
             self.__dict__.pop(held, None)
 
-    # What launch calls these: its tests, and actions of other packages, use the names
+    # Private names of launch's own LaunchContext, used by its tests and by other packages' actions
 
     def _set_asyncio_loop(self, loop: asyncio.AbstractEventLoop | None) -> None:
         self._loop = loop
@@ -327,8 +327,8 @@ class LaunchContext:
 
     def _pop_locals(self) -> None:
         if not self._marks:
-            raise UnbalancedPopError("locals")
-        self.cut(self._marks.pop())
+            raise LaunchUsageError("no locals were pushed that could be popped")
+        self.truncate_locals(self._marks.pop())
 
     def _push_launch_configurations(self) -> None:
         self.push("launch_configurations")
@@ -344,5 +344,6 @@ class LaunchContext:
 
     def _pop_pushed(self, kind: str) -> None:
         if not any(saved == kind for saved, _ in self._saved):
-            raise UnbalancedPopError(kind)
+            what = kind.replace("_", " ")
+            raise LaunchUsageError(f"no {what} were pushed that could be popped")
         self.pop(kind)

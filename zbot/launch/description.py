@@ -1,4 +1,4 @@
-"""A launch description: the list that a launch file returns."""
+"""Launch description, the list of entities that a launch file returns."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 
 
 class LaunchDescription(LaunchDescriptionEntity):
-    """What to launch, in order.
+    """Entities to visit, in order.
 
     Args:
         initial_entities: Actions and other descriptions.
-        deprecated_reason: Why nobody should use it any more; told when it is launched.
+        deprecated_reason: Marks the description as deprecated. The launch logs it as a warning.
     """
 
     def __init__(
@@ -36,14 +36,14 @@ class LaunchDescription(LaunchDescriptionEntity):
 
     @property
     def deprecated(self) -> bool:
-        """Whether nobody should use it any more."""
+        """Whether the description is marked as deprecated."""
         return self.deprecated_reason is not None
 
     def add_entity(self, entity: LaunchDescriptionEntity) -> None:
-        """Add an action, or another description.
+        """Add an action or another description.
 
         Raises:
-            EntityTypeError: It is neither.
+            EntityTypeError: `entity` is not an action or a description.
         """
         if not isinstance(entity, LaunchDescriptionEntity):
             place = f"item {len(self.entities)} of a LaunchDescription"
@@ -59,7 +59,7 @@ class LaunchDescription(LaunchDescriptionEntity):
         return self.entities
 
     def describe(self) -> str:
-        """Return its class."""
+        """Return the name of the class."""
         return f"{type(self).__name__}()"
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
@@ -69,9 +69,9 @@ class LaunchDescription(LaunchDescriptionEntity):
     def get_launch_arguments(
         self, conditional_inclusion: bool = False
     ) -> list[DeclareLaunchArgument]:
-        """Return the arguments that it declares itself, not those of what it includes.
+        """Return the arguments that this description declares, without those of included files.
 
-        Each is told by `conditionally_included` whether that depends on a condition.
+        This method sets `conditionally_included` of each argument.
         """
         from zbot.launch.arguments import declared_arguments  # noqa: PLC0415 - cycle
 

@@ -1,4 +1,4 @@
-"""Whatever can stand in a launch description, and the line that put it there."""
+"""Base class of all parts of a launch description, and the source line that created a part."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
     from zbot.launch.context import LaunchContext
 
-# Frames of these folders are launch itself: the line that is asked for called into them.
+# `calling_line` skips frames of these folders, because they belong to launch itself.
 _OWN = tuple(
     str(folder) for folder in (Path(__file__).parent, Path(__file__).parents[1] / "compat")
 )
@@ -24,42 +24,42 @@ class Origin:
     """A line of a launch file."""
 
     path: str
-    line: int  #: from 1
+    line: int  #: starts at 1
 
 
 class LaunchDescriptionEntity:
-    """What a launch description is made of."""
+    """Base class of actions and descriptions."""
 
     def visit(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
-        """Do what the entity is for; return what is to be visited next."""
+        """Process the entity and return the entities to visit next."""
         del context
         return None
 
     def describe(self) -> str:
-        """Return one line about it.
+        """Return a description in one line.
 
         Raises:
-            NotImplementedError: Its class has none to return.
+            NotImplementedError: The class does not override this method.
         """
         raise NotImplementedError
 
     def describe_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return what is visited with it for certain."""
+        """Return the entities that are always visited after this one."""
         return []
 
     def describe_conditional_sub_entities(
         self,
     ) -> list[tuple[str, Sequence[LaunchDescriptionEntity]]]:
-        """Return what is visited under conditions, with a phrase for each."""
+        """Return pairs of a condition as text, and the entities to visit if it is true."""
         return []
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:
-        """Return a future that is done when the entity is; None if it is at once."""
+        """Return a future for the end of the entity. Return None if `visit` does everything."""
         return None
 
 
 def calling_line() -> Origin | None:
-    """Return the nearest line on the call stack that is not launch's own."""
+    """Return the line of user code that called launch, or None if there is none."""
     frame = sys._getframe(1)  # noqa: SLF001 - documented; `inspect` takes 10 ms to import
     while frame is not None:
         name = frame.f_code.co_filename

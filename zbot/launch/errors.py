@@ -1,4 +1,4 @@
-"""What can go wrong with launch files and with what they start."""
+"""Errors of launch files and of the programs that they start."""
 
 from __future__ import annotations
 
@@ -14,47 +14,47 @@ if TYPE_CHECKING:
 
 
 class LaunchError(ZbotError):
-    """Root of what can go wrong while launching."""
+    """Base class of all launch errors."""
 
 
 class InvalidLaunchFileError(LaunchError):
-    """A launch file makes no sense.
+    """A launch file is invalid.
 
     Attributes:
-        extension: What its name ends in.
-        likely_errors: What reading it in one way and another led to.
+        extension: The suffix of the file name.
+        likely_errors: The errors of the attempts to read the file.
     """
 
     def __init__(self, extension: str = "", *, likely_errors: Iterable[BaseException] = ()) -> None:
         self.extension, self.likely_errors = extension, list(likely_errors)
         found = "; ".join(describe(error) for error in self.likely_errors)
         kind = f"launch file in '{extension}'" if extension else "launch file"
-        super().__init__(f"{kind} makes no sense: {found or 'nothing reads it'}")
+        super().__init__(f"{kind} is invalid: {found or 'no parser can read it'}")
 
 
 class LaunchFileError(InvalidLaunchFileError):
-    """A launch file, or one line of it, makes no sense.
+    """A launch file or one line of it is invalid.
 
     Attributes:
         path: The file.
-        line: Line number from 1; 0 if none can be named.
+        line: The line number, which starts at 1. It is 0 if the line is unknown.
         reason: What is wrong.
     """
 
     def __init__(self, path: str, line: int, reason: str, hint: str = "") -> None:
-        super().__init__(os.path.splitext(path)[1])  # noqa: PTH122 - "<text>" is no path
+        super().__init__(os.path.splitext(path)[1])  # noqa: PTH122 - "<text>" is not a path
         self.path, self.line, self.reason, self.hint = path, line, reason, hint
         self.args = (f"{path}:{line}: {reason}" if line else f"{path}: {reason}",)
 
     @classmethod
     def at(cls, origin: Origin, error: BaseException) -> LaunchFileError:
-        """Return an error that happened to what a line of a launch file made."""
+        """Return an entity's error, with the line of the launch file that created the entity."""
         reason = str(error) if isinstance(error, ZbotError) else describe(error)
         return cls(origin.path, origin.line, reason, getattr(error, "hint", "") or "")
 
 
 class IncludeLoopError(LaunchError):
-    """A launch file includes itself, by way of others or not, without end."""
+    """A launch file includes itself without end, directly or through other files."""
 
     def __init__(self, chain: Iterable[str]) -> None:
         self.chain = tuple(chain)
@@ -62,22 +62,19 @@ class IncludeLoopError(LaunchError):
 
 
 class LaunchFileNotFoundError(LaunchError, FileNotFoundError):
-    """There is no launch file of that name or path."""
+    """No launch file has this name or path."""
 
     def __init__(self, message: str, hint: str = "") -> None:
         self.hint = hint
         super().__init__(message)
 
 
-class NoSourceError(LaunchError, RuntimeError):
-    """A launch description is to come from nowhere."""
-
-    def __init__(self) -> None:
-        super().__init__("this source has neither a launch description nor the path of a file")
+class LaunchUsageError(LaunchError, RuntimeError, ValueError):
+    """A class of launch is used incorrectly, e.g. `pop` without `push`."""
 
 
 class LaunchArgumentError(LaunchError, RuntimeError, ValueError):
-    """A launch argument is missing, malformed or not one of the choices."""
+    """A launch argument is missing, is malformed, or is not one of the choices."""
 
     def __init__(self, message: str, hint: str = "") -> None:
         self.hint = hint
@@ -85,19 +82,19 @@ class LaunchArgumentError(LaunchError, RuntimeError, ValueError):
 
     @classmethod
     def malformed(cls, word: str) -> LaunchArgumentError:
-        """Return the error for a word that is no `name:=value`."""
+        """Return the error for a word that does not have the form `name:=value`."""
         return cls(f"malformed launch argument '{word}', expected format '<name>:=<value>'")
 
     @classmethod
     def missing(cls, name: str, description: str) -> LaunchArgumentError:
         """Return the error for an argument that has no default and was not given."""
-        told = f' (description: "{description}")' if description else ""
-        text = f'Required launch argument "{name}"{told} was not provided'
+        details = f' (description: "{description}")' if description else ""
+        text = f'Required launch argument "{name}"{details} was not provided'
         return cls(text, f"give it a value: {name}:=VALUE")
 
     @classmethod
     def no_choice(cls, name: str, value: str, choices: Iterable[str]) -> LaunchArgumentError:
-        """Return the error for a value that is none of the choices."""
+        """Return the error for a value that is not one of the choices."""
         known = list(choices)
         near = close_matches(value, known, 1)
         hint = f"did you mean {name}:={near[0]}?" if near else ""
@@ -106,24 +103,22 @@ class LaunchArgumentError(LaunchError, RuntimeError, ValueError):
 
     @classmethod
     def no_default(cls, name: str, value: str, choices: Iterable[str]) -> LaunchArgumentError:
-        """Return the error for a default that is none of the choices."""
-        told = ", ".join(f"'{choice}'" for choice in choices)
+        """Return the error for a default value that is not one of the choices."""
+        known = ", ".join(f"'{choice}'" for choice in choices)
         return cls(
-            f"the default '{value}' of launch argument '{name}' is not in provided choices {told}"
+            f"the default '{value}' of launch argument '{name}' is not in provided choices {known}"
         )
 
-
-class IncludeArgumentError(LaunchArgumentError):
-    """An included launch file needs an argument that the include does not give."""
-
-    def __init__(self, name: str, given: Iterable[str]) -> None:
-        told = ", ".join(given)
-        text = f'Included launch description missing required argument "{name}", given: [{told}]'
-        super().__init__(text, f"add '{name}' to the launch_arguments of the include")
+    @classmethod
+    def missing_in_include(cls, name: str, given: Iterable[str]) -> LaunchArgumentError:
+        """Return the error for an argument that an include does not give."""
+        names = ", ".join(given)
+        text = f'Included launch description missing required argument "{name}", given: [{names}]'
+        return cls(text, f"add '{name}' to the launch_arguments of the include")
 
 
 class SubstitutionError(LaunchError, RuntimeError, ValueError):
-    """A substitution cannot be turned into text."""
+    """zbot cannot find the text of a substitution."""
 
     def __init__(self, message: str, hint: str = "") -> None:
         self.hint = hint
@@ -131,7 +126,7 @@ class SubstitutionError(LaunchError, RuntimeError, ValueError):
 
 
 class UnknownNameError(SubstitutionError, NameError):
-    """A Python expression has a name that nothing has; it may need a module."""
+    """A Python expression uses an undefined name. Its list of modules may be incomplete."""
 
 
 class ConditionError(LaunchError, ValueError):
@@ -143,7 +138,7 @@ class ConditionError(LaunchError, ValueError):
 
 
 class CoercionError(LaunchError, ValueError):
-    """A text means nothing of the type that is wanted, or there is no such type."""
+    """A string cannot be read as a value of a type, or the type is not supported."""
 
 
 class ProgramError(LaunchError):
@@ -155,9 +150,9 @@ class ProgramError(LaunchError):
 
 
 class EntityTypeError(LaunchError, TypeError, ValueError):
-    """Something is in a launch description, or given to an action, that does not belong there.
+    """A value in a launch description, or an argument of an action, has the wrong type.
 
-    launch raises a TypeError in some places, a ValueError in others.
+    It is both a TypeError and a ValueError, because launch raises both types.
     """
 
     def __init__(self, where: str, expected: str, value: object) -> None:
@@ -165,24 +160,8 @@ class EntityTypeError(LaunchError, TypeError, ValueError):
         super().__init__(f"{where} must be {expected}, not {type(value).__name__}: {value!r}")
 
 
-class UnknownHandlerError(LaunchError, ValueError):
-    """An event handler is to see no more events, but sees none."""
-
-    def __init__(self, handler: object) -> None:
-        self.handler = handler
-        super().__init__(f"this event handler is not registered: {handler!r}")
-
-
-class UnbalancedPopError(LaunchError, RuntimeError):
-    """Something is to be returned to that was not remembered."""
-
-    def __init__(self, kind: str) -> None:
-        self.kind = kind
-        super().__init__(f"no {kind.replace('_', ' ')} were pushed that could be popped")
-
-
 class ArgumentCountError(LaunchError, TypeError):
-    """A substitution was given too few arguments, or too many."""
+    """A substitution has too few arguments or too many."""
 
     def __init__(self, name: str, expected: int, given: int) -> None:
         self.name, self.expected, self.given = name, expected, given
@@ -191,27 +170,18 @@ class ArgumentCountError(LaunchError, TypeError):
 
 
 class LogLevelError(LaunchError, KeyError):
-    """A line is to be logged at a level that there is not."""
+    """A log level does not exist."""
 
     def __init__(self, level: str, known: Iterable[str]) -> None:
         self.level, self.known = level, tuple(known)
         super().__init__(f"Invalid log level '{level}': it is one of {', '.join(self.known)}")
 
     def __str__(self) -> str:
-        return str(self.args[0])  # KeyError would show its repr
-
-
-class ExposeError(LaunchError, RuntimeError):
-    """Something is to make the actions of a tag, or the substitutions of a name, that cannot."""
-
-    def __init__(self, kind: str, name: str) -> None:
-        self.kind, self.name = kind, name
-        text = f"Exposed {kind} parser for {name} is not a callable or a class"
-        super().__init__(f"{text} containing a parse method")
+        return str(self.args[0])  # KeyError would show the repr of the text
 
 
 class OutputError(LaunchError, ValueError):
-    """`output` of a program names no place that its lines can go to."""
+    """`output` of an action contains an unknown sink or stream."""
 
     def __init__(self, word: object, known: Iterable[str]) -> None:
         self.word, self.known = word, tuple(known)
@@ -219,6 +189,6 @@ class OutputError(LaunchError, ValueError):
 
 
 def describe(error: BaseException) -> str:
-    """Return one line that says what a Python exception says."""
+    """Return the type and the text of an exception in one line."""
     text = " ".join(str(error).split())
     return f"{type(error).__name__}: {text}" if text else type(error).__name__

@@ -1,4 +1,4 @@
-"""Events: what happened, or what is to happen, for handlers to act on."""
+"""Events of a launch. An event reports a change or requests an action."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ if TYPE_CHECKING:
 
 
 class Event:
-    """Something that happened."""
+    """Base class of events."""
 
     name = "launch.Event"
 
 
 class Shutdown(Event):
-    """The launch is to end.
+    """Request to shut the launch down.
 
     Args:
-        reason: Why.
-        due_to_sigint: Whether somebody pressed Ctrl-C.
+        reason: The reason that the log shows.
+        due_to_sigint: Whether Ctrl-C caused the shutdown.
     """
 
     name = "launch.events.Shutdown"
@@ -39,7 +39,7 @@ class ExecutionComplete(Event):
 
 
 class IncludeLaunchDescriptionEvent(Event):
-    """A description is to be launched in addition."""
+    """Request to launch one more description."""
 
     name = "launch.events.IncludeLaunchDescription"
 
@@ -48,7 +48,7 @@ class IncludeLaunchDescriptionEvent(Event):
 
 
 class TimerEvent(Event):
-    """A timer's time has come."""
+    """The period of a timer is over."""
 
     name = "launch.events.TimerEvent"
 
@@ -56,7 +56,7 @@ class TimerEvent(Event):
         self.timer_action = timer_action
 
 
-class TimerSkipped(Event):
-    """Ctrl-C was pressed again: processes that do not end are to get the next signal now."""
+class SecondInterrupt(Event):
+    """A second Ctrl-C. Processes that still run get the next signal at once."""
 
-    name = "zbot.launch.TimerSkipped"
+    name = "zbot.launch.SecondInterrupt"

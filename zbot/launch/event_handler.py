@@ -1,4 +1,4 @@
-"""Event handlers: what to do when something happens."""
+"""Event handlers, which visit entities or call functions when they get a matching event."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ if TYPE_CHECKING:
 Entities: TypeAlias = LaunchDescriptionEntity | Iterable[LaunchDescriptionEntity] | None
 #: The same for `isinstance`.
 Entities_types_tuple = (LaunchDescriptionEntity, Iterable)
-#: What an event leads to: entities, or a function of the event and the context that returns some.
+#: Entities, or a function that takes event and context and returns entities.
 Reaction: TypeAlias = Entities | Callable[..., Any]
 
 
 class BaseEventHandler:
-    """Something that may act on an event.
+    """Base class of event handlers.
 
     Args:
-        matcher: Whether to act on an event.
-        handle_once: Whether to act only on the first.
+        matcher: Returns whether the handler reacts to an event.
+        handle_once: Whether the handler reacts only to the first matching event.
     """
 
     def __init__(self, *, matcher: Callable[[Any], bool], handle_once: bool = False) -> None:
@@ -35,28 +35,28 @@ class BaseEventHandler:
         self.handle_once = handle_once
 
     def matches(self, event: Event) -> bool:
-        """Return whether to act on an event."""
+        """Return whether the handler reacts to an event."""
         return self._matcher(event)
 
     def handle(self, event: Event, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
-        """Act; return what is to be visited."""
-        context.extend_locals({"event": event})  # until the service is done with this handler
+        """Handle the event and return the entities to visit."""
+        context.extend_locals({"event": event})  # the service removes it after this handler
         if self.handle_once:
             context.unregister_event_handler(self)
         return []
 
     def describe(self) -> str:
-        """Return one line about it."""
+        """Return a description in one line."""
         return f"{type(self).__name__}()"
 
 
 class EventHandler(BaseEventHandler):
-    """Visits entities when an event comes.
+    """Visits entities when a matching event comes.
 
     Args:
-        matcher: Whether to act on an event.
-        entities: What to visit.
-        handle_once: Whether to act only on the first.
+        matcher: Returns whether the handler reacts to an event.
+        entities: The entities, or a function that returns them.
+        handle_once: Whether the handler reacts only to the first matching event.
     """
 
     def __init__(
@@ -78,9 +78,9 @@ class EventHandler(BaseEventHandler):
 def react(
     reaction: Reaction, event: Event, context: LaunchContext
 ) -> Sequence[LaunchDescriptionEntity]:
-    """Return the entities of a reaction; a function is called for them."""
+    """Return the entities of a reaction. Call the reaction if it is a function."""
     if callable(reaction):
-        # Functions of launch files take the event and the context; some of old, only the event.
+        # Functions take event and context. In old launch files they take only the event.
         code = getattr(reaction, "__code__", None)
         is_method = hasattr(reaction, "__self__")
         takes_one = code is not None and code.co_argcount - is_method == 1 and not code.co_flags & 4
@@ -98,16 +98,16 @@ def _listed(reaction: Any) -> Sequence[LaunchDescriptionEntity]:
 
 
 class OnActionEventBase(EventHandler):
-    """Acts on events about one action, or about any.
+    """Reacts to events about one action or about every action.
 
     Args:
-        action_matcher: The action, a function that picks it, or None for every action.
-        on_event: What to do.
-        target_event_cls: The class of events.
-        handle_once: Whether to act only on the first.
+        action_matcher: The action, a function that selects actions, or None for every action.
+        on_event: The reaction.
+        target_event_cls: The class of the events.
+        handle_once: Whether the handler reacts only to the first matching event.
 
     Raises:
-        EntityTypeError: The matcher is something else, or what to do is.
+        EntityTypeError: `action_matcher` or `on_event` has another type.
     """
 
     def __init__(
@@ -129,9 +129,9 @@ class OnActionEventBase(EventHandler):
             for number, one in enumerate(on_event):
                 if not isinstance(one, LaunchDescriptionEntity):
                     raise EntityTypeError(f"reaction {number} to an event", "an action", one)
-        super().__init__(matcher=self._is_meant, entities=on_event, handle_once=handle_once)
+        super().__init__(matcher=self._matches_target, entities=on_event, handle_once=handle_once)
 
-    def _is_meant(self, event: Any) -> bool:
+    def _matches_target(self, event: Any) -> bool:
         if not isinstance(event, self.event_class):
             return False
         action = cast("Any", event).action
@@ -141,7 +141,7 @@ class OnActionEventBase(EventHandler):
 
 
 class OnExecutionComplete(OnActionEventBase):
-    """Acts when an action is done."""
+    """Reacts when an action is done."""
 
     def __init__(
         self,
@@ -159,7 +159,7 @@ class OnExecutionComplete(OnActionEventBase):
 
 
 class OnProcessStart(OnActionEventBase):
-    """Acts when a process starts."""
+    """Reacts when a process starts."""
 
     def __init__(
         self,
@@ -177,7 +177,7 @@ class OnProcessStart(OnActionEventBase):
 
 
 class OnProcessExit(OnActionEventBase):
-    """Acts when a process ends."""
+    """Reacts when a process ends."""
 
     def __init__(
         self,
@@ -195,7 +195,7 @@ class OnProcessExit(OnActionEventBase):
 
 
 class OnProcessIO(OnActionEventBase):
-    """Acts when a process writes; the functions are given the event, with its `text` in bytes."""
+    """Reacts to output of a process. Functions get the event, whose `text` is bytes."""
 
     def __init__(
         self,
@@ -222,7 +222,7 @@ class OnProcessIO(OnActionEventBase):
 
 
 class OnShutdown(EventHandler):
-    """Acts when the launch is to end."""
+    """Reacts to the shutdown of the launch."""
 
     def __init__(self, *, on_shutdown: Reaction, **options: Any) -> None:
         super().__init__(
@@ -231,7 +231,7 @@ class OnShutdown(EventHandler):
 
 
 class OnIncludeLaunchDescription(BaseEventHandler):
-    """Launches what is to be launched in addition."""
+    """Launches the description of an `IncludeLaunchDescriptionEvent`."""
 
     def __init__(self, **options: Any) -> None:
         super().__init__(
@@ -239,6 +239,6 @@ class OnIncludeLaunchDescription(BaseEventHandler):
         )
 
     def handle(self, event: Event, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
-        """Return the description."""
+        """Return the description of the event."""
         super().handle(event, context)
         return [cast("IncludeLaunchDescriptionEvent", event).launch_description]

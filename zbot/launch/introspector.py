@@ -1,4 +1,4 @@
-"""Launch descriptions as text, for people."""
+"""Formatter of launch descriptions as readable text."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ _MAX_DEPTH = 60
 
 
 class LaunchIntrospector:
-    """Describes launch descriptions without launching them."""
+    """Formats launch descriptions without launching them."""
 
     def format_launch_description(self, launch_description: LaunchDescription) -> str:
-        """Return the tree of entities, one on each line."""
+        """Return the tree of entities as text, with one entity on each line."""
         return "\n".join(_lines(launch_description, 0))
 
     def get_source(self, entity: LaunchDescriptionEntity) -> str:
-        """Return where an entity comes from."""
+        """Return the file and the line that created an entity, or `unknown`."""
         origin = getattr(entity, "origin", None)
         return f"{origin.path}:{origin.line}" if origin is not None else "unknown"
 
@@ -35,8 +35,8 @@ def _lines(entity: LaunchDescriptionEntity, depth: int) -> Iterator[str]:
     is_list = isinstance(entity, LaunchDescription)
     text = "<launch.LaunchDescription>" if is_list else entity.describe()
     condition = getattr(entity, "condition", None)
-    told = f" if {condition.describe()}" if condition is not None else ""
-    yield f"{_INDENT * depth}{text}{told}"
+    condition_text = f" if {condition.describe()}" if condition is not None else ""
+    yield f"{_INDENT * depth}{text}{condition_text}"
     for one in entity.describe_sub_entities():
         yield from _lines(one, depth + 1)
     for phrase, entities in entity.describe_conditional_sub_entities():

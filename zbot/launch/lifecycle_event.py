@@ -1,4 +1,4 @@
-"""Managed nodes in launch files: told to change their state, heard of when they did."""
+"""Events that request transitions of managed (lifecycle) nodes or report transitions."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
 
 class ChangeState(Event):
-    """Managed nodes are to change their state.
+    """Request for a transition of managed nodes.
 
     Args:
-        lifecycle_node_matcher: Picks them, e.g. `matches_action(node)`.
+        lifecycle_node_matcher: Selects the nodes, e.g. `matches_action(node)`.
         transition_id: A constant of `lifecycle_msgs.msg.Transition`.
     """
 
@@ -35,7 +35,7 @@ class StateTransition(Event):
 
     Args:
         action: The node.
-        msg: What it told: a `lifecycle_msgs.msg.TransitionEvent`.
+        msg: The node's `lifecycle_msgs.msg.TransitionEvent`.
     """
 
     name = "launch_ros.events.lifecycle.StateTransition"
@@ -50,24 +50,24 @@ class StateTransition(Event):
 
     @property
     def start_state(self) -> str:
-        """The label of the state before."""
+        """The label of the state before the transition."""
         return str(self.msg.start_state.label)
 
     @property
     def goal_state(self) -> str:
-        """The label of the state now."""
+        """The label of the state after the transition."""
         return str(self.msg.goal_state.label)
 
 
 class OnStateTransition(EventHandler):
-    """Acts when a managed node changes its state.
+    """Reacts when a managed node changes its state.
 
     Args:
-        entities: What to do.
-        target_lifecycle_node: The node; any if left out.
-        transition: Label of the transition; any if left out.
-        start_state: Label of the state before; any if left out.
-        goal_state: Label of the state after; any if left out.
+        entities: The reaction.
+        target_lifecycle_node: The node. None means any node.
+        transition: The label of the transition. None means any transition.
+        start_state: The label of the state before the transition. None means any state.
+        goal_state: The label of the state after the transition. None means any state.
     """
 
     def __init__(
@@ -86,9 +86,9 @@ class OnStateTransition(EventHandler):
             "start_state": start_state,
             "goal_state": goal_state,
         }
-        super().__init__(matcher=self._is_meant, entities=entities, **options)
+        super().__init__(matcher=self._matches_target, entities=entities, **options)
 
-    def _is_meant(self, event: Event) -> bool:
+    def _matches_target(self, event: Event) -> bool:
         if not isinstance(event, StateTransition):
             return False
         if self._target is not None and event.action is not self._target:
@@ -98,6 +98,6 @@ class OnStateTransition(EventHandler):
 
 
 def matches_node_name(node_name: str) -> NodeMatcher:
-    """Return a matcher that picks nodes by their full name."""
+    """Return a matcher that selects nodes by their full name."""
     full = node_name if node_name.startswith("/") else f"/{node_name}"
     return lambda action: getattr(action, "node_name", None) == full

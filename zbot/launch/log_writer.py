@@ -1,4 +1,4 @@
-"""What a launch and its processes write: to the screen, and to files in a folder of its own."""
+"""Writer of log lines and of processes' output, for the screen and for files."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from zbot.launch.log import get_logger, launch_config
 from zbot.launch.log.handlers import is_coloured, show
 from zbot.log.log_file import get_logging_directory
 
-#: Each process gets the next one for its label.
+#: The label of each new process gets the next colour.
 _LABEL_COLOURS: Final = ("\x1b[36m", "\x1b[35m", "\x1b[34m", "\x1b[32m", "\x1b[33m")
 _RESET: Final = "\x1b[0m"
 
 
-class Journal:
-    """Writes lines to the screen and to files.
+class LogWriter:
+    """Writes lines to the screen and to the files in the folder of the launch.
 
     Args:
         debug: Whether debug lines are shown.
@@ -29,10 +29,10 @@ class Journal:
 
     @property
     def folder(self) -> Path:
-        """The folder of the log files, made when it is first asked for."""
+        """The folder of the log files. The first use creates it."""
         try:
             return Path(launch_config.log_dir)
-        except OSError:  # which the first line tells
+        except OSError:  # the first log line reports it
             return get_logging_directory()
 
     @property
@@ -42,27 +42,27 @@ class Journal:
 
     @cached_property
     def is_coloured(self) -> bool:
-        """Whether the screen is a terminal that nobody wants without colour."""
+        """Whether the screen shows colours. See `handlers.is_coloured`."""
         return is_coloured()
 
     def debug(self, logger: str, text: str) -> None:
-        """Write a line that only `--debug` shows."""
+        """Write a line at level DEBUG. The screen shows it only with `--debug`."""
         self.log("DEBUG", logger, text)
 
     def info(self, logger: str, text: str) -> None:
-        """Write what happens."""
+        """Write a line at level INFO."""
         self.log("INFO", logger, text)
 
     def warning(self, logger: str, text: str) -> None:
-        """Write what may be wrong."""
+        """Write a line at level WARNING."""
         self.log("WARNING", logger, text)
 
     def error(self, logger: str, text: str) -> None:
-        """Write what is wrong."""
+        """Write a line at level ERROR."""
         self.log("ERROR", logger, text)
 
     def log(self, level: str, name: str, text: str) -> None:
-        """Write a line; a debug line that is not shown goes to the file only."""
+        """Write a line. The file gets all lines, the screen gets debug lines only if wanted."""
         logger, number = get_logger(name), int(getattr(logging, level))
         record = logger.makeRecord(name, number, "", 0, text, (), None)
         if logger.isEnabledFor(number) or (number == logging.DEBUG and self.shows_debug):
@@ -71,7 +71,7 @@ class Journal:
             launch_config.get_log_file_handler(launch_config.log_file_name).handle(record)
 
     def output(self, label: str, line: str) -> None:
-        """Show a line of a process."""
+        """Show an output line of a process on the screen."""
         if self.is_coloured and line.startswith(f"[{label}]"):
             colour = self._colours.setdefault(
                 label, _LABEL_COLOURS[len(self._colours) % len(_LABEL_COLOURS)]
@@ -80,5 +80,5 @@ class Journal:
         show(line)
 
     def close(self) -> None:
-        """Close the files; lines that come later open them again."""
+        """Close the files. A later line opens its file again."""
         launch_config.close()

@@ -1,4 +1,4 @@
-"""How many nodes of each name a launch has started."""
+"""Counter of the names of the nodes that a launch has started."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
 
-_KEY = "unique_ros_node_names"  # launch_ros's
+_KEY = "unique_ros_node_names"  # the name in launch_ros
 
 
 def _counts(context: LaunchContext) -> Counter[str]:
@@ -20,14 +20,14 @@ def _counts(context: LaunchContext) -> Counter[str]:
 
 
 def add_node_name(context: LaunchContext, node_name: str) -> None:
-    """Count a node; a second one of the same name is warned of."""
+    """Count a node, and log a warning if its name was counted before."""
     counts = _counts(context)
     counts[node_name] += 1
     if counts[node_name] > 1:
         text = f"there are now at least {counts[node_name]} nodes with the name {node_name}"
-        context.journal.warning("launch_ros", f"{text} created within this launch context")
+        context.writer.warning("launch_ros", f"{text} created within this launch context")
 
 
 def get_node_name_count(context: LaunchContext, node_name: str) -> int:
-    """Return how many nodes of a name were started."""
+    """Return the number of started nodes that have a given name."""
     return _counts(context)[node_name]

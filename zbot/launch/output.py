@@ -1,4 +1,4 @@
-"""What a process writes, line by line."""
+"""Splitter of a process's output into lines, for the screen and the log files."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from zbot.launch.log import get_output_loggers, launch_config
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from zbot.launch.journal import Journal
+    from zbot.launch.log_writer import LogWriter
 
 _STREAMS: Final = {1: "stdout", 2: "stderr"}
 
 
 class OutputLines:
-    """Turns what a process writes into lines, and hands them on."""
+    """Splits the output of a process into lines and writes them to screen and log files."""
 
     def __init__(
-        self, label: str, sinks: Mapping[str, frozenset[str]], journal: Journal, form: str
+        self, label: str, sinks: Mapping[str, frozenset[str]], writer: LogWriter, line_format: str
     ) -> None:
-        self._label, self._journal, self._form = label, journal, form
+        self._label, self._writer, self._line_format = label, writer, line_format
         seen = [fd for fd, stream in _STREAMS.items() if "screen" in sinks[stream] | sinks["both"]]
         self._on_screen = frozenset(seen)
-        # The screen shows labels in colour, which files do not have.
+        # The screen is handled separately, because only the screen shows labels in colour.
         files = {stream: chosen - {"screen"} for stream, chosen in sinks.items()}
         loggers = get_output_loggers(label, files, launch_config.log_file_name)
         self._loggers = dict(zip(_STREAMS, loggers, strict=True))
@@ -34,14 +34,14 @@ class OutputLines:
         self._rest = dict.fromkeys(_STREAMS, "")
 
     def feed(self, fd: int, data: bytes) -> None:
-        """Take what came; whole lines are written at once."""
+        """Add output of stdout (1) or stderr (2). Complete lines are written at once."""
         text = self._rest[fd] + self._decoders[fd].decode(data)
         *lines, self._rest[fd] = text.split("\n")
         for line in lines:
             self._write(fd, line.rstrip("\r"))
 
     def close(self) -> None:
-        """Write what is left without a line's end."""
+        """Write the last line of each stream, if this line has no newline yet."""
         for fd in _STREAMS:
             rest = self._rest[fd] + self._decoders[fd].decode(b"", final=True)
             self._rest[fd] = ""
@@ -49,7 +49,7 @@ class OutputLines:
                 self._write(fd, rest)
 
     def _write(self, fd: int, line: str) -> None:
-        logger, formed = self._loggers[fd], self._form.format(line=line, label=self._label)
+        logger, formed = self._loggers[fd], self._line_format.format(line=line, label=self._label)
         if fd in self._on_screen and logger.isEnabledFor(logging.INFO):
-            self._journal.output(self._label, formed)
+            self._writer.output(self._label, formed)
         logger.info(formed)

@@ -1,4 +1,4 @@
-"""Parameters of nodes, as launch files write them: dictionaries, files, values of a given type."""
+"""Node parameters in launch files. They are dictionaries, YAML files, or values with a type."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
     from zbot.launch.substitution import SomeSubstitutionsType
 
-#: Longer ones go through a file: systems limit the length of a command line's word.
+#: In characters. zbot writes longer words to a file, because systems limit a word's length.
 _MAX_WORD: Final = 10_000
 _ITEM_TYPES: Final = (bool, int, float, str)
 _VALUES: Final = "a bool, a number, a text or a list of one of these"
 
 
 class ParameterValue:
-    """A value, and the type that it is to have.
+    """A parameter value with its type.
 
     Args:
-        value: The value, or substitutions that become its text.
-        value_type: `str`, `int`, `float`, `bool` or a list of one of them, `List[int]`; by the
-            text, read as YAML, if left out.
+        value: The value, or substitutions that produce its text.
+        value_type: `str`, `int`, `float`, `bool`, or a list whose items have one of these types,
+            e.g. `List[int]`. None means that the text is read as YAML.
     """
 
     def __init__(self, value: Any, *, value_type: Any | None = None) -> None:
@@ -42,7 +42,7 @@ class ParameterValue:
         """Return the value.
 
         Raises:
-            EntityTypeError: It cannot be of that type.
+            EntityTypeError: The value cannot have this type.
         """
         value = evaluate(context, self.value)
         if self.value_type is None:
@@ -52,7 +52,7 @@ class ParameterValue:
         return _converted(value, self.value_type)
 
     def describe(self) -> str:
-        """Return the value."""
+        """Return the value as text."""
         return f"ParameterValue({self.value!r})"
 
 
@@ -61,7 +61,7 @@ class ParameterFile:
 
     Args:
         param_file: Its path.
-        allow_substs: Whether substitutions such as `$(var x)` in it are replaced.
+        allow_substs: Whether to replace substitutions in the file, such as `$(var x)`.
     """
 
     def __init__(
@@ -76,18 +76,17 @@ class ParameterFile:
 
     @property
     def param_file(self) -> Any:
-        """The path as it was given, as a list; after the evaluation the path that came of it."""
+        """The path as a list of substitutions. After `evaluate` it is the resulting path."""
         return self._given if self._path is None else self._path
 
     def evaluate(self, context: LaunchContext) -> Path:
-        """Return the path of a file without substitutions."""
+        """Return the path of a file whose substitutions are replaced."""
         self._path = Path(perform(context, self._given))
         allow: Any = self.allow_substs
         if not isinstance(allow, bool):
             allow = to_bool(perform(context, allow))
         if allow and self._path.is_file():
-            # few files have any
-            from zbot.launch.frontend.substitution_text import parse  # noqa: PLC0415
+            from zbot.launch.frontend.substitution_text import parse  # noqa: PLC0415 - rare
 
             text = perform(context, parse(self._path.read_text(encoding="utf-8")))
             self._path = _temporary_file(context, text)
@@ -99,7 +98,7 @@ class ParameterFile:
 
 
 class Parameter(ParameterValue):
-    """A value with its name."""
+    """A parameter value with its name."""
 
     def __init__(
         self, name: SomeSubstitutionsType, value: Any, *, value_type: Any | None = None
@@ -110,14 +109,14 @@ class Parameter(ParameterValue):
 
     @property
     def name(self) -> Any:
-        """The name as it was given, as a list; after the evaluation the text that came of it."""
+        """The name as a list of substitutions. After `evaluate` it is the resulting text."""
         return self._given if self._name is None else self._name
 
     def evaluate(self, context: LaunchContext) -> tuple[str, Any]:
         """Return name and value.
 
         Raises:
-            EntityTypeError: The value cannot be of the type.
+            EntityTypeError: The value cannot have this type.
         """
         self._name = perform(context, self._given)
         return self._name, super().evaluate(context)
@@ -130,10 +129,10 @@ SomeParameters: TypeAlias = (
 
 
 def normalize_parameters(parameters: Iterable[Any]) -> list[Any]:
-    """Return a list of parameters, each of which can become some when the launch runs.
+    """Check the types of the items in `parameters`, and return the items as a list.
 
     Raises:
-        EntityTypeError: It is no list, or something in it is no parameter.
+        EntityTypeError: `parameters` is not a list, or an item cannot be a parameter.
     """
     if isinstance(parameters, (str, Mapping)):
         raise EntityTypeError("parameters", "a list: parameters=[...]", parameters)
@@ -167,10 +166,10 @@ def _is_valid(value: Any) -> bool:
 
 
 def to_words(context: LaunchContext, parameters: Iterable[Any]) -> list[str]:
-    """Return the `-p` and `--params-file` words for a list of parameters.
+    """Return the `-p` and `--params-file` words of a command line for a list of parameters.
 
     Raises:
-        EntityTypeError: Something in it is no parameter.
+        EntityTypeError: An item cannot be a parameter.
     """
     words: list[str] = []
     for item in parameters:
@@ -189,10 +188,10 @@ def to_words(context: LaunchContext, parameters: Iterable[Any]) -> list[str]:
 def evaluate_parameters(
     context: LaunchContext, parameters: Iterable[Any]
 ) -> tuple[dict[str, Any] | Path, ...]:
-    """Return the values of a node's parameters: a dictionary or the path of a file for each item.
+    """Return a dictionary or the path of a file for each item of a node's parameters.
 
     Raises:
-        EntityTypeError: Something in it is no parameter.
+        EntityTypeError: An item cannot be a parameter.
     """
     return tuple(_evaluated(context, item) for item in parameters)
 
@@ -223,7 +222,7 @@ def _as_file(item: Any) -> ParameterFile:
 def _file(context: LaunchContext, item: Any) -> list[str]:
     path = _as_file(item).evaluate(context)
     if not path.is_file():
-        context.journal.warning("launch_ros", f"Parameter file path is not a file: {path}")
+        context.writer.warning("launch_ros", f"Parameter file path is not a file: {path}")
         return []
     return ["--params-file", str(path)]
 
@@ -241,7 +240,7 @@ def _word(context: LaunchContext, name: str, value: Any) -> list[str]:
 
 
 def _is_plain(text: str) -> bool:
-    """Return whether a text is read back as itself without quotes."""
+    """Return whether YAML reads a text without quotes as the same string."""
     if not text or text != text.strip():
         return False
     try:
@@ -253,7 +252,7 @@ def _is_plain(text: str) -> bool:
 def flatten(
     context: LaunchContext, values: Mapping[Any, Any], prefix: str = ""
 ) -> list[tuple[str, Any]]:
-    """Return names and values; dictionaries in dictionaries make names with dots."""
+    """Return pairs of name and value. Dots join the names of nested dictionaries."""
     found: list[tuple[str, Any]] = []
     for key, value in values.items():
         name = prefix + perform(context, key)
@@ -265,10 +264,10 @@ def flatten(
 
 
 def evaluate(context: LaunchContext, value: Any) -> Any:
-    """Return the value of a parameter; substitutions become a text that is read as YAML.
+    """Return the value of a parameter. The text of substitutions is read as YAML.
 
     Raises:
-        EntityTypeError: No parameter can have this value.
+        EntityTypeError: A parameter cannot have this value.
     """
     if isinstance(value, ParameterValue):
         return value.evaluate(context)
@@ -290,7 +289,7 @@ def evaluate(context: LaunchContext, value: Any) -> Any:
 
 
 def _is_text_of_parts(value: Any) -> bool:
-    """Return whether a list is parts of one text: `["prefix_", LaunchConfiguration("x")]`."""
+    """Return whether a list is one text in parts: `["prefix_", LaunchConfiguration("x")]`."""
     if not isinstance(value, (list, tuple)) or not value:
         return False
     has_substitution = any(isinstance(item, Substitution) for item in value)
@@ -307,7 +306,7 @@ def _same_kind(items: list[Any]) -> list[Any]:
 
 
 def _read(text: str) -> Any:
-    """Return the value that a text is as YAML."""
+    """Return the value that YAML reads from a text."""
     try:
         value = parse_value(text) if text.strip() else text
         return _same_kind(value) if isinstance(value, list) else value
@@ -332,7 +331,7 @@ def _converted(value: Any, kind: Any) -> Any:
 
 
 def _temporary_file(context: LaunchContext, text: str) -> Path:
-    """Return a file that is there until the launch has ended."""
+    """Return a file that contains a text. The file is removed when the launch has ended."""
     number, name = tempfile.mkstemp(prefix="launch_params_", suffix=".yaml")
     with os.fdopen(number, "w", encoding="utf-8") as file:
         file.write(text)

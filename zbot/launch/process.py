@@ -1,4 +1,4 @@
-"""One child process: started, read from, signalled, waited for."""
+"""Child process of a launch, with its output, its signals and its exit code."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from zbot.launch.process_group import send
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from zbot.launch.process_group import ProcessGroup
+    from zbot.launch.process_group import ProcessGroups
 
-# For what is still in the pipes of a process that ended; whoever inherited them may keep them open.
+# Time to read the pipes of an ended process. Its children may keep the pipes open for longer.
 _DRAIN_S = 0.5
 
 
@@ -38,7 +38,7 @@ class _Protocol(asyncio.SubprocessProtocol):
 
 
 class _Terminal(asyncio.Protocol):
-    """Reads what a process writes to a pseudo terminal."""
+    """Reader of the pseudo terminal that a process writes to."""
 
     def __init__(self, fd: int, on_data: Callable[[int, bytes], None]) -> None:
         self._fd, self._on_data = fd, on_data
@@ -47,7 +47,7 @@ class _Terminal(asyncio.Protocol):
     def data_received(self, data: bytes) -> None:
         self._on_data(self._fd, data.replace(b"\r\n", b"\n"))
 
-    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002 - EIO is its end
+    def connection_lost(self, exc: Exception | None) -> None:  # noqa: ARG002 - EIO means closed
         self.closed.set()
 
 
@@ -55,10 +55,10 @@ class ChildProcess:
     """A running process.
 
     Args:
-        transport: The process, as asyncio has it.
-        protocol: What it told so far.
-        terminals: What reads from its pseudo terminals.
-        family: Where its group is registered.
+        transport: The asyncio transport of the process.
+        protocol: The protocol of this transport.
+        terminals: Transports and protocols of its pseudo terminals.
+        process_groups: The groups of the launch. The constructor adds the group of this process.
     """
 
     def __init__(
@@ -66,40 +66,40 @@ class ChildProcess:
         transport: asyncio.SubprocessTransport,
         protocol: _Protocol,
         terminals: Sequence[tuple[asyncio.BaseTransport, _Terminal]],
-        family: ProcessGroup,
+        process_groups: ProcessGroups,
     ) -> None:
         self._transport, self._protocol = transport, protocol
-        self._terminals, self._family = terminals, family
+        self._terminals, self._process_groups = terminals, process_groups
         self.pid: int = transport.get_pid()
         if os.name != "nt":
-            family.add(self.pid)
+            process_groups.add(self.pid)
 
     @property
     def is_running(self) -> bool:
-        """Whether it has not ended."""
+        """Whether the process has not ended."""
         return not self._protocol.exited.is_set()
 
     def send_signal(self, number: int) -> None:
-        """Send a signal to the process and all in its group."""
+        """Send a signal to every process in the group of this process."""
         if os.name == "nt":
-            # Ctrl-C reaches console processes by itself; there is no gentler way than this one.
+            # Windows itself sends Ctrl-C to console processes, and has no gentler signal than this.
             with contextlib.suppress(ProcessLookupError):
                 self._transport.terminate()
         else:
             send(self.pid, number)
 
     def write(self, data: bytes) -> None:
-        """Give it something to read, if it reads from a pipe."""
+        """Write to the process's stdin, if it is a pipe."""
         pipe = cast("asyncio.WriteTransport | None", self._transport.get_pipe_transport(0))
         if pipe is not None:
             pipe.write(data)
 
     async def ended(self) -> None:
-        """Wait until it has ended; what it wrote may still come."""
+        """Wait until the process has ended. Its output may still arrive later."""
         await self._protocol.exited.wait()
 
     async def wait(self) -> int:
-        """Wait until it has ended and its output was read; return its exit code."""
+        """Wait until the process has ended and its output was read. Return its exit code."""
         await self._protocol.exited.wait()
         closed = [self._protocol.closed, *(terminal.closed for _, terminal in self._terminals)]
         with contextlib.suppress(asyncio.TimeoutError):
@@ -109,7 +109,7 @@ class ChildProcess:
         code = self._transport.get_returncode()
         self._transport.close()
         if os.name != "nt":
-            self._family.discard(self.pid)
+            self._process_groups.discard(self.pid)
         return -signal.SIGKILL if code is None else code
 
 
@@ -121,23 +121,23 @@ async def start(
     has_terminal: bool,
     stdin: int | None,
     on_data: Callable[[int, bytes], None],
-    family: ProcessGroup,
+    process_groups: ProcessGroups,
 ) -> ChildProcess:
     """Start a process.
 
     Args:
-        command: Words, or a text for the shell.
+        command: Words, or a command line for the shell.
         env: Its environment.
-        cwd: Its current folder.
-        has_terminal: Whether it is to believe that it writes to a terminal.
-        stdin: Where it reads from, as `subprocess` has it.
-        on_data: Called with 1 or 2 and what it wrote to stdout or stderr.
-        family: What it is to end with.
+        cwd: Its working directory.
+        has_terminal: Whether its stdout and stderr are pseudo terminals. Otherwise they are pipes.
+        stdin: Its stdin, with the same values as in `subprocess`.
+        on_data: Called with 1 (stdout) or 2 (stderr) and the bytes that it wrote.
+        process_groups: The groups of the launch, which end when the launch ends.
 
     Raises:
-        OSError: It cannot be started.
+        OSError: The process cannot be started.
     """
-    family.prepare()
+    process_groups.prepare()
     loop = asyncio.get_running_loop()
     protocol = _Protocol(on_data)
     masters, slaves = _terminals() if has_terminal else ([], [])
@@ -147,7 +147,7 @@ async def start(
         "stdin": stdin,
         "stdout": slaves[0] if slaves else subprocess.PIPE,
         "stderr": slaves[1] if slaves else subprocess.PIPE,
-        # Its own session: Ctrl-C in the terminal reaches the launch alone, which tells the others.
+        # In its own session, so that Ctrl-C reaches only the launch. The launch sends the signals.
         "start_new_session": os.name != "nt",
     }
     try:
@@ -163,7 +163,7 @@ async def start(
         for fd in slaves:
             os.close(fd)
     terminals = [await _read(number, fd, on_data) for number, fd in enumerate(masters, 1)]
-    return ChildProcess(transport, protocol, terminals, family)
+    return ChildProcess(transport, protocol, terminals, process_groups)
 
 
 def _terminals() -> tuple[list[int], list[int]]:

@@ -1,4 +1,4 @@
-"""Events about processes: they started, ended, wrote; they are to be signalled or stopped."""
+"""Events that report a process's start, exit or output, or request to end or signal it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class RunningProcessEvent(Event):
-    """Something about a process that runs or ran."""
+    """Base class of events about a process that was started."""
 
     name = "launch.events.process.RunningProcessEvent"
 
@@ -38,7 +38,7 @@ class RunningProcessEvent(Event):
 
     @property
     def execute_process_action(self) -> ExecuteLocal:
-        """The action that started the process, by its old name."""
+        """The action that started the process. It is the old name of `action`."""
         return self.action
 
 
@@ -52,8 +52,8 @@ class ProcessExited(RunningProcessEvent):
     """A process ended.
 
     Args:
-        returncode: Its exit code; of one that a signal ended, that signal's number, negative.
-        process: Which process, as for every event of one.
+        returncode: Its exit code. It is negative if a signal ended the process.
+        process: More arguments of `RunningProcessEvent`.
     """
 
     name = "launch.events.process.ProcessExited"
@@ -64,12 +64,12 @@ class ProcessExited(RunningProcessEvent):
 
 
 class ProcessIO(RunningProcessEvent):
-    """A process wrote something.
+    """Output of a process, or input for it.
 
     Args:
         text: The bytes.
-        fd: 0 for stdin, 1 for stdout, 2 for stderr; the class's own if left out.
-        process: Which process, as for every event of one.
+        fd: 0 for stdin, 1 for stdout, 2 for stderr. None means the value of the class.
+        process: More arguments of `RunningProcessEvent`.
     """
 
     name = "launch.events.process.ProcessIO"
@@ -82,22 +82,22 @@ class ProcessIO(RunningProcessEvent):
 
     @property
     def from_stdin(self) -> bool:
-        """Whether it is what the process was given to read."""
+        """Whether the bytes are input for the process's stdin."""
         return self.fd == 0
 
     @property
     def from_stdout(self) -> bool:
-        """Whether it came from stdout."""
+        """Whether the bytes came from stdout."""
         return self.fd == 1
 
     @property
     def from_stderr(self) -> bool:
-        """Whether it came from stderr."""
+        """Whether the bytes came from stderr."""
         return self.fd == 2
 
 
 class ProcessStdin(ProcessIO):
-    """A process is to be given something to read."""
+    """Request to write to the stdin of a process."""
 
     name = "launch.events.process.ProcessStdin"
     fd = 0
@@ -117,7 +117,7 @@ class ProcessStderr(ProcessIO):
 
 
 class ProcessTargetedEvent(Event):
-    """Something is to happen to the processes that a matcher picks."""
+    """Base class of requests to processes, which a matcher selects."""
 
     name = "launch.events.process.ProcessTargetedEvent"
 
@@ -126,13 +126,13 @@ class ProcessTargetedEvent(Event):
 
 
 class ShutdownProcess(ProcessTargetedEvent):
-    """Processes are to end: SIGINT, later SIGTERM, later SIGKILL."""
+    """Request to end processes with SIGINT, later with SIGTERM, and last with SIGKILL."""
 
     name = "launch.events.process.ShutdownProcess"
 
 
 class SignalProcess(ProcessTargetedEvent):
-    """Processes are to get a signal."""
+    """Request to send a signal to processes."""
 
     name = "launch.events.process.SignalProcess"
 
@@ -147,22 +147,22 @@ class SignalProcess(ProcessTargetedEvent):
 
 
 def matches_action(target_action: ExecuteLocal) -> ProcessMatcher:
-    """Return a matcher that picks the process of an action."""
+    """Return a matcher that selects the process of an action."""
     return lambda action: action is target_action
 
 
 def matches_pid(pid: int) -> ProcessMatcher:
-    """Return a matcher that picks the process with a number."""
+    """Return a matcher that selects a process by its process id."""
     return lambda action: action.process_details.get("pid") == pid
 
 
 def matches_name(name: str) -> ProcessMatcher:
-    """Return a matcher that picks processes whose name, `talker-1`, contains a text."""
+    """Return a matcher that selects processes by a part of their name, e.g. `talker-1`."""
     return lambda action: bool(action.process_details) and name in action.process_details["name"]
 
 
 def matches_executable(executable: str) -> ProcessMatcher:
-    """Return a matcher that picks processes by the file name of their program."""
+    """Return a matcher that selects processes by the file name of their program."""
 
     def matches(action: ExecuteLocal) -> bool:
         details = action.process_details

@@ -1,8 +1,7 @@
-"""The processes of this launch as a whole: none of them outlives it.
+"""Process groups of a launch, which all end when the launch ends.
 
-On POSIX each process leads a group of its own, with whatever it starts, and a guardian process ends
-the groups if the launch is killed. On Windows a job object does that, for all that this process
-starts.
+On POSIX each process leads its own group, which also contains its children. A watchdog process ends
+the groups if the launch is killed. On Windows a job object ends all processes of the launch.
 """
 
 from __future__ import annotations
@@ -14,23 +13,23 @@ import sys
 from pathlib import Path
 from typing import Any
 
-_GUARDIAN = str(Path(__file__).with_name("guardian.py"))
+_WATCHDOG = str(Path(__file__).with_name("watchdog.py"))
 
 
-class ProcessGroup:
-    """Knows the process groups of a launch, and lets the guardian know."""
+class ProcessGroups:
+    """The process groups of a launch. The watchdog knows the same groups."""
 
     def __init__(self) -> None:
         self._groups: set[int] = set()
-        self._guardian: subprocess.Popen[str] | None = None
+        self._watchdog: subprocess.Popen[str] | None = None
 
     def prepare(self) -> None:
-        """Make sure that what starts from now on ends with this process."""
+        """Ensure that processes that start after this call end together with this process."""
         if os.name == "nt":
             _join_job()
-        elif self._guardian is None:
-            self._guardian = subprocess.Popen(  # noqa: S603 - our own file
-                [sys.executable, "-I", "-S", _GUARDIAN],
+        elif self._watchdog is None:
+            self._watchdog = subprocess.Popen(  # noqa: S603 - a file of this package
+                [sys.executable, "-I", "-S", _WATCHDOG],
                 stdin=subprocess.PIPE,
                 text=True,
                 bufsize=1,
@@ -38,35 +37,35 @@ class ProcessGroup:
             )
 
     def add(self, group: int) -> None:
-        """Let a process group end with the launch."""
+        """Add a process group, so that it ends with the launch."""
         self._groups.add(group)
         self._tell(f"+{group}")
 
     def discard(self, group: int) -> None:
-        """Forget a group whose leader ended, unless others are left in it."""
+        """Remove a group whose leader has ended, unless the group has other processes."""
         if group in self._groups and not send(group, 0):
             self._groups.discard(group)
             self._tell(f"-{group}")
 
     def close(self) -> None:
-        """Have the guardian end what is left."""
+        """Make the watchdog end the remaining groups, and wait for the watchdog."""
         for group in list(self._groups):
             self.discard(group)
-        guardian, self._guardian = self._guardian, None
-        if guardian is not None and guardian.stdin is not None:
-            guardian.stdin.close()
-            guardian.wait()
+        watchdog, self._watchdog = self._watchdog, None
+        if watchdog is not None and watchdog.stdin is not None:
+            watchdog.stdin.close()
+            watchdog.wait()
 
     def _tell(self, line: str) -> None:
-        if self._guardian is not None and self._guardian.stdin is not None:
+        if self._watchdog is not None and self._watchdog.stdin is not None:
             try:
-                self._guardian.stdin.write(f"{line}\n")
+                self._watchdog.stdin.write(f"{line}\n")
             except BrokenPipeError:
-                self._guardian = None  # somebody killed it; the launch works without
+                self._watchdog = None  # the watchdog was killed, and the launch works without it
 
 
 def send(group: int, number: int) -> bool:
-    """Send a signal to a process group; return whether there is anybody in it."""
+    """Send a signal to a process group. Return whether the group contains a process."""
     try:
         if sys.platform == "win32":
             os.kill(group, signal.SIGTERM)
@@ -81,7 +80,7 @@ _job: list[Any] = []
 
 
 def _join_job() -> None:
-    """Put this process into a job object that ends its processes when its last handle closes."""
+    """Put this process into a job object, which ends its processes when its handle closes."""
     if _job or sys.platform != "win32":
         return
     import ctypes  # noqa: PLC0415 - only Windows needs it
@@ -90,7 +89,7 @@ def _join_job() -> None:
     kernel32.CreateJobObjectW.restype = ctypes.c_void_p
     kernel32.GetCurrentProcess.restype = ctypes.c_void_p
     job = ctypes.c_void_p(kernel32.CreateJobObjectW(None, None))
-    # JOBOBJECT_EXTENDED_LIMIT_INFORMATION, of which only LimitFlags is set.
+    # JOBOBJECT_EXTENDED_LIMIT_INFORMATION with only LimitFlags set.
     information = (ctypes.c_byte * (144 if ctypes.sizeof(ctypes.c_void_p) == 8 else 112))()
     ctypes.memmove(ctypes.byref(information, 16), ctypes.byref(ctypes.c_uint32(0x2000)), 4)
     extended, size = 9, ctypes.sizeof(information)

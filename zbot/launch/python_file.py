@@ -1,4 +1,4 @@
-"""Launch files in Python."""
+"""Loader of launch files in Python."""
 
 from __future__ import annotations
 
@@ -20,10 +20,10 @@ _FUNCTION = "generate_launch_description"
 
 
 def load(path: Path) -> LaunchDescription:
-    """Return what a launch file describes.
+    """Return the launch description of a launch file.
 
     Raises:
-        LaunchFileError: The file cannot be read or fails, or describes nothing.
+        LaunchFileError: The file cannot be read, raises an error, or returns no description.
     """
     returned: Any = None
     try:
@@ -35,40 +35,40 @@ def load(path: Path) -> LaunchDescription:
         place = error.filename or str(path)
         raise LaunchFileError(place, error.lineno or 0, f"SyntaxError: {error.msg}") from error
     except Exception as error:
-        raise _located(path, error) from error
+        raise _with_line(path, error) from error
     if function is None:
-        raise LaunchFileError(str(path), 0, f"it has no function {_FUNCTION}()")
+        raise LaunchFileError(str(path), 0, f"the file has no function {_FUNCTION}()")
     if not isinstance(returned, LaunchDescription):
         line = getattr(getattr(function, "__code__", None), "co_firstlineno", 0)
-        raise LaunchFileError(str(path), line, _complaint(returned))
+        raise LaunchFileError(str(path), line, _wrong_result(returned))
     return returned
 
 
 def load_module(path: str | Path) -> ModuleType:
-    """Return a launch file as a module, which is not to be imported by others.
+    """Load a launch file as a module, without adding it to `sys.modules`.
 
     Raises:
-        OSError: It cannot be read.
-        Exception: What it raises.
+        OSError: The file cannot be read.
+        Exception: The error that the file raises.
     """
     module = ModuleType("launch_file")
     module.__file__ = str(path)
     _import_from_workspace()
     with io.open_code(str(path)) as file:
         code = compile(file.read(), str(path), "exec")
-    exec(code, module.__dict__)  # noqa: S102 - running the user's file is the whole point
+    exec(code, module.__dict__)  # noqa: S102 - running the user's file is the purpose
     return module
 
 
-def _complaint(returned: object) -> str:
+def _wrong_result(returned: object) -> str:
     if returned is None:
         return f"{_FUNCTION}() returns nothing: end it with `return LaunchDescription([...])`"
     kind = type(returned)
     return f"{_FUNCTION}() must return a LaunchDescription, not {kind.__module__}.{kind.__name__}"
 
 
-def _located(path: Path, error: Exception) -> LaunchFileError:
-    """Return the error with the last line of the file that led to it."""
+def _with_line(path: Path, error: Exception) -> LaunchFileError:
+    """Return an error that shows the line of the launch file that raised `error`."""
     if isinstance(error, LaunchFileError):
         return error
     lines = [
@@ -82,7 +82,7 @@ def _located(path: Path, error: Exception) -> LaunchFileError:
 
 
 def _import_from_workspace() -> None:
-    """Let launch files import the packages of the workspace, as after sourcing one of ROS 2."""
+    """Make the packages of the workspace importable, as `setup.bash` does in ROS 2."""
     for folder in package_folders():
         if str(folder) not in sys.path:
             sys.path.append(str(folder))

@@ -1,4 +1,4 @@
-"""The launch's own node: it hears of managed nodes, changes their states, and knows the time."""
+"""Node that the launch itself uses for the states of managed nodes and for simulated time."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.context import Context
 from zbot.errors import ExternalShutdownException
-from zbot.executor.executor import SingleThreadedExecutor
+from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.node.node import Node
 
 if TYPE_CHECKING:
@@ -21,11 +21,11 @@ _SERVER_TIMEOUT_S = 20.0
 
 
 class LaunchNode:
-    """A node that spins in a thread of its own until it is shut down.
+    """A node that spins in its own thread until it is shut down.
 
     Attributes:
         ros_context: The context of the node.
-        ros_executor: What spins it.
+        ros_executor: The executor that spins the node.
     """
 
     ros_context: Context
@@ -36,7 +36,7 @@ class LaunchNode:
         self.start()
 
     def start(self) -> None:
-        """Make the node and spin it, unless it is there."""
+        """Create the node and spin it, unless the node exists already."""
         if self._node is not None:
             return
         self.ros_context = Context()
@@ -51,7 +51,7 @@ class LaunchNode:
 
     @property
     def ros_node(self) -> Node | None:
-        """The node; None when it was shut down."""
+        """The node, or None after the shutdown."""
         return self._node
 
     @property
@@ -59,7 +59,7 @@ class LaunchNode:
         """The node.
 
         Raises:
-            ExternalShutdownException: It was shut down.
+            ExternalShutdownException: The node was shut down.
         """
         if self._node is None:
             raise ExternalShutdownException
@@ -72,16 +72,16 @@ class LaunchNode:
             return  # the launch ended
 
     def listen(self, topic: str, on_transition: Callable[[Any], None]) -> None:
-        """Call a function with each `lifecycle_msgs/TransitionEvent` of a topic."""
-        from lifecycle_msgs.msg import TransitionEvent  # noqa: PLC0415 - importable after zbot is
+        """Call a function with each `lifecycle_msgs/TransitionEvent` on a topic."""
+        from lifecycle_msgs.msg import TransitionEvent  # noqa: PLC0415 - needs zbot first
 
         self.node.create_subscription(TransitionEvent, topic, on_transition, 10)
 
     def change_state(
         self, node_name: str, transition: int, on_answer: Callable[[bool], None]
     ) -> None:
-        """Ask a managed node for a transition; the function gets whether it was made."""
-        # A node that was just started needs a moment to have its services.
+        """Request a transition of a managed node. `on_answer` gets True if the node succeeded."""
+        # In a thread, because the request waits for the services of a node that just started.
         threading.Thread(
             target=self._change_state, args=(node_name, transition, on_answer), daemon=True
         ).start()
@@ -101,7 +101,7 @@ class LaunchNode:
         future.add_done_callback(lambda done: on_answer(_success(done)))
 
     def shutdown(self) -> None:
-        """Stop; the session is closed. May be called twice."""
+        """Stop the spinning and close the session. A second call does nothing."""
         if self._node is None:
             return
         self._node = None
@@ -115,16 +115,18 @@ def _success(future: Any) -> bool:
 
 
 def launch_node(context: LaunchContext) -> LaunchNode:
-    """Return the node of a launch, made when it is first needed."""
+    """Return the node of a launch. The first call creates it."""
     node: LaunchNode | None = context.get_locals_as_dict().get(_KEY)
     if node is None:
         node = LaunchNode()
         context.extend_globals({_KEY: node})
         context.on_close(node.shutdown)
-        context.on_close(lambda: context.extend_globals({_KEY: None}))  # another run makes its own
+        context.on_close(
+            lambda: context.extend_globals({_KEY: None})
+        )  # a second run creates a new node
     return node
 
 
 def get_ros_node(context: LaunchContext) -> Node:
-    """Return the node of a launch itself; see above."""
+    """Return the `Node` of a launch. See `launch_node`."""
     return launch_node(context).node

@@ -1,4 +1,4 @@
-"""Runs a launch: visits what is described, works on events, until nothing is left to wait for."""
+"""Service that runs a launch. It visits entities and handles events until nothing is left."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.launch.context import LaunchContext
 from zbot.launch.errors import LaunchFileError
-from zbot.launch.event import IncludeLaunchDescriptionEvent, Shutdown, TimerSkipped
+from zbot.launch.event import IncludeLaunchDescriptionEvent, SecondInterrupt, Shutdown
 from zbot.launch.event_handler import OnIncludeLaunchDescription
 from zbot.launch.log import launch_config
 from zbot.launch.signal_manager import AsyncSafeSignalManager
@@ -28,13 +28,13 @@ class LaunchService:
     """Runs launch descriptions.
 
     Args:
-        argv: Arguments of the launch, for those that ask for them.
-        noninteractive: Whether processes get no terminal to read from.
+        argv: Arguments of the launch, which are also in `context.argv`.
+        noninteractive: Whether processes have no terminal as stdin.
         debug: Whether debug lines are shown.
-        log_file_name: The file that the launch writes to, in the folder of its log; its own lines
-            are told apart by the name, too.
-        find_program: Called with a package and an executable before a node is started; raises
-            where there is none.
+        log_file_name: The launch's log file in its log folder. The launch's logger has the same
+            name without `.log`.
+        find_program: Called with package and executable before a node starts. It raises an error if
+            the executable does not exist.
     """
 
     def __init__(
@@ -59,34 +59,34 @@ class LaunchService:
 
     @property
     def context(self) -> LaunchContext:
-        """What the launch knows."""
+        """The state of the launch."""
         return self.__context
 
     @property
     def event_loop(self) -> asyncio.AbstractEventLoop | None:
-        """The loop that the launch runs in; None while it does not run."""
+        """The event loop of the launch, or None while the launch does not run."""
         return self.__context.asyncio_loop
 
     @property
     def task(self) -> asyncio.Task[Any] | None:
-        """The task that the launch ran in last."""
+        """The task of the last run."""
         return self.__task
 
     def _is_idle(self) -> bool:
-        # Tests of launch_pytest ask for it by launch's own name.
+        # Tests of launch_pytest use this private name.
         return self.context.is_idle
 
     def include_launch_description(self, launch_description: LaunchDescription) -> None:
-        """Launch a description, now or as soon as the service runs; from any thread."""
+        """Launch a description, now or when the service runs. Any thread may call this method."""
         self.emit_event(IncludeLaunchDescriptionEvent(launch_description))
 
     def emit_event(self, event: Event) -> None:
-        """Let something happen; from any thread."""
+        """Emit an event. Any thread may call this method."""
         self.context.emit_event_sync(event)
 
     def shutdown(self, force_sync: bool = False) -> None:
-        """End the launch and its processes; from any thread."""
-        del force_sync  # the event is worked on at once, either way
+        """End the launch and its processes. Any thread may call this method."""
+        del force_sync  # the event is handled at once in both cases
         if not self.context.is_shutdown:
             self.emit_event(Shutdown(reason="LaunchService.shutdown() called"))
 
@@ -94,13 +94,13 @@ class LaunchService:
         """Run until the launch has ended.
 
         Args:
-            shutdown_when_idle: Whether it ends when nothing is left to wait for.
+            shutdown_when_idle: Whether the launch ends when it has nothing left to wait for.
 
         Returns:
-            The exit code: 1 if the launch failed, else 0. Of programs that died by themselves tells
-            `context.program_failed`, as for launch they are no failure.
+            The exit code, which is 1 if the launch failed and otherwise 0. As in ROS 2, the launch
+            does not fail if a program exits with an error. Then `context.program_failed` is true.
         """
-        # asyncio.run() would take the thread's own loop away, which programs have plans for.
+        # asyncio.run() would remove the thread's event loop, which the program may still use.
         loop = asyncio.new_event_loop()
         try:
             return loop.run_until_complete(self.run_async(shutdown_when_idle=shutdown_when_idle))
@@ -108,55 +108,55 @@ class LaunchService:
             _close(loop)
 
     async def run_async(self, *, shutdown_when_idle: bool = True) -> int:
-        """Run until the launch has ended; see `run`."""
+        """Run until the launch has ended. See `run`."""
         context, loop = self.context, asyncio.get_running_loop()
-        journal = context.journal
+        writer = context.writer
         context.begin(loop)
         self.__task = asyncio.current_task(loop)
         self._interrupts = 0
-        journal.info(self._logger_name, f"All log files can be found below {journal.folder}")
-        level = "DEBUG" if journal.shows_debug else logging.getLevelName(launch_config.level)
-        journal.info(self._logger_name, f"Default logging verbosity is set to {level}")
-        stay = None if shutdown_when_idle else loop.create_future()
-        if stay is not None:
-            context.add_completion_future(stay)
+        writer.info(self._logger_name, f"All log files can be found below {writer.folder}")
+        level = "DEBUG" if writer.shows_debug else logging.getLevelName(launch_config.level)
+        writer.info(self._logger_name, f"Default logging verbosity is set to {level}")
+        keep_running = None if shutdown_when_idle else loop.create_future()
+        if keep_running is not None:
+            context.add_completion_future(keep_running)
         try:
             with self._signals(loop):
-                await self._work(stay)
+                await self._work(keep_running)
         finally:
             context.close()
         return int(context.failed)
 
-    async def _work(self, stay: asyncio.Future[None] | None) -> None:
+    async def _work(self, keep_running: asyncio.Future[None] | None) -> None:
         while True:
             event = await self.context.next_event()
             if event is None and self.context.is_shutdown:
                 return
             self._process(event or Shutdown(reason="idle"))
-            if self.context.is_shutdown and stay is not None and not stay.done():
-                stay.set_result(None)
+            if self.context.is_shutdown and keep_running is not None and not keep_running.done():
+                keep_running.set_result(None)
 
     def _process(self, event: Event) -> None:
         context = self.context
         if isinstance(event, Shutdown):
             context.is_shutdown = True
-            context.journal.debug(self._logger_name, f"shutdown: {event.reason}")
+            context.writer.debug(self._logger_name, f"shutdown: {event.reason}")
         for handler in context.event_handlers:
             if handler.matches(event):
-                depth = context.depth
+                depth = context.locals_depth
                 context.extend_locals({**context.locals_of(handler), "event": event})
                 try:
                     self._handle(lambda one=handler: one.handle(event, context))  # type: ignore[misc]
                 finally:
-                    context.cut(depth)
+                    context.truncate_locals(depth)
 
     def _handle(self, function: Callable[[], Sequence[LaunchDescriptionEntity]]) -> None:
-        depth = self.context.depth
+        depth = self.context.locals_depth
         try:
             for entity in function():
                 self._visit(entity)
-        except Exception as error:  # noqa: BLE001 - a launch file's mistakes end the launch in order
-            self.context.cut(depth)
+        except Exception as error:  # noqa: BLE001 - errors in launch files end the launch
+            self.context.truncate_locals(depth)
             self.context.fail(error)
 
     def _visit(self, entity: LaunchDescriptionEntity) -> None:
@@ -177,9 +177,9 @@ class LaunchService:
 
     @contextlib.contextmanager
     def _signals(self, loop: asyncio.AbstractEventLoop) -> Iterator[None]:
-        """Let Ctrl-C and SIGTERM end the launch in order."""
+        """Shut the launch down at Ctrl-C and SIGTERM."""
         if threading.current_thread() is not threading.main_thread():
-            yield  # Python lets no other thread handle signals
+            yield  # Python handles signals only in the main thread
             return
         names = ("SIGINT", "SIGTERM", "SIGHUP", "SIGQUIT")
         with AsyncSafeSignalManager(loop) as manager:
@@ -189,23 +189,23 @@ class LaunchService:
 
     def _interrupt(self, number: int) -> None:
         self._interrupts += 1
-        warn, name = self.context.journal.warning, signal.Signals(number).name
+        warn, name = self.context.writer.warning, signal.Signals(number).name
         if self._interrupts > 1:
             warn(
                 self._logger_name,
                 f"user interrupted again ({name}): processes get the next signal now",
             )
-            self.emit_event(TimerSkipped())
+            self.emit_event(SecondInterrupt())
         elif number == signal.SIGINT:
             warn(self._logger_name, "user interrupted with ctrl-c (SIGINT)")
             self.emit_event(Shutdown(reason="ctrl-c (SIGINT)", due_to_sigint=True))
         else:
-            warn(self._logger_name, f"the launch was told to end ({name})")
+            warn(self._logger_name, f"the launch was asked to end ({name})")
             self.emit_event(Shutdown(reason=name))
 
 
 def _close(loop: asyncio.AbstractEventLoop) -> None:
-    """Close a loop after what still runs in it."""
+    """Cancel all tasks of a loop and close it."""
     tasks = asyncio.all_tasks(loop)
     for task in tasks:
         task.cancel()

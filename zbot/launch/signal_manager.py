@@ -1,4 +1,4 @@
-"""Signals that are handled inside an event loop."""
+"""Manager of signal handlers, which run inside an event loop."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ if TYPE_CHECKING:
 
 
 class AsyncSafeSignalManager:
-    """Calls functions in an event loop when signals come, while it is entered.
+    """Context manager that calls handlers in an event loop when signals come.
 
-    Managers may be inside one another, and whoever handled a signal before is called, too; only
-    Python's own KeyboardInterrupt is not raised.
+    Managers may be nested. The manager also calls the previous handler of a signal, but not
+    Python's own handler, which would raise KeyboardInterrupt.
 
     Args:
-        loop: Where the functions are called.
+        loop: The event loop that calls the handlers.
     """
 
     def __init__(self, loop: asyncio.AbstractEventLoop) -> None:
@@ -30,13 +30,13 @@ class AsyncSafeSignalManager:
     def handle(
         self, signum: signal.Signals | int, handler: Callable[[int], Any] | None
     ) -> Callable[[int], Any] | None:
-        """Have a function called with the signal's number; None for no function any more.
+        """Set the handler of a signal. The handler gets the signal's number. None removes it.
 
         Returns:
-            The function that was called before.
+            The previous handler.
 
         Raises:
-            ValueError: It is no function, or this is not the main thread.
+            ValueError: `handler` is not callable, or this is not the main thread.
         """
         if handler is not None and not callable(handler):
             raise ValueError(f"a signal's handler must be callable, not {handler!r}")

@@ -1,4 +1,4 @@
-"""Where lines of a program go: the screen, the log of the launch, files of its own."""
+"""Sinks of a program's output, e.g. screen, launch's log file and program's own log files."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 _OUT, _ERR, _BOTH = "stdout", "stderr", "both"
 _SINKS: Final = frozenset({"screen", "log", "own_log"})
 _OWN: Final = frozenset({"own_log"})
-#: What each word for `output` means. ROS 2 hides stdout by default; here everything is seen.
+#: Sinks for each value of `output`. ROS 2 hides stdout by default; zbot shows everything.
 _WORDS: Final[Mapping[str, Mapping[str, frozenset[str]]]] = {
     "screen": {_BOTH: frozenset({"screen"})},
     "log": {_BOTH: frozenset({"log"}), _ERR: frozenset({"screen"})},
@@ -25,7 +25,7 @@ DEFAULT: Final = "both"
 
 
 def parse_output(output: str | Mapping[str, Any]) -> dict[str, frozenset[str]]:
-    """Return for stdout, stderr and both where they go: `screen`, `log`, `own_log`.
+    """Return the sinks (`screen`, `log`, `own_log`) for `stdout`, `stderr` and `both`.
 
     Raises:
         OutputError: A word is unknown.

@@ -1,4 +1,4 @@
-"""Where launch descriptions come from: files, in Python, XML or YAML."""
+"""Sources of launch descriptions: files in Python, XML or YAML."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from zbot.launch.errors import (
     EntityTypeError,
     LaunchFileError,
     LaunchFileNotFoundError,
-    NoSourceError,
+    LaunchUsageError,
 )
 from zbot.launch.substitution import describe, normalize, perform
 
@@ -23,25 +23,25 @@ _FORMATS = {".py": "python", ".xml": "xml", ".yaml": "yaml", ".yml": "yaml"}
 
 
 def file_locals(path: Path) -> dict[str, str]:
-    """Return the locals that say which launch file is being worked on."""
+    """Return the locals that contain the path and the folder of the present launch file."""
     is_a_word = len(path.parts) == 1 and not path.is_file()
     return {
         "current_launch_file_path": str(path),
-        # launch puts what is no path, e.g. "<script>", in both
+        # as in launch, if the text is not a path, e.g. "<script>"
         "current_launch_file_directory": str(path if is_a_word else path.parent),
     }
 
 
 class LaunchDescriptionSource:
-    """A launch file, or a description that is there already.
+    """Source of a launch description, which is a file or an existing description.
 
     Args:
-        launch_description: The description, if it is there already.
+        launch_description: The description, if it exists already.
         location: The path of the file.
-        method: How it was made, for people.
+        method: A readable text that tells how the source was created.
     """
 
-    format = ""  #: `python`, `xml` or `yaml`; by the file's name if empty
+    format = ""  #: `python`, `xml` or `yaml`. If empty, the file's suffix decides.
 
     def __init__(
         self,
@@ -56,27 +56,28 @@ class LaunchDescriptionSource:
         self.method = method
 
     def get_launch_description(self, context: LaunchContext) -> LaunchDescription:
-        """Return the description; the file is read when it is first asked for.
+        """Return the description. The first call reads the file.
 
         Raises:
-            LaunchError: The file is not there, or makes no sense.
+            LaunchError: The file does not exist or is invalid.
         """
         if self._description is None:
             if not self._location:
-                raise NoSourceError
+                text = "this source has neither a launch description nor the path of a file"
+                raise LaunchUsageError(text)
             self._description = load_launch_file(perform(context, self._location), self.format)
         return self._description
 
     def try_get_launch_description_without_context(
         self, including: str = ""
     ) -> LaunchDescription | None:
-        """Return the description if no more than the file is needed, else None.
+        """Return the description. Return None if its path is not known before the launch.
 
         Args:
-            including: The path of the launch file that this one is named in.
+            including: The path of the launch file that includes this one.
 
         Raises:
-            LaunchFileError: The file makes no sense.
+            LaunchFileError: The file is invalid.
         """
         if self._description is None:
             location = self.location_before_launch(including)
@@ -86,7 +87,7 @@ class LaunchDescriptionSource:
         return self._description
 
     def location_before_launch(self, including: str = "") -> str | None:
-        """Return the path if it is known before the launch; see above."""
+        """Return the path. Return None if the path is not known before the launch."""
         from zbot.launch.context import LaunchContext  # noqa: PLC0415 - cycle
 
         context = LaunchContext()
@@ -95,10 +96,10 @@ class LaunchDescriptionSource:
         try:
             return perform(context, self._location)
         except (ZbotError, LookupError):
-            return None  # it depends on what only the launch knows
+            return None  # the path depends on values that exist only during the launch
 
     def path(self, context: LaunchContext) -> Path | None:
-        """Return the absolute path of the file; None if there is no file."""
+        """Return the absolute path of the file, or None if there is no file."""
         location = perform(context, self._location)
         if not location:
             return None
@@ -107,32 +108,32 @@ class LaunchDescriptionSource:
 
     @property
     def location(self) -> str:
-        """The path, as far as it is known."""
+        """The path. It is empty if it is not known before the launch."""
         return self.location_before_launch() or ""
 
     @property
     def location_text(self) -> str:
-        """The path as it was written, for people."""
+        """The path with its substitutions, as readable text."""
         return describe(self._location)
 
 
 def load_launch_file(location: str, kind: str = "") -> LaunchDescription:
-    """Return what a launch file describes.
+    """Return the launch description of a launch file.
 
     Args:
         location: Its path.
-        kind: `python`, `xml` or `yaml`; by the file's name if empty.
+        kind: `python`, `xml` or `yaml`. If empty, the file's suffix decides.
 
     Raises:
-        LaunchFileNotFoundError: There is no such file.
-        LaunchFileError: It makes no sense.
+        LaunchFileNotFoundError: The file does not exist.
+        LaunchFileError: The file is invalid.
     """
     path = Path(location).absolute()
     if not path.is_file():
         raise LaunchFileNotFoundError(f"launch file '{location}' not found")
     kind = kind or _FORMATS.get(path.suffix, "")
     if kind == "python":
-        from zbot.launch.python_file import load  # noqa: PLC0415 - read when needed
+        from zbot.launch.python_file import load  # noqa: PLC0415 - loaded when used
 
         return load(path)
     if kind in {"xml", "yaml"}:
@@ -144,19 +145,19 @@ def load_launch_file(location: str, kind: str = "") -> LaunchDescription:
 
 
 def load_python_launch_file(location: str) -> LaunchDescription:
-    """Return what a launch file in Python describes, whatever its name; see above."""
+    """Return the description of a launch file in Python, which may have any suffix."""
     return load_launch_file(location, "python")
 
 
 class AnyLaunchDescriptionSource(LaunchDescriptionSource):
-    """A launch file of any format."""
+    """A launch file in any format."""
 
     def __init__(self, launch_file_path: SomeSubstitutionsType) -> None:
         super().__init__(None, launch_file_path, f"interpreted {self.format or 'any'} launch file")
 
 
 class PythonLaunchDescriptionSource(AnyLaunchDescriptionSource):
-    """A launch file in Python, whatever its name."""
+    """A launch file in Python, with any suffix."""
 
     format = "python"
 
@@ -166,12 +167,12 @@ class FrontendLaunchDescriptionSource(AnyLaunchDescriptionSource):
 
 
 class XMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
-    """A launch file in XML, whatever its name."""
+    """A launch file in XML, with any suffix."""
 
     format = "xml"
 
 
 class YAMLLaunchDescriptionSource(FrontendLaunchDescriptionSource):
-    """A launch file in YAML, whatever its name."""
+    """A launch file in YAML, with any suffix."""
 
     format = "yaml"

@@ -1,4 +1,4 @@
-"""Texts that are known only when a launch file runs."""
+"""Base class of substitutions, whose text is known only during a launch."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ if TYPE_CHECKING:
 
 
 class Substitution:
-    """Something that becomes text; `/` joins it with others as parts of a path."""
+    """A placeholder for a text. The operator `/` joins substitutions as parts of a path."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return the text."""
         raise NotImplementedError
 
     def describe(self) -> str:
-        """Return what it is, for `--print` and for error texts."""
+        """Return a description for `--print` and for error messages."""
         return f"{type(self).__name__}()"
 
     def __truediv__(self, other: SomeSubstitutionsType) -> Substitution:
@@ -31,18 +31,18 @@ class Substitution:
         return PathJoinSubstitution([self]) / other
 
 
-#: What may be given wherever a text is wanted.
+#: Every form of a text that actions and substitutions accept as an argument.
 SomeSubstitutionsType: TypeAlias = (
     str | Substitution | PurePath | Iterable[str | Substitution | PurePath]
 )
 
 
-#: The same for `isinstance`, as launch files ask.
+#: The same types for `isinstance`. Some launch files use this name.
 SomeSubstitutionsType_types_tuple = (str, Substitution, PurePath, Iterable)
 
 
 class TextSubstitution(Substitution):
-    """A text that is known already."""
+    """A fixed text."""
 
     def __init__(self, *, text: str) -> None:
         if not isinstance(text, str):
@@ -59,17 +59,17 @@ class TextSubstitution(Substitution):
 
 
 def is_a_substitution(value: Any) -> bool:
-    """Return whether a value can be normalized."""
+    """Return whether `normalize` accepts a value."""
     if isinstance(value, (str, Substitution, PurePath)):
         return True
     return isinstance(value, (list, tuple)) and all(map(is_a_substitution, value))
 
 
 def normalize(value: SomeSubstitutionsType) -> list[Substitution]:
-    """Return a list of substitutions for any way of writing a text.
+    """Return a text as a list of substitutions.
 
     Raises:
-        EntityTypeError: It is no text, no substitution and no list of these.
+        EntityTypeError: The value is not a string, a substitution or a list of these types.
     """
     if isinstance(value, Substitution):
         return [value]
@@ -81,17 +81,17 @@ def normalize(value: SomeSubstitutionsType) -> list[Substitution]:
 
 
 def perform(context: LaunchContext, value: SomeSubstitutionsType) -> str:
-    """Return the text that substitutions become."""
+    """Return the texts of substitutions as one text."""
     return "".join(context.perform_substitution(part) for part in normalize(value))
 
 
 def describe(value: SomeSubstitutionsType) -> str:
-    """Return what substitutions are, as one text."""
+    """Return a description of substitutions."""
     return " + ".join(part.describe() for part in normalize(value)) or "''"
 
 
 def describe_list(values: Sequence[SomeSubstitutionsType]) -> str:
-    """Return several texts as a list."""
+    """Return a description of several texts."""
     return f"[{', '.join(describe(value) for value in values)}]"
 
 
@@ -99,7 +99,7 @@ _TRUE, _FALSE = {"true", "1", "yes", "on"}, {"false", "0", "no", "off"}
 
 
 def to_bool(text: str) -> bool | None:
-    """Return what a text says as YAML would read it; None if it is neither true nor false."""
+    """Return the truth value of a text, as YAML reads it. Return None for other texts."""
     word = text.strip().lower()
     if word in _TRUE:
         return True

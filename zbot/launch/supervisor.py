@@ -1,4 +1,4 @@
-"""Watches over one program: starts it, starts it again, tells what it does, stops it."""
+"""Supervisor that starts, restarts and stops one program, and emits its events."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from zbot.launch import process
 from zbot.launch.errors import LaunchFileError, ProgramError
-from zbot.launch.event import Shutdown, TimerSkipped
+from zbot.launch.event import SecondInterrupt, Shutdown
 from zbot.launch.event_handler import EventHandler
 from zbot.launch.output import OutputLines
 from zbot.launch.process_event import (
@@ -41,17 +41,17 @@ _SIGKILL: Final = int(getattr(signal, "SIGKILL", signal.SIGTERM))
 
 @dataclass(frozen=True)
 class Policy:
-    """How a program is run."""
+    """Options that a supervisor uses to run a program."""
 
     shell: bool
-    has_terminal: bool  #: whether it is to believe that it writes to a terminal
-    sinks: Mapping[str, frozenset[str]]  #: where stdout and stderr go
-    form: str  #: how a line looks
-    sigterm_timeout_s: float  #: after SIGINT
-    sigkill_timeout_s: float  #: after SIGTERM
+    has_terminal: bool  #: whether stdout and stderr are pseudo terminals
+    sinks: Mapping[str, frozenset[str]]  #: for `stdout`, `stderr` and `both`
+    line_format: str  #: a format that contains `{line}` and `{label}`
+    sigterm_timeout_s: float  #: seconds after SIGINT
+    sigkill_timeout_s: float  #: seconds after SIGTERM
     respawn: bool
     respawn_delay_s: float
-    respawn_max_retries: int  #: without end if negative
+    respawn_max_retries: int  #: unlimited if negative
     shows_command: bool
 
 
@@ -62,7 +62,7 @@ class Supervisor:
         action: The action.
         context: The launch.
         prepared: The command line.
-        policy: How to run it.
+        policy: The options of the run.
     """
 
     def __init__(
@@ -72,28 +72,28 @@ class Supervisor:
         self._prepared, self._policy = prepared, policy
         self.label = context.next_label(prepared.name)
         self._process: process.ChildProcess | None = None
-        self._wants_end = asyncio.Event()
-        self._hurry = asyncio.Event()
+        self._stop_requested = asyncio.Event()
+        self._escalate_now = asyncio.Event()
         self._sent: set[int] = set()
-        self._ladder: asyncio.Task[None] | None = None
+        self._escalation: asyncio.Task[None] | None = None
 
     def start(self) -> asyncio.Task[None]:
-        """Run the program; the task is done when it has ended for good."""
+        """Run the program. The returned task is done when the last run of the program has ended."""
         handlers = self._handlers()
-        for handler in handlers:  # before the task begins: the launch may end until then
+        for handler in handlers:  # before the task begins, because the launch may end first
             self._context.register_event_handler(handler)
         return self._context.create_task(self._run(handlers))
 
     async def _run(self, handlers: list[BaseEventHandler]) -> None:
         try:
-            await self._run_again_and_again()
+            await self._run_with_respawn()
         except OSError as error:
             self._fail(error)
         finally:
             for handler in handlers:
                 self._context.unregister_event_handler(handler)
-            if self._ladder is not None:
-                self._ladder.cancel()
+            if self._escalation is not None:
+                self._escalation.cancel()
 
     def _fail(self, error: OSError) -> None:
         reason = f"cannot start '{self._prepared.words[0]}': {error.strerror or error}"
@@ -102,25 +102,25 @@ class Supervisor:
             failure = LaunchFileError.at(self._action.origin, failure)
         self._context.fail(failure)
 
-    async def _run_again_and_again(self) -> None:
+    async def _run_with_respawn(self) -> None:
         retries = self._policy.respawn_max_retries
-        while not self._wants_end.is_set():
+        while not self._stop_requested.is_set():
             code = await self._run_once()
-            if not self._policy.respawn or retries == 0 or self._wants_end.is_set():
-                self._context.program_failed |= code != 0 and not self._sent  # it died by itself
+            if not self._policy.respawn or retries == 0 or self._stop_requested.is_set():
+                self._context.program_failed |= code != 0 and not self._sent  # by itself
                 return
             retries -= 1
-            await _wait(self._wants_end, self._policy.respawn_delay_s)
+            await _wait(self._stop_requested, self._policy.respawn_delay_s)
 
     async def _run_once(self) -> int:
-        prepared, journal = self._prepared, self._context.journal
-        lines = OutputLines(self.label, self._policy.sinks, journal, self._policy.form)
+        prepared, writer = self._prepared, self._context.writer
+        lines = OutputLines(self.label, self._policy.sinks, writer, self._policy.line_format)
         is_line = self._policy.shell
-        early: list[tuple[int, bytes]] = []  # written before it is told that it started
-        is_told = False
+        early: list[tuple[int, bytes]] = []  # output that comes before ProcessStarted
+        has_started = False
 
         def on_data(fd: int, data: bytes) -> None:
-            if is_told:
+            if has_started:
                 self._on_data(lines, fd, data)
             else:
                 early.append((fd, data))
@@ -132,31 +132,31 @@ class Supervisor:
             has_terminal=self._policy.has_terminal,
             stdin=self._stdin(),
             on_data=on_data,
-            family=self._context.family,
+            process_groups=self._context.process_groups,
         )
         self._process = child
-        journal.info(self.label, f"process started with pid [{child.pid}]")
+        writer.info(self.label, f"process started with pid [{child.pid}]")
         if self._policy.shows_command:
-            journal.info(self.label, f"process details: cmd='{shlex.join(prepared.words)}'")
+            writer.info(self.label, f"process details: cmd='{shlex.join(prepared.words)}'")
         self._action.process_details = self.details()
         self._emit(ProcessStarted)
-        is_told = True
+        has_started = True
         for fd, data in early:
             self._on_data(lines, fd, data)
-        if self._wants_end.is_set():  # it came while the process was being started
-            self._begin_to_stop()
+        if self._stop_requested.is_set():  # the request came during the start
+            self._start_escalation()
         code = await child.wait()
         lines.close()
-        self._tell_end(code)
+        self._report_exit(code)
         return code
 
     def _stdin(self) -> int | None:
-        # Programs that read keys get the terminal's; others can be written to.
+        # In a terminal, programs read the keyboard. Otherwise stdin is a pipe, for ProcessStdin.
         has_keys = not self._context.noninteractive and sys.stdin is not None and sys.stdin.isatty()
         return None if has_keys else subprocess.PIPE
 
     def details(self) -> dict[str, Any]:
-        """Return what events tell of the process; its `pid` only once it has started."""
+        """Return the arguments of the process's events. `pid` is set only after the start."""
         prepared = self._prepared
         pid = {} if self._process is None else {"pid": self._process.pid}
         return {
@@ -176,23 +176,23 @@ class Supervisor:
         self._action.keep_output(fd, data)
         self._emit(_OUTPUT_EVENTS[fd], text=data)
 
-    def _tell_end(self, code: int) -> None:
+    def _report_exit(self, code: int) -> None:
         pid = self._process.pid if self._process is not None else 0
-        journal, words = self._context.journal, " ".join(self._prepared.words)
-        if code == 0 or self._is_as_wanted(code):
-            journal.info(self.label, f"process has finished cleanly [pid {pid}]")
+        writer, words = self._context.writer, " ".join(self._prepared.words)
+        if code == 0 or self._is_clean_exit(code):
+            writer.info(self.label, f"process has finished cleanly [pid {pid}]")
         else:
             text = f"process has died [pid {pid}, exit code {code}, cmd '{words}']."
-            journal.error(self.label, text)
+            writer.error(self.label, text)
         self._action.return_code = code
         self._emit(ProcessExited, returncode=code)
 
-    def _is_as_wanted(self, code: int) -> bool:
-        """Return whether a program ended well, or by a signal that it was sent."""
+    def _is_clean_exit(self, code: int) -> bool:
+        """Return whether the program had no error, or a signal of this supervisor ended it."""
         shells = {128 + number for number in self._sent}
         return code == 0 or -code in self._sent or code in shells
 
-    # What it is told
+    # Event handlers
 
     def _handlers(self) -> list[BaseEventHandler]:
         def is_for_this(kind: type[Event]) -> Any:
@@ -205,7 +205,9 @@ class Supervisor:
             EventHandler(matcher=is_for_this(SignalProcess), entities=self._on_signal),
             EventHandler(matcher=is_for_this(ShutdownProcess), entities=self._on_stop),
             EventHandler(matcher=lambda e: isinstance(e, Shutdown), entities=self._on_stop),
-            EventHandler(matcher=lambda e: isinstance(e, TimerSkipped), entities=self._on_hurry),
+            EventHandler(
+                matcher=lambda e: isinstance(e, SecondInterrupt), entities=self._on_second_interrupt
+            ),
             EventHandler(matcher=is_stdin, entities=self._on_stdin),
         ]
 
@@ -213,61 +215,63 @@ class Supervisor:
         if self._process is not None:
             self._process.write(event.text)
 
-    def _on_hurry(self, *_: Any) -> None:
-        self._hurry.set()
+    def _on_second_interrupt(self, *_: Any) -> None:
+        self._escalate_now.set()
 
     def _on_signal(self, event: SignalProcess, _: LaunchContext) -> None:
-        self._send(event.signal, is_told=True)
+        self._send(event.signal, is_logged=True)
 
     def _on_stop(self, event: Event, _: LaunchContext) -> None:
-        if self._wants_end.is_set():
+        if self._stop_requested.is_set():
             return
-        self._wants_end.set()
-        self._is_told = not getattr(event, "due_to_sigint", False)
+        self._stop_requested.set()
+        self._logs_first_signal = not getattr(event, "due_to_sigint", False)
         if self._process is not None:
-            self._begin_to_stop()
+            self._start_escalation()
 
     _is_told = True
 
-    def _begin_to_stop(self) -> None:
-        self._ladder = asyncio.get_running_loop().create_task(self._climb())
+    def _start_escalation(self) -> None:
+        self._escalation = asyncio.get_running_loop().create_task(self._escalate())
 
-    async def _climb(self) -> None:
-        """SIGINT, later SIGTERM, later SIGKILL."""
+    async def _escalate(self) -> None:
+        """Send SIGINT, then SIGTERM, then SIGKILL, until the process has ended."""
         assert self._process is not None
         steps = (
             (signal.SIGINT, self._policy.sigterm_timeout_s, "SIGTERM"),
             (signal.SIGTERM, self._policy.sigkill_timeout_s, "SIGKILL"),
         )
-        is_told = self._is_told
+        is_logged = self._logs_first_signal
         for number, seconds, following in steps:
-            self._send(number, is_told=is_told)
-            is_told = True
+            self._send(number, is_logged=is_logged)
+            is_logged = True
             if await self._ended_within(seconds):
                 return
             waited = f"'{seconds:g}' seconds after receiving"
-            if self._hurry.is_set():
-                self._hurry.clear()
+            if self._escalate_now.is_set():
+                self._escalate_now.clear()
                 waited = "at once after receiving"
             text = f"process[{self.label}] failed to terminate {waited} '{number.name}'"
-            self._context.journal.error(self.label, f"{text}, escalating to '{following}'")
-        self._send(_SIGKILL, is_told=True)
+            self._context.writer.error(self.label, f"{text}, escalating to '{following}'")
+        self._send(_SIGKILL, is_logged=True)
 
     async def _ended_within(self, seconds: float) -> bool:
         assert self._process is not None
         ended = asyncio.ensure_future(self._process.ended())
-        hurried = asyncio.ensure_future(self._hurry.wait())
-        await asyncio.wait({ended, hurried}, timeout=seconds, return_when=asyncio.FIRST_COMPLETED)
-        for task in (ended, hurried):
+        interrupted = asyncio.ensure_future(self._escalate_now.wait())
+        await asyncio.wait(
+            {ended, interrupted}, timeout=seconds, return_when=asyncio.FIRST_COMPLETED
+        )
+        for task in (ended, interrupted):
             task.cancel()
         return not self._process.is_running
 
-    def _send(self, number: int, *, is_told: bool) -> None:
+    def _send(self, number: int, *, is_logged: bool) -> None:
         if self._process is None or not self._process.is_running:
             return
-        if is_told:
+        if is_logged:
             name = signal.Signals(number).name
-            self._context.journal.info(
+            self._context.writer.info(
                 self.label, f"sending signal '{name}' to process[{self.label}]"
             )
         self._sent.add(number)

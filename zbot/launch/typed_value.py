@@ -1,4 +1,4 @@
-"""Values of launch files that must have a type: `launch.utilities.type_utils`."""
+"""Functions for typed values in launch files, as in `launch.utilities.type_utils`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from zbot.launch.substitution import Substitution, normalize, perform
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
 
-#: A text, a number, a truth value or a list of one kind, all of them perhaps as substitutions.
+#: A string, number, bool, or a list whose items have one of these types, or substitutions.
 SomeValueType: TypeAlias = Any
 NormalizedValueType: TypeAlias = Any
 AllowedTypesType: TypeAlias = Any
@@ -32,24 +32,25 @@ def is_valid_scalar_type(data_type: Any) -> bool:
 
 
 def extract_type(data_type: AllowedTypesType) -> tuple[Any, bool]:
-    """Return the type of a value or of a list's items, and whether it is a list.
+    """Return the type of a value or of a list's items, and whether the type is a list.
 
     Raises:
-        CoercionError: No value can be of that type.
+        CoercionError: The type is not supported.
     """
     is_list = is_typing_list(data_type)
     (kind,) = (get_args(data_type) or (None,)) if is_list else (data_type,)
     if not is_valid_scalar_type(kind):
-        raise CoercionError(f"{data_type} is none of bool, int, float, str or a List of one")
+        expected = "bool, int, float, str or a List of one"
+        raise CoercionError(f"the type must be {expected}, not {data_type}")
     return kind, is_list
 
 
 def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
-    """Return whether a value is a scalar, or a list of scalars of one type.
+    """Return whether a value is a scalar, or a list whose scalars have the same type.
 
     Args:
         value: The value.
-        can_be_str: Whether a list may have texts among others.
+        can_be_str: Whether a list may also contain strings.
     """
     if not isinstance(value, list):
         return isinstance(value, _SCALARS)
@@ -58,15 +59,15 @@ def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
 
 
 def is_instance_of(value: Any, data_type: Any = None, can_be_str: bool = False) -> bool:
-    """Return whether a value is of a type.
+    """Return whether a value has a type.
 
     Args:
         value: The value.
-        data_type: The type, as `extract_type` takes it; any that is valid if `None`.
-        can_be_str: Whether texts will do, too.
+        data_type: The type, as for `extract_type`. `None` means any valid type.
+        can_be_str: Whether strings are accepted too.
 
     Raises:
-        CoercionError: No value can be of that type.
+        CoercionError: The type is not supported.
     """
     if data_type is None:
         return is_instance_of_valid_type(value, can_be_str)
@@ -78,17 +79,17 @@ def is_instance_of(value: Any, data_type: Any = None, can_be_str: bool = False) 
 
 
 def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = False) -> Any:
-    """Return what a text means.
+    """Convert a string to a value.
 
     Args:
-        value: The text.
-        data_type: `bool`, `int`, `float`, `str` or a list of one, as in `List[int]`; what YAML
-            finds in the text if `None`.
-        can_be_str: Whether the text itself is a value where there is no other.
+        value: The string.
+        data_type: `bool`, `int`, `float`, `str`, or a list whose items have one of these types,
+            e.g. `List[int]`. `None` means the type that YAML reads.
+        can_be_str: Whether to return the string itself if it cannot be converted.
 
     Raises:
-        CoercionError: It means nothing of that type.
-        EntityTypeError: It is no text.
+        CoercionError: The string cannot be converted to this type.
+        EntityTypeError: `value` is not a string.
     """
     if not isinstance(value, str):
         raise EntityTypeError("the value", "a str", value)
@@ -100,53 +101,53 @@ def coerce_to_type(value: str, data_type: Any = None, can_be_str: bool = False) 
     except (yaml.YAMLError, ValueError):
         found = value if can_be_str else None
     if not is_instance_of(found, data_type, can_be_str):
-        raise CoercionError(f"'{value}' is no {_said(data_type)}")
+        raise CoercionError(f"'{value}' is not a value of type {_type_name(data_type)}")
     return found
 
 
-def _said(data_type: Any) -> str:
+def _type_name(data_type: Any) -> str:
     if data_type is None:
-        return "bool, number or text, and no list of one of these"
+        return "bool, number, text or a list of one of these"
     return str(data_type) if is_typing_list(data_type) else str(data_type.__name__)
 
 
 def coerce_list(value: list[str], data_type: Any = None, can_be_str: bool = False) -> list[Any]:
-    """Return what the texts of a list mean; all are of one type.
+    """Convert the strings of a list to values. All values have the same type.
 
     Args:
-        value: The texts.
-        data_type: The type of the items, if it is known.
-        can_be_str: Whether texts may stand among others.
+        value: The strings.
+        data_type: The type of the items. `None` means the type that YAML reads.
+        can_be_str: Whether the result may also contain strings.
 
     Raises:
-        CoercionError: They mean nothing of that type.
-        EntityTypeError: It is no list of texts.
+        CoercionError: The strings cannot be converted to the same type.
+        EntityTypeError: `value` is not a list of strings.
     """
     if not isinstance(value, list):
         raise EntityTypeError("the value", "a list", value)
     found = [coerce_to_type(one, data_type, can_be_str) for one in value]
     if not is_instance_of_valid_type(found, can_be_str):
-        raise CoercionError(f"the items of {value} are of several types")
+        raise CoercionError(f"the items of a list must have one type: {value}")
     return found
 
 
 def get_typed_value(value: str | list[str], data_type: Any = None, can_be_str: bool = False) -> Any:
-    """Return what a text, or a list of texts, means; see `coerce_to_type` and `coerce_list`.
+    """Convert a string or a list of strings. See `coerce_to_type` and `coerce_list`.
 
     Raises:
-        CoercionError: It means nothing of that type.
-        EntityTypeError: It is neither, or a list where the type is none.
+        CoercionError: The string cannot be converted to this type.
+        EntityTypeError: `value` is not a string or a list. Or it is a list, but the type is not.
     """
     if not isinstance(value, list):
         return coerce_to_type(value, data_type, can_be_str)
     kind, is_list = (None, True) if data_type is None else extract_type(data_type)
     if not is_list:
-        raise EntityTypeError("the value", _said(data_type), value)
+        raise EntityTypeError("the value", _type_name(data_type), value)
     return coerce_list(value, kind, can_be_str)
 
 
 def is_substitution(value: Any) -> bool:
-    """Return whether a value is a substitution, or texts and at least one substitution."""
+    """Return whether a value is a substitution, or a list of strings and substitutions."""
     if not isinstance(value, Iterable):
         return isinstance(value, Substitution)
     parts = list(value)
@@ -155,17 +156,17 @@ def is_substitution(value: Any) -> bool:
 
 
 def is_normalized_substitution(value: Any) -> bool:
-    """Return whether a value is a list of nothing but substitutions."""
+    """Return whether a value is a list of substitutions that is not empty."""
     is_filled = isinstance(value, list) and bool(value)
     return is_filled and all(isinstance(one, Substitution) for one in value)
 
 
 def normalize_typed_substitution(value: SomeValueType, data_type: Any = None) -> Any:
-    """Return a value in which texts to be are lists of substitutions; others stay as they are.
+    """Return a value in which each substitution is a list. Other values stay unchanged.
 
     Raises:
-        CoercionError: No value can be of that type.
-        EntityTypeError: It cannot become a value of that type.
+        CoercionError: The type is not supported.
+        EntityTypeError: The value cannot have this type.
     """
     if is_substitution(value):
         return normalize(value)
@@ -179,23 +180,23 @@ def normalize_typed_substitution(value: SomeValueType, data_type: Any = None) ->
 
 def _checked(value: Any, data_type: Any) -> Any:
     if not is_instance_of(value, data_type):
-        raise EntityTypeError("the value", _said(data_type), value)
+        raise EntityTypeError("the value", _type_name(data_type), value)
     return value
 
 
 def perform_typed_substitution(
     context: LaunchContext, value: NormalizedValueType, data_type: Any = None
 ) -> Any:
-    """Return a value in which substitutions have become what they stand for.
+    """Return a value in which the values of the substitutions replace the substitutions.
 
     Args:
         context: The launch.
-        value: What `normalize_typed_substitution` returned.
+        value: The result of `normalize_typed_substitution`.
         data_type: See `coerce_to_type`.
 
     Raises:
-        CoercionError: What a substitution became is of another type.
-        EntityTypeError: The value is.
+        CoercionError: The text of a substitution cannot be converted to this type.
+        EntityTypeError: The value has another type.
     """
     if is_normalized_substitution(value):
         return coerce_to_type(perform(context, value), data_type)
@@ -207,5 +208,5 @@ def perform_typed_substitution(
         for one in value
     ]
     if not is_instance_of(found, data_type):
-        raise CoercionError(f"{found} is no {_said(data_type)}")
+        raise CoercionError(f"{found} is not a value of type {_type_name(data_type)}")
     return found

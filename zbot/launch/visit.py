@@ -1,4 +1,4 @@
-"""Visits entities and what they lead to."""
+"""Visitor of an entity and of all entities that follow from it."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def create_future(loop: asyncio.AbstractEventLoop | None) -> asyncio.Future[Any]:
-    """Return a future of a loop; of the present one if None."""
+    """Return a future of a loop. None means the loop of this thread."""
     if loop is None:
         loop = asyncio.get_event_loop_policy().get_event_loop()
     return loop.create_future()
@@ -20,7 +20,7 @@ def create_future(loop: asyncio.AbstractEventLoop | None) -> asyncio.Future[Any]
 def visit_all_entities_and_collect_futures(
     entity: LaunchDescriptionEntity, context: LaunchContext
 ) -> list[tuple[LaunchDescriptionEntity, asyncio.Future[Any]]]:
-    """Visit an entity and all it leads to; return those with futures, and their futures."""
+    """Visit an entity and all entities that it returns. Return pairs of entity and future."""
     following = entity.visit(context)
     future = entity.get_asyncio_future()
     found = [] if future is None else [(entity, future)]

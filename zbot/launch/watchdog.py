@@ -1,8 +1,8 @@
-"""Ends the processes of a launch that was killed.
+"""Watchdog process that ends the processes of a launch if the launch itself is killed.
 
-This file runs as a process of its own, in a session of its own. It reads which process groups there
-are from a pipe; when the pipe is closed, the launch has ended, whichever way, and the groups that
-are left are ended too. It imports nothing of zbot: it has to be there at once.
+This file runs as a separate process in its own session. It reads the process groups of the launch
+from a pipe. The pipe closes when the launch ends for any reason. Then the watchdog ends the
+remaining groups. This file imports nothing from zbot, so that it starts fast.
 """
 
 from __future__ import annotations
@@ -12,12 +12,12 @@ import signal
 import sys
 import time
 
-_PATIENCE_S = 0.7
+_GRACE_S = 0.7
 _INTERVAL_S = 0.02
 
 
 def main() -> None:
-    """Read `+group` and `-group` lines until the end, then end what is left."""
+    """Read `+group` and `-group` lines until the pipe closes, then end the remaining groups."""
     groups: set[int] = set()
     for line in sys.stdin:
         group = int(line[1:])
@@ -26,7 +26,7 @@ def main() -> None:
         else:
             groups.discard(group)
     _signal(groups, signal.SIGTERM)
-    deadline = time.monotonic() + _PATIENCE_S
+    deadline = time.monotonic() + _GRACE_S
     while groups and time.monotonic() < deadline:
         time.sleep(_INTERVAL_S)
         _signal(groups, 0)
@@ -34,7 +34,7 @@ def main() -> None:
 
 
 def _signal(groups: set[int], number: int) -> None:
-    """Send a signal to each group; forget those that are gone."""
+    """Send a signal to each group, and remove groups without processes from the set."""
     for group in list(groups):
         try:
             os.killpg(group, number)

@@ -1,7 +1,7 @@
-"""How a child is told to be zbot: its command line, and programs that stand in for `ros2`.
+"""Command line that starts zbot in child processes, and a program `ros2` that runs zbot.
 
-Launch files start `ros2 topic echo ...` and the like. Where no ROS 2 is installed, a folder with a
-program `ros2` that is zbot comes last on the children's search path.
+Launch files start commands such as `ros2 topic echo ...`. If ROS 2 is not installed, the search
+path of the child processes ends with a folder that contains the program `ros2`.
 """
 
 from __future__ import annotations
@@ -16,54 +16,54 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from zbot.launch.errors import ProgramError
-from zbot.package.view import cache_folder
+from zbot.package.symlink_install import cache_folder
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
 
-def own_command() -> list[str]:
-    """Return the words that start the `zbot` of this Python."""
-    # The script leaves the current folder off Python's path; Windows' .exe would be one process
-    # more, which signals do not pass through.
+def zbot_command() -> list[str]:
+    """Return the words that start the `zbot` of this Python installation."""
+    # With the script, Python's path does not contain the working directory. On Windows the .exe is
+    # not used, because it starts a second process that signals do not reach.
     script = Path(sys.executable).with_name("zbot")
     if os.name != "nt" and script.is_file() and os.access(script, os.X_OK):
         return [str(script)]
     return [sys.executable, "-m", "zbot"]
 
 
-def for_scripts(words: Sequence[str]) -> list[str]:
-    """Return the words that run a program; a script that is given to Python finds ROS 2's names."""
-    script = 2 if len(words) > 1 and words[1] == "-u" else 1  # children are never buffered
+def run_scripts_with_zbot(words: Sequence[str]) -> list[str]:
+    """Return the words of a command. It runs a Python script by `zbot run`, to find `rclpy`."""
+    script = 2 if len(words) > 1 and words[1] == "-u" else 1  # -u has no effect here: output is never buffered
     is_python = words[0] in {sys.executable, "python", "python3"}
     if is_python and len(words) > script and words[script].endswith(".py"):
-        return [*own_command(), "run", *words[script:]]
+        return [*zbot_command(), "run", *words[script:]]
     return list(words)
 
 
 def find_on_path(name: str, environment: Mapping[str, str]) -> str | None:
-    """Return the path of a program as a child with this environment would find it."""
+    """Return the path of a program on the search path of an environment, or None."""
     found = shutil.which(name, path=environment.get("PATH"))
     if found is None and Path(name).name in {"ros2", "zbot"}:
-        found = str(_stand_in(Path(name).name, own_command()))
+        found = str(_wrapper(Path(name).name, zbot_command()))
     return found
 
 
-def with_ros2(environment: Mapping[str, str]) -> dict[str, str]:
-    """Return an environment in which `ros2` and `zbot` are found: ROS 2's own, or this zbot."""
+def add_ros2_to_path(environment: Mapping[str, str]) -> dict[str, str]:
+    """Return an environment whose PATH has `ros2` and `zbot`, if necessary as wrappers."""
     path = environment.get("PATH", os.defpath)
     missing = [name for name in ("ros2", "zbot") if shutil.which(name, path=path) is None]
-    folders = {str(_stand_in(name, own_command()).parent) for name in missing}
+    folders = {str(_wrapper(name, zbot_command()).parent) for name in missing}
     return {**environment, "PATH": os.pathsep.join((path, *sorted(folders)))}
 
 
-def program_file(package: str, executable: str) -> Path:
-    """Return a program that runs an executable of a package."""
-    return _stand_in(executable, [*own_command(), "run", package, executable])
+def executable_wrapper(package: str, executable: str) -> Path:
+    """Return the path of a wrapper program that runs an executable of a package."""
+    return _wrapper(executable, [*zbot_command(), "run", package, executable])
 
 
-def _stand_in(name: str, words: Sequence[str]) -> Path:
-    """Return a program of that name which runs a command with its own arguments added."""
+def _wrapper(name: str, words: Sequence[str]) -> Path:
+    """Return the path of a program that runs a command with the program's own arguments."""
     key = hashlib.sha256("\0".join(words).encode()).hexdigest()[:16]
     path = cache_folder() / "programs" / key / (f"{name}.cmd" if os.name == "nt" else name)
     try:
@@ -80,7 +80,7 @@ def _write(path: Path, words: Sequence[str]) -> None:
         line = " ".join(f'"{word}"' for word in words)
         path.write_text(f"@{line} %*\n", encoding="utf-8")
         return
-    # Renamed when it is whole: another launch may start it at this moment.
+    # Written with another name, then renamed, as another launch may start it at the same time.
     draft = path.with_name(f"{path.name}.{os.getpid()}")
     draft.write_text(f'#!/bin/sh\nexec {shlex.join(words)} "$@"\n', encoding="utf-8")
     draft.chmod(draft.stat().st_mode | stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH)

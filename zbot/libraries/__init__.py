@@ -1,1 +1,1 @@
-"""Libraries that ROS 2 ships beside rclpy: cv_bridge, sensor_msgs_py and message_filters."""
+"""Libraries of ROS 2 besides rclpy: cv_bridge, sensor_msgs_py and message_filters."""

@@ -1,7 +1,7 @@
-"""Images as numpy arrays and back: `CvBridge`, as programs know it from ROS 2's `cv_bridge`.
+"""Conversion between images and numpy arrays: `CvBridge` of ROS 2's `cv_bridge`.
 
-Needs numpy (`pip install 'zbot[numpy]'`). OpenCV is used where it is installed and only for what
-numpy alone cannot do: Bayer patterns, YUV, and images that are compressed.
+Needs numpy (`pip install 'zbot[numpy]'`). Only Bayer patterns, YUV and compressed images need
+OpenCV.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 
     from std_msgs.msg import Header
 
-#: Bits, kind of number and channels of an encoding in OpenCV's manner: 8UC3, 32FC1, 16UC.
+#: Generic encodings: bits, kind of number and channels, as in 8UC3, 32FC1, 16UC.
 _GENERIC = re.compile(r"(8|16|32|64)(U|S|F)C(\d*)\Z")
 _KINDS = {"U": "u", "S": "i", "F": "f"}
-#: Where red, green, blue and alpha are, in colour encodings.
+#: Indices of red, green, blue and alpha in colour encodings.
 _ORDERS = {"rgb": (0, 1, 2), "bgr": (2, 1, 0), "rgba": (0, 1, 2, 3), "bgra": (2, 1, 0, 3)}
 _COLOR = re.compile(r"(rgba|bgra|rgb|bgr|mono)(8|16)\Z")
 #: OpenCV's conversion to bgr8 of the encodings that numpy alone cannot convert.
@@ -37,27 +37,27 @@ _CV_TO_BGR = {
     "yuv422_yuy2": "COLOR_YUV2BGR_YUY2",
     "yuyv": "COLOR_YUV2BGR_YUY2",
 }
-# Of red, green and blue in grey: ITU-R BT.601, as OpenCV.
+# Weights of red, green and blue in grey, from ITU-R BT.601, as in OpenCV.
 _LUMA = (0.299, 0.587, 0.114)
 _FILE_NAMES = {"jpg": "jpeg", "jpe": "jpeg", "tif": "tiff"}
 
 
 class CvBridgeError(ZbotError, TypeError):
-    """An image cannot be converted as wished."""
+    """An image cannot be converted as requested."""
 
 
 class CvBridge:
-    """Converts between image messages and arrays of shape (height, width[, channels])."""
+    """Converter between image messages and arrays of shape (height, width[, channels])."""
 
     def imgmsg_to_cv2(self, img_msg: Image, desired_encoding: str = "passthrough") -> NDArray[Any]:
         """Return an image as an array.
 
         Args:
-            img_msg: The image. Its pixels are copied only if they have to be converted.
-            desired_encoding: `bgr8`, `rgb8`, `mono8` ...; `passthrough` leaves it as it is.
+            img_msg: The image. Its pixels are copied only if they are converted.
+            desired_encoding: `bgr8`, `rgb8`, `mono8` ...; `passthrough` keeps the encoding.
 
         Raises:
-            CvBridgeError: There is no such encoding or conversion, or too little data.
+            CvBridgeError: The encoding or conversion does not exist, or the image lacks data.
         """
         array = _pixels(img_msg)
         if desired_encoding in {"passthrough", img_msg.encoding}:
@@ -70,14 +70,14 @@ class CvBridge:
         """Return an array as an image.
 
         Args:
-            cvim: Of shape (height, width) or (height, width, channels).
-            encoding: What the channels are: `bgr8`, `mono8`, `32FC1` ... Nothing is converted.
-            header: Taken over if given.
+            cvim: Array of shape (height, width) or (height, width, channels).
+            encoding: Encoding of the array: `bgr8`, `mono8`, `32FC1` ... Nothing is converted.
+            header: Header of the image.
 
         Raises:
-            CvBridgeError: The array is none, or not of this encoding's type.
+            CvBridgeError: `cvim` is not an array, or its type does not fit the encoding.
         """
-        import numpy as np  # noqa: PLC0415 - an extra
+        import numpy as np  # noqa: PLC0415 - part of an extra
 
         if not isinstance(cvim, np.ndarray) or cvim.ndim not in {2, 3}:
             raise CvBridgeError(f"give an image as a numpy array, not a {type(cvim).__name__}")
@@ -105,12 +105,12 @@ class CvBridge:
     def compressed_imgmsg_to_cv2(
         self, cmprs_img_msg: CompressedImage, desired_encoding: str = "passthrough"
     ) -> NDArray[Any]:
-        """Return a compressed image as an array, in `bgr8` unless another encoding is wished.
+        """Return a compressed image as an array, in `bgr8` or the requested encoding.
 
         Raises:
             CvBridgeError: OpenCV is not installed, or cannot read the image.
         """
-        import numpy as np  # noqa: PLC0415 - an extra
+        import numpy as np  # noqa: PLC0415 - part of an extra
 
         cv2 = _opencv("images that are compressed")
         octets = np.frombuffer(bytes(cmprs_img_msg.data), np.uint8)
@@ -126,7 +126,7 @@ class CvBridge:
     def cv2_to_compressed_imgmsg(
         self, cvim: NDArray[Any], dst_format: str = "jpg", header: Header | None = None
     ) -> CompressedImage:
-        """Return an array (grey, or blue-green-red) as a compressed image, `jpg` or `png`.
+        """Return an array (grey or blue-green-red) as a compressed image, `jpg` or `png`.
 
         Raises:
             CvBridgeError: OpenCV is not installed, or cannot write this format.
@@ -143,29 +143,29 @@ class CvBridge:
         return image
 
     def encoding_to_dtype_with_channels(self, encoding: str) -> tuple[str, int]:
-        """Return numpy's name of the type of one value, and the number of channels."""
+        """Return numpy's name of the type of a value, and the number of channels."""
         code, channels = _layout(encoding)
         names = {"u": "uint", "i": "int", "f": "float"}
         return f"{names[code[0]]}{8 * int(code[1])}", channels
 
     def encoding_to_cvtype2(self, encoding: str) -> str:
-        """Return the type of an encoding in OpenCV's manner: `bgr8` is `8UC3`."""
+        """Return OpenCV's type of an encoding: `8UC3` for `bgr8`."""
         code, channels = _layout(encoding)
         return _cv_type(code, channels)
 
     def dtype_with_channels_to_cvtype2(self, dtype: Any, n_channels: int) -> str:
-        """Return the type of an array's values in OpenCV's manner: `8UC3`."""
-        import numpy as np  # noqa: PLC0415 - an extra
+        """Return OpenCV's type of an array, e.g. `8UC3`."""
+        import numpy as np  # noqa: PLC0415 - part of an extra
 
         return _cv_type(np.dtype(dtype).str[1:], n_channels)
 
     def cvtype2_to_dtype_with_channels(self, cvtype: str) -> tuple[str, int]:
-        """Return what `encoding_to_dtype_with_channels` returns, for a type like `8UC3`."""
+        """Return numpy's type name and the number of channels of OpenCV's type, e.g. `8UC3`."""
         return self.encoding_to_dtype_with_channels(cvtype)
 
 
 def _layout(encoding: str) -> tuple[str, int]:
-    """Return numpy's code of one value and the number of channels: `bgr8` is ('u1', 3)."""
+    """Return numpy's code of a value and the number of channels: ('u1', 3) for `bgr8`."""
     if match := _GENERIC.match(encoding):
         bits, kind, channels = match.groups()
         return f"{_KINDS[kind]}{int(bits) // 8}", int(channels or 1)
@@ -175,18 +175,18 @@ def _layout(encoding: str) -> tuple[str, int]:
         return ("u2" if encoding.endswith("16") else "u1"), 1
     if encoding in _CV_TO_BGR:
         return "u1", 2
-    raise CvBridgeError(f"unknown encoding {encoding!r}: there are bgr8, rgb8, mono8, 32FC1 ...")
+    raise CvBridgeError(f"unknown encoding {encoding!r}: use bgr8, rgb8, mono8, 32FC1 ...")
 
 
 def _cv_type(code: str, channels: int) -> str:
     letters = {kind: letter for letter, kind in _KINDS.items()}
     if code[0] not in letters:
-        raise CvBridgeError(f"an image cannot consist of values of the type {code!r}")
+        raise CvBridgeError(f"an image cannot have values of the type {code!r}")
     return f"{8 * int(code[1:])}{letters[code[0]]}C{channels}"
 
 
 def _pixels(image: Image) -> NDArray[Any]:
-    import numpy as np  # noqa: PLC0415 - an extra
+    import numpy as np  # noqa: PLC0415 - part of an extra
 
     code, channels = _layout(image.encoding)
     dtype = np.dtype((">" if image.is_bigendian else "<") + code)
@@ -209,10 +209,10 @@ def _pixels(image: Image) -> NDArray[Any]:
 
 
 def converted(array: NDArray[Any], source: str, target: str) -> NDArray[Any]:
-    """Return an image of one encoding in another, with the range of its values adapted.
+    """Return an image of one encoding in another; the range of values is adapted.
 
     Raises:
-        CvBridgeError: There is no such encoding, or the conversion makes no sense.
+        CvBridgeError: An encoding does not exist, or the conversion is not possible.
     """
     (_, have), (code, want) = _layout(source), _layout(target)
     if source in _CV_TO_BGR:
@@ -222,12 +222,15 @@ def converted(array: NDArray[Any], source: str, target: str) -> NDArray[Any]:
     if origin and goal:
         return _scaled(_recolored(array, origin[1], goal[1]), code)
     if goal or have != want:
-        raise CvBridgeError(f"an image in {source} cannot become {target}: that makes no sense")
+        raise CvBridgeError(
+            f"an image in {source} cannot be converted to {target}: use 'passthrough', or "
+            "an encoding of the same kind"
+        )
     return _cast(array, code)
 
 
 def _recolored(array: NDArray[Any], source: str, target: str) -> NDArray[Any]:
-    import numpy as np  # noqa: PLC0415 - an extra
+    import numpy as np  # noqa: PLC0415 - part of an extra
 
     if source == target:
         return array
@@ -248,8 +251,8 @@ def _recolored(array: NDArray[Any], source: str, target: str) -> NDArray[Any]:
 
 
 def _scaled(array: NDArray[Any], code: str) -> NDArray[Any]:
-    """Return 8 bits as 16 or the other way round, so that white stays white."""
-    import numpy as np  # noqa: PLC0415 - an extra
+    """Return values of 8 bits as 16 bits or the reverse; the largest value stays the largest."""
+    import numpy as np  # noqa: PLC0415 - part of an extra
 
     if array.dtype.itemsize == int(code[1]):
         return array
@@ -258,7 +261,7 @@ def _scaled(array: NDArray[Any], code: str) -> NDArray[Any]:
 
 
 def _cast(array: NDArray[Any], code: str) -> NDArray[Any]:
-    import numpy as np  # noqa: PLC0415 - an extra
+    import numpy as np  # noqa: PLC0415 - part of an extra
 
     dtype: np.dtype[Any] = np.dtype(code)
     if dtype.kind == "f":

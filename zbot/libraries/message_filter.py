@@ -1,6 +1,6 @@
-"""Messages that belong together: synchronizers, caches and chains of filters.
+"""Message filters: subscribers, caches, chains and synchronizers.
 
-Names and meanings are those of ROS 2's `message_filters`, so methods have its spelling.
+Names and behaviour are those of ROS 2's `message_filters`, also the spelling of methods.
 """
 
 from __future__ import annotations
@@ -23,21 +23,21 @@ if TYPE_CHECKING:
 
 
 class Filter(Protocol):
-    """What gives messages to those that register with it."""
+    """Filter that passes messages to registered callbacks."""
 
     def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:  # noqa: N802 - ROS 2's
-        """Call a function with each output."""
+        """Register a function that is called with each output."""
         ...
 
 
 class SimpleFilter:
-    """Hands what comes out of it to all registered callbacks."""
+    """Filter that calls all registered callbacks with its output."""
 
     def __init__(self) -> None:
         self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
 
     def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:  # noqa: N802 - as above
-        """Call a function with each output, followed by `args`; returns the connection's number."""
+        """Register a function for each output, with `args` appended; return the connection's id."""
         connection = max(self.callbacks, default=-1) + 1
         self.callbacks[connection] = (cb, args)
         return connection
@@ -49,14 +49,14 @@ class SimpleFilter:
 
 
 class Subscriber(SimpleFilter):
-    """A subscription as the beginning of filters.
+    """Subscription as the source of a chain of filters.
 
     Args:
         node: The node that subscribes.
         msg_type: Class of the messages.
         topic: Name of the topic.
         qos_profile: As in `create_subscription`; 10 if left out.
-        options: What else `create_subscription` takes.
+        options: Other arguments of `create_subscription`.
     """
 
     def __init__(
@@ -70,30 +70,30 @@ class Subscriber(SimpleFilter):
         )
 
     def callback(self, msg: Any) -> None:
-        """Take a message from the subscription."""
+        """Pass on a message of the subscription."""
         self.signalMessage(msg)
 
     def getTopic(self) -> str:  # noqa: N802 - as above
-        """Return the name of the topic, as it was given."""
+        """Return the name of the topic as passed to the constructor."""
         return self.topic
 
     def unsubscribe(self) -> None:
-        """Receive nothing more; may be called twice."""
+        """Destroy the subscription; may be called twice."""
         self.node.destroy_subscription(self.sub)
 
     def __getattr__(self, name: str) -> Any:
-        if name == "sub":  # before there is one
+        if name == "sub":  # the subscription does not exist yet
             raise AttributeError(name)
         return getattr(self.sub, name)
 
 
 class Cache(SimpleFilter):
-    """The last messages, to be looked up by their time.
+    """Cache of the most recent messages, with lookups by time.
 
     Args:
-        f: The filter whose messages are kept; they are passed on, too.
-        cache_size: How many are kept.
-        allow_headerless: Whether a message without a stamp counts as one of now.
+        f: The filter whose messages are kept; the cache passes them on too.
+        cache_size: Number of messages to keep.
+        allow_headerless: Use the present time for a message without a stamp.
     """
 
     def __init__(
@@ -108,11 +108,11 @@ class Cache(SimpleFilter):
             self.connectInput(f)
 
     def connectInput(self, f: Filter) -> None:  # noqa: N802 - as above
-        """Keep the messages of a filter."""
+        """Register with the filter whose messages are kept."""
         self.incoming_connection = f.registerCallback(self.add)
 
     def add(self, msg: Any) -> None:
-        """Keep a message, sorted by its time, and forget the oldest if there are too many."""
+        """Add a message by its time, and drop the oldest message if there are too many."""
         stamp = stamp_of(msg, self.allow_headerless)
         if stamp is None:
             return
@@ -124,16 +124,16 @@ class Cache(SimpleFilter):
         self.signalMessage(msg)
 
     def getInterval(self, from_stamp: Time, to_stamp: Time) -> list[Any]:  # noqa: N802 - as above
-        """Return the messages from one time to another, both included."""
+        """Return the messages from one time to another, including both."""
         first, last = self._before(from_stamp), self._until(to_stamp)
         return self.cache_msgs[first:last]
 
     def getElemAfterTime(self, stamp: Time) -> Any:  # noqa: N802 - as above
-        """Return the oldest message that is not before a time; None if there is none."""
+        """Return the oldest message at or after a time; None if there is none."""
         return next(iter(self.cache_msgs[self._before(stamp) :]), None)
 
     def getElemBeforeTime(self, stamp: Time) -> Any:  # noqa: N802 - as above
-        """Return the newest message that is not after a time; None if there is none."""
+        """Return the newest message at or before a time; None if there is none."""
         older = self.cache_msgs[: self._until(stamp)]
         return older[-1] if older else None
 
@@ -141,7 +141,7 @@ class Cache(SimpleFilter):
         """Return the time of the newest message; None if there is none."""
         return self.cache_times[-1] if self.cache_times else None
 
-    getLastestTime = getLatestTime  # noqa: N815 - as ROS 2 has it
+    getLastestTime = getLatestTime  # noqa: N815 - ROS 2's spelling
 
     def getOldestTime(self) -> Time | None:  # noqa: N802 - as above
         """Return the time of the oldest message; None if there is none."""
@@ -159,10 +159,10 @@ class Cache(SimpleFilter):
 
 
 class Chain(SimpleFilter):
-    """Filters one after the other: what comes out of the last one comes out of the chain.
+    """Chain of filters; the output of the last filter is the output of the chain.
 
     Args:
-        message_filter: What goes in.
+        message_filter: The filter whose messages are the input.
     """
 
     def __init__(self, message_filter: Filter | None = None) -> None:
@@ -174,24 +174,24 @@ class Chain(SimpleFilter):
             self.connectInput(message_filter)
 
     def connectInput(self, message_filter: Filter) -> None:  # noqa: N802 - as above
-        """Take what comes out of a filter.
+        """Register with the filter whose messages are the input.
 
         Raises:
-            RuntimeError: There is an input already.
+            RuntimeError: The chain already has an input.
         """
         if self.incoming_connection is not None:
             raise RuntimeError("Already connected")
         self.incoming_connection = message_filter.registerCallback(self.add)
 
     def add(self, message: Any) -> None:
-        """Put a message into the first filter."""
+        """Pass a message to the first filter."""
         if self._filters:
             self._filters[0].add(message)
         else:
             self.signalMessage(message)
 
     def addFilter(self, message_filter: Any) -> None:  # noqa: N802 - as above
-        """Put a filter at the end."""
+        """Append a filter."""
         if self._filters:
             last = self._filters[-1]
             del last.callbacks[self._last_connection]
@@ -200,10 +200,10 @@ class Chain(SimpleFilter):
         self._last_connection = message_filter.registerCallback(self.signalMessage)
 
     def getFilter(self, index: int) -> Any:  # noqa: N802 - as above
-        """Return a filter by its place.
+        """Return a filter by its index.
 
         Raises:
-            KeyError: There is none.
+            KeyError: The index is out of range.
         """
         if not 0 <= index < len(self._filters):
             raise KeyError(index)
@@ -211,7 +211,7 @@ class Chain(SimpleFilter):
 
 
 class TimeSynchronizer(SimpleFilter):
-    """Calls back with one message of each filter when all of them have the same stamp.
+    """Synchronizer whose output is one message of each filter, all with the same stamp.
 
     Args:
         fs: The filters.
@@ -221,20 +221,20 @@ class TimeSynchronizer(SimpleFilter):
     def __init__(self, fs: Sequence[Filter], queue_size: int) -> None:
         super().__init__()
         self.queue_size = queue_size
-        # One thread may add while another one's callback runs, and a callback may add itself.
+        # Reentrant, because a callback may add a message, and another thread may do so meanwhile.
         self.lock = threading.RLock()
         self.connectInput(fs)
 
     def connectInput(self, fs: Sequence[Filter]) -> None:  # noqa: N802 - as above
-        """Take the messages of other filters from now on."""
+        """Replace the filters whose messages are synchronized."""
         self.queues: list[Queue] = [{} for _ in fs]
         self.input_connections = [
             each.registerCallback(self.add, queue, index)
             for index, (each, queue) in enumerate(zip(fs, self.queues, strict=True))
         ]
 
-    def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:  # noqa: ARG002 - the approximate one needs it
-        """Take a message of the filter whose queue this is."""
+    def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:  # noqa: ARG002 - used by the subclass
+        """Add a message to the queue of its filter, and look for a match."""
         stamp = stamp_of(msg, allow_headerless=False)
         if stamp is None:
             return
@@ -250,14 +250,14 @@ class TimeSynchronizer(SimpleFilter):
 
 
 class ApproximateTimeSynchronizer(TimeSynchronizer):
-    """Calls back with one message of each filter when their stamps are close together.
+    """Synchronizer whose output is one message of each filter, with stamps close together.
 
     Args:
         fs: The filters.
         queue_size: How many messages of each wait for the others; then the oldest is dropped.
-        slop: How far apart the stamps may be, seconds.
-        allow_headerless: Whether a message without a stamp counts as one of now.
-        sync_arrival_time: Whether what counts is when messages arrive, not their stamps.
+        slop: Largest difference of the stamps, seconds.
+        allow_headerless: Use the present time for a message without a stamp.
+        sync_arrival_time: Use the times at which messages arrive instead of their stamps.
     """
 
     def __init__(
@@ -274,20 +274,21 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
         super().__init__(fs, queue_size)
 
     def add(self, msg: Any, my_queue: Queue, my_queue_index: int | None = None) -> None:
-        """Take a message of the filter whose queue this is."""
+        """Add a message to the queue of its filter, and look for a match."""
         arrived = ROSClock().now() if self.sync_arrival_time else None
         stamp = arrived or stamp_of(msg, self.allow_headerless)
         if stamp is None:
             return
         with self.lock:
             self._keep(my_queue, stamp, msg)
-            if stamp.nanoseconds in my_queue:  # not itself the oldest of too many
+            if stamp.nanoseconds in my_queue:  # otherwise it was dropped as the oldest
                 self._match(stamp.nanoseconds, my_queue if my_queue_index is not None else None)
 
     def _match(self, stamp_ns: int, own: Queue | None) -> None:
         slop_ns = self.slop.nanoseconds
         candidates = [
-            [stamp_ns] if queue is own else _near(queue, stamp_ns, slop_ns) for queue in self.queues
+            [stamp_ns] if queue is own else _within_slop(queue, stamp_ns, slop_ns)
+            for queue in self.queues
         ]
         for stamps in itertools.product(*candidates):
             if max(stamps) - min(stamps) <= slop_ns:
@@ -296,14 +297,14 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
                 return
 
 
-def _near(queue: Iterable[int], stamp_ns: int, slop_ns: int) -> list[int]:
-    """Return the stamps that are close enough, the closest first."""
+def _within_slop(queue: Iterable[int], stamp_ns: int, slop_ns: int) -> list[int]:
+    """Return the stamps that are within the slop, the closest first."""
     near = (each for each in queue if abs(each - stamp_ns) <= slop_ns)
     return sorted(near, key=lambda each: abs(each - stamp_ns))
 
 
 def stamp_of(msg: Any, allow_headerless: bool) -> Time | None:
-    """Return the stamp in a message's header; without one, the time, or None and a warning."""
+    """Return the stamp of a message; without one, the present time, or None and a warning."""
     stamp = getattr(getattr(msg, "header", None), "stamp", None)
     if stamp is not None:
         return stamp if hasattr(stamp, "nanoseconds") else Time.from_msg(stamp)

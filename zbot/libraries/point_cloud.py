@@ -1,4 +1,4 @@
-"""Point clouds as numpy arrays and back: the functions of `sensor_msgs_py.point_cloud2`.
+"""Conversion between point clouds and numpy arrays: functions of `sensor_msgs_py.point_cloud2`.
 
 Needs numpy, which `pip install 'zbot[numpy]'` brings.
 """
@@ -42,11 +42,11 @@ class PointCloudError(ZbotError, AssertionError):
 def dtype_from_fields(
     fields: Iterable[PointField], point_step: int | None = None
 ) -> np.dtype[np.void]:
-    """Return numpy's type of one point.
+    """Return numpy's structured type of one point.
 
     Args:
-        fields: What a point consists of. One with a count of 3 becomes `x_0`, `x_1`, `x_2`.
-        point_step: Bytes from one point to the next; as many as the fields need if left out.
+        fields: The fields of a point. A field `x` with a count of 3 becomes `x_0`, `x_1`, `x_2`.
+        point_step: Bytes from one point to the next; the size of the fields if left out.
 
     Raises:
         PointCloudError: Two fields have the same name, or one has an unknown data type.
@@ -55,7 +55,7 @@ def dtype_from_fields(
 
 
 def _dtype(fields: Iterable[PointField], point_step: int | None, order: str) -> np.dtype[np.void]:
-    import numpy as np  # noqa: PLC0415 - an extra
+    import numpy as np  # noqa: PLC0415 - part of an extra
 
     names: list[str] = []
     offsets: list[int] = []
@@ -84,15 +84,15 @@ def read_points(
     uvs: Iterable[int] | None = None,
     reshape_organized_cloud: bool = False,
 ) -> NDArray[np.void]:
-    """Return the points of a cloud as a structured array: `points['x']` are all the x.
+    """Return the points of a cloud as a structured array: `points['x']` has the x of all points.
 
     Args:
-        cloud: The cloud; its bytes are not copied where that can be avoided.
-        field_names: Which fields; all if left out.
-        skip_nans: Leave out points with a value that is no number, unless the cloud says that it
-            has none (`is_dense`).
-        uvs: The indices of the points that are wanted.
-        reshape_organized_cloud: Whether the array of a cloud with rows has rows, too.
+        cloud: The cloud; its bytes are copied only if necessary.
+        field_names: The fields to return; all if left out.
+        skip_nans: Leave out points with a value that is NaN; not checked if the cloud has
+            `is_dense`.
+        uvs: The indices of the points to return.
+        reshape_organized_cloud: Return an array of two dimensions for a cloud with several rows.
 
     Raises:
         PointCloudError: The cloud has no such field, or less data than its size needs.
@@ -110,7 +110,7 @@ def read_points(
 
 
 def _all_points(cloud: PointCloud2) -> NDArray[np.void]:
-    import numpy as np  # noqa: PLC0415 - an extra
+    import numpy as np  # noqa: PLC0415 - part of an extra
 
     dtype = _dtype(cloud.fields, cloud.point_step, ">" if cloud.is_bigendian else "<")
     row_step = cloud.row_step if cloud.height > 1 else 0
@@ -132,12 +132,12 @@ def _with_fields(points: NDArray[np.void], names: list[str]) -> NDArray[np.void]
     known = points.dtype.names or ()
     missing = [name for name in names if name not in known]
     if missing:
-        raise PointCloudError(f"the cloud has no field {missing[0]!r}, but {', '.join(known)}")
+        raise PointCloudError(f"the cloud has no field {missing[0]!r}; it has {', '.join(known)}")
     return points[names]
 
 
 def _has_nan(points: NDArray[np.void]) -> NDArray[np.bool_]:
-    import numpy as np  # noqa: PLC0415 - an extra
+    import numpy as np  # noqa: PLC0415 - part of an extra
 
     columns = [np.isnan(points[name]) for name in points.dtype.names or ()]
     found: NDArray[np.bool_] = np.any(columns, axis=0)
@@ -145,7 +145,7 @@ def _has_nan(points: NDArray[np.void]) -> NDArray[np.bool_]:
 
 
 def _indices(uvs: Iterable[int]) -> NDArray[np.int_]:
-    import numpy as np  # noqa: PLC0415 - an extra
+    import numpy as np  # noqa: PLC0415 - part of an extra
 
     return uvs if isinstance(uvs, np.ndarray) else np.fromiter(uvs, int)
 
@@ -162,7 +162,7 @@ def read_points_numpy(
     Raises:
         PointCloudError: The fields have different data types, so no such array can hold them.
     """
-    from numpy.lib.recfunctions import structured_to_unstructured  # noqa: PLC0415 - an extra
+    from numpy.lib.recfunctions import structured_to_unstructured  # noqa: PLC0415 - part of an extra
 
     names = None if field_names is None else list(field_names)
     wanted = [field for field in cloud.fields if names is None or field.name in names]
@@ -199,11 +199,12 @@ def create_cloud(
     """Return points as a cloud.
 
     Args:
-        header: Whose frame the points are in, and when they were measured.
-        fields: What a point consists of.
+        header: Frame of the points, and the time of their measurement.
+        fields: The fields of a point.
         points: An array of shape (points, fields) or (rows, columns, fields), a structured array,
-            or any lists of that form.
-        step: Bytes from one point to the next; as many as the fields, or the array, have.
+            or lists of such a shape.
+        step: Bytes from one point to the next; the size of the fields, or of a structured array's
+            element, if left out.
         point_step: Another name for `step`.
 
     Raises:
@@ -226,8 +227,8 @@ def create_cloud(
 
 
 def _structured(fields: Sequence[PointField], points: Any, step: int | None) -> NDArray[np.void]:
-    import numpy as np  # noqa: PLC0415 - an extra
-    from numpy.lib.recfunctions import unstructured_to_structured  # noqa: PLC0415 - an extra
+    import numpy as np  # noqa: PLC0415 - part of an extra
+    from numpy.lib.recfunctions import unstructured_to_structured  # noqa: PLC0415 - part of an extra
 
     if not isinstance(points, np.ndarray):
         return np.array(list(map(tuple, points)), dtype=dtype_from_fields(fields, step))

@@ -1,4 +1,4 @@
-"""Managed nodes: somebody else decides when they get ready, work, pause and end.
+"""Managed nodes: other programs configure, activate, deactivate and shut them down.
 
     from std_msgs.msg import String
     from zbot.lifecycle import LifecycleNode, TransitionCallbackReturn
@@ -8,7 +8,7 @@
             self.publisher = self.create_lifecycle_publisher(String, "chatter", 10)
             return TransitionCallbackReturn.SUCCESS
 
-`zbot lifecycle set /talker configure` runs the callback, and the publisher publishes after
+`zbot lifecycle set /talker configure` runs the callback. The publisher publishes after
 `zbot lifecycle set /talker activate`.
 """
 

@@ -1,4 +1,4 @@
-"""What the author of a managed node can do wrong."""
+"""Errors in the code of managed nodes."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ from zbot.errors import ZbotError
 
 
 class NotANodeError(ZbotError, RuntimeError):
-    """`LifecycleNodeMixin` was used without `Node`."""
+    """`LifecycleNodeMixin` was used in a class that is not a `Node`."""
 
     def __init__(self, kind: type) -> None:
         self.kind = kind
         super().__init__(
-            f"{kind.__name__} is no node: LifecycleNodeMixin needs Node beside it among the base "
-            "classes, and Node's constructor called first"
+            f"{kind.__name__} is not a node: LifecycleNodeMixin needs Node among the base classes, "
+            "and Node's constructor must be called first"
         )
 
 
 class NotAManagedEntityError(ZbotError, TypeError):
-    """Something was to be managed that does not know of transitions."""
+    """An object that is not a `ManagedEntity` was added to a managed node."""
 
     def __init__(self, entity: object) -> None:
         self.entity = entity
@@ -28,7 +28,7 @@ class NotAManagedEntityError(ZbotError, TypeError):
 
 
 class CallbackReturnError(ZbotError, TypeError):
-    """A callback of a managed node returned something else than an outcome."""
+    """A callback of a managed node returned a value that is not a `TransitionCallbackReturn`."""
 
     def __init__(self, owner: object, callback: str, outcome: object) -> None:
         self.owner, self.callback, self.outcome = owner, callback, outcome

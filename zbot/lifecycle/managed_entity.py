@@ -1,4 +1,4 @@
-"""What lives along with a managed node."""
+"""Managed entities: objects with callbacks for the transitions of a managed node."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ if TYPE_CHECKING:
 
 
 class ManagedEntity:
-    """Something that is told of each transition of its node.
+    """Base class with a callback for each transition of the node.
 
-    Each method gets the state that the node comes from, and succeeds unless it is overridden.
+    Each callback gets the state before the transition. It returns SUCCESS if it is not overridden.
     """
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Get ready: read parameters, make publishers and subscriptions, take memory."""
+        """Prepare: read parameters, create publishers and subscriptions, allocate memory."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Give back what `on_configure` took."""
+        """Release everything that `on_configure` created."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Give everything back: no transition follows."""
+        """Release everything. No transition follows."""
         return TransitionCallbackReturn.SUCCESS
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:  # noqa: ARG002
@@ -42,12 +42,12 @@ class ManagedEntity:
         return TransitionCallbackReturn.SUCCESS
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Clean up after an error; the node is unconfigured after success, else finalized."""
+        """Clean up after an error. The node is then unconfigured, or finalized without success."""
         return TransitionCallbackReturn.SUCCESS
 
 
 class SimpleManagedEntity(ManagedEntity):
-    """An entity that knows whether its node is active."""
+    """Managed entity that knows whether its node is active."""
 
     def __init__(self) -> None:
         self._enabled = False
@@ -83,12 +83,12 @@ class SimpleManagedEntity(ManagedEntity):
     def when_enabled(
         wrapped: Action | None = None, *, when_not_enabled: Callable[[], Any] | None = None
     ) -> Action | Callable[[Action], Action]:
-        """Decorate a method that does its work only while the node is active.
+        """Decorate a method that runs only while the node is active.
 
         Args:
             wrapped: The method.
-            when_not_enabled: Called instead while the node is not active, and its result is the
-                method's; `None` if left out.
+            when_not_enabled: Function that is called instead while the node is not active. The
+                method returns the function's result, or `None` without such a function.
         """
 
         def decorate(method: Action) -> Action:

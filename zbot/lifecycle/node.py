@@ -1,4 +1,4 @@
-"""Managed nodes: they are configured, activated, paused and shut down from outside."""
+"""Managed nodes, and the mixin class that makes a `Node` a managed node."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from zbot.lifecycle.state_machine import (
     TransitionNotPossibleError,
 )
 from zbot.node.node import Node
-from zbot.process.signals import user_part
+from zbot.process.signals import user_traceback
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -47,10 +47,10 @@ _CALLBACKS = {
 }
 
 
-class _Life:
-    """What a managed node keeps for itself.
+class _LifecycleData:
+    """The private data of a managed node.
 
-    It is one attribute, so that students can call theirs what they like.
+    The node has only this one attribute, so that programs can use almost any attribute name.
     """
 
     def __init__(self) -> None:
@@ -61,19 +61,20 @@ class _Life:
     def trigger(self, wanted: str | int) -> None:
         transition = self.machine.trigger(wanted)
         if self.services is not None:
-            self.services.tell(transition)
+            self.services.publish_event(transition)
 
 
 class LifecycleNodeMixin(ManagedEntity):
-    """Makes a `Node` a managed one; its constructor is to be called after that of `Node`.
+    """Makes a `Node` a managed node. Call its constructor after the constructor of `Node`.
 
     Args:
         enable_communication_interface: Whether other programs see its state and can change it.
-        callback_group: Where the services for that run; the node's own if left out.
+        callback_group: Group of the services that do this. If left out, the node's default group
+            is used.
 
     Raises:
         NotANodeError: `Node` is missing among the base classes.
-        ArgumentTypeError: `enable_communication_interface` is no bool.
+        ArgumentTypeError: `enable_communication_interface` is not a bool.
     """
 
     def __init__(
@@ -86,10 +87,10 @@ class LifecycleNodeMixin(ManagedEntity):
             name = "enable_communication_interface"
             raise ArgumentTypeError(name, "a bool", enable_communication_interface)
         node = self._zbot_node()
-        self._zbot_life = life = _Life()
+        self._zbot_lifecycle = data = _LifecycleData()
         if enable_communication_interface:
-            life.services = LifecycleServices(
-                node, life.machine, self._zbot_change_state, callback_group
+            data.services = LifecycleServices(
+                node, data.machine, self._zbot_change_state, callback_group
             )
 
     def _zbot_node(self) -> Node:
@@ -99,57 +100,57 @@ class LifecycleNodeMixin(ManagedEntity):
 
     @cached_property
     def _state_machine(self) -> StateMachine:
-        # rclpy's private name, by which programs ask for `current_state`. It is no property,
-        # because a student may give a machine of their own that name.
-        return self._zbot_life.machine
+        # Programs read `current_state` of this private name of rclpy. It is not a property, so that
+        # a program can assign its own state machine to the name.
+        return self._zbot_lifecycle.machine
 
     # -- transitions ---------------------------------------------------------------------------
 
     def trigger_configure(self) -> TransitionCallbackReturn:
-        """Make an unconfigured node inactive; return what its callback said."""
+        """Make an unconfigured node inactive. Return the result of its callback."""
         return self._zbot_change_state("configure")
 
     def trigger_cleanup(self) -> TransitionCallbackReturn:
-        """Make an inactive node unconfigured; return what its callback said."""
+        """Make an inactive node unconfigured. Return the result of its callback."""
         return self._zbot_change_state("cleanup")
 
     def trigger_activate(self) -> TransitionCallbackReturn:
-        """Make an inactive node active; return what its callback said."""
+        """Make an inactive node active. Return the result of its callback."""
         return self._zbot_change_state("activate")
 
     def trigger_deactivate(self) -> TransitionCallbackReturn:
-        """Make an active node inactive; return what its callback said."""
+        """Make an active node inactive. Return the result of its callback."""
         return self._zbot_change_state("deactivate")
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
-        """End the node's life; return what its callback said.
+        """Shut the node down. Return the result of its callback.
 
         Raises:
-            TransitionNotPossibleError: It is over already, or a transition is under way.
+            TransitionNotPossibleError: The node is finalized, or it is in a transition.
         """
-        self._zbot_life.machine.find("shutdown")
+        self._zbot_lifecycle.machine.find("shutdown")
         return self._zbot_change_state("shutdown")
 
     def _zbot_change_state(self, wanted: str | int) -> TransitionCallbackReturn:
-        life = self._zbot_life
-        start = life.machine.state
+        data = self._zbot_lifecycle
+        start = data.machine.state
         try:
-            life.trigger(wanted)
+            data.trigger(wanted)
         except TransitionNotPossibleError as error:
             self._zbot_node().get_logger().error(str(error))
             return TransitionCallbackReturn.ERROR
         outcome = self._zbot_finish(start)
         if outcome is TransitionCallbackReturn.ERROR:
-            self._zbot_finish(start)  # with on_error
-        if life.machine.state != ACTIVE:
-            self._zbot_switch_off(start)
+            self._zbot_finish(start)  # runs on_error
+        if data.machine.state != ACTIVE:
+            self._zbot_deactivate_entities(start)
         return outcome
 
     def _zbot_finish(self, start: LifecycleState) -> TransitionCallbackReturn:
-        """Run the callback of the state in which the node is, and leave the state."""
-        life = self._zbot_life
-        outcome = self._zbot_run(_CALLBACKS[life.machine.state], start)
-        life.trigger(outcome.to_label())
+        """Run the callback of the node's transition state, and leave that state."""
+        data = self._zbot_lifecycle
+        outcome = self._zbot_run(_CALLBACKS[data.machine.state], start)
+        data.trigger(outcome.to_label())
         return outcome
 
     def _zbot_run(self, callback: str, start: LifecycleState) -> TransitionCallbackReturn:
@@ -157,50 +158,52 @@ class LifecycleNodeMixin(ManagedEntity):
             return _call(self, callback, start)
         except ExternalShutdownException:
             raise
-        except Exception as error:  # noqa: BLE001 - a user's callback: the machine handles it
-            lines = traceback.format_exception(type(error), error, user_part(error.__traceback__))
+        except Exception as error:  # noqa: BLE001 - a user's callback: the state machine handles it
+            lines = traceback.format_exception(
+                type(error), error, user_traceback(error.__traceback__)
+            )
             self._zbot_node().get_logger().error(
                 f"{callback}() failed in the transition from {start.label}:\n" + "".join(lines)
             )
             return TransitionCallbackReturn.ERROR
 
-    def _zbot_switch_off(self, start: LifecycleState) -> None:
-        # Whatever callbacks did or forgot: nothing simple works in a node that is not active.
-        for entity in self._zbot_life.entities:
+    def _zbot_deactivate_entities(self, start: LifecycleState) -> None:
+        # Simple entities of an inactive node must be inactive, also if a callback failed.
+        for entity in self._zbot_lifecycle.entities:
             if isinstance(entity, SimpleManagedEntity):
                 SimpleManagedEntity.on_deactivate(entity, start)
 
     # -- callbacks -----------------------------------------------------------------------------
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Get ready; by default, let the managed entities do so until one does not succeed."""
-        return self._zbot_tell_entities("on_configure", state)
+        """Prepare. By default, call the managed entities until a callback does not succeed."""
+        return self._zbot_call_entities("on_configure", state)
 
     def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Undo `on_configure`; by default, let the managed entities do so."""
-        return self._zbot_tell_entities("on_cleanup", state)
+        """Release what `on_configure` created. By default, call the managed entities."""
+        return self._zbot_call_entities("on_cleanup", state)
 
     def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Give everything back; by default, let the managed entities do so."""
-        return self._zbot_tell_entities("on_shutdown", state)
+        """Release everything. By default, call the managed entities."""
+        return self._zbot_call_entities("on_shutdown", state)
 
     def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Begin to work; by default, let the managed entities do so, publishers among them.
+        """Begin to work. By default, call the managed entities, such as publishers.
 
-        Whoever overrides it calls `super().on_activate(state)` at the end.
+        An override must call `super().on_activate(state)` at its end.
         """
-        return self._zbot_tell_entities("on_activate", state)
+        return self._zbot_call_entities("on_activate", state)
 
     def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Pause; by default, let the managed entities do so."""
-        return self._zbot_tell_entities("on_deactivate", state)
+        """Pause. By default, call the managed entities."""
+        return self._zbot_call_entities("on_deactivate", state)
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        """Clean up after an error; by default, let the managed entities do so."""
-        return self._zbot_tell_entities("on_error", state)
+        """Clean up after an error. By default, call the managed entities."""
+        return self._zbot_call_entities("on_error", state)
 
-    def _zbot_tell_entities(self, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
-        for entity in list(self._zbot_life.entities):
+    def _zbot_call_entities(self, callback: str, state: LifecycleState) -> TransitionCallbackReturn:
+        for entity in list(self._zbot_lifecycle.entities):
             outcome = _call(entity, callback, state)
             if outcome is not TransitionCallbackReturn.SUCCESS:
                 return outcome
@@ -209,15 +212,15 @@ class LifecycleNodeMixin(ManagedEntity):
     # -- managed entities ----------------------------------------------------------------------
 
     def add_managed_entity(self, entity: ManagedEntity) -> None:
-        """Tell an entity of each transition from now on.
+        """Call an entity's callbacks at each transition from now on.
 
         Raises:
-            NotAManagedEntityError: It does not know of transitions.
+            NotAManagedEntityError: `entity` is not a `ManagedEntity`.
         """
         if not isinstance(entity, ManagedEntity):
             raise NotAManagedEntityError(entity)
-        if entity not in self._zbot_life.entities:
-            self._zbot_life.entities.append(entity)
+        if entity not in self._zbot_lifecycle.entities:
+            self._zbot_lifecycle.entities.append(entity)
 
     def create_lifecycle_publisher(
         self,
@@ -234,10 +237,11 @@ class LifecycleNodeMixin(ManagedEntity):
         Args:
             msg_type: Message class.
             topic: Relative, `~/private` or absolute name.
-            qos_profile: A profile, or the depth of the default one.
-            callback_group: Where its events' callbacks run; the node's own if left out.
+            qos_profile: A profile, or the depth of the default profile.
+            callback_group: Group of its event callbacks. If left out, the node's default group is
+                used.
             event_callbacks: A `PublisherEventCallbacks`.
-            qos_overriding_options: Which policies parameters may override.
+            qos_overriding_options: The policies that parameters may override.
 
         Raises:
             InvalidTopicNameError: The name breaks ROS 2's grammar.
@@ -258,9 +262,9 @@ class LifecycleNodeMixin(ManagedEntity):
         return managed
 
     def destroy_lifecycle_publisher(self, publisher: LifecyclePublisher[Any]) -> bool:
-        """Destroy a managed publisher; return whether it was this node's."""
-        if publisher in self._zbot_life.entities:
-            self._zbot_life.entities.remove(publisher)
+        """Destroy a managed publisher. Return whether it belonged to this node."""
+        if publisher in self._zbot_lifecycle.entities:
+            self._zbot_lifecycle.entities.remove(publisher)
         return Node.destroy_publisher(self._zbot_node(), publisher)
 
 
@@ -269,16 +273,16 @@ def _call(entity: ManagedEntity, callback: str, state: LifecycleState) -> Transi
     outcome = function(state)
     if not isinstance(outcome, TransitionCallbackReturn):
         if isinstance(outcome, Coroutine):
-            outcome.close()  # nobody is going to await it
+            outcome.close()  # it is never awaited
         raise CallbackReturnError(entity, callback, outcome)
     return outcome
 
 
 class LifecycleNode(LifecycleNodeMixin, Node):
-    """A managed node: other programs configure, activate, pause and shut it down.
+    """A managed node. Other programs configure, activate, deactivate and shut it down.
 
     Args:
-        node_name: Base name: letters, digits and `_`.
+        node_name: Base name of letters, digits and `_`.
         enable_communication_interface: Whether other programs see its state and can change it.
         **kwargs: Options of `zbot.Node`.
 

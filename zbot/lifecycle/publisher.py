@@ -1,4 +1,4 @@
-"""Publishers that are silent until their node is active."""
+"""Publisher of a managed node. It publishes only while the node is active."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ MsgT = TypeVar("MsgT")
 
 
 class LifecyclePublisher(SimpleManagedEntity, Publisher[MsgT]):
-    """Publishes only while its node is active. Made by `create_lifecycle_publisher`."""
+    """Publishes only while its node is active. `create_lifecycle_publisher` creates it."""
 
     def __init__(self, *args: Any, **kwargs: Any) -> None:
         SimpleManagedEntity.__init__(self)
@@ -28,9 +28,9 @@ class LifecyclePublisher(SimpleManagedEntity, Publisher[MsgT]):
         return SimpleManagedEntity.on_activate(self, state)
 
     def publish(self, msg: MsgT | bytes) -> None:
-        """Send a message; while the node is not active, drop it, with one warning.
+        """Send a message. While the node is not active, drop messages with one warning.
 
-        See `zbot.Publisher.publish` for what it raises.
+        It raises the errors of `zbot.Publisher.publish`.
         """
         if self.is_activated:
             Publisher.publish(self, msg)

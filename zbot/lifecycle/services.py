@@ -1,4 +1,4 @@
-"""What the graph sees of a managed node: its services, and the topic of its transitions."""
+"""Services of a managed node, and the topic on which it publishes its transitions."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ _EVENT_DEPTH = 10
 
 
 class LifecycleServices:
-    """Lets other programs see a node's state, and change it.
+    """Lets other programs read a node's state and change it.
 
     Args:
         node: The managed node.
         machine: Its state machine.
-        change: Makes the transition of a number, callbacks included.
-        callback_group: Where the services run.
+        change: Takes the number of a transition, makes the transition, and runs its callbacks.
+        callback_group: Group of the services.
     """
 
     def __init__(
@@ -47,7 +47,7 @@ class LifecycleServices:
     ) -> None:
         self._machine = machine
         self._change = change
-        # Not node.create_...: a student's node may have overridden it.
+        # Not node.create_publisher, because a program's node may override it.
         self._events = Node.create_publisher(
             node, TransitionEvent, "~/transition_event", _EVENT_DEPTH
         )
@@ -64,8 +64,8 @@ class LifecycleServices:
             )
             setattr(machine, f"service_{name}", service)
 
-    def tell(self, transition: Transition) -> None:
-        """Publish that a transition was made, unless a callback destroyed the node."""
+    def publish_event(self, transition: Transition) -> None:
+        """Publish a transition that was made. Do nothing if a callback has destroyed the node."""
         if not self._events.is_open:
             return
         event = TransitionEvent(timestamp=time.time_ns())
@@ -79,7 +79,7 @@ class LifecycleServices:
         self, request: ChangeState.Request, response: ChangeState.Response
     ) -> ChangeState.Response:
         wanted = request.transition.id
-        if request.transition.label:  # wins over the number
+        if request.transition.label:  # the label has priority over the number
             try:
                 wanted = self._machine.find(request.transition.label).transition_id
             except TransitionNotPossibleError:

@@ -1,12 +1,12 @@
-"""The life of a managed node: its states, and the transitions between them (pure).
+"""State machine of a managed node: its states, and the transitions between them.
 
 unconfigured --configure--> inactive --activate--> active
              <---cleanup---          <-deactivate-
 each of the three --shutdown--> finalized
 
-Between two such states lies one in which the node's callback runs (`configuring`, `activating`
-...); its return value chooses how to go on. An error leads to `errorprocessing`, and from there to
-`unconfigured` if `on_error` succeeds, else to `finalized`.
+Between two of these states is a transition state (`configuring`, `activating` ...), in which the
+node's callback runs. The next state depends on the callback's return value. After an error, the
+next state is `errorprocessing`. Then it is `unconfigured` if `on_error` succeeds, else `finalized`.
 """
 
 from __future__ import annotations
@@ -19,14 +19,14 @@ from zbot.errors import ZbotError
 
 
 class LifecycleState(NamedTuple):
-    """A state, with the numbers and labels of `lifecycle_msgs/msg/State`."""
+    """A state. Its label and number are defined in `lifecycle_msgs/msg/State`."""
 
     label: str
     state_id: int
 
 
 class Transition(NamedTuple):
-    """A way from one state to another, numbered as in `lifecycle_msgs/msg/Transition`."""
+    """A change from one state to another, numbered as in `lifecycle_msgs/msg/Transition`."""
 
     transition_id: int
     label: str
@@ -35,17 +35,17 @@ class Transition(NamedTuple):
 
 
 class TransitionCallbackReturn(Enum):
-    """What a callback of a managed node says of its work."""
+    """Return value of a managed node's callback."""
 
     SUCCESS = 97
-    FAILURE = 98  #: back to where the transition began
-    ERROR = 99  #: on to `on_error`
+    FAILURE = 98  #: back to the state before the transition
+    ERROR = 99  #: `on_error` runs next
 
     def __int__(self) -> int:
         return self.value
 
     def to_label(self) -> str:
-        """Return the label of the transition that it leads to."""
+        """Return the label of the transition after the callback."""
         return f"transition_{self.name.lower()}"
 
 
@@ -115,7 +115,7 @@ def transitions_from(state: LifecycleState) -> tuple[Transition, ...]:
 
 
 class TransitionNotPossibleError(ZbotError, RuntimeError):
-    """A managed node was asked for a transition that its state does not allow."""
+    """A managed node's state does not allow a transition."""
 
     def __init__(self, wanted: str | int, state: LifecycleState) -> None:
         self.wanted, self.state = wanted, state
@@ -124,14 +124,14 @@ class TransitionNotPossibleError(ZbotError, RuntimeError):
         )
         super().__init__(
             f"no transition {wanted!r} from the state {state.label}: "
-            + (f"possible are {possible}" if possible else "the node's life is over")
+            + (f"possible transitions: {possible}" if possible else "the node is finalized")
         )
 
 
 class StateMachine:
-    """Where one node is in its life. Any thread may ask and change."""
+    """State machine of one node. Any thread may read and change the state."""
 
-    # rclpy's names of the services that others change it by; `None` where a node has none.
+    # rclpy's names of the services. They are `None` if the node has no services.
     service_change_state: object | None = None
     service_get_state: object | None = None
     service_get_available_states: object | None = None
@@ -149,14 +149,14 @@ class StateMachine:
 
     @property
     def current_state(self) -> tuple[int, str]:
-        """Number and label of the present state, as rclpy's state machine tells them."""
+        """Number and label of the present state, as in rclpy's state machine."""
         return self._state.state_id, self._state.label
 
     def find(self, wanted: str | int) -> Transition:
-        """Return the transition from the present state that has a label or a number.
+        """Return the transition from the present state that has this label or number.
 
         Raises:
-            TransitionNotPossibleError: There is none.
+            TransitionNotPossibleError: The present state does not allow the transition.
         """
         state = self._state
         for one in transitions_from(state):
@@ -165,12 +165,12 @@ class StateMachine:
         raise TransitionNotPossibleError(wanted, state)
 
     def trigger(self, wanted: str | int) -> Transition:
-        """Make a transition, given by label or number, and return it.
+        """Make the transition that has this label or number, and return it.
 
         Raises:
-            TransitionNotPossibleError: The present state does not allow it.
+            TransitionNotPossibleError: The present state does not allow the transition.
         """
-        with self._lock:  # of two threads that want to leave a state, one is refused
+        with self._lock:  # if two threads want to leave a state, only one of them can
             transition = self.find(wanted)
             self._state = transition.goal
         return transition

@@ -1,10 +1,10 @@
-"""Log lines as ROS 2 writes them: on the console, in a file when asked, and to sinks.
+"""Loggers that write lines in ROS 2's format to the console, to a log file and to sinks.
 
     get_logger("sensor").info("ready", once=True)
     [INFO] [1700000000.123456789] [sensor]: ready
 
-Levels are inherited by the dots of a logger's name. A sink gets every line of a logger and its
-children as a `Record`: that is how a node publishes them on `/rosout`.
+A logger inherits the level of its parent: `a` is the parent of `a.b`. A sink gets every line of a
+logger and its children as a `Record`. A node has a sink that publishes them on `/rosout`.
 """
 
 from __future__ import annotations
@@ -14,18 +14,18 @@ from zbot.log.log_file import get_logging_directory as get_logging_directory
 from zbot.log.logger import Logger as Logger
 from zbot.log.logger import get_logger as get_logger
 from zbot.log.record import Record as Record
-from zbot.log.registry import HUB as _HUB
+from zbot.log.registry import REGISTRY as _REGISTRY
 from zbot.log.severity import LoggingSeverity as LoggingSeverity
 from zbot.log.severity import get_logging_severity_from_string as get_logging_severity_from_string
 
-add_sink = _HUB.add_sink
-away_from_sinks = _HUB.away_from_sinks
-clear_config = _HUB.clear_config
-configure = _HUB.configure
-get_logger_effective_level = _HUB.get_logger_effective_level
-get_logger_level = _HUB.get_logger_level
-remove_sink = _HUB.remove_sink
-set_logger_level = _HUB.set_logger_level
+add_sink = _REGISTRY.add_sink
+sinks_disabled = _REGISTRY.sinks_disabled
+clear_config = _REGISTRY.clear_config
+configure = _REGISTRY.configure
+get_logger_effective_level = _REGISTRY.get_logger_effective_level
+get_logger_level = _REGISTRY.get_logger_level
+remove_sink = _REGISTRY.remove_sink
+set_logger_level = _REGISTRY.set_logger_level
 
 __all__ = [
     "Logger",
@@ -33,7 +33,6 @@ __all__ = [
     "Record",
     "TimeProvider",
     "add_sink",
-    "away_from_sinks",
     "clear_config",
     "configure",
     "get_logger",
@@ -43,4 +42,5 @@ __all__ = [
     "get_logging_severity_from_string",
     "remove_sink",
     "set_logger_level",
+    "sinks_disabled",
 ]

@@ -1,4 +1,4 @@
-"""What a place in the source that logs has asked for: once, throttled, not the first time."""
+"""Log calls in the source, with their filters `once`, `skip_first` and throttling."""
 
 from __future__ import annotations
 
@@ -15,35 +15,35 @@ if TYPE_CHECKING:
     from zbot.log.severity import LoggingSeverity
     from zbot.time import Time
 
-# Re-entrant, for a signal's handler may log as well.
+# Re-entrant, because a signal handler may log too.
 _lock = threading.RLock()
 
 
 class TimeProvider(Protocol):
-    """Anything with a clock's `now()`."""
+    """Any object with a clock's `now()`."""
 
     def now(self) -> Time:
-        """Return the present time."""
+        """Return the current time."""
         ...
 
 
 class FilterOptions(TypedDict, total=False):
-    """What may keep a line from being written again and again."""
+    """Options that limit how often a call writes its line."""
 
     once: bool  #: only the first call writes
-    skip_first: bool  #: all but the first call write
-    throttle_duration_sec: float  #: at most one line in so many seconds
-    throttle_time_source_type: TimeProvider  #: measures them; the monotonic clock if left out
+    skip_first: bool  #: all calls but the first write
+    throttle_duration_sec: float  #: at most one line in this time, in seconds
+    throttle_time_source_type: TimeProvider  #: clock of the throttle; default: monotonic clock
 
 
 class LogOptions(FilterOptions, total=False):
-    """What `info()` and its like take beside the message."""
+    """Keyword arguments of `info()` and the other log methods."""
 
-    name: str  #: another logger's name to write the line under
+    name: str  #: name of another logger, which then writes the line
 
 
 class Filters(NamedTuple):
-    """The filters of a log call; each is off when falsy."""
+    """Filters of a log call; a false value switches a filter off."""
 
     once: bool = False
     skip_first: bool = False
@@ -55,7 +55,7 @@ _NO_FILTERS = Filters()
 
 
 class CallSite:
-    """One log call in the source and, for its filters, what happened to it so far.
+    """One log call in the source, with the state of its filters.
 
     Args:
         severity: The call's severity.
@@ -64,27 +64,27 @@ class CallSite:
 
     Raises:
         LogOptionError: An option is unknown, or a throttle's duration is missing.
-        NotAClockError: The throttle's clock is no clock.
-        ArgumentTypeError: The throttle's duration is no number.
+        NotAClockError: The throttle's time source is not a clock.
+        ArgumentTypeError: The throttle's duration is not a number.
     """
 
-    __slots__ = ("_admitted", "_filters", "_last_ns", "_name", "_severity")
+    __slots__ = ("_filters", "_last_ns", "_name", "_passed", "_severity")
 
     def __init__(self, severity: LoggingSeverity, name: str, options: FilterOptions) -> None:
         self._severity, self._name = severity, name
         self._filters = _filters(options) if options else _NO_FILTERS
-        self._admitted = 0
-        # As in rclpy, a given clock's first line waits for its duration after time 0: simulated
-        # time that stands at 0 has not begun.
+        self._passed = 0
+        # As in rclpy, with a given clock the first line comes only after the throttle's duration
+        # from time 0: simulated time that stands at 0 has not begun.
         self._last_ns: int | None = None if self._filters.clock is None else 0
 
     def check(
         self, severity: LoggingSeverity, name: str, options: FilterOptions, frame: FrameType
     ) -> None:
-        """Refuse a call that differs from the one this place made before.
+        """Check that a call is the same as the first call at this place.
 
         Raises:
-            LogCallChangedError: It has another severity, name or filter.
+            LogCallChangedError: The call has another severity, name or filter.
         """
         if severity is not self._severity:
             raise LogCallChangedError("severity", _place(frame))
@@ -93,21 +93,21 @@ class CallSite:
         if (_filters(options) if options else _NO_FILTERS) != self._filters:
             raise LogCallChangedError("filter parameters", _place(frame))
 
-    def admit(self) -> bool:
-        """Return whether the filters let the present call write."""
+    def passes_filters(self) -> bool:
+        """Return whether the current call may write its line."""
         filters = self._filters
         if filters is _NO_FILTERS:
             return True
         now_ns = _now_ns(filters.clock) if filters.throttle_sec else 0
         with _lock:
-            if filters.throttle_sec and not self._is_throttle_open(now_ns):
+            if filters.throttle_sec and not self._throttle_has_elapsed(now_ns):
                 return False
-            number, self._admitted = self._admitted, self._admitted + 1
+            number, self._passed = self._passed, self._passed + 1
         first = 1 if filters.skip_first else 0
         return number == first if filters.once else number >= first
 
-    def _is_throttle_open(self, now_ns: int) -> bool:
-        # Time that runs backwards is a simulation that starts again: write.
+    def _throttle_has_elapsed(self, now_ns: int) -> bool:
+        # Time that goes backwards means that a simulation was restarted: write.
         if self._last_ns is not None:
             passed_sec = (now_ns - self._last_ns) / 1e9
             if 0 <= passed_sec < self._filters.throttle_sec:
@@ -135,7 +135,7 @@ def _filters(options: FilterOptions) -> Filters:
 
 
 def _unknown(option: str) -> LogOptionError:
-    if option == "severity":  # Python's words for an argument that the method gives already
+    if option == "severity":  # with Python's text for an argument that is given twice
         reason = "is the method's own: got multiple values for argument 'severity'; use log()"
         return LogOptionError(option, reason)
     known = ", ".join(FilterOptions.__annotations__)

@@ -1,4 +1,4 @@
-"""Log lines on the console, coloured on a terminal, whatever state the stream is in."""
+"""Console output of log lines, in colour on a terminal."""
 
 from __future__ import annotations
 
@@ -26,51 +26,51 @@ _COLOURS: Final[Mapping[int, str]] = {
 class Console:
     """Writes log lines to stderr, or to stdout with `RCUTILS_LOGGING_USE_STDOUT=1`.
 
-    The environment is read once, here. Nothing that is wrong with the stream reaches the caller:
-    a program must not end because nobody reads its log.
+    The constructor reads the environment variables. `write` ignores errors of the stream: a program
+    must not end because nobody reads its log.
     """
 
     def __init__(self) -> None:
-        self.complaints: list[str] = []  #: wrong settings, to be told once
+        self.setting_errors: list[str] = []  #: errors in the environment variables
         self.format = formatter(
             os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT", "")
         )  #: record to line
         self._uses_stdout = self._switch("RCUTILS_LOGGING_USE_STDOUT") is True
         self._is_buffered = self._switch("RCUTILS_LOGGING_BUFFERED_STREAM") is True
-        self._colour = self._colour_wish()
+        self._colour = self._colour_setting()
         self._stream: TextIO | None = None
         self._is_coloured = False
 
     def write(self, severity: LoggingSeverity, line: str) -> None:
         """Write a line in its severity's colour."""
-        # Looked up each time: programs and tests replace sys.stderr.
+        # Looked up each time, because programs and tests replace sys.stderr.
         stream = sys.stdout if self._uses_stdout else sys.stderr
         if stream is not self._stream:
             self._stream = stream
             self._is_coloured = _has_colour(stream) if self._colour is None else self._colour
         if self._is_coloured:
             line = f"{_COLOURS[severity]}{line}{_RESET}"
-        _put(stream, f"{line}\n", flush=not self._is_buffered)
+        _write_safely(stream, f"{line}\n", flush=not self._is_buffered)
 
     def _switch(self, variable: str) -> bool | None:
         value = os.environ.get(variable, "")
         if value not in {"", "0", "1"}:
-            self.complaints.append(f"{variable} is {value!r}: use 0 or 1")
+            self.setting_errors.append(f"{variable} is {value!r}: use 0 or 1")
             return None
         return value == "1" if value else None
 
-    def _colour_wish(self) -> bool | None:
-        """Return whether colour is wanted; `None` to leave it to the stream."""
-        wish = self._switch("RCUTILS_COLORIZED_OUTPUT")
-        if wish is None and os.environ.get("NO_COLOR"):
-            wish = False
-        if wish is None and os.environ.get("FORCE_COLOR"):
-            wish = True
-        return wish
+    def _colour_setting(self) -> bool | None:
+        """Return whether the environment asks for colour; `None` if the stream decides."""
+        setting = self._switch("RCUTILS_COLORIZED_OUTPUT")
+        if setting is None and os.environ.get("NO_COLOR"):
+            setting = False
+        if setting is None and os.environ.get("FORCE_COLOR"):
+            setting = True
+        return setting
 
 
-def _put(stream: TextIO | None, text: str, *, flush: bool) -> None:
-    """Write in one piece, so that the lines of threads and processes do not mix."""
+def _write_safely(stream: TextIO | None, text: str, *, flush: bool) -> None:
+    """Write a text in one call, so that lines of several threads and processes do not mix."""
     if stream is None:  # pythonw on Windows has no console
         return
     try:
@@ -80,12 +80,12 @@ def _put(stream: TextIO | None, text: str, *, flush: bool) -> None:
             encoding = stream.encoding or "ascii"
             stream.write(text.encode(encoding, "backslashreplace").decode(encoding))
         except RuntimeError:
-            # A signal's handler logs while the line it interrupted is inside the stream's buffer.
+            # A signal handler logs while it interrupts a write to the same stream.
             os.write(stream.fileno(), text.encode(errors="backslashreplace"))
         if flush:
             stream.flush()
     except (OSError, ValueError, RuntimeError):
-        # Closed, or nobody reads any more: there is no place left to say so.
+        # The stream is closed or its reader has ended, so the error cannot be reported.
         return
 
 
@@ -97,7 +97,7 @@ def _has_colour(stream: TextIO | None) -> bool:
 
 
 def _enable_colour(stream: TextIO) -> bool:
-    """Switch a Windows console to escape sequences; elsewhere a terminal knows them."""
+    """Enable escape sequences in a Windows console; return whether the terminal has them."""
     if sys.platform != "win32":
         return True
     import ctypes  # noqa: PLC0415 - only Windows needs it

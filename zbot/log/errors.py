@@ -6,7 +6,7 @@ from zbot.errors import ZbotError
 
 
 class InvalidSeverityError(ZbotError, ValueError, RuntimeError):
-    """A log severity is none of the five (rclpy: ValueError for numbers, RuntimeError for text)."""
+    """A log severity does not exist (rclpy: ValueError for numbers, RuntimeError for text)."""
 
     def __init__(self, severity: object) -> None:
         self.severity = severity
@@ -17,7 +17,7 @@ class InvalidSeverityError(ZbotError, ValueError, RuntimeError):
 
 
 class LogOptionError(ZbotError, TypeError):
-    """A log call has an option that does not exist, or lacks the one that another needs."""
+    """A log call has an unknown option, or lacks an option that another option needs."""
 
     def __init__(self, option: str, reason: str) -> None:
         self.option, self.reason = option, reason
@@ -25,13 +25,13 @@ class LogOptionError(ZbotError, TypeError):
 
 
 class LogCallChangedError(ZbotError, ValueError):
-    """One line of a program makes a different log call than before.
+    """A place in the source makes a different log call than before.
 
-    Options such as `once` are remembered for each place in the source, so a place has to stay what
-    it was, as in rclpy.
+    Filters such as `once` have a state for each place in the source, so the call at a place must
+    stay the same, as in rclpy.
 
     Attributes:
-        what: What changed, e.g. `severity`.
+        what: The part that changed, e.g. `severity`.
         place: File and line of the call.
     """
 
@@ -44,7 +44,7 @@ class LogCallChangedError(ZbotError, ValueError):
 
 
 class NotAClockError(ZbotError, ValueError):
-    """Something that is no clock was given where one is needed."""
+    """An argument that must be a clock is not a clock."""
 
     def __init__(self, argument: str, value: object) -> None:
         self.argument, self.value = argument, value

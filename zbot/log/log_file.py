@@ -1,4 +1,4 @@
-"""Log lines in a file of their own for each process, where a log folder is set."""
+"""Log file of a process, written if a log folder is set."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ if TYPE_CHECKING:
 
 
 def get_logging_directory() -> Path:
-    """Return the folder for log files, which need not exist.
+    """Return the folder for log files; the folder need not exist.
 
-    That is the first of `$ZBOT_LOG_DIR`, `$ROS_LOG_DIR`, `$ROS_HOME/log` and `~/.ros/log`.
+    It is the first of `$ZBOT_LOG_DIR`, `$ROS_LOG_DIR`, `$ROS_HOME/log` and `~/.ros/log`.
     """
     wanted = _wanted_directory()
     if wanted is not None:
@@ -26,24 +26,24 @@ def get_logging_directory() -> Path:
 
 
 class LogFile:
-    """Appends lines to `<folder>/<program>_<pid>_<milliseconds>.log`, made for the first one.
+    """Log file `<folder>/<program>_<pid>_<milliseconds>.log`; the first line creates it.
 
     Args:
-        prefix: What the file's name begins with; the program's name if empty.
+        prefix: Replaces the program's name in the file's name, if not empty.
     """
 
     def __init__(self, prefix: str = "") -> None:
         self._prefix = prefix
         self._directory = _wanted_directory()
         self._file: FileIO | None = None
-        self._lock = threading.RLock()  # re-entrant, for a signal's handler may log
-        self.is_open = self._directory is not None  #: whether lines are wanted, and still possible
+        self._lock = threading.RLock()  # re-entrant, because a signal handler may log
+        self.is_open = self._directory is not None  #: whether lines are written
 
     def write(self, line: str) -> None:
-        """Append a line, in one piece.
+        """Append a line in one write.
 
         Raises:
-            OSError: It cannot be written; the file is closed for good.
+            OSError: The line cannot be written; the file is then closed permanently.
         """
         with self._lock:
             if self._directory is None or not self.is_open:
@@ -56,7 +56,7 @@ class LogFile:
                 raise
 
     def close(self) -> None:
-        """Write no more lines; may be called twice."""
+        """Close the file and ignore all later lines; a second call has no effect."""
         with self._lock:
             self.is_open = False
             file, self._file = self._file, None
@@ -71,6 +71,6 @@ class LogFile:
 
 
 def _wanted_directory() -> Path | None:
-    """Return the folder that somebody asked for, or `None`."""
+    """Return the folder that an environment variable names, or `None`."""
     wanted = os.environ.get("ZBOT_LOG_DIR") or os.environ.get("ROS_LOG_DIR")
     return Path(wanted).expanduser() if wanted else None

@@ -1,4 +1,4 @@
-"""What a program logs with."""
+"""Loggers, with which programs write log lines."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, cast
 
 from zbot.errors import ArgumentTypeError, InvalidNameError
 from zbot.log.call_site import CallSite
-from zbot.log.registry import HUB
+from zbot.log.registry import REGISTRY
 from zbot.log.severity import LoggingSeverity, to_severity
 
 if TYPE_CHECKING:
@@ -20,58 +20,58 @@ if TYPE_CHECKING:
 _DEBUG, _INFO, _WARN = LoggingSeverity.DEBUG, LoggingSeverity.INFO, LoggingSeverity.WARN
 _ERROR, _FATAL = LoggingSeverity.ERROR, LoggingSeverity.FATAL
 
-_caller = sys._getframe  # noqa: SLF001 - inspect's way to the frame takes 100 times as long
+_caller = sys._getframe  # noqa: SLF001 - inspect.stack() takes 100 times as long
 
 
 class Logger:
-    """Writes log lines under one name. Made by `get_logger` or `Node.get_logger`.
+    """Logger that writes lines under one name. Made by `get_logger` or `Node.get_logger`.
 
-    The methods return whether the line was written. A message of any type is written as `str()`
-    writes it. All take these options:
+    The log methods return whether the line was written. They convert the message with `str()`. All
+    have these options:
 
     * `once=True`: only the first call at this place in the source writes.
-    * `skip_first=True`: all but the first call write.
-    * `throttle_duration_sec=2.0`: at most one line in two seconds, on the monotonic clock or on
-      the one given as `throttle_time_source_type`.
-    * `name="other"`: writes under another logger's name.
+    * `skip_first=True`: all calls at this place but the first write.
+    * `throttle_duration_sec=2.0`: at most one line in two seconds, measured on the monotonic clock
+      or on the clock `throttle_time_source_type`.
+    * `name="other"`: the line has another logger's name.
 
-    A call whose severity, name or filters differ from what the same place asked for before raises
-    `LogCallChangedError`; an unknown option raises `LogOptionError`.
+    A call raises `LogCallChangedError` if its severity, name or filters differ from the first call
+    at the same place, and `LogOptionError` for an unknown option.
 
     Args:
         name: The logger's name; dots separate parents from children.
     """
 
     def __init__(self, name: str = "") -> None:
-        self._channel = HUB.channel(name)
+        self._state = REGISTRY.state_of(name)
         self._sites: dict[tuple[str, str, int, int], CallSite] = {}
 
     @property
     def name(self) -> str:
         """The logger's full name."""
-        return self._channel.name
+        return self._state.name
 
     def get_child(self, name: str) -> Logger:
         """Return the logger `<this name>.<name>`, which inherits this one's level.
 
         Raises:
             InvalidNameError: The name is empty or missing.
-            ArgumentTypeError: The name is no string.
+            ArgumentTypeError: The name is not a string.
         """
         _check_name("Child logger name", name)
         return Logger(f"{self.name}.{name}" if self.name else name)
 
     def set_level(self, level: int) -> None:
-        """Set the least severity that this logger and its children write.
+        """Set the lowest severity that this logger and its children write.
 
         Raises:
             InvalidSeverityError: There is no such level.
         """
-        HUB.set_logger_level(self.name, level)
+        REGISTRY.set_logger_level(self.name, level)
 
     def get_effective_level(self) -> LoggingSeverity:
-        """Return the least severity that is written: the logger's own or its nearest parent's."""
-        return self._channel.threshold
+        """Return the lowest severity that is written: the own level or the nearest parent's."""
+        return self._state.threshold
 
     def is_enabled_for(self, severity: int) -> bool:
         """Return whether lines of a severity are written.
@@ -79,36 +79,36 @@ class Logger:
         Raises:
             InvalidSeverityError: There is no such severity.
         """
-        return to_severity(severity) >= self._channel.threshold
+        return to_severity(severity) >= self._state.threshold
 
     def debug(self, message: object, **options: Unpack[LogOptions]) -> bool:
-        """Write a line that helps to find a mistake; switched off unless the level is DEBUG."""
-        if self._channel.threshold > _DEBUG:
+        """Write a line for debugging; written only if the level is DEBUG."""
+        if self._state.threshold > _DEBUG:
             return False
         return self._log(_DEBUG, message, options, _caller(1))
 
     def info(self, message: object, **options: Unpack[LogOptions]) -> bool:
-        """Write a line about what goes on."""
-        if self._channel.threshold > _INFO:
+        """Write a line about normal operation."""
+        if self._state.threshold > _INFO:
             return False
         return self._log(_INFO, message, options, _caller(1))
 
     def warning(self, message: object, **options: Unpack[LogOptions]) -> bool:
-        """Write a line about something unusual."""
-        if self._channel.threshold > _WARN:
+        """Write a line about an unusual situation."""
+        if self._state.threshold > _WARN:
             return False
         return self._log(_WARN, message, options, _caller(1))
 
     warn = warning
 
     def error(self, message: object, **options: Unpack[LogOptions]) -> bool:
-        """Write a line about something that went wrong."""
-        if self._channel.threshold > _ERROR:
+        """Write a line about an error."""
+        if self._state.threshold > _ERROR:
             return False
         return self._log(_ERROR, message, options, _caller(1))
 
     def fatal(self, message: object, **options: Unpack[LogOptions]) -> bool:
-        """Write a line about something that ends the program."""
+        """Write a line about an error that ends the program."""
         return self._log(_FATAL, message, options, _caller(1))
 
     def log(
@@ -124,7 +124,7 @@ class Logger:
             InvalidSeverityError: There is no such severity.
         """
         level = to_severity(severity)
-        if self._channel.threshold > level:
+        if self._state.threshold > level:
             return False
         named = cast("LogOptions", options)
         if name is not None:
@@ -134,20 +134,20 @@ class Logger:
     def _log(
         self, severity: LoggingSeverity, message: object, options: LogOptions, frame: FrameType
     ) -> bool:
-        channel = self._channel
+        state = self._state
         if options and (name := options.pop("name", None)) is not None:
-            channel = HUB.channel(name)
+            state = REGISTRY.state_of(name)
         code = frame.f_code
-        # The last instruction tells two calls on one line apart.
+        # The last instruction distinguishes two calls on one line.
         place = (code.co_filename, code.co_name, frame.f_lineno, frame.f_lasti)
         site = self._sites.get(place)
         if site is None:
-            site = self._sites.setdefault(place, CallSite(severity, channel.name, options))
+            site = self._sites.setdefault(place, CallSite(severity, state.name, options))
         else:
-            site.check(severity, channel.name, options, frame)
-        if not site.admit():
+            site.check(severity, state.name, options, frame)
+        if not site.passes_filters():
             return False
-        HUB.emit(channel, severity, message, frame)
+        REGISTRY.emit(state, severity, message, frame)
         return True
 
     def __repr__(self) -> str:
@@ -155,11 +155,11 @@ class Logger:
 
 
 def get_logger(name: str) -> Logger:
-    """Return a logger of that name.
+    """Return a logger with a name.
 
     Raises:
         InvalidNameError: The name is empty or missing.
-        ArgumentTypeError: The name is no string.
+        ArgumentTypeError: The name is not a string.
     """
     _check_name("Logger name", name)
     return Logger(name)

@@ -1,4 +1,4 @@
-"""A log line as facts, and its form as text."""
+"""Log records, and the formatter that writes them as text."""
 
 from __future__ import annotations
 
@@ -25,19 +25,19 @@ _ESCAPED = {"a": "\a", "b": "\b", "n": "\n", "r": "\r", "t": "\t", "x1b": "\x1b"
 class Record(NamedTuple):
     """One log line."""
 
-    stamp_ns: int  #: nanoseconds since the epoch, of the system's clock
+    stamp_ns: int  #: system time, nanoseconds since the epoch
     level: LoggingSeverity
-    name: str  #: the logger's
+    name: str  #: name of the logger
     message: str  #: may have several lines; always encodable as UTF-8
-    file: str  #: path of the source file that logged it
+    file: str  #: path of the source file with the log call
     function: str
     line: int  #: in `file`, from 1
 
 
 def formatter(template: str) -> Callable[[Record], str]:
-    """Return a function that writes records in the form of `RCUTILS_CONSOLE_OUTPUT_FORMAT`.
+    """Return a function that formats records by a template, as `RCUTILS_CONSOLE_OUTPUT_FORMAT`.
 
-    Unknown `{tokens}` are kept as they are; an empty template stands for the default one.
+    Unknown `{tokens}` are kept as text. An empty template means `DEFAULT_FORMAT`.
     """
     text = _ESCAPE.sub(lambda match: _ESCAPED[match[1]], template or DEFAULT_FORMAT)
     pattern, end = "", 0

@@ -1,4 +1,4 @@
-"""Where all log lines of the process meet: levels, sinks, and the way to each output."""
+"""Registry of the process's log levels and sinks, and the output of all its log lines."""
 
 from __future__ import annotations
 
@@ -27,8 +27,8 @@ _OWN_NAME: Final = "zbot"
 
 
 @dataclass(eq=False)
-class Tap:
-    """A sink and the logger whose lines it gets."""
+class SinkEntry:
+    """A sink and the name of the logger whose lines it gets."""
 
     name: str
     sink: Sink
@@ -36,37 +36,37 @@ class Tap:
 
 
 @dataclass(eq=False)
-class Channel:
-    """What the loggers of one name share; read without a lock."""
+class LoggerState:
+    """State that all loggers of one name share; it is read without a lock."""
 
     name: str
-    threshold: LoggingSeverity  #: the least severity that is written
-    taps: tuple[Tap, ...]  #: of the name and its parents
+    threshold: LoggingSeverity  #: the lowest severity that is written
+    sinks: tuple[SinkEntry, ...]  #: sinks of this logger and of its parents
 
 
 @dataclass(eq=False)
 class _Outputs:
-    """Made for the first line, from the environment of that moment."""
+    """Console and log file, opened for the first line with the environment of that time."""
 
     console: Console
     file: LogFile
 
 
-class _Thread(threading.local):
-    is_feeding = False  #: whether a sink is at work in this thread
+class _ThreadState(threading.local):
+    are_sinks_disabled = False  #: whether this thread's lines are kept from the sinks
 
 
-class Hub:
-    """The log of the process. All methods may be called from any thread."""
+class LogRegistry:
+    """Levels, sinks and outputs of the process's loggers. All methods are thread-safe."""
 
     def __init__(self) -> None:
-        # Re-entrant, for a signal's handler may log while its thread is in here.
+        # Re-entrant, because a signal handler may log while its thread holds the lock.
         self._lock = threading.RLock()
         self._levels: dict[str, LoggingSeverity] = {}
-        self._taps: list[Tap] = []
-        self._channels: weakref.WeakValueDictionary[str, Channel] = weakref.WeakValueDictionary()
-        self._thread = _Thread()
-        self._is_console_on = self._is_sinking = self._is_file_on = True
+        self._sinks: list[SinkEntry] = []
+        self._states: weakref.WeakValueDictionary[str, LoggerState] = weakref.WeakValueDictionary()
+        self._thread = _ThreadState()
+        self._is_console_on = self._are_sinks_on = self._is_file_on = True
         self._file_prefix = ""
         self._outputs: _Outputs | None = None
 
@@ -81,24 +81,24 @@ class Hub:
         file_enabled: bool = True,
         file_prefix: str = "",
     ) -> None:
-        """Set what a command line's `--ros-args` can set.
+        """Apply the log settings of a command line's `--ros-args`.
 
         Args:
-            levels: Levels by logger name, where an empty name is every logger without one of its
-                own; or that level alone. Names that are not given keep their levels.
-            stdout_enabled: Whether lines go to the console, be it stdout or stderr.
+            levels: Levels by logger name; an empty name is the default for loggers without a level.
+                A single level sets that default. Other loggers keep their levels.
+            stdout_enabled: Whether lines go to the console (stdout or stderr).
             rosout_enabled: Whether lines go to sinks.
-            file_enabled: Whether lines go to a file, if a folder for logs is set.
-            file_prefix: What the file's name begins with; the program's name if empty.
+            file_enabled: Whether lines go to a file, if a log folder is set.
+            file_prefix: Replaces the program's name in the file's name, if not empty.
 
         Raises:
-            InvalidSeverityError: A level is none.
+            InvalidSeverityError: A level does not exist.
         """
         given = {"": levels} if isinstance(levels, int) else levels or {}
         checked = {name: to_severity(level) for name, level in given.items()}
         with self._lock:
             self._levels.update(checked)
-            self._is_console_on, self._is_sinking = stdout_enabled, rosout_enabled
+            self._is_console_on, self._are_sinks_on = stdout_enabled, rosout_enabled
             self._is_file_on = file_enabled
             if file_prefix != self._file_prefix:
                 self._file_prefix = file_prefix
@@ -106,10 +106,10 @@ class Hub:
             self._refresh()
 
     def clear_config(self) -> None:
-        """Forget all levels and settings, and read the environment anew. Sinks stay."""
+        """Reset all levels and settings, and read the environment again; sinks are kept."""
         with self._lock:
             self._levels.clear()
-            self._is_console_on = self._is_sinking = self._is_file_on = True
+            self._is_console_on = self._are_sinks_on = self._is_file_on = True
             self._file_prefix = ""
             self._close_outputs()
             self._refresh()
@@ -122,13 +122,13 @@ class Hub:
     # -- levels --------------------------------------------------------------------------------
 
     def set_logger_level(self, name: str, level: int, detailed_error: bool = False) -> None:  # noqa: ARG002, FBT - rclpy's signature
-        """Set the least severity that a logger and its children write.
+        """Set the lowest severity that a logger and its children write.
 
         Args:
-            name: The logger; an empty name sets the level of all that have none of their own.
-            level: A `LoggingSeverity`; `UNSET` leaves it to the parent; with an empty name,
-                everything is written.
-            detailed_error: Without effect: errors always say what is wrong.
+            name: The logger; an empty name sets the default for loggers without a level.
+            level: A `LoggingSeverity`. With `UNSET` a logger has its parent's level; as the
+                default, `UNSET` means that everything is written.
+            detailed_error: No effect: errors always have a detailed message.
 
         Raises:
             InvalidSeverityError: There is no such level.
@@ -139,12 +139,12 @@ class Hub:
             self._refresh()
 
     def get_logger_level(self, name: str) -> LoggingSeverity:
-        """Return a logger's own level; `UNSET` if it has none."""
+        """Return a logger's own level, or `UNSET` if it has none."""
         unset = LoggingSeverity.UNSET if name else _DEFAULT_LEVEL
         return self._levels.get(name, unset)
 
     def get_logger_effective_level(self, name: str) -> LoggingSeverity:
-        """Return the least severity that a logger writes: its own level or its nearest parent's."""
+        """Return the lowest severity that a logger writes: its level or its nearest parent's."""
         while name:
             if level := self._levels.get(name):
                 return level
@@ -154,57 +154,57 @@ class Hub:
     # -- sinks ---------------------------------------------------------------------------------
 
     def add_sink(self, logger_name: str, sink: Sink) -> None:
-        """Pass every line that a logger and its children write to a function as well.
+        """Pass every line of a logger and its children to a function too.
 
-        It is called in the thread that logs, must be quick, and what it logs itself goes to the
-        console only. When it raises, that is reported on the console, once.
+        The function runs in the thread that logs, and must be fast. Its own log lines go only to
+        the console and the file. If it raises, the console reports the first error.
 
         Args:
-            logger_name: The logger; an empty name is all of them.
+            logger_name: The logger; an empty name means all loggers.
             sink: Called with a `Record`.
         """
         with self._lock:
-            self._taps.append(Tap(logger_name, sink))
+            self._sinks.append(SinkEntry(logger_name, sink))
             self._refresh()
 
     def remove_sink(self, logger_name: str, sink: Sink) -> None:
-        """Undo one `add_sink`; nothing happens if there was none."""
+        """Undo one `add_sink`; without such a sink there is no effect."""
         with self._lock:
-            for tap in self._taps:
-                if tap.name == logger_name and tap.sink == sink:
-                    self._taps.remove(tap)
+            for entry in self._sinks:
+                if entry.name == logger_name and entry.sink == sink:
+                    self._sinks.remove(entry)
                     break
             self._refresh()
 
     @contextmanager
-    def away_from_sinks(self) -> Iterator[None]:
-        """Keep this thread's lines from the sinks: for lines about what the sinks caused."""
-        was, self._thread.is_feeding = self._thread.is_feeding, True
+    def sinks_disabled(self) -> Iterator[None]:
+        """Keep this thread's lines from the sinks, e.g. lines about errors that a sink caused."""
+        was, self._thread.are_sinks_disabled = self._thread.are_sinks_disabled, True
         try:
             yield
         finally:
-            self._thread.is_feeding = was
+            self._thread.are_sinks_disabled = was
 
     # -- lines ---------------------------------------------------------------------------------
 
-    def channel(self, name: str) -> Channel:
-        """Return what the loggers of a name share."""
+    def state_of(self, name: str) -> LoggerState:
+        """Return the state that all loggers of a name share."""
         with self._lock:
-            channel = self._channels.get(name)
-            if channel is None:
+            state = self._states.get(name)
+            if state is None:
                 level = self.get_logger_effective_level(name)
-                channel = self._channels[name] = Channel(name, level, self._taps_of(name))
-            return channel
+                state = self._states[name] = LoggerState(name, level, self._sinks_of(name))
+            return state
 
     def emit(
-        self, channel: Channel, severity: LoggingSeverity, message: object, frame: FrameType
+        self, state: LoggerState, severity: LoggingSeverity, message: object, frame: FrameType
     ) -> None:
-        """Write one line to all outputs, whatever the channel's threshold is."""
+        """Write one line to all outputs, without comparing its severity with the threshold."""
         code = frame.f_code
         record = Record(
             time.time_ns(),
             severity,
-            channel.name,
+            state.name,
             _text(message),
             code.co_filename,
             code.co_name,
@@ -216,65 +216,65 @@ class Hub:
             outputs.console.write(severity, line)
         if self._is_file_on and outputs.file.is_open:
             self._write_file(outputs.file, line)
-        if channel.taps and self._is_sinking and not self._thread.is_feeding:
-            self._feed(channel.taps, record)
+        if state.sinks and self._are_sinks_on and not self._thread.are_sinks_disabled:
+            self._call_sinks(state.sinks, record)
 
     def _open_outputs(self) -> _Outputs:
         with self._lock:
             if self._outputs is None:
                 self._outputs = _Outputs(Console(), LogFile(self._file_prefix))
-                for complaint in self._outputs.console.complaints:
-                    self._complain(complaint)
+                for error in self._outputs.console.setting_errors:
+                    self._warn(error)
             return self._outputs
 
     def _write_file(self, file: LogFile, line: str) -> None:
         try:
             file.write(line)
         except OSError as error:
-            self._complain(f"cannot write the log file, which ends here: {error}")
+            self._warn(f"cannot write the log file, so no more lines are written: {error}")
 
-    def _feed(self, taps: tuple[Tap, ...], record: Record) -> None:
-        self._thread.is_feeding = True
+    def _call_sinks(self, sinks: tuple[SinkEntry, ...], record: Record) -> None:
+        self._thread.are_sinks_disabled = True
         try:
-            for tap in taps:
-                self._feed_one(tap, record)
+            for entry in sinks:
+                self._call_sink(entry, record)
         finally:
-            self._thread.is_feeding = False
+            self._thread.are_sinks_disabled = False
 
-    def _feed_one(self, tap: Tap, record: Record) -> None:
+    def _call_sink(self, entry: SinkEntry, record: Record) -> None:
         try:
-            tap.sink(record)
+            entry.sink(record)
         except ExternalShutdownException:
-            raise  # a signal came meanwhile: that is not the sink's fault
-        except Exception as error:  # noqa: BLE001 - a sink may be anybody's function
-            if not tap.has_failed:
-                tap.has_failed = True
-                self._complain(f"a sink of logger {tap.name!r} failed, told once: {error!r}")
+            raise  # a signal during the call is not an error of the sink
+        except Exception as error:  # noqa: BLE001 - a sink may raise any exception
+            if not entry.has_failed:
+                entry.has_failed = True
+                self._warn(f"a sink of logger {entry.name!r} failed, reported once: {error!r}")
 
-    def _complain(self, text: str) -> None:
-        """Write a line about the log itself; to the console only, for that is the last resort."""
+    def _warn(self, text: str) -> None:
+        """Write a warning about logging itself, only to the console."""
         console, level = (self._outputs or self._open_outputs()).console, LoggingSeverity.WARN
-        record = Record(time.time_ns(), level, _OWN_NAME, _text(text), __file__, "_complain", 0)
+        record = Record(time.time_ns(), level, _OWN_NAME, _text(text), __file__, "_warn", 0)
         console.write(level, console.format(record))
 
     def _refresh(self) -> None:
-        # Not `values()`, which runs Python in between: loggers of other threads end meanwhile.
-        for reference in self._channels.valuerefs():
-            channel = reference()
-            if channel is not None:
-                channel.threshold = self.get_logger_effective_level(channel.name)
-                channel.taps = self._taps_of(channel.name)
+        # Not `values()`: other threads may delete loggers during its iteration.
+        for reference in self._states.valuerefs():
+            state = reference()
+            if state is not None:
+                state.threshold = self.get_logger_effective_level(state.name)
+                state.sinks = self._sinks_of(state.name)
 
-    def _taps_of(self, name: str) -> tuple[Tap, ...]:
+    def _sinks_of(self, name: str) -> tuple[SinkEntry, ...]:
         return tuple(
-            tap
-            for tap in self._taps
-            if not tap.name or name == tap.name or name.startswith(f"{tap.name}.")
+            entry
+            for entry in self._sinks
+            if not entry.name or name == entry.name or name.startswith(f"{entry.name}.")
         )
 
 
 def _text(message: object) -> str:
-    """Return text that every output can carry: lone surrogates are no UTF-8."""
+    """Return the message as text that UTF-8 can encode, with lone surrogates escaped."""
     text = message if isinstance(message, str) else str(message)
     if not text.isascii():
         try:
@@ -284,5 +284,5 @@ def _text(message: object) -> str:
     return text
 
 
-#: The process's log.
-HUB: Final = Hub()
+#: The registry of this process.
+REGISTRY: Final = LogRegistry()

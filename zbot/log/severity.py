@@ -1,4 +1,4 @@
-"""How serious a log line is."""
+"""Severities of log lines."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ from zbot.log.errors import InvalidSeverityError
 
 
 class LoggingSeverity(IntEnum):
-    """A log line's level, and the least level that a logger lets through."""
+    """Severity of a log line, or the level of a logger: the lowest severity that it writes."""
 
-    UNSET = 0  #: for a logger: its parent's level
+    UNSET = 0  #: as a logger's level: use the parent's level
     DEBUG = 10
     INFO = 20
     WARN = 30
@@ -19,10 +19,10 @@ class LoggingSeverity(IntEnum):
 
 
 def to_severity(value: int) -> LoggingSeverity:
-    """Return the severity that a number stands for.
+    """Return the severity with a number.
 
     Raises:
-        InvalidSeverityError: It stands for none.
+        InvalidSeverityError: No severity has that number.
     """
     try:
         return LoggingSeverity(value)
@@ -31,7 +31,7 @@ def to_severity(value: int) -> LoggingSeverity:
 
 
 def get_logging_severity_from_string(log_severity: str) -> LoggingSeverity:
-    """Return the severity of a name such as `warn`, in capitals or not.
+    """Return the severity with a name such as `warn`, in upper or lower case.
 
     Raises:
         InvalidSeverityError: No severity has that name.

@@ -1,4 +1,4 @@
-"""What a teacher says to a class, on the terminals of its students' nodes."""
+"""Teacher's notices to a class, logged by the students' nodes."""
 
 from __future__ import annotations
 
@@ -6,31 +6,31 @@ import json
 from typing import TYPE_CHECKING
 
 from zbot.log import get_logger
-from zbot.terminal_text import plain
+from zbot.terminal_text import single_line
 
 if TYPE_CHECKING:
     import zenoh
 
-_LONGEST = 500  # characters
-_MOST_BYTES = 10_000
+_MAX_LENGTH = 500  # characters
+_MAX_BYTES = 10_000
 
-#: What teachers publish their words on (docs/wire.md); only they may.
+#: Key of the notices (docs/wire.md); only the teacher may publish on it.
 NOTICE_KEY = "@class/teacher/notice"
 
 
 def log_notice(sample: zenoh.Sample) -> None:
-    """Log what the teacher says."""
+    """Log a teacher's notice."""
     text = notice_text(sample.payload.to_bytes())
     if text:
         get_logger("class").info(f"the teacher says: {text}")
 
 
 def notice_text(payload: bytes) -> str:
-    """Return what a notice says, fit for a terminal; empty if it is none."""
-    if len(payload) > _MOST_BYTES:
+    """Return the text of a notice in one printable line; empty if the notice is not valid."""
+    if len(payload) > _MAX_BYTES:
         return ""
     try:
         found = json.loads(payload)
     except (ValueError, RecursionError):
         return ""
-    return plain(str(found.get("text", "")), _LONGEST) if isinstance(found, dict) else ""
+    return single_line(str(found.get("text", "")), _MAX_LENGTH) if isinstance(found, dict) else ""

@@ -1,7 +1,7 @@
-"""Requests that are sent again, and are to be served once.
+"""Record of service requests, so that a server runs its callback once for a repeated request.
 
-Zenoh gives a query a time, and keeps memory for it until then. A client of zbot gives it little,
-and repeats a request that takes longer, with the same number and gid, while its caller waits.
+Zenoh keeps memory for a query until the query's timeout. So a client of zbot sets a short timeout.
+If a request takes longer, the client sends it again, with the same number and gid.
 """
 
 from __future__ import annotations
@@ -16,14 +16,15 @@ if TYPE_CHECKING:
 
     import zenoh
 
-# An answer that took this long may find its query's time over: 2 s is the shortest that it has.
+# A reply after this time may come after its query's timeout, which is at least 2 s.
 _LATE_S = 1.0
-# Callers may have given up, so late answers are not kept for ever.
-_MOST_KEPT = 32
+# How many late replies a server keeps. Each is kept until its request comes again, which never
+# happens if the caller gave up.
+_MAX_ANSWERS = 32
 
 
-class Repetitions:
-    """What a server does at present, and what it answered late. For any thread."""
+class RepeatedRequests:
+    """Requests in progress and late replies of a server. Any thread may call the methods."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -31,15 +32,15 @@ class Repetitions:
         self._answered: OrderedDict[bytes, Callable[[zenoh.Query], None]] = OrderedDict()
 
     def is_new(self, request: bytes, query: zenoh.Query, arrived_s: float) -> bool:
-        """Return whether a request is to be served; a repeated one is dealt with here.
+        """Return whether a request is new. A repetition gets its reply from here, now or later.
 
         Args:
-            request: Number and sender, the same in every repetition.
-            query: What to reply to.
-            arrived_s: When it came, by the monotonic clock.
+            request: The request's number and its client's gid. Every repetition has the same bytes.
+            query: The Zenoh query to reply to.
+            arrived_s: Time of arrival by the monotonic clock, in seconds.
         """
         with self._lock:
-            # It stays: of several repetitions that waited here, only the last one is still open.
+            # The reply stays here. If several repetitions wait, only the last query is still open.
             reply = self._answered.get(request)
             if reply is None:
                 former = self._working.get(request)
@@ -51,11 +52,11 @@ class Repetitions:
     def end(
         self, request: bytes, query: zenoh.Query, reply: Callable[[zenoh.Query], None]
     ) -> zenoh.Query:
-        """Return the query to reply to: the latest; keep the answer in case that it is too late."""
+        """Return the latest query, which needs the reply. Keep a late reply for a repetition."""
         with self._lock:
             latest, arrived_s = self._working.pop(request, (query, 0.0))
             if time.monotonic() - arrived_s > _LATE_S:
                 self._answered[request] = reply
-                while len(self._answered) > _MOST_KEPT:
+                while len(self._answered) > _MAX_ANSWERS:
                     self._answered.popitem(last=False)
         return latest

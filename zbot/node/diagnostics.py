@@ -1,7 +1,7 @@
-"""What a beginner is told without asking: typos, two types on a topic, two nodes of one name, ...
+"""Warnings about typical mistakes: misspelt topics, two types on a topic, equal names of nodes.
 
-Each would otherwise be silence: both sides look healthy and nothing arrives. One thread a context
-waits for the graph to change; it sleeps otherwise.
+Without a warning both sides seem to work, but no message arrives. One thread per context waits for
+changes of the graph.
 """
 
 from __future__ import annotations
@@ -23,28 +23,28 @@ if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.graph.snapshot import Snapshot, Token
 
-# Programs of one lesson are started by hand, one after the other: give the other side time to come.
-_PATIENCE_S = 3.0
+# A topic without a publisher is reported after this time, as people start programs one by one.
+_CHECK_DELAY_S = 3.0
 _VERBS = {EntityKind.PUBLISHER: "publishes", EntityKind.SUBSCRIPTION: "subscribes to"}
 
-_advisers: dict[Context, Adviser] = {}
+_of_contexts: dict[Context, Diagnostics] = {}
 _lock = threading.Lock()
 
 
-def adviser_of(context: Context) -> Adviser:
-    """Return the context's adviser, started at the first call."""
+def diagnostics_of(context: Context) -> Diagnostics:
+    """Return the diagnostics of a context. The first call starts them."""
     with _lock:
-        adviser = _advisers.get(context)
-        if adviser is None:
-            adviser = _advisers[context] = Adviser(context)
-        return adviser
+        diagnostics = _of_contexts.get(context)
+        if diagnostics is None:
+            diagnostics = _of_contexts[context] = Diagnostics(context)
+        return diagnostics
 
 
-class Adviser:
-    """Compares a context's nodes and endpoints with everybody else's; logs what looks wrong.
+class Diagnostics:
+    """Compares a context's nodes and endpoints with all others, and logs likely mistakes.
 
     Args:
-        context: Whose nodes are looked after.
+        context: The context whose nodes and endpoints are checked.
     """
 
     def __init__(self, context: Context) -> None:
@@ -52,23 +52,23 @@ class Adviser:
         self._own: dict[str, tuple[Token, str]] = {}
         self._news: deque[Token] = deque()
         self._checks: deque[tuple[float, EndpointToken, str]] = deque()
-        self._said: set[tuple[str, ...]] = set()
+        self._warned: set[tuple[str, ...]] = set()
         self._signal = threading.Condition()
         context.graph.add_listener(self._on_change)
         context.add_waker(self._wake)
-        context.start_thread("zbot advice", self._run)
+        context.start_thread("zbot diagnostics", self._run)
 
     def add(self, token: Token, logger_name: str) -> None:
-        """Look after a node or endpoint; what is found is logged under `logger_name`."""
+        """Check a node or endpoint from now on. Warnings are logged under `logger_name`."""
         with self._signal:
             self._own[token.key] = (token, logger_name)
             self._news.append(token)
             if isinstance(token, EndpointToken) and token.kind is EntityKind.SUBSCRIPTION:
-                self._checks.append((time.monotonic() + _PATIENCE_S, token, logger_name))
+                self._checks.append((time.monotonic() + _CHECK_DELAY_S, token, logger_name))
             self._signal.notify()
 
     def remove(self, token: Token) -> None:
-        """Look after it no more."""
+        """Stop checking a node or endpoint."""
         with self._signal:
             self._own.pop(token.key, None)
 
@@ -77,7 +77,7 @@ class Adviser:
             self._signal.notify()
 
     def _on_change(self, token: Token, appeared: bool) -> None:
-        # Zenoh's thread: logging publishes on /rosout, which must not happen here.
+        # Zenoh's thread runs this. It must not log, because logging publishes on /rosout.
         if appeared:
             with self._signal:
                 self._news.append(token)
@@ -85,12 +85,12 @@ class Adviser:
 
     def _run(self) -> None:
         try:
-            self._advise()
+            self._watch_graph()
         finally:
             with _lock:
-                _advisers.pop(self._context, None)  # which this one would keep alive
+                _of_contexts.pop(self._context, None)  # an entry would keep the context alive
 
-    def _advise(self) -> None:
+    def _watch_graph(self) -> None:
         while True:
             with self._signal:
                 while self._context.ok() and not self._news and not self._is_check_due():
@@ -109,7 +109,7 @@ class Adviser:
             except (zenoh.ZError, NotInitializedError):
                 if self._context.ok():
                     raise
-                return  # the session was closed while it was being asked
+                return  # the session was closed during a query
 
     def _is_check_due(self) -> bool:
         return bool(self._checks) and self._checks[0][0] <= time.monotonic()
@@ -129,14 +129,14 @@ class Adviser:
                     self._compare_pair(token, other, logger_name)
 
     def _check_shared(self, token: Token, logger_name: str) -> None:
-        """Tell a student that not everybody may speak in the space that a class shares."""
+        """Warn a student that only the teacher can let others receive messages below /class/."""
         is_speaking = token.kind in {EntityKind.PUBLISHER, EntityKind.SERVICE}
         if self._context.is_student and is_speaking and token.domain == SHARED_DOMAIN:
-            self._say(
+            self._warn(
                 logger_name,
                 ("shared",),
-                "what this node publishes in /class/ reaches others only while the teacher lets "
-                "students speak there (zbot share class)",
+                "others receive what this node sends in /class/ only after the teacher "
+                "allowed it with: zbot share class",
             )
 
     def _compare_pair(self, mine: Token, other: Token, logger_name: str) -> None:
@@ -150,7 +150,7 @@ class Adviser:
     def _compare_nodes(self, mine: NodeToken, other: NodeToken, logger_name: str) -> None:
         name = fully_qualified(mine.namespace, mine.node)
         if name == fully_qualified(other.namespace, other.node):
-            self._say(
+            self._warn(
                 logger_name,
                 ("node", name),
                 f"there is another node named {name}; give one of them another name: "
@@ -163,11 +163,11 @@ class Adviser:
         if mine.name != other.name or mine.type_name == other.type_name:
             return
         who = fully_qualified(other.namespace, other.node)
-        self._say(
+        self._warn(
             logger_name,
             ("type", mine.name, mine.type_name, other.type_name),
             f"{mine.name} has two types: this node uses {mine.type_name}, but {who} "
-            f"{_VERBS[other.kind]} {other.type_name}; they cannot hear each other",
+            f"{_VERBS[other.kind]} {other.type_name}; they cannot receive each other's messages",
         )
 
     def _check_silence(self, token: EndpointToken, logger_name: str) -> None:
@@ -178,16 +178,16 @@ class Adviser:
             return
         guess = nearest(token.name, _published(snapshot, token.type_name))
         if guess is not None:
-            self._say(
+            self._warn(
                 logger_name,
                 ("typo", token.name, guess),
                 f"nobody publishes {token.name}, but {guess} ({token.type_name}) has a publisher: "
                 "is one of the names misspelt?",
             )
 
-    def _say(self, logger_name: str, about: tuple[str, ...], text: str) -> None:
-        if (logger_name, *about) not in self._said:
-            self._said.add((logger_name, *about))
+    def _warn(self, logger_name: str, about: tuple[str, ...], text: str) -> None:
+        if (logger_name, *about) not in self._warned:
+            self._warned.add((logger_name, *about))
             get_logger(logger_name).warning(text)
 
 

@@ -1,4 +1,4 @@
-"""What publishers, subscriptions, services and clients have in common."""
+"""Base classes of publishers, subscriptions, services and clients."""
 
 from __future__ import annotations
 
@@ -15,39 +15,45 @@ if TYPE_CHECKING:
     from zbot.qos import QoSProfile
     from zbot.wire.tokens import EndpointToken
 
-#: What ROS 2's programs are told of who carries the messages.
+#: Name of the middleware, as in ROS 2's `get_rmw_implementation_identifier`.
 RMW_IDENTIFIER = "rmw_zbot_zenoh"
 
 
 class Endpoint:
-    """A part of a node that has a place in the graph; leaving a `with` block destroys it."""
+    """Part of a node that the graph shows. The end of a `with` block destroys it."""
 
+    _context: Context
     _token: EndpointToken
     _logger_name: str
 
     @property
+    def context(self) -> Context:
+        """The context whose session carries the messages."""
+        return self._context
+
+    @property
     def qos_profile(self) -> QoSProfile:
-        """The quality of service it was made with."""
+        """The quality of service that the endpoint was created with."""
         return self._token.qos
 
     @property
     def token(self) -> EndpointToken:
-        """What the graph shows of it."""
+        """The liveliness token that shows the endpoint in the graph."""
         return self._token
 
     @property
     def handle(self) -> Handle[Self]:
-        """What a `WaitSet` takes."""
+        """A handle for a `WaitSet`."""
         return Handle(self)
 
     @property
     def is_destroyed(self) -> bool:
-        """Whether it has left the graph."""
+        """Whether the endpoint was destroyed."""
         raise NotImplementedError
 
     @property
     def logger_name(self) -> str:
-        """The name of its node's logger."""
+        """The name of the node's logger."""
         return self._logger_name
 
     def destroy(self) -> None:
@@ -67,15 +73,9 @@ class Endpoint:
 
 
 class TopicEndpoint(Endpoint):
-    """One that has a topic."""
+    """Endpoint of a topic: a publisher or a subscription."""
 
     _topic = ""
-    _context: Context
-
-    @property
-    def context(self) -> Context:
-        """The context whose session carries its messages."""
-        return self._context
 
     @property
     def topic_name(self) -> str:
@@ -84,7 +84,7 @@ class TopicEndpoint(Endpoint):
 
     @property
     def topic(self) -> str:
-        """The topic's name as it was given when this was created."""
+        """The topic's name as it was given to the node."""
         return self._topic or self._token.name
 
     @topic.setter

@@ -1,4 +1,4 @@
-"""Errors of nodes, and of the calls between them."""
+"""Errors of nodes and of their publishers, services and clients."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from zbot.errors import InvalidNameError, InvalidNodeNameError, ZbotError, short
 
 
 class AskedNameError(InvalidNameError):
-    """A question about the graph names a topic or service that nothing can be called."""
+    """A graph query has an invalid topic or service name."""
 
     def __init__(self, fault: InvalidNameError) -> None:
         super().__init__(fault.name_type, fault.name, fault.error_msg, fault.invalid_index)
@@ -14,7 +14,7 @@ class AskedNameError(InvalidNameError):
 
 
 class MessageTypeError(ZbotError, TypeError):
-    """A message of another type than the topic's was given."""
+    """`publish` was called with a message that does not have the topic's type."""
 
     def __init__(self, topic: str, expected: str, value: object) -> None:
         self.topic, self.expected, self.value = topic, expected, value
@@ -24,7 +24,7 @@ class MessageTypeError(ZbotError, TypeError):
 
 
 class NodeNameError(InvalidNodeNameError):
-    """A node is created without a name."""
+    """A node was created without a name."""
 
     def __init__(self, value: object) -> None:
         self.value = value
@@ -34,7 +34,7 @@ class NodeNameError(InvalidNodeNameError):
 
 
 class UnknownNodeError(ZbotError, LookupError, RuntimeError):
-    """A node is asked for that is not there (rclpy's NodeNameNonExistentError)."""
+    """A graph query names a node that does not exist (rclpy's NodeNameNonExistentError)."""
 
     def __init__(self, name: str, known: list[str]) -> None:
         self.name, self.known = name, known
@@ -42,7 +42,7 @@ class UnknownNodeError(ZbotError, LookupError, RuntimeError):
 
 
 class InvalidPeriodError(ZbotError, ValueError, RuntimeError):
-    """A period or frequency is no positive number (rclpy: RuntimeError for timers)."""
+    """A period or frequency is not a positive number (rclpy: RuntimeError for timers)."""
 
     def __init__(self, what: str, value: object) -> None:
         self.what, self.value = what, value
@@ -50,11 +50,11 @@ class InvalidPeriodError(ZbotError, ValueError, RuntimeError):
 
 
 class UnsupportedEventTypeError(ZbotError, RuntimeError):
-    """rclpy's error for events that a middleware lacks, for programs that catch it."""
+    """rclpy's error for events that a middleware does not support. zbot never raises it."""
 
 
 class RequestTypeError(ZbotError, TypeError):
-    """A service was called with something else than its request."""
+    """A service was called with an object that is not a request of this service."""
 
     def __init__(self, service: str, expected: str, value: object) -> None:
         self.service, self.expected, self.value = service, expected, value
@@ -62,7 +62,7 @@ class RequestTypeError(ZbotError, TypeError):
 
 
 class ResponseTypeError(ZbotError, TypeError):
-    """A service's callback returned something else than its response."""
+    """A service's callback returned an object that is not a response of this service."""
 
     def __init__(self, service: str, expected: str, value: object) -> None:
         self.service, self.expected, self.value = service, expected, value
@@ -73,12 +73,12 @@ class ResponseTypeError(ZbotError, TypeError):
 
 
 class ServiceError(ZbotError, RuntimeError):
-    """A service call has no answer, or its server could not give one.
+    """A service call failed: there was no server, or no response from it.
 
     Attributes:
         service: Full name of the service.
         kind: `no_server`, `server_gone`, `bad_reply`, or the class of the handler's exception.
-        message: The sentence without the service's name; from the server where it sent one.
+        message: The server's own sentence, or a sentence without the service's name.
     """
 
     def __init__(self, service: str, kind: str, message: str) -> None:

@@ -1,4 +1,4 @@
-"""What a node can ask about the graph: names, types, endpoints and counts."""
+"""Graph queries of a node: names, types, endpoints and counts."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 
 class GraphQueries:
-    """rclpy's graph methods, for whoever has a context and can resolve names."""
+    """rclpy's graph methods. The subclass has a context and resolves names."""
 
     @property
     def context(self) -> Context:
-        """The context whose graph is asked."""
+        """The context whose graph is queried."""
         raise NotImplementedError
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
@@ -41,20 +41,20 @@ class GraphQueries:
         return full_names(self.context.graph.snapshot().nodes)
 
     def get_node_names_and_namespaces(self) -> list[tuple[str, str]]:
-        """Return name and namespace of all nodes."""
+        """Return the name and the namespace of each node."""
         return [(node.node, node.namespace) for node in self.context.graph.snapshot().nodes]
 
     def get_node_names_and_namespaces_with_enclaves(self) -> list[tuple[str, str, str]]:
-        """Return name, namespace and enclave of all nodes."""
+        """Return the name, the namespace and the enclave of each node."""
         nodes = self.context.graph.snapshot().nodes
         return [(node.node, node.namespace, node.enclave) for node in nodes]
 
     def get_topic_names_and_types(self, no_demangle: bool = False) -> NamesAndTypes:  # noqa: ARG002
-        """Return every topic with the types on it."""
+        """Return every topic with its types."""
         return self.context.graph.snapshot().topics()
 
     def get_service_names_and_types(self) -> NamesAndTypes:
-        """Return every service with the types on it."""
+        """Return every service with its types."""
         return self.context.graph.snapshot().services()
 
     def get_publisher_names_and_types_by_node(
@@ -99,7 +99,7 @@ class GraphQueries:
         topic_name: str,
         no_mangle: bool = False,  # noqa: ARG002
     ) -> list[TopicEndpointInfo]:
-        """Return node, type and quality of service of a topic's publishers."""
+        """Return the node, type and quality of service of each publisher of a topic."""
         return self._zbot_infos(EntityKind.PUBLISHER, topic_name)
 
     def get_subscriptions_info_by_topic(
@@ -107,7 +107,7 @@ class GraphQueries:
         topic_name: str,
         no_mangle: bool = False,  # noqa: ARG002
     ) -> list[TopicEndpointInfo]:
-        """Return node, type and quality of service of a topic's subscriptions."""
+        """Return the node, type and quality of service of each subscription of a topic."""
         return self._zbot_infos(EntityKind.SUBSCRIPTION, topic_name)
 
     def _zbot_on(self, kind: EntityKind, name: str) -> list[EndpointToken]:
@@ -138,7 +138,7 @@ class GraphQueries:
         return len(self._zbot_on(EntityKind.CLIENT, service_name))
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
-        """Wait until a node is there; return `False` after `timeout` seconds without it."""
+        """Wait until a node exists. Return `False` if it does not exist after `timeout` seconds."""
         wanted = "/" + fully_qualified_node_name.lstrip("/")
         return self.context.graph.wait_for(
             lambda snapshot: wanted in full_names(snapshot.nodes), timeout

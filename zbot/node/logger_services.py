@@ -1,4 +1,4 @@
-"""The two services by which other nodes ask for the levels of a process's loggers and set them."""
+"""Services of a node to get and set the levels of its process's loggers."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ _INVALID_LEVEL = "Failed reason: Invalid logger level."  # rclpy's words, which 
 
 
 class LoggingService:
-    """Answers on `~/get_logger_levels` and `~/set_logger_levels`.
+    """Serves `~/get_logger_levels` and `~/set_logger_levels`.
 
-    A node made with `enable_logger_service=True` has one.
+    Nodes that are created with `enable_logger_service=True` have these services.
 
     Args:
-        node: Whose services they are; its executor runs them.
+        node: The node that offers the services. Its executor runs them.
     """
 
     def __init__(self, node: Node) -> None:

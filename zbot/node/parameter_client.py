@@ -1,4 +1,4 @@
-"""Asking another node about its parameters, and setting them."""
+"""Client for the parameters of another node."""
 
 from __future__ import annotations
 
@@ -34,13 +34,13 @@ if TYPE_CHECKING:
 
 
 class AsyncParameterClient:
-    """The parameters of another node, as in rclpy: every method returns a future of a response.
+    """Client for the parameters of another node. Its methods return futures of responses.
 
     Args:
-        node: Sends the requests.
-        remote_node_name: Whose parameters they are; relative to the node's namespace, or absolute.
-        qos_profile: Of the six clients; shown in the graph only.
-        callback_group: Decides beside what the callbacks may run; the node's own if left out.
+        node: The node that sends the requests.
+        remote_node_name: The other node's name, absolute or relative to the namespace of `node`.
+        qos_profile: Profile of the six clients. Only the graph shows it.
+        callback_group: Group of the callbacks. `None` means the node's default group.
     """
 
     def __init__(
@@ -87,10 +87,10 @@ class AsyncParameterClient:
         """Wait until the other node offers all of its services.
 
         Args:
-            timeout_sec: Seconds; for ever if left out.
+            timeout_sec: Seconds to wait. `None` means no limit.
 
         Returns:
-            Whether it does.
+            Whether the node offers all of the services.
         """
         deadline = None if timeout_sec is None else time.monotonic() + max(timeout_sec, 0.0)
         for client in self._clients:
@@ -105,37 +105,37 @@ class AsyncParameterClient:
         depth: int | None = None,
         callback: Callback = None,
     ) -> Future[Any]:
-        """Ask for the names of parameters, of all groups and levels if they are left out."""
+        """Get the names of parameters. By default, get the names in all groups and levels."""
         request = ListParameters.Request(prefixes=prefixes or [], depth=depth or 0)
         return _sent(self._list, request, callback)
 
     def get_parameters(self, names: list[str], callback: Callback = None) -> Future[Any]:
-        """Ask for values; there are none in the response if one of the names is unknown."""
+        """Get values. If a name is unknown, the response has no values."""
         return _sent(self._get, GetParameters.Request(names=names), callback)
 
     def get_parameter_types(self, names: list[str], callback: Callback = None) -> Future[Any]:
-        """Ask for the types of the present values, as numbers of `Parameter.Type`."""
+        """Get the types of the values, as numbers of `Parameter.Type`."""
         return _sent(self._get_types, GetParameterTypes.Request(names=names), callback)
 
     def describe_parameters(self, names: list[str], callback: Callback = None) -> Future[Any]:
-        """Ask for descriptors."""
+        """Get descriptors."""
         return _sent(self._describe, DescribeParameters.Request(names=names), callback)
 
     def set_parameters(
         self, parameters: Sequence[Parameter[Any] | ParameterMsg], callback: Callback = None
     ) -> Future[Any]:
-        """Set parameters one after the other; the response has a result for each."""
+        """Set parameters one after the other. The response has a result for each parameter."""
         return _sent(self._set, SetParameters.Request(parameters=_messages(parameters)), callback)
 
     def set_parameters_atomically(
         self, parameters: Sequence[Parameter[Any] | ParameterMsg], callback: Callback = None
     ) -> Future[Any]:
-        """Set all of the parameters or none; the response has one result."""
+        """Set all of the parameters or none of them. The response has one result."""
         request = SetParametersAtomically.Request(parameters=_messages(parameters))
         return _sent(self._set_atomically, request, callback)
 
     def delete_parameters(self, names: list[str], callback: Callback = None) -> Future[Any]:
-        """Undeclare parameters, which only those allow that are dynamically typed."""
+        """Undeclare parameters. This works only for parameters with a dynamic type."""
         return self.set_parameters([Parameter(name) for name in names], callback)
 
     def load_parameter_file(
@@ -145,19 +145,19 @@ class AsyncParameterClient:
 
         Args:
             parameter_file: Path of the YAML file.
-            use_wildcard: Whether its `/**` applies too.
+            use_wildcard: Whether the part `/**` of the file applies too.
             callback: Called when the future is done.
 
         Raises:
-            ParametersFileError: The file cannot be read or has another form.
-            NoParametersError: It has nothing for the other node.
+            ParametersFileError: The file cannot be read, or is not a parameter file.
+            NoParametersError: The file has no parameters for the other node.
         """
         return self.set_parameters(self._loaded(parameter_file, use_wildcard), callback)
 
     def load_parameter_file_atomically(
         self, parameter_file: str, use_wildcard: bool = False, callback: Callback = None
     ) -> Future[Any]:
-        """Set all of the parameters that a file has for the other node, or none of them."""
+        """Set all parameters that a file has for the other node, or none of them."""
         return self.set_parameters_atomically(self._loaded(parameter_file, use_wildcard), callback)
 
     def _loaded(self, path: str, use_wildcard: bool) -> list[ParameterMsg]:
@@ -174,7 +174,7 @@ class AsyncParameterClient:
         qos_overriding_options: Any = None,
         raw: bool = False,
     ) -> Subscription[ParameterEvent]:
-        """Subscribe to `/parameter_events`, where every node says what has changed."""
+        """Subscribe to `/parameter_events`, where every node publishes its changes."""
         return self.node.create_subscription(
             ParameterEvent,
             "/parameter_events",

@@ -1,4 +1,4 @@
-"""Functions that are called when a parameter of any node changes."""
+"""Callbacks for changes of the parameters of any node."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 class ParameterCallbackHandle:
-    """Stands for one callback of one parameter."""
+    """Handle of a callback for one parameter."""
 
     def __init__(
         self, parameter_name: str, node_name: str, callback: Callable[[ParameterMsg], Any]
@@ -34,26 +34,26 @@ class ParameterCallbackHandle:
 
 
 class ParameterEventCallbackHandle:
-    """Stands for one callback of every change."""
+    """Handle of a callback for all events."""
 
     def __init__(self, callback: Callable[[ParameterEvent], Any]) -> None:
         self.callback = callback
 
 
 class ParameterEventCallbacks:
-    """The callbacks of a handler, under the names that rclpy gives them.
+    """Callbacks of a `ParameterEventHandler`, with rclpy's names.
 
     All methods may be called from any thread, and by the callbacks themselves.
     """
 
     def __init__(self) -> None:
         self.mutex = threading.Lock()
-        #: By the parameter's name and the node's full name; each list begins with the latest.
+        #: A key is a parameter's name and its node's full name. The latest callback comes first.
         self.parameter_callbacks: dict[tuple[str, str], list[ParameterCallbackHandle]] = {}
-        self.event_callbacks: list[ParameterEventCallbackHandle] = []  #: begins with the latest
+        self.event_callbacks: list[ParameterEventCallbackHandle] = []  #: the latest comes first
 
     def event_callback(self, event: ParameterEvent) -> None:
-        """Call those whom an event concerns."""
+        """Call the callbacks for an event."""
         with self.mutex:
             of_parameters = [(*key, list(some)) for key, some in self.parameter_callbacks.items()]
             of_events = list(self.event_callbacks)
@@ -68,14 +68,14 @@ class ParameterEventCallbacks:
     def add_parameter_callback(
         self, parameter_name: str, node_name: str, callback: Callable[[ParameterMsg], Any]
     ) -> ParameterCallbackHandle:
-        """Call a function for a parameter of a node, which is given by its full name."""
+        """Add a callback for a parameter of a node. `node_name` is the node's full name."""
         handle = ParameterCallbackHandle(parameter_name, node_name, callback)
         with self.mutex:
             self.parameter_callbacks.setdefault((parameter_name, node_name), []).insert(0, handle)
         return handle
 
     def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
-        """Take a callback back, or raise `UnknownCallbackError`."""
+        """Remove a callback, or raise `UnknownCallbackError`."""
         key = handle.parameter_name, handle.node_name
         with self.mutex:
             _remove(self.parameter_callbacks.get(key, []), handle)
@@ -85,14 +85,14 @@ class ParameterEventCallbacks:
     def add_parameter_event_callback(
         self, callback: Callable[[ParameterEvent], Any]
     ) -> ParameterEventCallbackHandle:
-        """Call a function for every event."""
+        """Add a callback for all events."""
         handle = ParameterEventCallbackHandle(callback)
         with self.mutex:
             self.event_callbacks.insert(0, handle)
         return handle
 
     def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
-        """Take a callback back, or raise `UnknownCallbackError`."""
+        """Remove a callback, or raise `UnknownCallbackError`."""
         with self.mutex:
             _remove(self.event_callbacks, handle)
 
@@ -104,17 +104,17 @@ def _remove(handles: list[Any], handle: Any) -> None:
 
 
 class ParameterEventHandler:
-    """Listens to `/parameter_events` for a node, as in rclpy.
+    """Subscribes to `/parameter_events` and runs callbacks, as in rclpy.
 
-    Of several callbacks of a parameter, or of every event, the one added last is called first.
+    The callback that was added last is called first.
 
     Args:
-        node: Subscribes and runs the callbacks.
-        qos_profile: Of the subscription.
-        callback_group: Decides beside what the callbacks may run; the node's own if left out.
-        event_callbacks: A `SubscriptionEventCallbacks`.
+        node: The node that subscribes. Its executor runs the callbacks.
+        qos_profile: Profile of the subscription.
+        callback_group: Group of the callbacks. `None` means the node's default group.
+        event_callbacks: Callbacks for QoS events, a `SubscriptionEventCallbacks`.
         qos_overriding_options: Which policies parameters may override.
-        raw: Accepted; callbacks need the message.
+        raw: Ignored, because the callbacks need decoded messages.
     """
 
     def __init__(  # noqa: PLR0917 - rclpy's signature
@@ -140,21 +140,21 @@ class ParameterEventHandler:
         )
 
     def destroy(self) -> None:
-        """Listen no more."""
+        """Destroy the subscription."""
         self.node.destroy_subscription(self.parameter_event_subscription)
 
     def configure_nodes_filter(self, node_names: Sequence[str] | None = None) -> bool:
-        """Take only the events of some nodes from now on, or those of all nodes again.
+        """Select the nodes whose events the callbacks get.
 
         Args:
-            node_names: As in `add_parameter_callback`, at most 100 (what a content filter holds);
-                none or an empty list for all nodes.
+            node_names: Names as in `add_parameter_callback`, at most 100 (the limit of a content
+                filter). With `None` or an empty list, the callbacks get the events of all nodes.
 
         Returns:
-            True: the events are filtered as asked.
+            Always true, because the filter is active as requested.
 
         Raises:
-            ContentFilterError: There are too many.
+            ContentFilterError: There are too many names.
         """
         names = [self._resolve_path(name) for name in node_names or ()]
         expression = " OR ".join(f"node = %{i}" for i in range(len(names)))
@@ -165,7 +165,7 @@ class ParameterEventHandler:
     def get_parameter_from_event(
         event: ParameterEvent, parameter_name: str, node_name: str
     ) -> ParameterMsg | None:
-        """Return a node's parameter if an event says that it is new or changed."""
+        """Return a node's parameter if it is new or changed in an event."""
         if event.node != node_name:
             return None
         found = ParameterEventHandler.get_parameters_from_event(event)
@@ -173,49 +173,49 @@ class ParameterEventHandler:
 
     @staticmethod
     def get_parameters_from_event(event: ParameterEvent) -> Iterable[ParameterMsg]:
-        """Return the parameters that are new or changed."""
+        """Return the parameters that are new or changed in an event."""
         return chain(event.new_parameters, event.changed_parameters)
 
     def add_parameter_callback(
         self, parameter_name: str, node_name: str, callback: Callable[[ParameterMsg], Any]
     ) -> ParameterCallbackHandle:
-        """Call a function with a parameter whenever it is declared or set.
+        """Add a callback for declarations and changes of a parameter.
 
         Args:
-            parameter_name: Which parameter.
-            node_name: Of which node: an absolute name, one relative to the namespace of the
-                handler's node, or an empty one for that node itself.
+            parameter_name: Name of the parameter.
+            node_name: Name of the parameter's node. It is absolute, or relative to the namespace of
+                the handler's node. An empty name means the handler's node.
             callback: Takes an rcl_interfaces/msg/Parameter.
 
         Returns:
-            What `remove_parameter_callback` takes.
+            The argument for `remove_parameter_callback`.
         """
         name = self._resolve_path(node_name)
         return self._callbacks.add_parameter_callback(parameter_name, name, callback)
 
     def remove_parameter_callback(self, handle: ParameterCallbackHandle) -> None:
-        """Take a callback back.
+        """Remove a callback.
 
         Raises:
-            UnknownCallbackError: It was not added here, or is removed already.
+            UnknownCallbackError: The callback was not added here, or was removed already.
         """
         self._callbacks.remove_parameter_callback(handle)
 
     def add_parameter_event_callback(
         self, callback: Callable[[ParameterEvent], Any]
     ) -> ParameterEventCallbackHandle:
-        """Call a function with every event of every node.
+        """Add a callback for all events of all nodes.
 
         Returns:
-            What `remove_parameter_event_callback` takes.
+            The argument for `remove_parameter_event_callback`.
         """
         return self._callbacks.add_parameter_event_callback(callback)
 
     def remove_parameter_event_callback(self, handle: ParameterEventCallbackHandle) -> None:
-        """Take a callback back.
+        """Remove a callback.
 
         Raises:
-            UnknownCallbackError: It was not added here, or is removed already.
+            UnknownCallbackError: The callback was not added here, or was removed already.
         """
         self._callbacks.remove_parameter_event_callback(handle)
 

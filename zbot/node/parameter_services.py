@@ -1,11 +1,11 @@
-"""The six services by which other nodes ask for a node's parameters and set them."""
+"""Services of a node to get, set, list and describe its parameters."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.interfaces.late import LateService
+from zbot.interfaces.lazy_service import LazyService
 from zbot.node.service import Service
 from zbot.parameters.errors import ParameterException
 from zbot.parameters.parameter import Parameter
@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
     from zbot.node.state import NodeState
 
-#: The services with their types' hashes, which a ROS 2 type never changes: a node that nobody asks
-#: needs neither their classes nor their definitions, which take as long as all the rest of it.
+#: Types and type hashes of the services, which never change in ROS 2. They are constants because
+#: loading the classes would double the time to create a node, and most nodes get no request.
 SERVICES = {
     "describe_parameters": (
         "rcl_interfaces/srv/DescribeParameters",
@@ -49,11 +49,11 @@ SERVICES = {
 
 
 class ParameterServices:
-    """Answers requests about a node's parameters.
+    """The six parameter services of a node.
 
     Args:
         handle: The node's state.
-        resolve: Turns the name of a service into its full name, remapped.
+        resolve: Returns the full, remapped name of a service.
     """
 
     def __init__(self, handle: NodeState, resolve: Callable[..., str]) -> None:
@@ -63,7 +63,7 @@ class ParameterServices:
             named_type = (type_name, type_hash)
             service: Service[Any, Any] = Service(
                 handle.context,
-                LateService(type_name),
+                LazyService(type_name),
                 getattr(self, f"_{name}"),
                 handle.named_endpoint(EntityKind.SERVICE, full, named_type, qos_profile_parameters),
                 ready_queue=handle.ready_queue,
@@ -77,7 +77,7 @@ class ParameterServices:
         try:
             found = [(name, self._store.describe(name)) for name in request.names]
         except ParameterException:
-            return response  # none of them, as in rclpy: the caller sees that the numbers differ
+            return response  # empty, as in rclpy, if one name is unknown
         response.descriptors = [
             descriptor.to_message(name if name in self._store.values else "")
             for name, descriptor in found
@@ -119,7 +119,7 @@ class ParameterServices:
 
         try:
             parameters = [Parameter.from_parameter_msg(message) for message in messages]
-        except ZbotError as error:  # from whoever called
+        except ZbotError as error:  # the request has an invalid value
             return SetParametersResult(successful=False, reason=str(error))
         try:
             reason = self._store.set(parameters)

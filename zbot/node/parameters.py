@@ -1,4 +1,4 @@
-"""A node's parameters, with rclpy's methods."""
+"""Parameters of a node, with rclpy's methods."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ArgumentTypeError
 from zbot.parameters.errors import ParameterListError, UnknownCallbackError
-from zbot.parameters.parameter import Parameter, guessed, parameter_value_to_python
+from zbot.parameters.parameter import Parameter, infer_parameter, parameter_value_to_python
 from zbot.parameters.store import Declaration, prefixes_of
 from zbot.parameters.validation import REL_TOL, Descriptor
 
@@ -43,7 +43,7 @@ deprecated. You have to either:
 
 
 class _View:
-    """A copy of a store's dict or list, which a subclass may replace by an attribute."""
+    """Copy of a store's dict or list. A subclass may set an attribute of the same name."""
 
     def __init__(self, attribute: str) -> None:
         self._attribute = attribute
@@ -53,13 +53,13 @@ class _View:
 
 
 class NodeParameters:
-    """rclpy's parameter methods, for whoever has a `ParameterStore`."""
+    """rclpy's parameter methods. The subclass has a `ParameterStore`."""
 
     _zbot_state: NodeState
 
-    PARAM_REL_TOL = REL_TOL  #: how close a double has to be to a step or to the end of its range
+    PARAM_REL_TOL = REL_TOL  #: relative tolerance of doubles at a range's steps and ends
 
-    #: Where rclpy keeps them; a subclass may use these names for something else.
+    #: rclpy's private attributes. A subclass may use these names for something else.
     _parameters = _View("values")
     _parameter_overrides = _View("overrides")
     _pre_set_parameters_callbacks = _View("pre_set")
@@ -71,12 +71,12 @@ class NodeParameters:
         return self._zbot_state.parameters
 
     def _zbot_declare_overrides(self) -> None:
-        """Declare what the command line has, each as the type that it is there."""
+        """Declare the parameters of the command line. Each parameter has the type of its value."""
         store = self._zbot_parameters
         store.declare(Declaration(name, one.value) for name, one in store.overrides.items())
 
     def _zbot_declare_own(self) -> None:
-        """Declare what every node has."""
+        """Declare the parameters that every node has."""
         store = self._zbot_parameters
         services = Descriptor(description=_TYPE_SERVICE_TEXT, read_only=True)
         own = [
@@ -94,20 +94,20 @@ class NodeParameters:
         descriptor: ParameterDescriptor | None = None,
         ignore_override: bool = False,
     ) -> Parameter[Any]:
-        """Declare a parameter, and return it with the value that it has.
+        """Declare a parameter, and return it with its value.
 
         Args:
-            name: Dots in it make groups.
-            value: The default, or a `Parameter.Type` for a parameter that has none. An override
-                from the command line or a file wins.
-            descriptor: Its description, range and typing; its own name and type do not matter.
-            ignore_override: Take the default in any case.
+            name: Name of the parameter. Dots separate its groups.
+            value: The default, or a `Parameter.Type` for a parameter without a default. An override
+                of the command line or a file replaces it.
+            descriptor: Description, range and typing. The name and type in it are ignored.
+            ignore_override: Whether to use the default even if there is an override.
 
         Raises:
-            ParameterAlreadyDeclaredException: It is declared already.
+            ParameterAlreadyDeclaredException: The parameter is declared already.
             InvalidParameterError: The name is empty.
-            InvalidParameterTypeException: The override is of another type than the default.
-            InvalidParameterValueException: The range or a callback refuses the value.
+            InvalidParameterTypeException: The override has another type than the default.
+            InvalidParameterValueException: The range or a callback rejects the value.
             ParameterDeclarationError: There is neither a value nor a type.
         """
         is_bare = value is None and descriptor is None
@@ -120,13 +120,13 @@ class NodeParameters:
         """Declare several parameters, and return them.
 
         Args:
-            namespace: Their group, put before each name with a dot; may be empty.
-            parameters: Tuples of a name and, as in `declare_parameter`, a value and a descriptor.
-            ignore_override: Take the defaults in any case.
+            namespace: Group that is put before each name, with a dot. It may be empty.
+            parameters: Tuples with the first arguments of `declare_parameter`, at most three.
+            ignore_override: Whether to use the defaults even if there are overrides.
 
         Raises:
-            ParameterListError: An element is of another form.
-            ParameterError: See `declare_parameter`; those before the refused one stay declared.
+            ParameterListError: An element is not a tuple of this form.
+            ParameterError: See `declare_parameter`. The parameters before the error stay declared.
         """
         declarations = [
             _declaration_of(namespace, index, item) for index, item in enumerate(parameters)
@@ -134,15 +134,15 @@ class NodeParameters:
         return self._zbot_parameters.declare(declarations, ignore_override=ignore_override)
 
     def undeclare_parameter(self, name: str) -> None:
-        """Forget a parameter; no callback is called.
+        """Undeclare a parameter without calling callbacks.
 
         Raises:
-            ParameterNotDeclaredException: There is none of that name.
-            ParameterImmutableException: It is read-only.
+            ParameterNotDeclaredException: The parameter is not declared.
+            ParameterImmutableException: The parameter is read-only.
         """
         self._zbot_parameters.undeclare(name)
 
-    # -- asking --------------------------------------------------------------------------------
+    # -- getting -------------------------------------------------------------------------------
 
     def has_parameter(self, name: str) -> bool:
         """Return whether a parameter is declared."""
@@ -152,13 +152,13 @@ class NodeParameters:
         """Return a parameter.
 
         Raises:
-            ParameterNotDeclaredException: It is not declared, and the node asks for that.
-            ParameterUninitializedException: It was declared by its type and has no value yet.
+            ParameterNotDeclaredException: The node requires a declaration, and there is none.
+            ParameterUninitializedException: The parameter has a declared type but no value.
         """
         return self._zbot_parameters.get(name)
 
     def get_parameters(self, names: list[str]) -> Parameters:
-        """Return several parameters; see `get_parameter`."""
+        """Return several parameters. See `get_parameter`."""
         return [self._zbot_parameters.get(name) for name in _checked_names(names)]
 
     def get_parameter_or(
@@ -171,30 +171,30 @@ class NodeParameters:
         return Parameter(name) if alternative_value is None else alternative_value
 
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter[Any]]:
-        """Return the parameters of a group, by their names without it; all for an empty prefix."""
-        return self._zbot_parameters.below(prefix)
+        """Return a group's parameters by name without the prefix. An empty prefix selects all."""
+        return self._zbot_parameters.in_group(prefix)
 
     def get_parameter_type(self, name: str) -> Parameter.Type:
-        """Return the type of a parameter's present value.
+        """Return the type of a parameter's value.
 
         Raises:
-            ParameterNotDeclaredException: It is not declared, and the node asks for that.
+            ParameterNotDeclaredException: The node requires a declaration, and there is none.
         """
         return self._zbot_parameters.type_of(name)
 
     def get_parameter_types(self, names: list[str]) -> list[Parameter.Type]:
-        """Return the types of several parameters; see `get_parameter_type`."""
+        """Return the types of several parameters. See `get_parameter_type`."""
         return [self._zbot_parameters.type_of(name) for name in _checked_names(names)]
 
     def list_parameters(self, prefixes: list[str], depth: int) -> ListParametersResult:
-        """Return the names of parameters, and of the groups that they are in.
+        """Return the names of parameters and of their groups.
 
         Args:
-            prefixes: Only these groups; empty: all parameters.
-            depth: Levels below the prefixes to go down; 0: all.
+            prefixes: Groups to list. An empty list means all parameters.
+            depth: Number of levels below the prefixes. 0 means all levels.
 
         Raises:
-            ArgumentTypeError: An argument is of another type.
+            ArgumentTypeError: An argument has a wrong type.
             ValueError: The depth is negative.
         """
         from rcl_interfaces.msg import ListParametersResult  # noqa: PLC0415 - made at first import
@@ -209,16 +209,16 @@ class NodeParameters:
         return ListParametersResult(names=names, prefixes=list(prefixes_of(names)))
 
     def describe_parameter(self, name: str) -> ParameterDescriptor:
-        """Return what was declared of a parameter.
+        """Return the descriptor of a parameter.
 
         Raises:
-            ParameterNotDeclaredException: It is not declared, and the node asks for that.
+            ParameterNotDeclaredException: The node requires a declaration, and there is none.
         """
         found = self._zbot_parameters.describe(name)
         return found.to_message(name if self.has_parameter(name) else "")
 
     def describe_parameters(self, names: list[str]) -> list[ParameterDescriptor]:
-        """Return what was declared of several parameters; see `describe_parameter`."""
+        """Return the descriptors of several parameters. See `describe_parameter`."""
         return [NodeParameters.describe_parameter(self, name) for name in _checked_names(names)]
 
     # -- setting -------------------------------------------------------------------------------
@@ -226,18 +226,18 @@ class NodeParameters:
     def set_parameters(self, parameter_list: Parameters) -> list[SetParametersResult]:
         """Set parameters one after the other, and return the result of each.
 
-        One that has no value is undeclared, if its typing is dynamic.
+        If a parameter in the list has no value and its typing is dynamic, it is undeclared.
 
         Raises:
-            ParameterNotDeclaredException: One is unknown, and that is not allowed; those before it
-                are set.
-            ParameterListError: An element is no `Parameter`.
+            ParameterNotDeclaredException: The node requires a declaration, and one is missing.
+                The parameters before it are set.
+            ParameterListError: An element is not a `Parameter`.
         """
         checked = _checked_parameters(parameter_list)
         return [_result(self._zbot_parameters.set([one])) for one in checked]
 
     def set_parameters_atomically(self, parameter_list: Parameters) -> SetParametersResult:
-        """Set all of the parameters or none, and return the result; see `set_parameters`."""
+        """Set all of the parameters or none, and return the result. See `set_parameters`."""
         return _result(self._zbot_parameters.set(_checked_parameters(parameter_list)))
 
     def set_descriptor(
@@ -246,17 +246,17 @@ class NodeParameters:
         descriptor: ParameterDescriptor,
         alternative_value: ParameterValue | None = None,
     ) -> ParameterValue:
-        """Describe a parameter anew, and return its value.
+        """Replace the descriptor of a parameter, and return the parameter's value.
 
         Args:
-            name: Which one.
-            descriptor: The new rules; its name does not matter.
-            alternative_value: The new value, if the present one breaks the new rules.
+            name: Name of the parameter.
+            descriptor: The new descriptor. The name in it is ignored.
+            alternative_value: The new value, if the new descriptor does not allow the old value.
 
         Raises:
-            ParameterNotDeclaredException: It is not declared, and the node asks for that.
-            ParameterImmutableException: It is read-only.
-            InvalidParameterValueException: Neither value complies.
+            ParameterNotDeclaredException: The node requires a declaration, and there is none.
+            ParameterImmutableException: The parameter is read-only.
+            InvalidParameterValueException: The new descriptor rejects both values.
         """
         alternative: Parameter[Any] | None = None
         if alternative_value is not None:
@@ -269,48 +269,48 @@ class NodeParameters:
     # -- callbacks -----------------------------------------------------------------------------
 
     def add_pre_set_parameters_callback(self, callback: PreSet) -> None:
-        """Call a function before parameters are checked; it returns the list to set instead."""
+        """Add a callback that runs before new values are checked. It returns the list to set."""
         self._zbot_parameters.pre_set.insert(0, _checked_callback(callback))
 
     def add_on_set_parameters_callback(self, callback: OnSet) -> None:
-        """Call a function before parameters are set; its `SetParametersResult` can refuse them.
+        """Add a callback that runs before parameters are set, and can reject the new values.
 
-        It is called for declarations too. It must change nothing: another callback may refuse what
-        it accepts.
+        It returns a `SetParametersResult`. It runs for declarations too. It must not change
+        anything, because a later callback may reject the values.
         """
-        self._zbot_parameters.on_set.insert(0, _Veto(_checked_callback(callback)))
+        self._zbot_parameters.on_set.insert(0, _OnSetCallback(_checked_callback(callback)))
 
     def add_post_set_parameters_callback(self, callback: PostSet) -> None:
-        """Call a function when parameters have been declared or set."""
+        """Add a callback that runs after parameters were declared or set."""
         self._zbot_parameters.post_set.insert(0, _checked_callback(callback))
 
     def remove_pre_set_parameters_callback(self, callback: PreSet) -> None:
-        """Take a callback back.
+        """Remove a callback.
 
         Raises:
-            UnknownCallbackError: It was not added.
+            UnknownCallbackError: The callback was not added.
         """
         _remove(self._zbot_parameters.pre_set, callback)
 
     def remove_on_set_parameters_callback(self, callback: OnSet) -> None:
-        """Take a callback back.
+        """Remove a callback.
 
         Raises:
-            UnknownCallbackError: It was not added.
+            UnknownCallbackError: The callback was not added.
         """
         _remove(self._zbot_parameters.on_set, callback)
 
     def remove_post_set_parameters_callback(self, callback: PostSet) -> None:
-        """Take a callback back.
+        """Remove a callback.
 
         Raises:
-            UnknownCallbackError: It was not added.
+            UnknownCallbackError: The callback was not added.
         """
         _remove(self._zbot_parameters.post_set, callback)
 
 
-class _Veto:
-    """Makes an on-set callback say why it refuses, and nothing if it does not."""
+class _OnSetCallback:
+    """On-set callback that returns the reason of a rejection, or an empty string."""
 
     def __init__(self, callback: OnSet) -> None:
         self._callback = callback
@@ -328,8 +328,8 @@ class _Veto:
         return "" if result.successful else result.reason or "a callback of the node refuses it"
 
     def __eq__(self, other: object) -> bool:
-        """Tell whether it is the same callback, or that callback itself."""
-        return self._callback == (other._callback if isinstance(other, _Veto) else other)
+        """Return whether the other object is the same callback or wraps it."""
+        return self._callback == (other._callback if isinstance(other, _OnSetCallback) else other)
 
     def __hash__(self) -> int:
         return hash(self._callback)
@@ -362,7 +362,7 @@ def _declaration_of(namespace: str, index: int, item: Any) -> Declaration:
     if len(item) == 3 and not hasattr(descriptor, "dynamic_typing"):
         raise ParameterListError(index, item, "a tuple that ends with a ParameterDescriptor")
     full = f"{namespace}.{name}" if namespace else name
-    # A (name, None), as programs for Foxy have it for what a file gives, is a name only as well.
+    # Programs for Foxy declare a parameter of a file as (name, None). This is a bare name too.
     return _declaration(full, value, descriptor, is_bare=value is None and descriptor is None)
 
 
@@ -396,4 +396,4 @@ def _result(reason: str) -> SetParametersResult:
 
 def overrides_of(values: dict[str, Any]) -> dict[str, Parameter[Any]]:
     """Return a node's overrides as parameters."""
-    return {name: guessed(name, value) for name, value in values.items()}
+    return {name: infer_parameter(name, value) for name, value in values.items()}

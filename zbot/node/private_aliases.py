@@ -1,4 +1,4 @@
-"""What rclpy's nodes keep behind names that begin with `_`, and programs use all the same."""
+"""Private attributes of rclpy's nodes that programs use although they are private."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class _Alias:
-    """Reads something of a node; a program may set an attribute of that name for itself."""
+    """Read-only alias of an attribute. A program may set an attribute of the same name."""
 
     def __init__(self, path: str) -> None:
         self._read: Callable[[Any], Any] = attrgetter(path)
@@ -22,9 +22,10 @@ class _Alias:
 
 
 class PrivateAliases:
-    """A node's logger, clock and lists, as `self._logger.info(...)` finds them in rclpy.
+    """A node's logger, clock and lists under rclpy's names, as in `self._logger.info(...)`.
 
-    The lists are the node's own, so what is taken out of one is not destroyed with the node.
+    The lists are the node's own lists. If a program removes an entity from a list, the node does
+    not destroy this entity.
     """
 
     _logger: Any = _Alias("_zbot_logger")
@@ -40,6 +41,6 @@ class PrivateAliases:
 
     @property
     def default_callback_group(self) -> CallbackGroup:
-        """Where callbacks belong that were given no group; a subclass may choose another."""
+        """The group of callbacks that were created without a group. A subclass may replace it."""
         group: CallbackGroup = self._default_callback_group
         return group

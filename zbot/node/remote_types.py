@@ -1,4 +1,4 @@
-"""Types that only another machine knows: they are asked of the nodes that use them."""
+"""Requests for the definitions of types that nodes use and that this machine does not have."""
 
 from __future__ import annotations
 
@@ -22,37 +22,38 @@ if TYPE_CHECKING:
     from zbot.interfaces import InterfaceSpec
     from zbot.wire.tokens import EndpointToken
 
-#: So many nodes are asked about a type that none of them is seen to use.
-_MOST_GUESSES = 8
+#: How many nodes to ask that use only other types of the same package.
+_MAX_OTHER_NODES = 8
 
 
 @dataclass(frozen=True)
-class _Teller:
+class _Provider:
     """A node that may know a type."""
 
     service: str  #: full name of its service `get_type_description`
-    used: str = ""  #: the type, or the part of it, that it is seen to use
+    used: str = ""  #: type of its endpoint, which is the wanted type or a part of it
     used_hash: str = ""
 
 
 def learn_type(context: Context, name: str, *, timeout_s: float = 2.0) -> InterfaceSpec | None:
-    """Make a type known that nodes of the domain use and that has no definition here.
+    """Register a type that nodes of the domain use and that has no definition here.
 
     Args:
-        context: A session.
-        name: Full name of the type, `pkg/msg/Name`; also one that is only inside a used type.
-        timeout_s: How long each node may take to answer; they usually take milliseconds.
+        context: The context whose session sends the requests.
+        name: Full name of the type, `pkg/msg/Name`. The type may also be a part of a used type.
+        timeout_s: Seconds to wait for each node. Nodes usually answer within milliseconds.
 
     Returns:
-        Its definition, with all comments if the node has its source; `None` if nobody tells.
+        The definition, or `None` if no node has it. The definition has comments if the node has its
+        source.
 
     Raises:
-        InterfaceConflictError: A type inside it has another definition here.
+        InterfaceConflictError: A part of the type has another definition here.
     """
-    context.meet()
-    for teller in _tellers(context.graph.snapshot(), name):
-        answer = _ask(context, teller.service, name, timeout_s)
-        specs = answer and _checked(answer, name, teller)
+    context.wait_for_peers()
+    for provider in _providers(context.graph.snapshot(), name):
+        answer = _ask(context, provider.service, name, timeout_s)
+        specs = answer and _checked(answer, name, provider)
         if specs:
             for spec in specs:
                 register_spec(spec)
@@ -60,7 +61,7 @@ def learn_type(context: Context, name: str, *, timeout_s: float = 2.0) -> Interf
     return None
 
 
-def _tellers(graph: Snapshot, name: str) -> Iterator[_Teller]:
+def _providers(graph: Snapshot, name: str) -> Iterator[_Provider]:
     services = {
         (end.zid, end.nid): end.name
         for end in graph.of_kind(EntityKind.SERVICE)
@@ -73,15 +74,15 @@ def _tellers(graph: Snapshot, name: str) -> Iterator[_Teller]:
     }
     for node, end in users.items():
         if node in services:
-            yield _Teller(services[node], end.type_name, end.type_hash)
+            yield _Provider(services[node], end.type_name, end.type_hash)
     if has_package(name.partition("/")[0]):
-        return  # it would be known here: the name is wrong
-    for node in list(_neighbours(graph.endpoints, name))[:_MOST_GUESSES]:
+        return  # the package is installed here without this type, so the name is wrong
+    for node in list(_users_of_package(graph.endpoints, name))[:_MAX_OTHER_NODES]:
         if node in services and node not in users:
-            yield _Teller(services[node])
+            yield _Provider(services[node])
 
 
-def _neighbours(endpoints: Iterable[EndpointToken], name: str) -> Iterator[tuple[str, int]]:
+def _users_of_package(endpoints: Iterable[EndpointToken], name: str) -> Iterator[tuple[str, int]]:
     """Yield the nodes that use other types of a type's package."""
     package = name.partition("/")[0] + "/"
     yield from dict.fromkeys(
@@ -90,12 +91,12 @@ def _neighbours(endpoints: Iterable[EndpointToken], name: str) -> Iterator[tuple
 
 
 def _ask(context: Context, service: str, name: str, timeout_s: float) -> Any:
-    """Return what a node answers; `None` if it does not know the type, or gives no answer."""
+    """Return a node's response, or `None` if it does not know the type or does not respond."""
     srv_type: Any = get_interface(SERVICE_TYPE[0])
     dialect = context.dialect
     replies = context.session.get(
         dialect.topic_key(context.get_domain_id(), service),
-        admin_query.room(),
+        admin_query.large_queue(),
         payload=dialect.codec_for(srv_type.Request).encode(srv_type.Request(type_name=name)),
         timeout=timeout_s,
     )
@@ -105,21 +106,21 @@ def _ask(context: Context, service: str, name: str, timeout_s: float) -> Any:
             try:
                 response: Any = decode(reply.ok.payload.to_bytes())
             except CodecError:
-                continue  # a server of something else under this name
+                continue  # a server of another type has this name
             if response.successful:
                 return response
     return None
 
 
-def _checked(answer: Any, name: str, teller: _Teller) -> list[InterfaceSpec]:
-    """Return the definitions in an answer, from texts if these are what the node uses."""
+def _checked(answer: Any, name: str, provider: _Provider) -> list[InterfaceSpec]:
+    """Return the definitions in a response. Use the texts if they have the node's type hash."""
     for read in (_from_texts, _from_description):
         try:
             specs = read(answer, name)
-            if not teller.used or hash_among(teller.used, specs) == teller.used_hash:
+            if not provider.used or hash_among(provider.used, specs) == provider.used_hash:
                 return specs
         except (InterfaceSyntaxError, UnknownInterfaceError, UnknownPackageError):
-            continue  # the other form may do; a node that sends nonsense tells nothing
+            continue  # try the other form, or the next node
     return []
 
 

@@ -1,4 +1,4 @@
-"""A node's log lines on `/rosout`."""
+"""Publisher of a node's log lines on `/rosout`."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ if TYPE_CHECKING:
 
 
 class Rosout:
-    """Publishes what a node's logger and its children write.
+    """Publishes the log lines of a node's logger and of its children.
 
     Args:
-        node: Whose logger it is.
+        node: The node of the logger.
         qos: Quality of service of the topic.
     """
 
@@ -29,18 +29,18 @@ class Rosout:
 
         self._log, self._time = Log, Time
         self._name = node.handle.logger_name
-        self._adviser = node.handle.adviser
+        self._diagnostics = node.handle.diagnostics
         self._publisher: Any = node.create_publisher(Log, ROSOUT_TOPIC, qos)
         node.handle.publishers.remove(self._publisher)  # as in rclpy, the node does not list it
-        self._send = self._publisher.publish  # once: a program may put its own in the class later
-        # The log outlives every context, and must not keep the nodes of one that is over.
+        self._send = self._publisher.publish  # now, because programs may patch the class later
+        # The log lives longer than a context, and must not keep the context's nodes alive.
         sink = partial(_pass_on, weakref.ref(self))
         add_sink(self._name, sink)
         self._leave_log = weakref.finalize(self, remove_sink, self._name, sink)
         self._leave_log.atexit = False
 
     def publish(self, record: Record) -> None:
-        """Publish a log line if the topic is still open."""
+        """Publish a log line if the publisher is still open."""
         if self._publisher.is_open:
             sec, nanosec = divmod(record.stamp_ns, 10**9)
             self._send(
@@ -58,7 +58,7 @@ class Rosout:
     def close(self) -> None:
         """Stop publishing, and leave the topic."""
         self._leave_log()
-        self._adviser.remove(self._publisher.token)
+        self._diagnostics.remove(self._publisher.token)
         self._publisher.destroy()
 
 

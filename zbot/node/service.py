@@ -1,4 +1,4 @@
-"""Services: a function that other processes call by name."""
+"""Service servers, which answer requests with a callback."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import zenoh
 
 from zbot.interfaces import type_name
 from zbot.log import get_logger
-from zbot.node.deduplication import Repetitions
+from zbot.node.deduplication import RepeatedRequests
 from zbot.node.errors import ResponseTypeError
 from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
@@ -21,7 +21,7 @@ from zbot.transport.foreign_call import called_by_zenoh, keep_thread_state
 from zbot.transport.handle import Handle
 from zbot.wire.attachment import GID_LENGTH, LAYOUT, unpack
 from zbot.wire.codec import CodecError
-from zbot.wire.dialect import other_type
+from zbot.wire.dialect import type_mismatch
 from zbot.wire.error_reply import ENCODING, pack_error
 
 if TYPE_CHECKING:
@@ -39,20 +39,20 @@ _NUMBER = Struct("<q")  # how an attachment begins
 
 
 class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
-    """Answers the requests of a service with a function. Made by `Node.create_service`.
+    """Answers the requests of a service with a callback. `Node.create_service` creates it.
 
-    What the function raises reaches the caller as `ServiceError`, and then leaves `spin()` like
-    that of any other callback. Requests wait in the order of arrival until their turn.
+    If the callback raises an exception, the caller gets a `ServiceError`. `spin()` raises the
+    exception too, as for any other callback. Requests are served in the order of arrival.
 
     Args:
-        context: The session to serve through.
+        context: The context whose session receives the requests.
         srv_type: Service class.
-        callback: Takes a request and an empty response, and returns a response; may be a coroutine
-            function.
-        token: Who and where this server is.
-        ready_queue: The node's way to its executor.
-        callback_group: Decides beside what the callback may run.
-        logger_name: The node's logger.
+        callback: Takes a request and an empty response, and returns a response. The callback may
+            be a coroutine function.
+        token: The server's liveliness token: its node, service, type and profile.
+        ready_queue: The queue that the node's executor takes ready entities from.
+        callback_group: Decides which other callbacks may run at the same time.
+        logger_name: Name of the node's logger.
     """
 
     due_ns: int | None = None
@@ -81,14 +81,14 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._encoding = zenoh.Encoding(dialect.encoding(f"{token.type_name}_Response"))
         self._key = zenoh.KeyExpr(dialect.topic_key(context.get_domain_id(), token.name))
         self._queries: deque[tuple[zenoh.Query, float]] = deque()
-        self._repetitions = Repetitions()
+        self._repeated = RepeatedRequests()
         self._is_destroyed = False
-        # No thread of its own, for the same reason as below.
+        # Zenoh's thread calls `_receive`. Another thread would only cost time for a hand-over.
         receive: Any = zenoh.handlers.Callback(self._receive, indirect=False)
         self._queryable: Any = context.session.declare_queryable(self._key, receive, complete=True)
         self._liveliness = context.graph.announce(token)
 
-    # Made with the first request: a node has half a dozen services that are hardly ever called.
+    # The first request creates this, because a node's half a dozen services are rarely called.
     @cached_property
     def _decode(self) -> Callable[[Any], RequestT]:
         return self._context.dialect.codec_for(self.srv_type.Request).decode
@@ -99,19 +99,19 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     @property
     def is_destroyed(self) -> bool:
-        """Whether it serves no more."""
+        """Whether the server was destroyed."""
         return self._is_destroyed
 
     @property
     def handle(self) -> ServiceHandle:
-        """What a `WaitSet` takes, and what requests can be taken from without an executor."""
+        """A handle for a `WaitSet`. A program can also take requests from it."""
         return ServiceHandle(self)
 
     def take_request(self) -> tuple[RequestT, RequestHeader] | None:
-        """Take the oldest request past the callback; `None` if there is none.
+        """Take the oldest request without the callback. Return `None` if there is no request.
 
         Raises:
-            CodecError: It cannot be read.
+            CodecError: The request cannot be decoded.
         """
         taken = self.take()
         if taken is None:
@@ -123,16 +123,16 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         return self._decode(payload), RequestHeader(query, 0 if facts is None else facts.source_ns)
 
     def send_response(self, response: ResponseT, header: RequestHeader) -> None:
-        """Answer a request that was taken past the callback.
+        """Answer a request that `take_request` returned.
 
         Raises:
-            ResponseTypeError: This is no response of this service.
+            ResponseTypeError: The argument is not a response of this service.
         """
-        self._answer(_sender(header.query), header.query, response)
+        self._answer(_request_id(header.query), header.query, response)
 
     @called_by_zenoh
     def _receive(self, query: zenoh.Query) -> None:
-        # Zenoh's thread: nothing but the hand-over.
+        # Zenoh's thread runs this, so it only puts the request into the queue.
         keep_thread_state()
         self._queries.append((query, time.monotonic()))
         if self._is_destroyed:
@@ -143,21 +143,21 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     @property
     def has_work(self) -> bool:
-        """Whether a request waits."""
+        """Whether there is a request to serve."""
         return bool(self._queries)
 
     def take(self) -> tuple[zenoh.Query, float] | None:
-        """Return the oldest request that waits, and when it came (monotonic clock), if any."""
+        """Return the oldest request and its time of arrival (monotonic, seconds), if any."""
         try:
             return self._queries.popleft()
         except IndexError:
             return None
 
     def execute(self, taken: tuple[zenoh.Query, float]) -> Coroutine[Any, Any, None] | None:
-        """Decode a request, call the callback and send what it returns."""
+        """Decode a request, call the callback and send the response."""
         query, arrived_s = taken
-        who = _sender(query)
-        if who and not self._repetitions.is_new(who, query, arrived_s):
+        request_id = _request_id(query)
+        if request_id and not self._repeated.is_new(request_id, query, arrived_s):
             return None
         payload = b"" if query.payload is None else query.payload.to_bytes()
         if len(payload) >= LARGE_BYTES:
@@ -166,38 +166,38 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
             self._check_type(query)
             request = self._decode(payload)
         except CodecError as exc:
-            self._refuse(who, query, exc)
+            self._reply_error(request_id, query, exc)
             get_logger(self._logger_name).error(
                 f"{self.service_name}: cannot read a request: {exc}"
             )
             return None
         if self._introspection is not None:
-            self._introspection.report(Step.REQUEST_RECEIVED, who, request=request)
+            self._introspection.report(Step.REQUEST_RECEIVED, request_id, request=request)
         try:
             outcome = self.callback(request, self.srv_type.Response())
             if outcome is not None and hasattr(outcome, "send"):
-                return self._answer_later(who, query, outcome)
-            self._answer(who, query, outcome)
+                return self._answer_later(request_id, query, outcome)
+            self._answer(request_id, query, outcome)
         except Exception as exc:
-            self._refuse(who, query, exc)
+            self._reply_error(request_id, query, exc)
             raise
         return None
 
     def _check_type(self, query: zenoh.Query) -> None:
         expected = f"{self._token.type_name}_Request"
-        if reason := other_type(self._context.dialect, query.encoding or "", expected):
+        if reason := type_mismatch(self._context.dialect, query.encoding or "", expected):
             raise CodecError("decode", expected, "", reason)
 
     async def _answer_later(
-        self, who: bytes, query: zenoh.Query, outcome: Coroutine[Any, Any, Any]
+        self, request_id: bytes, query: zenoh.Query, outcome: Coroutine[Any, Any, Any]
     ) -> None:
         try:
-            self._answer(who, query, await outcome)
+            self._answer(request_id, query, await outcome)
         except Exception as exc:
-            self._refuse(who, query, exc)
+            self._reply_error(request_id, query, exc)
             raise
 
-    def _answer(self, who: bytes, query: zenoh.Query, response: Any) -> None:
+    def _answer(self, request_id: bytes, query: zenoh.Query, response: Any) -> None:
         expected = self.srv_type.Response
         if response.__class__ is not expected and not isinstance(response, expected):
             raise ResponseTypeError(self.service_name, type_name(expected), response)
@@ -205,37 +205,43 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
             payload = self._context.share(payload)
-        facts = who and LAYOUT.pack(_number(who), time.time_ns(), GID_LENGTH, who[_NUMBER.size :])
+        facts = request_id and LAYOUT.pack(
+            _number(request_id), time.time_ns(), GID_LENGTH, request_id[_NUMBER.size :]
+        )
         if self._introspection is not None:
-            # Before the fact, so that nobody hears of the arrival first.
-            self._introspection.report(Step.RESPONSE_SENT, who, response=response)
-        self._end(
-            who,
+            # This event comes before the reply, and so before the event of the reply's arrival.
+            self._introspection.report(Step.RESPONSE_SENT, request_id, response=response)
+        self._send_reply(
+            request_id,
             query,
             lambda latest: latest.reply(
                 self._key, payload, encoding=self._encoding, attachment=facts or None
             ),
         )
 
-    def _refuse(self, who: bytes, query: zenoh.Query, error: Exception) -> None:
+    def _reply_error(self, request_id: bytes, query: zenoh.Query, error: Exception) -> None:
         payload = pack_error(error)
-        self._end(who, query, lambda latest: latest.reply_err(payload, encoding=ENCODING))
+        self._send_reply(
+            request_id, query, lambda latest: latest.reply_err(payload, encoding=ENCODING)
+        )
 
-    def _end(self, who: bytes, query: zenoh.Query, send: Callable[[zenoh.Query], None]) -> None:
+    def _send_reply(
+        self, request_id: bytes, query: zenoh.Query, send: Callable[[zenoh.Query], None]
+    ) -> None:
         def reply(query: zenoh.Query) -> None:
             try:
                 send(query)
             except zenoh.ZError:
-                # Shut down while the callback ran: the caller learns that this server is gone.
+                # The context was shut down during the callback. The caller gets a `ServiceError`.
                 if not self._context.is_closed:
                     raise
             finally:
-                query.drop()  # tells the caller that nothing else will come
+                query.drop()  # ends the query, so that the caller does not wait for more replies
 
-        reply(self._repetitions.end(who, query, reply) if who else query)
+        reply(self._repeated.end(request_id, query, reply) if request_id else query)
 
     def destroy(self) -> None:
-        """Serve no more, and let requests that wait fail; may be called twice."""
+        """Leave the graph and let waiting requests fail. This method may be called twice."""
         if self._is_destroyed:
             return
         self._is_destroyed = True
@@ -247,15 +253,15 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     def _drop_queries(self) -> None:
         while (taken := self.take()) is not None:
-            taken[0].drop()  # its caller learns that there is no answer
+            taken[0].drop()  # the caller gets a `ServiceError`
 
 
 @dataclass(frozen=True)
 class RequestHeader:
-    """Which request it is that a program took itself, and when it was sent and taken."""
+    """Header of a request that a program took without an executor."""
 
     query: zenoh.Query
-    source_timestamp: int  #: nanoseconds since the epoch by the caller's clock; 0 if not told
+    source_timestamp: int  #: nanoseconds since the epoch by the caller's clock; 0 if unknown
     received_timestamp: int = field(default_factory=time.time_ns)  #: by this machine's clock
 
 
@@ -266,21 +272,21 @@ class ServiceHandle(Handle[Service[Any, Any]]):
         self,
         request_type: object = None,  # noqa: ARG002 - rclpy's signature
     ) -> tuple[Any, RequestHeader] | tuple[None, None]:
-        """Take the oldest request past the callback; two `None` if there is none."""
+        """Take the oldest request without the callback. If there is none, return `None` twice."""
         return self.entity.take_request() or (None, None)
 
     def service_send_response(self, response: Any, header: RequestHeader) -> None:
-        """Answer a request that was taken so."""
+        """Answer a request that `service_take_request` returned."""
         self.entity.send_response(response, header)
 
 
-def _sender(query: zenoh.Query) -> bytes:
-    """A request's number and its client's gid, or nothing if they were not sent."""
+def _request_id(query: zenoh.Query) -> bytes:
+    """Return a request's number and its client's gid, or empty bytes if there are none."""
     attachment = query.attachment
     facts = b"" if attachment is None else attachment.to_bytes()
     return facts[: _NUMBER.size] + facts[-GID_LENGTH:] if len(facts) == LAYOUT.size else b""
 
 
-def _number(sender: bytes) -> int:
-    number: int = _NUMBER.unpack_from(sender)[0]
+def _number(request_id: bytes) -> int:
+    number: int = _NUMBER.unpack_from(request_id)[0]
     return number

@@ -1,4 +1,4 @@
-"""Events that tell others of each step of a service call, for those who look for a mistake."""
+"""Service events: messages about each step of a service call, for debugging."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ if TYPE_CHECKING:
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.clock import Clock
 
-_NUMBER = Struct("<q")  # how an attachment begins
+_NUMBER = Struct("<q")  # the first field of an attachment
 
 
 class ServiceIntrospectionState(IntEnum):
-    """How much a server or client tells (rclpy's names)."""
+    """Content of the service events of a server or client, with rclpy's names."""
 
     OFF = 0
-    METADATA = 1  #: that something happened, when, and in which call
-    CONTENTS = 2  #: requests and responses too
+    METADATA = 1  #: kind and time of the event, number of the call and gid of the client
+    CONTENTS = 2  #: also the request or the response
 
 
 class Step(IntEnum):
-    """What happens in a call; the numbers are those of `service_msgs/msg/ServiceEventInfo`."""
+    """Steps of a call, with the numbers of `service_msgs/msg/ServiceEventInfo`."""
 
     REQUEST_SENT = 0
     REQUEST_RECEIVED = 1
@@ -39,14 +39,14 @@ class Step(IntEnum):
 
 
 class Introspection:
-    """Publishes a server's or a client's events on `<service>/_service_event`.
+    """Publishes the events of a server or client on `<service>/_service_event`.
 
     Args:
-        context: The session to publish through.
+        context: The context whose session sends the events.
         endpoint: The server or client.
-        clock: Gives the events' stamps.
+        clock: The clock for the events' stamps.
         qos: Profile to publish with.
-        with_contents: Whether requests and responses are part of the events.
+        with_contents: Whether the events contain requests and responses.
     """
 
     def __init__(
@@ -75,13 +75,14 @@ class Introspection:
         )
 
     def report(self, step: Step, call: bytes, *, request: Any = None, response: Any = None) -> None:
-        """Publish an event; nothing happens once the context is shut down.
+        """Publish an event. Nothing happens after the context was shut down.
 
         Args:
-            step: What happened.
-            call: Begins with the call's number and ends with the client's gid; empty if unknown.
-            request: The request, if this step is about it.
-            response: The response, likewise.
+            step: The step of the call.
+            call: Bytes that begin with the call's number and end with the client's gid. They are
+                empty if the call is unknown.
+            request: The request, if it was sent or received in this step.
+            response: The response, if it was sent or received in this step.
         """
         if not self._publisher.is_open:
             return
@@ -96,16 +97,15 @@ class Introspection:
         self._publisher.publish(event)
 
     def destroy(self) -> None:
-        """Leave the topic; may be called twice."""
+        """Leave the topic. This method may be called twice."""
         self._publisher.destroy()
 
 
 class ServiceEndpoint(Endpoint):
-    """What a server and a client have in common: a service, and events that tell of its calls."""
+    """Base class of servers and clients, which can publish the events of a service."""
 
     srv_type: Any
     callback_group: CallbackGroup
-    _context: Context
     _introspection: Introspection | None = None
 
     @property
@@ -119,12 +119,13 @@ class ServiceEndpoint(Endpoint):
         service_event_qos_profile: QoSProfile | int,
         introspection_state: ServiceIntrospectionState,
     ) -> None:
-        """Publish what happens here on `<service>/_service_event`, or publish it no longer.
+        """Start or stop publishing service events on `<service>/_service_event`.
 
         Args:
-            clock: Gives the events' stamps.
+            clock: The clock for the events' stamps.
             service_event_qos_profile: Profile to publish with.
-            introspection_state: `OFF`, `METADATA`, or `CONTENTS` for requests and responses too.
+            introspection_state: `OFF`, `METADATA` or `CONTENTS`. With `CONTENTS`, the events
+                contain requests and responses.
         """
         self.end_introspection()
         if introspection_state != ServiceIntrospectionState.OFF:
@@ -137,7 +138,7 @@ class ServiceEndpoint(Endpoint):
             )
 
     def end_introspection(self) -> None:
-        """Publish what happens here no longer; nothing happens if nothing is published."""
+        """Stop publishing service events. Nothing happens if there are no events to stop."""
         introspection, self._introspection = self._introspection, None
         if introspection is not None:
             introspection.destroy()

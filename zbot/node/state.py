@@ -1,4 +1,4 @@
-"""What a node keeps for itself: its names, its entities, its parameters."""
+"""State of a node: its names, its entities and its parameters."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from zbot.names import (
     validate_full_topic_name,
     validate_topic_name,
 )
-from zbot.node.diagnostics import adviser_of
+from zbot.node.diagnostics import diagnostics_of
 from zbot.parameters.store import ParameterStore
 from zbot.wire.tokens import EndpointToken, NodeToken
 
@@ -40,15 +40,15 @@ if TYPE_CHECKING:
 
 
 class NodeState:
-    """What a node keeps for itself.
+    """State of a node. The node keeps it in a single attribute.
 
-    It is one attribute, so that students can call theirs `timer`, `publisher`, `name`, `_state` ...
+    So a subclass can use names such as `timer`, `publisher`, `name` and `_state` for itself.
 
     Args:
-        context: The context that the node lives in.
-        arguments: The command line that applies to it.
-        name: Its base name, remapped.
-        namespace: Its absolute namespace, remapped.
+        context: The context of the node.
+        arguments: The command line that applies to the node.
+        name: Base name, remapped.
+        namespace: Absolute namespace, remapped.
     """
 
     def __init__(self, context: Context, arguments: Arguments, name: str, namespace: str) -> None:
@@ -66,11 +66,11 @@ class NodeState:
         self.rates: list[Rate] = []
         self.waitables: list[WaitableEntity] = []
         self.clock = ROSClock()
-        self.parameters = ParameterStore(self._tell)
+        self.parameters = ParameterStore(self._publish_changes)
         self.parameter_events: Publisher[Any] | None = None
         self.is_destroyed = False
-        self._lock = threading.RLock()  # re-entrant, for a signal's handler
-        self._users = 0  # blocks that hold it
+        self._lock = threading.RLock()  # re-entrant, because a signal handler may use it
+        self._users = 0  # number of `with` blocks that use the node now
         self.token = NodeToken(
             domain=context.get_domain_id(),
             zid=context.zid,
@@ -80,12 +80,12 @@ class NodeState:
             enclave=arguments.enclave,
         )
         self.liveliness = context.graph.announce(self.token)
-        self.adviser = adviser_of(context)
-        self.adviser.add(self.token, self.logger_name)
+        self.diagnostics = diagnostics_of(context)
+        self.diagnostics.add(self.token, self.logger_name)
 
     @property
     def full_name(self) -> str:
-        """The node's fully qualified name."""
+        """The fully qualified name of the node."""
         return fully_qualified(self.token.namespace, self.token.node)
 
     @property
@@ -94,7 +94,7 @@ class NodeState:
         return self.full_name[1:].replace("/", ".")
 
     def resolve(self, name: str, *, is_service: bool, only_expand: bool = False) -> str:
-        """Return the full name of a topic or service: expanded, and remapped as a rule."""
+        """Return the full name of a topic or service. It is remapped if `only_expand` is false."""
         validate_topic_name(name, is_service=is_service)
         full = expand_topic_name(name, self.token.node, self.token.namespace)
         validate_full_topic_name(full, is_service=is_service)
@@ -129,13 +129,13 @@ class NodeState:
         )
 
     def add_waitable(self, waitable: Waitable[Any]) -> None:
-        """Let the node's executor run a program's own kind of work."""
+        """Let the node's executor run a waitable that the program defines."""
         entity = WaitableEntity(waitable, self.ready_queue)
         self.waitables.append(entity)
         self.ready_queue.add(entity)
 
     def remove_waitable(self, waitable: Waitable[Any]) -> None:
-        """Forget a program's own kind of work; nothing happens if it is unknown."""
+        """Remove a waitable. Nothing happens if the node does not have it."""
         for entity in [one for one in self.waitables if one.waitable is waitable]:
             self.waitables.remove(entity)
             self.ready_queue.remove(entity)
@@ -149,7 +149,7 @@ class NodeState:
 
     def __enter__(self) -> NodeState:
         with self._lock:
-            # As in rclpy, whoever uses it already may go on to the end of the outermost block.
+            # As in rclpy, a destroyed node stays usable until the end of the outermost block.
             if self.is_destroyed and not self._users:
                 raise InvalidHandleError(f"the node {self.full_name}")
             self._users += 1
@@ -161,17 +161,17 @@ class NodeState:
         exc_val: BaseException | None,
         exc_tb: TracebackType | None,
     ) -> None:
-        """Leave the node as it is."""
+        """End the use of the node."""
         with self._lock:
             self._users -= 1
 
     def add(self, entity: Any) -> None:
-        """Let the node's executor run what an entity has to do."""
+        """Let the node's executor run the callbacks of an entity."""
         entity.callback_group.add_entity(entity)
         self.ready_queue.add(entity)
 
-    def _tell(self, changes: Changes) -> None:
-        """Publish what happened to the parameters on `/parameter_events`."""
+    def _publish_changes(self, changes: Changes) -> None:
+        """Publish changes of parameters on `/parameter_events`."""
         publisher = self.parameter_events
         if publisher is not None and publisher.is_open:
             publisher.publish(
@@ -196,10 +196,10 @@ class NodeState:
         for served in (*reversed(self.services), *reversed(self.clients)):
             served.destroy()
         for endpoint in (*reversed(self.subscriptions), *reversed(self.publishers)):
-            self.adviser.remove(endpoint.token)
+            self.diagnostics.remove(endpoint.token)
             endpoint.destroy()
         self._forget_all()
-        self.adviser.remove(self.token)
+        self.diagnostics.remove(self.token)
         if not self.context.is_closed:
             self.liveliness.undeclare()
 

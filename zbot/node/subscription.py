@@ -1,39 +1,39 @@
-"""Subscriptions: samples wait in Zenoh's own queue and are decoded where their callback runs.
+"""Subscriptions, whose samples wait in a queue of Zenoh until the executor's thread decodes them.
 
-A thread of ours waits for the first sample of a burst, hands it over and posts the subscription to
-its executor; the executor then drains Zenoh's queue itself, and re-arms the thread when nothing is
-left and nothing comes in a moment. So a burst costs one wake-up, the two threads never compete, and
-an idle subscription uses no CPU. A keep-last queue is Zenoh's ring channel: what does not fit is
-dropped there and never touched by Python.
+A thread of the subscription waits for the first sample of a burst. It appends the sample to a queue
+and posts the subscription to its executor. The executor then drains Zenoh's queue itself, and lets
+the thread wait again when the queue stays empty for a moment. So a burst costs one wake-up, the two
+threads never compete, and an idle subscription uses no CPU. A keep-last queue is Zenoh's ring
+channel, which drops the oldest samples without Python.
 """
 
 from __future__ import annotations
 
 import contextlib
-import inspect
 import threading
 import time
 from collections import deque
 from enum import Enum
 from itertools import islice
-from typing import TYPE_CHECKING, Any, Generic, Literal, NamedTuple, TypedDict, TypeVar
+from typing import TYPE_CHECKING, Any, Generic, Literal, TypeVar
 
 import zenoh
 
-from zbot.errors import ZbotError
-from zbot.executor.errors import CallbackSignatureError
 from zbot.interfaces import has_sequences
-from zbot.log import away_from_sinks, get_logger
+from zbot.log import get_logger, sinks_disabled
 from zbot.names import ROSOUT_TOPIC
+from zbot.node.content_filter_options import ContentFilterOptions, NoContentFilterError
 from zbot.node.endpoint import RMW_IDENTIFIER, TopicEndpoint
+from zbot.node.message_info import MessageInfo, PublisherGid, takes_info
+from zbot.node.zenoh_declaration import declare_subscriber
 from zbot.process import blocked_put
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
-from zbot.qos import DurabilityPolicy, HistoryPolicy
+from zbot.qos import HistoryPolicy
 from zbot.transport.handle import Handle
-from zbot.transport.wakeup import LARGE_MOMENT_NS, BusyWait
+from zbot.transport.wakeup import LARGE_MESSAGE_WAIT_NS, BusyWait
 from zbot.wire.attachment import LAYOUT
 from zbot.wire.codec import CodecError
-from zbot.wire.dialect import other_type
+from zbot.wire.dialect import type_mismatch
 from zbot.wire.serialization import raw_decoder
 
 if TYPE_CHECKING:
@@ -47,86 +47,53 @@ if TYPE_CHECKING:
 
 MsgT = TypeVar("MsgT")
 
-# A keep-all queue that is full holds up its publishers (Zenoh's BLOCK): long enough that they wait
-# seldom, which is a tenth of a small message's way, and short where one message may take megabytes.
+# Length of a keep-all queue. A full queue blocks its publishers (Zenoh's BLOCK). Such waits cost a
+# tenth of a small message's latency. So the queue is long. It is short for types with sequences,
+# because a single message of such a type may take megabytes.
 _KEEP_ALL_QUEUE = 8192
 _KEEP_ALL_QUEUE_OF_SEQUENCES = 256
-# Publishers that restart for days leave their numbers behind: forget all after this many.
-_MOST_SOURCES = 1024
+# How many publishers' sequence numbers are kept. Without a limit, publishers that restart for days
+# would add up.
+_MAX_SOURCES = 1024
 
 
 _unpack, _FACTS_LENGTH = LAYOUT.unpack, LAYOUT.size
 
 
-class PublisherGid(TypedDict):
-    """Which publisher sent a message."""
-
-    implementation_identifier: str
-    data: bytes
-
-
-class MessageInfo(TypedDict):
-    """What a two-argument callback learns about its message; times in ns since the epoch."""
-
-    source_timestamp: int
-    received_timestamp: int
-    publication_sequence_number: int
-    reception_sequence_number: int
-    publisher_gid: PublisherGid | None  #: `None` where the publisher is no node's
-
-
-class ContentFilterOptions(NamedTuple):
-    """Messages that a subscription wants: `create_subscription` takes it.
-
-    The expressions are those of `zbot.interfaces.content_filter`.
-    """
-
-    filter_expression: str  #: an empty one lets every message through
-    expression_parameters: list[str]  #: what `%0`, `%1` ... stand for, written as in an expression
-
-
-class NoContentFilterError(ZbotError, LookupError):
-    """A subscription was asked for a filter that it does not have."""
-
-    def __init__(self, topic: str) -> None:
-        self.topic = topic
-        super().__init__(f"the subscription of {topic} has no content filter")
-
-
 class _Source:
-    """One publisher, as this subscription sees it."""
+    """Publisher of received messages, with its next sequence number, lifespan and type mismatch."""
 
     __slots__ = ("is_special", "lifespan_ns", "next_sequence", "refusal")
 
     def __init__(self, next_sequence: int, *, refusal: str, lifespan_ns: int) -> None:
         self.next_sequence = next_sequence
-        self.refusal = refusal  #: why its messages cannot be read; empty if they can
+        self.refusal = refusal  #: why its messages cannot be decoded, or an empty string
         self.lifespan_ns = lifespan_ns
         self.is_special = bool(lifespan_ns or refusal)
 
 
 class Subscription(TopicEndpoint, Generic[MsgT]):
-    """Calls a function for every message of a topic. Made by `Node.create_subscription`.
+    """Calls a function for every message of a topic. `Node.create_subscription` creates it.
 
     Args:
-        context: The session to listen through.
+        context: The context whose session receives the messages.
         msg_type: Message class.
-        callback: Takes the message, or the message and its `MessageInfo`; may be a coroutine
-            function.
-        token: Who and where this subscription is.
-        ready_queue: The node's way to its executor.
-        callback_group: Decides beside what the callback may run.
-        raw: Hand each message to the callback as the bytes of ROS 2's CDR; with `"payload"`, as
-            the bytes that were sent, undecoded.
-        logger_name: The node's logger.
-        content_filter: Which messages are wanted; all if left out.
+        callback: Takes the message, or the message and its `MessageInfo`. The callback may be a
+            coroutine function.
+        token: The subscription's liveliness token: its node, topic, type and profile.
+        ready_queue: The queue that the node's executor takes ready entities from.
+        callback_group: Decides which other callbacks may run at the same time.
+        raw: Whether the callback takes each message as bytes in ROS 2's CDR. With `"payload"`, it
+            takes the bytes that were sent.
+        logger_name: Name of the node's logger.
+        content_filter: Selects the messages for the callback. `None` selects all messages.
 
     Raises:
-        ContentFilterError: The filter does not fit the type.
+        ContentFilterError: The filter does not fit the message type.
     """
 
     class CallbackType(Enum):
-        """How many arguments the callback takes."""
+        """Arguments that the callback takes, as in rclpy."""
 
         MessageOnly = 0
         WithMessageInfo = 1
@@ -154,8 +121,8 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self.callback = callback
         self.raw = raw
         self.event_handlers: list[Any] = []
-        self.lost_count = 0  #: messages that were published and never came out of the queue
-        self.refused_count = 0  #: messages that could not be read, or had another type
+        self.lost_count = 0  #: messages that were published but not received
+        self.refused_count = 0  #: messages that could not be decoded, or had another type
         self._loss_listeners: list[Callable[[int], None]] = []
         self._context = context
         self._token = token
@@ -163,24 +130,25 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._logger_name = logger_name
         decode = context.dialect.codec_for(msg_type).decode
         self._decode: Callable[[Any], Any] = decode
-        self._read = decode  # a filter looks at messages where the callback wants bytes
+        self._read = decode  # a filter needs it when the callback takes bytes
         if raw:
             self._decode = bytes if raw == "payload" else raw_decoder(decode)
         self._sources: dict[bytes, _Source] = {}
-        self.received_count = 0  #: messages that the callback got
+        self.received_count = 0  #: messages that the callback was called with
         self._keep_all = token.qos.history is HistoryPolicy.KEEP_ALL
-        # Drained at once: all of a channel, but no more than that of a publisher that never pauses.
-        self._most = _KEEP_ALL_QUEUE
+        # How many samples to take at once. It is a full channel, and no more, because a publisher
+        # may never pause.
+        self._channel_size = _KEEP_ALL_QUEUE
         if self._keep_all and has_sequences(msg_type):
-            self._most = _KEEP_ALL_QUEUE_OF_SEQUENCES
+            self._channel_size = _KEEP_ALL_QUEUE_OF_SEQUENCES
         self._queue: deque[zenoh.Sample] = deque(
             maxlen=None if self._keep_all else max(token.qos.depth, 1)
         )
-        self._subscriber: Any = _declare(context, token, self._most)
+        self._subscriber: Any = declare_subscriber(context, token, self._channel_size)
         self._channel = self._subscriber.handler
-        self.next_sample = self._channel.try_recv  #: takes it out of Zenoh's queue
+        self.next_sample = self._channel.try_recv  #: takes a sample from Zenoh's queue
         if self._keep_all:
-            blocked_put.own_queues.add(self)
+            blocked_put.local_queues.add(self)
         self._armed = threading.Lock()
         self._is_waiting = False
         self._busy_wait = BusyWait()
@@ -188,23 +156,23 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._liveliness = context.graph.announce(token)
 
     def start(self) -> None:
-        """Begin to listen; the executor learns of messages through the ready_queue."""
+        """Start to receive. The ready queue tells the executor about messages."""
         self._armed.acquire()
         self._context.start_thread(f"zbot {self.topic_name}", self._listen, self._rearm)
 
     @property
     def callback(self) -> Callable[..., Any]:
-        """The function that gets the messages."""
+        """The function that is called with each message."""
         return self._callback
 
     @callback.setter
     def callback(self, callback: Callable[..., Any]) -> None:
-        self._with_info = _wants_info(callback)
+        self._with_info = takes_info(callback)
         self._callback = callback
 
     @property
     def is_destroyed(self) -> bool:
-        """Whether it listens no more."""
+        """Whether the subscription was destroyed."""
         return self._is_destroyed
 
     @property
@@ -215,7 +183,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
 
     @property
     def handle(self) -> SubscriptionHandle:
-        """What a `WaitSet` takes, and what messages can be taken from without an executor."""
+        """A handle for a `WaitSet`. A program can also take messages from it."""
         return SubscriptionHandle(self)
 
     def get_publisher_count(self) -> int:
@@ -226,21 +194,21 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
 
     @property
     def is_cft_enabled(self) -> bool:
-        """Whether a content filter keeps messages back."""
+        """Whether there is a content filter."""
         return self._filter is not None
 
     def set_content_filter(self, filter_expression: str, expression_parameters: list[str]) -> None:
-        """Take only the messages of which an expression is true, from the next message on.
+        """From the next message on, take only messages for which an expression is true.
 
-        All messages travel, and are filtered where they arrive: it spares the callback, not the
-        network.
+        The subscription filters the messages after it has received them. So a filter saves callback
+        calls, but no network traffic.
 
         Args:
-            filter_expression: See `zbot.interfaces.content_filter`; an empty one removes it.
-            expression_parameters: What `%0`, `%1` ... stand for.
+            filter_expression: As in `zbot.interfaces.content_filter`, or empty for no filter.
+            expression_parameters: The values of `%0`, `%1` ...
 
         Raises:
-            ContentFilterError: The filter does not fit the type; the former one stays.
+            ContentFilterError: The filter does not fit the message type. The old filter stays.
         """
         from zbot.interfaces.content_filter import ContentFilter  # noqa: PLC0415 - few have one
 
@@ -251,10 +219,10 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._filter_options = ContentFilterOptions(filter_expression, list(expression_parameters))
 
     def get_content_filter(self) -> ContentFilterOptions:
-        """Return the present filter.
+        """Return the current filter.
 
         Raises:
-            NoContentFilterError: There is none.
+            NoContentFilterError: The subscription has no filter.
         """
         if self._filter is None:
             raise NoContentFilterError(self.topic_name)
@@ -278,17 +246,17 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
     def take(self) -> zenoh.Sample | None:
         """Return the oldest sample that the profile's history still keeps, if any."""
         queue = self._queue
-        # A keep-last queue always takes all that came, so that the oldest drop out. A keep-all
-        # queue is emptied before it takes more: refilling a channel that is full costs its writer
-        # a wake-up.
+        # A keep-last queue takes all new samples each time, so that it drops the oldest samples. A
+        # keep-all queue becomes empty before it takes new samples. The reason is that a writer must
+        # wake up each time that its full channel has room again.
         if self._is_waiting and not (queue and self._keep_all):
             try:
-                # The loop is C's.
-                queue.extend(islice(iter(self.next_sample, None), self._most))
+                # This loop runs in C.
+                queue.extend(islice(iter(self.next_sample, None), self._channel_size))
                 if not (queue or self._busy_wait.begin(self._fetch)):
                     self._rearm()
             except zenoh.ZError:
-                return None  # another thread undeclared it or closed the session just now
+                return None  # another thread destroyed the subscription or closed the session
         try:
             return queue.popleft()
         except IndexError:
@@ -296,21 +264,21 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
 
     @property
     def has_work(self) -> bool:
-        """Whether there is a message to take; for the thread that takes them."""
+        """Whether there is a message to take. Only the thread that takes messages may ask."""
         if not self._queue and self._is_waiting:
-            sample = self.take()  # more may have come while nobody looked
+            sample = self.take()  # from Zenoh's queue, which the thread does not watch now
             if sample is not None:
                 self._queue.appendleft(sample)
         return bool(self._queue)
 
     def take_message(self, *, raw: bool = False) -> tuple[Any, MessageInfo] | None:
-        """Take the oldest message with its info past the callback; `None` if there is none.
+        """Take the oldest message and its info without the callback; `None` if there is none.
 
         Args:
-            raw: Return ROS 2's CDR bytes in place of a message.
+            raw: Whether to return the message as bytes in ROS 2's CDR.
 
         Raises:
-            CodecError: It cannot be read.
+            CodecError: The message cannot be decoded.
         """
         while (sample := self.take()) is not None:
             payload = sample.payload.to_bytes()
@@ -333,11 +301,11 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
 
     def _rearm(self) -> None:
         self._is_waiting = False
-        with contextlib.suppress(RuntimeError):  # `take` and `destroy` met in two threads
+        with contextlib.suppress(RuntimeError):  # another thread released it first
             self._armed.release()
 
     def execute(self, sample: zenoh.Sample) -> Any:
-        """Decode a sample and call the callback; one that cannot be read is counted and told."""
+        """Decode a sample and call the callback. Count and log a sample that cannot be decoded."""
         attachment = sample.attachment
         facts = None if attachment is None else attachment.to_bytes()
         if facts is not None and len(facts) == _FACTS_LENGTH:
@@ -356,7 +324,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         payload = sample.payload.to_bytes()
         if len(payload) >= LARGE_BYTES:
             keep_freed_memory()
-            self._busy_wait.moment_ns = LARGE_MOMENT_NS
+            self._busy_wait.short_wait_ns = LARGE_MESSAGE_WAIT_NS
         try:
             message = self._decode(payload)
         except CodecError as exc:
@@ -372,39 +340,44 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         return self._callback(message)
 
     def _is_wanted(self, payload: bytes, message: Any = None) -> bool:
-        """Return whether the content filter, if any, lets a message through.
+        """Return whether the content filter, if any, selects a message.
 
         Args:
-            payload: The message as it came.
-            message: The same, if somebody has read it already.
+            payload: The message's payload.
+            message: The decoded message. If it is left out, the payload is decoded here.
         """
         if self._filter is None:
             return True
         try:
-            return self._filter.admits(self._read(payload) if message is None else message)
+            return self._filter.matches(self._read(payload) if message is None else message)
         except CodecError as exc:
-            self._refuse(str(exc))  # the callback wants bytes, so nobody has looked before
+            self._refuse(str(exc))  # a raw message is decoded here for the first time
             return False
 
     def _admits(self, sample: zenoh.Sample, sequence: int, stamp_ns: int, gid: bytes) -> bool:
-        """Note a message of a new publisher, behind a gap, or of a publisher that needs a look."""
-        source = self._sources.get(gid) or self._greet(sample, sequence, gid)
+        """Return whether to decode a message. Count a gap in its publisher's sequence numbers.
+
+        This is called for a publisher's first message, for a message after a gap, and for every
+        message of a publisher with a lifespan or a wrong type.
+        """
+        source = self._sources.get(gid) or self._add_source(sample, sequence, gid)
         if sequence != source.next_sequence:
-            self._lose(sequence - source.next_sequence)
-        source.next_sequence = max(source.next_sequence, sequence + 1)  # a late one is no loss
+            self._count_loss(sequence - source.next_sequence)
+        # A late message is not a loss.
+        source.next_sequence = max(source.next_sequence, sequence + 1)
         if source.refusal:
             self._refuse(source.refusal)
             return False
         return not source.lifespan_ns or time.time_ns() - stamp_ns <= source.lifespan_ns
 
     def _refusal(self, sample: zenoh.Sample) -> str:
-        """Return why a sample's encoding rules it out; one that names no type does not."""
+        """Return why a sample's type is wrong, or an empty string if it is right or unknown."""
         if self.raw:
             return ""
-        return other_type(self._context.dialect, sample.encoding, self._token.type_name)
+        return type_mismatch(self._context.dialect, sample.encoding, self._token.type_name)
 
-    def _greet(self, sample: zenoh.Sample, sequence: int, gid: bytes) -> _Source:
-        if len(self._sources) >= _MOST_SOURCES:
+    def _add_source(self, sample: zenoh.Sample, sequence: int, gid: bytes) -> _Source:
+        if len(self._sources) >= _MAX_SOURCES:
             self._sources.clear()
         publisher = self._context.graph.find(gid)
         lifespan = 0 if publisher is None else publisher.qos.lifespan.nanoseconds
@@ -415,9 +388,9 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._sources[gid] = source
         return source
 
-    def _lose(self, missing: int) -> None:
+    def _count_loss(self, missing: int) -> None:
         if missing < 0:
-            return  # the publisher's threads overtook each other, or it sent a cached message again
+            return  # the publisher's threads overtook each other, or a cached message came again
         first = self.lost_count == 0
         self.lost_count += missing
         for listener in self._loss_listeners:
@@ -426,9 +399,9 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             self._warn_of_loss(missing)
 
     def _warn_of_loss(self, missing: int) -> None:
-        # On /rosout the warning would itself push out a line that waits.
+        # The warning would go to /rosout, and drop another line from a full queue of /rosout.
         own_cause = self.topic_name == ROSOUT_TOPIC
-        with away_from_sinks() if own_cause else contextlib.nullcontext():
+        with sinks_disabled() if own_cause else contextlib.nullcontext():
             get_logger(self._logger_name).warning(
                 f"{self.topic_name}: {missing} messages lost: they come faster than the callback "
                 f"takes them (queue depth {self._token.qos.depth}; further losses are only counted)"
@@ -455,11 +428,11 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         )
 
     def report_losses_to(self, listener: Callable[[int], None]) -> None:
-        """Call `listener(missing)` in the executor's thread when messages were lost."""
+        """Call `listener(count)` in the executor's thread when messages were lost."""
         self._loss_listeners.append(listener)
 
     def destroy(self) -> None:
-        """Stop listening; may be called twice, also in the callback."""
+        """Leave the topic. This method may be called twice, also in the callback."""
         if self._is_destroyed:
             return
         self._is_destroyed = True
@@ -480,7 +453,7 @@ class SubscriptionHandle(Handle[Subscription[Any]]):
         msg_type: object = None,  # noqa: ARG002 - rclpy's signature
         raw: bool = False,
     ) -> tuple[Any, MessageInfo] | None:
-        """Take the oldest message with its info past the callback; `None` if there is none."""
+        """Take the oldest message and its info without the callback; `None` if there is none."""
         return self.entity.take_message(raw=raw)
 
     def get_topic_name(self) -> str:
@@ -490,46 +463,3 @@ class SubscriptionHandle(Handle[Subscription[Any]]):
     def get_publisher_count(self) -> int:
         """Return how many publishers the topic has."""
         return self.entity.get_publisher_count()
-
-
-def _wants_info(callback: Callable[..., Any]) -> bool:
-    """Return whether a callback takes the message's info too.
-
-    Raises:
-        CallbackSignatureError: It takes neither one nor two arguments.
-    """
-    expected = "(message) or (message, info)"
-    if not callable(callback):
-        raise CallbackSignatureError("a subscription's callback", expected)
-    try:
-        signature = inspect.signature(callback)
-    except (TypeError, ValueError):
-        return False  # some builtins have no signature; list.append is a popular callback
-    for arguments in ((None,), (None, None)):
-        try:
-            signature.bind(*arguments)
-        except TypeError:
-            continue
-        return len(arguments) == 2
-    raise CallbackSignatureError("a subscription's callback", expected)
-
-
-def _declare(context: Context, token: EndpointToken, most: int) -> Any:
-    qos = token.qos
-    depth = max(qos.depth, 1)
-    channel: Any = zenoh.handlers.RingChannel(depth)
-    if qos.history is HistoryPolicy.KEEP_ALL:
-        channel, depth = zenoh.handlers.FifoChannel(most), most
-    key = context.dialect.topic_key(context.get_domain_id(), token.name)
-    if qos.durability is not DurabilityPolicy.TRANSIENT_LOCAL:
-        return context.session.declare_subscriber(key, channel)
-    import zenoh.ext as advanced  # noqa: PLC0415 - only latched topics need it
-
-    return advanced.declare_advanced_subscriber(
-        context.session,
-        key,
-        channel,
-        history=advanced.HistoryConfig(detect_late_publishers=True, max_samples=depth),
-        recovery=advanced.RecoveryConfig(periodic_queries=None, heartbeat=True),
-        subscriber_detection=True,
-    )

@@ -1,4 +1,4 @@
-"""Simulated time: clocks follow `/clock` while a node's `use_sim_time` is true."""
+"""Time source that sets clocks from `/clock` while a node's `use_sim_time` is true."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ CLOCK_TOPIC = "/clock"
 
 
 class TimeSource:
-    """Feeds clocks from `/clock`, or leaves them on the system's time.
+    """Sets clocks to the time of `/clock`, or to the system's time.
 
     Args:
-        node: Whose parameter decides, and who subscribes; may be attached later.
+        node: The node that has the parameter and subscribes. It may be attached later.
     """
 
     def __init__(self, *, node: Node | None = None) -> None:
@@ -30,7 +30,7 @@ class TimeSource:
         self._clocks: list[ROSClock] = []
         self._last_time = Time(clock_type=ClockType.ROS_TIME)
         self._is_active = False
-        # A group of its own: a callback of the node may wait for the time to go on.
+        # A separate group, because a callback of the node may wait for the simulated time.
         self._group = MutuallyExclusiveCallbackGroup()
         self._clock_sub: Subscription[Any] | None = None
         if node is not None:
@@ -54,28 +54,28 @@ class TimeSource:
         return self._node
 
     def attach_node(self, node: Node) -> None:
-        """Follow a node's `use_sim_time` from now on, in place of the former node's."""
+        """From now on, follow the `use_sim_time` of this node and not of the former node."""
         self.detach_node()
         if not node.has_parameter(USE_SIM_TIME):
             node.declare_parameter(USE_SIM_TIME, False)
         self._node = node
-        # The latest comes first, as in rclpy: its subscription is also the first to be served.
+        # As in rclpy, the latest time source comes first, so its subscription is created first.
         node.handle.parameters.post_set.insert(0, self._follow)
         self._follow()
         self._subscribe()
 
     def detach_node(self) -> None:
-        """Follow nobody; the clocks stay as they are, simulated ones at the last time."""
+        """Detach the node. Clocks stay as they are, and simulated clocks stop at the last time."""
         if self._node is not None:
             self._unsubscribe()
             self._node.handle.parameters.post_set.remove(self._follow)
             self._node = None
 
     def attach_clock(self, clock: ROSClock) -> None:
-        """Feed one more clock.
+        """Add another clock, which this time source sets too.
 
         Raises:
-            ClockTypeError: It is not of ROS time.
+            ClockTypeError: The clock is not a ROS time clock.
         """
         if not isinstance(clock, ROSClock):
             raise ClockTypeError("ROS_TIME", repr(clock))
@@ -97,7 +97,7 @@ class TimeSource:
     def _subscribe(self) -> None:
         if not self._is_active or self._node is None or self._clock_sub is not None:
             return
-        from rosgraph_msgs.msg import Clock  # noqa: PLC0415 - simulation is the exception
+        from rosgraph_msgs.msg import Clock  # noqa: PLC0415 - few nodes use simulated time
 
         profile = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
         self._clock_sub = self._node.create_subscription(

@@ -1,4 +1,4 @@
-"""The service by which a node tells others what the types that it uses look like."""
+"""Service of a node that returns the definitions of types."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import MessageSpec, get_spec, type_description, type_hash
 from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
-from zbot.interfaces.late import LateService
+from zbot.interfaces.lazy_service import LazyService
 from zbot.node.parameters import START_TYPE_DESCRIPTION_SERVICE
 from zbot.node.service import Service
 from zbot.qos import qos_profile_services_default
@@ -23,16 +23,16 @@ if TYPE_CHECKING:
     from zbot.interfaces import InterfaceSpec
     from zbot.node.node import Node
 
-#: The service's type and its hash, which a ROS 2 type never changes; a node that nobody asks needs
-#: neither the class nor its definition.
+#: Type and type hash of the service, which never change in ROS 2. They are constants, so that the
+#: class is loaded at the first request.
 SERVICE_TYPE = (
     "type_description_interfaces/srv/GetTypeDescription",
     "RIHS01_69b9c19c1021405984cc60dbbb1edceb147a6538b411d812ba6afabeed962cd5",
 )
 
 
-class _UnspunService(Service[Any, Any]):
-    """Answers in a thread of its own, so that a node that never spins answers too."""
+class _ThreadedService(Service[Any, Any]):
+    """Service that runs in a separate thread, so that it works without an executor."""
 
     @called_by_zenoh
     def _receive(self, query: zenoh.Query) -> None:
@@ -45,10 +45,10 @@ class _UnspunService(Service[Any, Any]):
 
 
 class TypeDescriptionService:
-    """The service `~/get_type_description` of a node; each node makes its own.
+    """The service `~/get_type_description`, which every node creates.
 
     Args:
-        node: Whose service it is; the parameter `start_type_description_service` must be true.
+        node: The node. Its parameter `start_type_description_service` turns the service on.
     """
 
     def __init__(self, node: Node) -> None:
@@ -64,9 +64,9 @@ class TypeDescriptionService:
 
     def _serve(self, name: str) -> Service[Any, Any]:
         handle = self._handle
-        return _UnspunService(
+        return _ThreadedService(
             handle.context,
-            LateService(SERVICE_TYPE[0]),
+            LazyService(SERVICE_TYPE[0]),
             _describe,
             handle.named_endpoint(
                 EntityKind.SERVICE, name, SERVICE_TYPE, qos_profile_services_default
@@ -77,7 +77,7 @@ class TypeDescriptionService:
         )
 
     def destroy(self) -> None:
-        """End the service; may be called twice."""
+        """End the service. This method may be called twice."""
         service, self._service = self._service, None
         if service is not None:
             self._handle.services.remove(service)
@@ -157,9 +157,9 @@ def _source_message(spec: InterfaceSpec) -> Any:
 
 
 def _encoding(spec: InterfaceSpec) -> str:
-    """Where a definition is from; only what has a file of its own has a text."""
+    """Return the encoding of a definition. Only a definition with its own file has a text."""
     if "_" in spec.name.rpartition("/")[2]:
-        return "implicit"  # a part of a service or an action: no other name has this character
+        return "implicit"  # a part of a service or action, because only such names have `_`
     if isinstance(spec, MessageSpec) and spec.fields and not spec.text:
         return "dynamic"
     return spec.name.split("/")[1]

@@ -1,4 +1,4 @@
-"""One message of a topic, for programs that need no more."""
+"""Function that waits for a single message of a topic."""
 
 from __future__ import annotations
 
@@ -27,17 +27,17 @@ def wait_for_message(
     qos_profile: QoSProfile | int = 1,
     time_to_wait: float = -1,
 ) -> tuple[Literal[True], MsgT] | tuple[Literal[False], None]:
-    """Wait for the next message of a topic. No other callback of the node runs meanwhile.
+    """Wait for the next message of a topic, without running other callbacks of the node.
 
     Args:
         msg_type: Message class.
-        node: Who subscribes meanwhile; it may be in an executor or not.
+        node: The node that subscribes during the wait. It may also be in an executor.
         topic: Relative, `~/private` or absolute name.
-        qos_profile: A profile, or the depth of the default one.
-        time_to_wait: Seconds; less than 0 for as long as the context lives.
+        qos_profile: A profile, or a depth for the default profile.
+        time_to_wait: Seconds to wait. A negative number means until the context is shut down.
 
     Returns:
-        True and the message, or False and `None` if there was none in time.
+        True and the message, or False and `None` if no message came in time.
 
     Raises:
         InvalidTopicNameError: The name breaks ROS 2's grammar.

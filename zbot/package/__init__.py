@@ -1,6 +1,6 @@
-"""Packages by their names: where they are, and the folder with what they share.
+"""Functions that find a package by its name: its prefix and its share folder.
 
-Nothing has to be built: a package of the workspace is used as it lies in its source folder.
+A package of the workspace does not have to be built. It is used from its source folder.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from zbot.package.errors import PackageNameError, PackageNotFoundError
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from zbot.package.places import Package
+    from zbot.package.finder import Package
 
 __all__ = [
     "PackageNameError",
@@ -23,51 +23,51 @@ __all__ = [
     "packages",
 ]
 
-# REP 127, with the exemptions that ROS 2 makes.
+# REP 127, with the exceptions that ROS 2 makes.
 _NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]+\Z", re.ASCII)
 
 
 def package_share(name: str) -> Path:
-    """Return the folder with what a package shares: `launch`, `config`, `urdf` and the like.
+    """Return the share folder of a package, which has `launch`, `config`, `urdf` and so on.
 
     Raises:
         PackageNotFoundError: There is no such package.
-        PackageNameError: No package can have this name.
+        PackageNameError: The name is not valid for a package.
     """
-    from zbot.package.view import share_folder  # noqa: PLC0415 - `import zbot` does without
+    from zbot.package.symlink_install import share_folder  # noqa: PLC0415 - slow to import
 
     return share_folder(_find(name))
 
 
 def package_prefix(name: str) -> Path:
-    """Return the folder that a package is installed to, with its `share/<name>` and `lib/<name>`.
+    """Return the prefix of a package, the folder that has `share/<name>` and `lib/<name>`.
 
     Raises:
         PackageNotFoundError: There is no such package.
-        PackageNameError: No package can have this name.
+        PackageNameError: The name is not valid for a package.
     """
-    from zbot.package.view import prefix_folder  # noqa: PLC0415 - as above
+    from zbot.package.symlink_install import prefix_folder  # noqa: PLC0415 - as above
 
     return prefix_folder(_find(name))
 
 
 def packages() -> dict[str, Package]:
-    """Return every package that can be found, by name, sorted."""
-    from zbot.package.places import all_packages  # noqa: PLC0415 - as above
+    """Return every package that can be found, sorted by name."""
+    from zbot.package.finder import all_packages  # noqa: PLC0415 - as above
 
     return all_packages()
 
 
 def _find(name: str) -> Package:
-    from zbot.package.places import (  # noqa: PLC0415 - as above
+    from zbot.package.finder import (  # noqa: PLC0415 - as above
         all_packages,
         find_package,
-        searched_places,
+        searched_folders,
     )
 
     if not _NAME.match(name):
         raise PackageNameError(name)
     package = find_package(name)
     if package is None:
-        raise PackageNotFoundError(name, searched_places(), all_packages())
+        raise PackageNotFoundError(name, searched_folders(), all_packages())
     return package

@@ -1,6 +1,6 @@
-"""ROS 2's resource index under the names of `ament_index_python`.
+"""Resource index of ROS 2: the functions of `ament_index_python`.
 
-Packages that nobody installed are in no index: what it would say of them follows from their files.
+A package that is not installed has no entries in an index. zbot finds its entries from its files.
 """
 
 from __future__ import annotations
@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING, Literal
 
 from zbot.errors import ZbotError
 from zbot.package import package_prefix, package_share
-from zbot.package.places import all_packages, find_package, prefixes
+from zbot.package.finder import all_packages, find_package, prefixes
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from zbot.package.places import Package
+    from zbot.package.finder import Package
 
-#: Below a prefix: a folder for each kind of resource, in it a file for each name.
+#: Folder below a prefix. It has a folder for each resource type, which has a file for each resource.
 RESOURCE_INDEX_SUBFOLDER = "share/ament_index/resource_index"
 AMENT_PREFIX_PATH_ENV_VAR = "AMENT_PREFIX_PATH"
 _PACKAGES = "packages"
@@ -25,7 +25,7 @@ _INTERFACES = "rosidl_interfaces"
 
 
 class InvalidResourceTypeNameError(ZbotError, ValueError):
-    """The kind of a resource is no plain name."""
+    """A resource type is empty or contains a slash."""
 
     def __init__(self, resource_type: str) -> None:
         self.resource_type = resource_type
@@ -33,7 +33,7 @@ class InvalidResourceTypeNameError(ZbotError, ValueError):
 
 
 class InvalidResourceNameError(ZbotError, ValueError):
-    """The name of a resource is no plain name."""
+    """A resource name contains a slash."""
 
     def __init__(self, resource_name: str) -> None:
         self.resource_name = resource_name
@@ -41,7 +41,7 @@ class InvalidResourceNameError(ZbotError, ValueError):
 
 
 class ResourceNotFoundError(ZbotError, LookupError):
-    """Nothing is registered under that kind and name."""
+    """No resource of that type and name is registered."""
 
     def __init__(self, resource_type: str, resource_name: str) -> None:
         self.resource_type, self.resource_name = resource_type, resource_name
@@ -49,27 +49,27 @@ class ResourceNotFoundError(ZbotError, LookupError):
 
 
 def get_package_prefix(package_name: str) -> str:
-    """Return the folder that a package is installed to.
+    """Return the prefix of a package.
 
     Raises:
         PackageNotFoundError: There is no such package.
-        PackageNameError: No package can have this name.
+        PackageNameError: The name is not valid for a package.
     """
     return str(package_prefix(package_name))
 
 
 def get_package_share_directory(package_name: str, print_warning: bool = True) -> str:
-    """Return the folder with what a package shares: its launch files, configuration and the like.
+    """Return the share folder of a package, which has launch files, configuration and so on.
 
     Raises:
         PackageNotFoundError: There is no such package.
-        PackageNameError: No package can have this name.
+        PackageNameError: The name is not valid for a package.
     """
     return str(get_package_share_path(package_name, print_warning))
 
 
 def get_package_share_path(package_name: str, print_warning: bool = True) -> Path:
-    """Return what `get_package_share_directory` returns, as a path."""
+    """Return the result of `get_package_share_directory` as a path."""
     share = package_share(package_name)
     if print_warning and not share.exists():
         text = f"Share directory for {package_name} ({share}) does not exist."
@@ -78,22 +78,22 @@ def get_package_share_path(package_name: str, print_warning: bool = True) -> Pat
 
 
 def get_packages_with_prefixes() -> dict[str, str]:
-    """Return the folder that each package is installed to, by its name."""
+    """Return the prefix of each package by name."""
     return get_resources(_PACKAGES)
 
 
 def get_search_paths() -> list[str]:
-    """Return the folders that packages are installed to, as far as they exist."""
+    """Return the prefixes that exist."""
     return [str(prefix) for prefix in prefixes() if prefix.exists()]
 
 
 def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
-    """Return what a resource says, and the prefix that it is in.
+    """Return the content of a resource and its prefix.
 
     Raises:
-        ResourceNotFoundError: Nobody registered it.
-        InvalidResourceTypeNameError: The kind has a slash.
-        InvalidResourceNameError: The name has a slash.
+        ResourceNotFoundError: The resource is not registered.
+        InvalidResourceTypeNameError: The type is empty or contains a slash.
+        InvalidResourceNameError: The name contains a slash.
     """
     _check(resource_type, resource_name)
     for prefix in prefixes():
@@ -108,10 +108,10 @@ def get_resource(resource_type: str, resource_name: str) -> tuple[str, str]:
 
 
 def get_resources(resource_type: str) -> dict[str, str]:
-    """Return the prefix of every resource of a kind, by its name.
+    """Return the prefix of every resource of a type, by the name of the resource.
 
     Raises:
-        InvalidResourceTypeNameError: The kind has a slash.
+        InvalidResourceTypeNameError: The type is empty or contains a slash.
     """
     _check(resource_type)
     found: dict[str, str] = {}
@@ -126,11 +126,11 @@ def get_resources(resource_type: str) -> dict[str, str]:
 
 
 def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]:
-    """Return the prefix that a resource is in, or False.
+    """Return the prefix of a resource, or False if the resource is not registered.
 
     Raises:
-        InvalidResourceTypeNameError: The kind has a slash.
-        InvalidResourceNameError: The name has a slash.
+        InvalidResourceTypeNameError: The type is empty or contains a slash.
+        InvalidResourceNameError: The name contains a slash.
     """
     try:
         return get_resource(resource_type, resource_name)[1]
@@ -139,7 +139,7 @@ def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]
 
 
 def get_resource_types() -> set[str]:
-    """Return every kind of resource that is registered somewhere."""
+    """Return every resource type that is registered in a prefix."""
     folders = (
         entry
         for prefix in prefixes()
@@ -161,7 +161,7 @@ def _check(resource_type: str, resource_name: str = "") -> None:
 
 
 def _text(resource_type: str, package: Package) -> str | None:
-    """What a package would have registered, had it been installed."""
+    """Return the text that the package would register if it was installed, or `None`."""
     if resource_type == _PACKAGES:
         return ""
     if resource_type == _INTERFACES:

@@ -1,4 +1,4 @@
-"""What a CMakeLists.txt installs, as far as it concerns Python programs and shared files."""
+"""Reader of CMakeLists.txt files. It finds the programs, files and interfaces to install."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _COMMAND = re.compile(
 _WORD = re.compile(r'"([^"]*)"|([^\s"]+)')
 _VARIABLE = re.compile(r"\$\{(\w+)\}")
 _MAX_EXPANSIONS = 8
-#: Words of install() after which something else begins than names of files.
+#: Keywords of install() that end its list of file names.
 _ENDS = {
     "DESTINATION", "RENAME", "PATTERN", "PERMISSIONS", "FILES_MATCHING", "REGEX", "OPTIONAL",
     "USE_SOURCE_PERMISSIONS", "FILE_PERMISSIONS", "DIRECTORY_PERMISSIONS", "COMPONENT",
@@ -26,20 +26,20 @@ _ENDS = {
 
 @dataclass
 class Installation:
-    """What is installed, each file by where it goes to below the prefix."""
+    """Dictionaries of the files to install. The keys are paths below the prefix."""
 
     programs: dict[str, Path] = field(default_factory=dict)
     files: dict[str, Path] = field(default_factory=dict)
     interfaces: dict[str, int] = field(default_factory=dict)  #: file -> line that names it
     compiled: dict[str, int] = field(default_factory=dict)  #: C++ program -> line that adds it
-    missing: dict[str, int] = field(default_factory=dict)  #: what is named, but not there -> line
+    missing: dict[str, int] = field(default_factory=dict)  #: file that does not exist -> line
 
 
 def read_cmake(folder: Path) -> Installation:
-    """Return what the CMakeLists.txt of a folder installs; nothing if it has none.
+    """Return what the CMakeLists.txt of a folder installs. Empty if there is no such file.
 
-    Commands are taken in order, conditions are not looked at, and what cannot be known without
-    CMake is left out.
+    The reader reads the commands in order and ignores conditions. It leaves out values that only
+    CMake can compute.
     """
     try:
         text = (folder / "CMakeLists.txt").read_text(encoding="utf-8", errors="replace")
@@ -57,7 +57,7 @@ class _Reader:
             "PROJECT_SOURCE_DIR": [str(folder)],
         }
         self.installation = Installation()
-        # Comments become blanks, so that lines keep their numbers.
+        # Comments become empty lines, so that line numbers do not change.
         blanked = _COMMENT.sub(lambda found: "\n" * found[0].count("\n"), text)
         for command in _COMMAND.finditer(blanked):
             words = list(self._words(command["words"]))
@@ -81,7 +81,7 @@ class _Reader:
         return word
 
     def _value(self, found: re.Match[str]) -> str:
-        # What only CMake knows stays as it is written, and is told by that.
+        # An unknown variable stays as `${NAME}`, so that `_read_install` can recognize it.
         return ";".join(self._variables[found[1]]) if found[1] in self._variables else found[0]
 
     def _read_project(self, words: list[str], _line: int) -> None:
@@ -102,7 +102,7 @@ class _Reader:
         find = self._folder.rglob if kind == "GLOB_RECURSE" else self._folder.glob
         try:
             return sorted(find(relative))
-        except (ValueError, NotImplementedError):  # empty, absolute, or no pattern of Python's
+        except (ValueError, NotImplementedError):  # empty, absolute, or invalid in Python
             return []
 
     def _read_add_executable(self, words: list[str], line: int) -> None:
@@ -138,7 +138,7 @@ class _Reader:
             group[target] = path
 
     def _add_folder(self, name: str, target: str) -> None:
-        # As CMake has it: `a` goes to target/a, `a/` is what is in it.
+        # As in CMake, folder `a` is installed as target/a, and the content of `a/` as target.
         source = self._folder / name
         start = target if name.endswith("/") else f"{target}/{source.name}"
         for path in sorted(source.rglob("*")):

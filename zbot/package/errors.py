@@ -1,4 +1,4 @@
-"""What can go wrong with packages."""
+"""Errors of packages."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ if TYPE_CHECKING:
 
 
 class PackageNotFoundError(ZbotError, KeyError):
-    """No package of that name is in the workspace, bundled or installed.
+    """A package is neither in the workspace, nor bundled, nor installed.
 
     Attributes:
-        package: The name.
-        searched: Where it was looked for.
-        hint: What may have been meant, if anything is near.
+        package: The package's name.
+        searched: The folders that were searched.
+        hint: A question that suggests a similar name. Empty if there is no similar name.
     """
 
     def __init__(self, package: str, searched: Iterable[Path], known: Iterable[str] = ()) -> None:
@@ -27,12 +27,12 @@ class PackageNotFoundError(ZbotError, KeyError):
         super().__init__(f"package '{package}' not found, searching: {self.searched}")
 
     def __str__(self) -> str:
-        # KeyError would print the sentence as a quoted key.
+        # KeyError.__str__ returns the repr of the message.
         return str(self.args[0])
 
 
 class PackageNameError(ZbotError, ValueError):
-    """A text cannot be the name of a package, e.g. because it is a path."""
+    """A text is not a valid package name, e.g. because it is a path."""
 
     def __init__(self, package: object) -> None:
         self.package = package

@@ -1,4 +1,4 @@
-"""Where packages are: in the workspace, among what zbot brings, installed, in a ROS 2 prefix."""
+"""Finder of packages in the workspace, bundled with zbot, or installed in a prefix."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ if TYPE_CHECKING:
 
 _ZBOT = Path(__file__).parents[1]
 _DEFINITIONS = _ZBOT / "interfaces" / "defs"
-_STAND_INS = _ZBOT / "compat" / "packages"
+_COMPAT_PACKAGES = _ZBOT / "compat" / "packages"
 _SHARE = _ZBOT / "share"
-#: Names that the nodes and launch files of zbot go by.
+#: Package names under which zbot's own nodes and launch files can be used.
 BUNDLED_NAMES = ("zbot", "zbot_nodes", "demo_nodes_py", "demo_nodes_cpp")
 _OURS = ("launch",)
 _INDEX = Path("share", "ament_index", "resource_index", "packages")
-#: An installed Python package counts as one of ours if it has one of these in its folder.
+#: An installed Python package counts as a ROS 2 package if its folder contains one of these.
 _MARKS = (MANIFEST, "launch", "msg", "srv", "action")
 
 
 class Origin(Enum):
-    """Where a package comes from."""
+    """Origin of a package."""
 
     WORKSPACE = "workspace"
     BUNDLED = "bundled"
@@ -38,18 +38,18 @@ class Origin(Enum):
 
 @dataclass(frozen=True)
 class Package:
-    """A package that was found."""
+    """A package that the finder has found."""
 
     name: str
-    folder: Path  #: its sources, or what was installed of it for others to use
+    folder: Path  #: its sources, or its installed share folder
     origin: Origin
-    prefix: Path | None = None  #: where it was installed to; None where nothing was installed
-    only: tuple[str, ...] = ()  #: the folders in it that are the package's; all if there are none
-    launch: Path | None = None  #: where its launch files are if not in its folder
+    prefix: Path | None = None  #: the prefix where the package is installed, or None
+    only: tuple[str, ...] = ()  #: the folders in `folder` that belong to the package (empty: all)
+    launch: Path | None = None  #: the folder of the launch files if it is not in `folder`
 
 
 def all_packages() -> dict[str, Package]:
-    """Every package, by name; of several with one name the one that is found first."""
+    """Return every package, sorted by name. If several have one name, take the first found."""
     found: dict[str, Package] = {}
     for place in (_workspace(), _bundled(), _in_prefixes()):
         for package in place:
@@ -58,7 +58,7 @@ def all_packages() -> dict[str, Package]:
 
 
 def find_package(name: str) -> Package | None:
-    """The package of that name; None if there is none."""
+    """Return the package of that name, or None if there is no such package."""
     places = (_workspace(), _bundled(), _in_prefixes(), _python_package(name), _editable(name))
     for place in places:
         for package in place:
@@ -67,9 +67,9 @@ def find_package(name: str) -> Package | None:
     return None
 
 
-def searched_places() -> list[Path]:
-    """What `find_package` looks into, for error texts."""
-    from zbot.package.workspace import search_roots  # noqa: PLC0415 - only for mistakes
+def searched_folders() -> list[Path]:
+    """Return the folders that `find_package` searches, for error messages."""
+    from zbot.package.workspace import search_roots  # noqa: PLC0415 - for errors only
 
     return [*(root for root, _ in search_roots()), *prefixes()]
 
@@ -87,20 +87,20 @@ def _bundled() -> Iterator[Package]:
         yield Package(
             name, own if has_own else share, Origin.BUNDLED, only=() if has_own else _OURS
         )
-    for parent in (_DEFINITIONS, _STAND_INS):
+    for parent in (_DEFINITIONS, _COMPAT_PACKAGES):
         if parent.is_dir():
             folders = (entry for entry in parent.iterdir() if entry.name.isidentifier())
-            yield from (_brought(one, share) for one in folders if one.is_dir())
+            yield from (_bundled_package(one, share) for one in folders if one.is_dir())
 
 
-def _brought(folder: Path, share: Path) -> Package:
+def _bundled_package(folder: Path, share: Path) -> Package:
     launch = share / "launch" / folder.name
     own = launch if launch.is_dir() else None
     return Package(folder.name, folder, Origin.BUNDLED, launch=own)
 
 
 def prefixes() -> list[Path]:
-    """Folders that packages are installed to: ROS 2's, then those that pip installs to."""
+    """Return pip's prefixes, then the prefixes in AMENT_PREFIX_PATH."""
     named = os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)
     own = [sys.prefix, site.getuserbase()] if site.ENABLE_USER_SITE else [sys.prefix]
     return [Path(entry) for entry in (*own, *named) if entry]
@@ -115,7 +115,7 @@ def _in_prefixes() -> Iterator[Package]:
 
 
 def _python_package(name: str) -> Iterator[Package]:
-    """An installed Python package's own folder; nothing is imported, only paths are looked at."""
+    """Yield the folder of an installed Python package, without importing it."""
     spec = PathFinder.find_spec(name) if name.isidentifier() else None
     for location in (spec and spec.submodule_search_locations) or ():
         folder = Path(location)
@@ -124,7 +124,7 @@ def _python_package(name: str) -> Iterator[Package]:
 
 
 def _editable(name: str) -> Iterator[Package]:
-    """The sources of a package after `pip install -e .`, which installs no shared files."""
+    """Yield the sources of a package after `pip install -e .`, which installs no shared files."""
     import json  # noqa: PLC0415 - the last resort
     from importlib.metadata import PackageNotFoundError, distribution  # noqa: PLC0415 - as above
     from urllib.parse import urlsplit  # noqa: PLC0415 - as above

@@ -1,7 +1,8 @@
-"""What the expressions of a setup.py stand for, found without running any of it.
+"""Evaluator of the expressions in a setup.py. It does not run the file.
 
-Understood are texts, lists, dictionaries, names given earlier in the file, and the few functions
-that setup files use to name files. All else is unknown, None, and what is unknown is left out.
+It evaluates strings, lists, tuples, dictionaries, and names that were assigned earlier in the file.
+It also evaluates the few functions that setup files use to name files. Every other value is unknown
+(None) and left out.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ if TYPE_CHECKING:
 
 
 class Literals:
-    """The values of a setup.py, read statement by statement."""
+    """Values of the names in a setup.py. The statements are read in order."""
 
     def __init__(self, tree: ast.Module, folder: Path) -> None:
         self._folder = folder
@@ -26,7 +27,7 @@ class Literals:
             self._read(statement)
 
     def value(self, node: ast.AST) -> Any:
-        """Return what an expression stands for; None if that is unknown."""
+        """Return the value of an expression, or None if the value is unknown."""
         match node:
             case ast.Constant(value=value):
                 return value
@@ -107,9 +108,9 @@ class Literals:
         if not arguments or not isinstance(arguments[0], str):
             return None
         pattern = os.path.relpath(os.path.join(self._folder, arguments[0]), self._folder)  # noqa: PTH118
-        if deep and pattern.startswith(".."):  # who knows what is out there
+        if deep and pattern.startswith(".."):  # folders above may be very large
             return None
-        # Path.glob takes no absolute patterns, which setup files make from __file__.
+        # Path.glob rejects absolute patterns, but setup files make such patterns from __file__.
         return sorted(glob.glob(arguments[0], root_dir=self._folder, recursive=deep))  # noqa: PTH207
 
 
@@ -119,7 +120,7 @@ def _result(function: Callable[..., Any] | None, arguments: list[Any]) -> Any:
     try:
         return function(*arguments)
     except (TypeError, ValueError, LookupError):
-        return None  # it fails when it is run, too: that is not for the reader to tell
+        return None  # the setup.py itself would raise here too
 
 
 def _combined(operator: ast.operator, first: Any, second: Any) -> Any:

@@ -1,4 +1,4 @@
-"""What a package.xml says."""
+"""Reader of package.xml files."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from pathlib import Path
     from xml.etree.ElementTree import Element
 
-#: Tags that name another package, and those of them that a program may import at run time.
+#: Tags of the dependencies that a program may import at run time. `_TAGS` has all tags.
 RUNTIME_TAGS = ("depend", "exec_depend", "run_depend", "build_export_depend")
 _TAGS = (
     *RUNTIME_TAGS,
@@ -29,11 +29,11 @@ _VERSION = re.compile(r"\d+\.\d+\.\d+\Z")
 
 
 class ManifestError(ZbotError, ValueError):
-    """A package.xml cannot be read, or lacks what it has to have.
+    """A package.xml cannot be read, or a required element is missing or invalid.
 
     Attributes:
         path: The file.
-        line: Where, counted from 1; 0 if it is the whole file.
+        line: The line, counted from 1. It is 0 if the error is about the whole file.
         reason: What is wrong.
     """
 
@@ -44,23 +44,23 @@ class ManifestError(ZbotError, ValueError):
 
 @dataclass(frozen=True)
 class Manifest:
-    """What ROS 2 knows about a package before it is built."""
+    """Contents of a package.xml."""
 
     name: str
     build_type: str
     depends: dict[str, tuple[str, ...]] = field(default_factory=dict)  #: tag -> packages
-    groups: tuple[str, ...] = ()  #: that it is a member of
+    groups: tuple[str, ...] = ()  #: the groups of which the package is a member
 
     def named(self, *tags: str) -> set[str]:
-        """Return the packages that are named under these tags, or under any."""
+        """Return the packages under these tags. Without tags, return the packages under any tag."""
         return {name for tag in tags or _TAGS for name in self.depends.get(tag, ())}
 
 
 def read_manifest(path: Path) -> Manifest:
-    """Read a package.xml.
+    """Return the contents of a package.xml.
 
     Raises:
-        ManifestError: It is no XML, or ROS 2 would not accept it.
+        ManifestError: The file is not valid XML, or ROS 2 would not accept it.
     """
     root = read_tree(path)
     if root.tag != "package":
@@ -70,9 +70,9 @@ def read_manifest(path: Path) -> Manifest:
             raise ManifestError(path, _line(path, tag), f"<{tag}> is missing or empty")
     name, version = _text(root, "name"), _text(root, "version")
     if not _NAME.match(name):
-        raise ManifestError(path, _line(path, "name"), f"'{name}' cannot be a package's name")
+        raise ManifestError(path, _line(path, "name"), f"'{name}' is not a valid package name")
     if not _VERSION.match(version):
-        reason = f"the version is '{version}', but must be three numbers, as 0.1.0"
+        reason = f"the version is '{version}', but must be three numbers, such as 0.1.0"
         raise ManifestError(path, _line(path, "version"), reason)
     depends = {tag: tuple(_texts(root, tag)) for tag in _TAGS}
     build_type = _text(root, "export/build_type") or "catkin"
@@ -80,22 +80,22 @@ def read_manifest(path: Path) -> Manifest:
 
 
 def read_tree(path: Path) -> Element:
-    """Return the outermost element of a package.xml.
+    """Return the root element of a package.xml.
 
     Raises:
-        ManifestError: It is no XML.
+        ManifestError: The file cannot be read, is not valid XML or defines entities.
     """
     try:
         source = path.read_bytes()
     except OSError as exc:
         raise ManifestError(path, 0, exc.strerror or str(exc)) from exc
     if b"<!ENTITY" in source:
-        raise ManifestError(path, 0, "a package.xml may not define entities")
+        raise ManifestError(path, 0, "a package.xml must not define entities: remove <!ENTITY>")
     try:
-        return ET.fromstring(source)  # noqa: S314 - without entities it cannot grow
+        return ET.fromstring(source)  # noqa: S314 - safe without entities
     except ET.ParseError as exc:
         reason = expat.ErrorString(exc.code)
-        raise ManifestError(path, exc.position[0], f"no valid XML: {reason}") from None
+        raise ManifestError(path, exc.position[0], f"not valid XML: {reason}") from None
 
 
 def _text(root: Element, tag: str) -> str:
@@ -107,7 +107,7 @@ def _texts(root: Element, tag: str) -> list[str]:
 
 
 def _line(path: Path, tag: str) -> int:
-    """Return the line that a tag is in; the last one if it is missing."""
+    """Return the line of a tag, or the last line if the tag is missing."""
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
     found = (number for number, line in enumerate(lines, 1) if f"<{tag}" in line)
     return next(found, len(lines))

@@ -1,4 +1,4 @@
-"""What the setup files of a Python package declare, read without running any of them."""
+"""Reader of setup.py, setup.cfg and pyproject.toml files. It does not run the files."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ class SetupFileError(ZbotError):
 
     Attributes:
         path: The file.
-        reason: What is wrong with it.
-        line: Where, counted from 1; 0 if it is the whole file.
+        reason: What is wrong.
+        line: The line, counted from 1. It is 0 if the error is about the whole file.
     """
 
     def __init__(self, path: Path, reason: str, line: int = 0) -> None:
@@ -32,20 +32,20 @@ class SetupFileError(ZbotError):
 
 
 def declared_scripts(folder: Path) -> dict[str, str]:
-    """Return the console scripts of a package: name -> `module:function`.
+    """Return the console scripts of a package as a dictionary: name -> `module:function`.
 
     Raises:
-        SetupFileError: A file of it is not what it should be.
+        SetupFileError: A setup file cannot be read.
     """
     pairs = (text.partition("=") for _, text in script_lines(folder))
     return {name.strip(): _without_extras(target) for name, _, target in pairs if target.strip()}
 
 
 def script_lines(folder: Path) -> list[tuple[Path, str]]:
-    """Return the console scripts of a package as they are written, with the file that has each.
+    """Return the declarations of console scripts as written, each with the file that contains it.
 
     Raises:
-        SetupFileError: A file of it is not what it should be.
+        SetupFileError: A setup file cannot be read.
     """
     python, config, project = (folder / one for one in ("setup.py", "setup.cfg", "pyproject.toml"))
     lines = [
@@ -57,10 +57,10 @@ def script_lines(folder: Path) -> list[tuple[Path, str]]:
 
 
 def data_files(folder: Path) -> Iterator[tuple[str, str]]:
-    """Yield each data file of a package, relative to its folder, with the folder it goes to.
+    """Yield the target folder and the path of each data file in a package's setup.py.
 
     Raises:
-        SetupFileError: A file of it is not what it should be.
+        SetupFileError: The setup.py cannot be read.
     """
     for entry in setup_arguments(folder / "setup.py", "data_files").get("data_files") or ():
         if isinstance(entry, (tuple, list)) and len(entry) == 2 and isinstance(entry[0], str):
@@ -69,19 +69,19 @@ def data_files(folder: Path) -> Iterator[tuple[str, str]]:
 
 
 def setup_arguments(path: Path, wanted: str = "setup") -> dict[str, Any]:
-    """Return what a setup.py hands to `setup()`, as far as it can be known without running it.
+    """Return the arguments of `setup()` in a setup.py that can be known without running the file.
 
     Args:
-        path: The file; it need not be there.
-        wanted: A word without which the file need not be looked at.
+        path: The file, which may be missing.
+        wanted: A word. A file that does not contain the word is not parsed.
 
     Raises:
-        SetupFileError: It is no Python, or no text.
+        SetupFileError: The file is not valid Python.
     """
-    source = _read(path)  # in bytes: its first lines may say which encoding it has
+    source = _read(path)  # bytes, because the first lines may declare an encoding
     if wanted.encode() not in source:
         return {}
-    import ast  # noqa: PLC0415 - 8 ms that only a setup.py needs
+    import ast  # noqa: PLC0415 - takes 8 ms
 
     from zbot.package.literal import Literals  # noqa: PLC0415 - as above
 
@@ -155,7 +155,7 @@ def _setup_cfg(path: Path, section: str, option: str) -> list[str]:
 
 
 def _pyproject(path: Path) -> list[str]:
-    # Python has a TOML parser from 3.11 on; a table of texts needs none.
+    # Python has no TOML parser before 3.11. A table of strings does not need a TOML parser.
     lines, inside = [], False
     for line in _text(path).splitlines():
         if line.lstrip().startswith("["):

@@ -1,8 +1,8 @@
-"""Packages as they would look once installed: `share/<name>`, made of links to their sources.
+"""Installed form of source packages: prefixes that contain symbolic links to the sources.
 
-Most packages install each folder under its own name, and then the source folder itself serves. Only
-where a setup.py or CMakeLists.txt says that files go elsewhere is a folder of links needed. It is
-brought up to date whenever it is asked for, so that nothing ever has to be built.
+Most packages install each folder under its own name. Then the source folder is the share folder.
+A prefix of links is made only if a setup.py or CMakeLists.txt installs files under other names.
+The links are updated each time that a caller asks for the prefix, so no package has to be built.
 """
 
 from __future__ import annotations
@@ -16,18 +16,18 @@ from typing import TYPE_CHECKING
 
 from zbot.errors import ZbotError
 from zbot.package.cmake_file import read_cmake
-from zbot.package.places import Origin
+from zbot.package.finder import Origin
 from zbot.package.setup_file import data_files
 from zbot.package.workspace import MANIFEST, SKIPPED
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from zbot.package.places import Package
+    from zbot.package.finder import Package
 
 
-class ViewError(ZbotError, OSError):
-    """The folder of links to a package's files cannot be written."""
+class SymlinkInstallError(ZbotError, OSError):
+    """The links to a package's files cannot be written."""
 
     def __init__(self, package: str, folder: Path, reason: OSError) -> None:
         self.package, self.folder, self.reason = package, folder, reason
@@ -35,11 +35,11 @@ class ViewError(ZbotError, OSError):
 
 
 def share_folder(package: Package) -> Path:
-    """Return the folder in which a package's shared files are where others look for them.
+    """Return the share folder of a package.
 
     Raises:
-        SetupFileError: Its setup.py cannot be read.
-        ViewError: They need a folder of their own, and it cannot be written.
+        SetupFileError: The package's setup.py cannot be read.
+        SymlinkInstallError: The links cannot be written.
     """
     if package.origin is Origin.WORKSPACE and moved_files(package):
         return prefix_folder(package) / "share" / package.name
@@ -49,15 +49,16 @@ def share_folder(package: Package) -> Path:
 
 
 def prefix_folder(package: Package) -> Path:
-    """Return the folder with the `share/<name>` and `lib/<name>` of a package.
+    """Return the prefix of a package, the folder that has `share/<name>` and `lib/<name>`.
 
     Raises:
-        SetupFileError: Its setup.py cannot be read.
-        ViewError: They need a folder of their own, and it cannot be written.
+        SetupFileError: The package's setup.py cannot be read.
+        SymlinkInstallError: The links cannot be written.
     """
     if package.prefix is not None:
         return package.prefix
-    # Two workspaces may have the same package, and one folder of ours goes by several names.
+    # The name alone is not enough, because two workspaces may have a package of the same name.
+    # The folder alone is not enough, because zbot's own folder is a package under several names.
     sources = os.fsencode(package.folder.resolve() / package.name)
     place = hashlib.sha256(sources).hexdigest()[:16]
     prefix = cache_folder() / "packages" / place
@@ -68,12 +69,14 @@ def prefix_folder(package: Package) -> Path:
     try:
         _bring_up_to_date(prefix, files)
     except OSError as exc:
-        raise ViewError(package.name, prefix, exc) from exc
+        raise SymlinkInstallError(package.name, prefix, exc) from exc
     return prefix
 
 
 def moved_files(package: Package) -> dict[str, Path]:
-    """Return the files that are shared under another path than their own, by that path.
+    """Return the files whose installed path differs from their path in the sources.
+
+    The keys are the installed paths.
 
     Raises:
         SetupFileError: The package's setup.py cannot be read.
@@ -86,7 +89,7 @@ def moved_files(package: Package) -> dict[str, Path]:
 
 
 def installed_files(package: Package) -> dict[str, Path]:
-    """Return the files that a package's build files install below `share/<name>`.
+    """Return the files that a package's build files install below `share/<name>`, by path.
 
     Raises:
         SetupFileError: The package's setup.py cannot be read.
@@ -105,7 +108,7 @@ def installed_files(package: Package) -> dict[str, Path]:
 
 
 def cache_folder() -> Path:
-    """Return where this user's programs keep what they can make again."""
+    """Return the user's cache folder for zbot."""
     if sys.platform == "win32":
         base = os.environ.get("LOCALAPPDATA") or "~/AppData/Local"
     elif sys.platform == "darwin":
@@ -120,13 +123,13 @@ def _is_below(target: str) -> bool:
 
 
 def _shared(package: Package) -> dict[str, Path]:
-    """Every file of a package by its path in the share folder.
+    """Return every file of a package. The keys are paths in the share folder.
 
-    A file that the build files leave out stays where it is: it is found here, and `zbot build` says
-    that ROS 2 would not find it.
+    A file that the build files do not install keeps its path. zbot finds such a file, and `zbot
+    build` warns that ROS 2 would not find it.
     """
     if package.only:
-        # What is further down belongs to other packages that zbot brings.
+        # Folders further down belong to other bundled packages.
         below = (file for part in package.only for file in (package.folder / part).iterdir())
         files = {_relative(file, package): file for file in below if file.is_file()}
     else:
@@ -146,7 +149,7 @@ def _relative(file: Path, package: Package) -> str:
 
 
 def files_below(root: Path) -> Iterator[Path]:
-    """Yield the files of a folder and those in it, without other packages and what tools leave."""
+    """Yield the files below a folder. Skip other packages and the output of tools."""
     for folder, below, names in os.walk(root):
         below[:] = [one for one in below if _is_part(Path(folder, one))]
         yield from (Path(folder, name) for name in names)
@@ -165,7 +168,7 @@ def _bring_up_to_date(prefix: Path, files: dict[str, Path]) -> None:
 
 
 def _remove_others(prefix: Path, files: dict[str, Path]) -> None:
-    """Remove what is in a view and no longer belongs there; links are never followed."""
+    """Remove the links of a prefix that are not in `files`. Never follow a link."""
     for folder, below, names in os.walk(prefix, topdown=False):
         for path in (Path(folder, name) for name in (*names, *below)):
             if path.is_dir() and not path.is_symlink():
@@ -183,13 +186,16 @@ def _link(path: Path, file: Path) -> None:
     try:
         path.symlink_to(file)
     except FileExistsError:
-        return  # another process was quicker
+        return  # another process has made it
     except OSError:
         _link_without_rights(path, file)
 
 
 def _link_without_rights(path: Path, file: Path) -> None:
-    """Windows lets few users make symbolic links, and none make other links between drives."""
+    """Make a hard link, or a copy if the link fails.
+
+    On Windows most users may not make symbolic links, and hard links cannot cross drives.
+    """
     try:
         path.hardlink_to(file)
     except OSError:

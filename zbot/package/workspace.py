@@ -1,7 +1,7 @@
-"""The workspace around the current folder, and the packages in it.
+"""Workspace around the current folder, and the packages in it.
 
-The search is bounded in depth and number of folders: it may start anywhere, and an import waits for
-it.
+The search has a limit for the depth and for the number of folders, because it may start anywhere,
+and an import waits for it.
 """
 
 from __future__ import annotations
@@ -14,15 +14,15 @@ from typing import TYPE_CHECKING, TypeAlias
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
-#: Files that make a folder a package; the first is ROS 2's.
+#: Files that make a folder a package: the manifest of ROS 2, and the setup files of Python.
 MANIFEST = "package.xml"
 SETUP_FILES = frozenset({"setup.py", "setup.cfg", "pyproject.toml"})
 _MAX_PARENTS = 12
 _MAX_DEPTH = 5
-_DEPTH_ELSEWHERE = 1  # in a current folder that belongs to no workspace
+_DEPTH_ELSEWHERE = 1  # for a current folder outside any workspace
 _MAX_FOLDERS = 2000
 _MAX_MANIFEST = 65536
-#: Folders that hold no sources.
+#: Names of folders that contain no sources.
 SKIPPED = {"build", "install", "log", "node_modules", "site-packages", "__pycache__"}
 _STOP_FILES = {"AMENT_IGNORE", "COLCON_IGNORE", "pyvenv.cfg"}
 _NAME_TAG = re.compile(r"<name>\s*([a-zA-Z0-9][a-zA-Z0-9_-]*)\s*</name>")
@@ -32,7 +32,7 @@ Roots: TypeAlias = "tuple[tuple[Path, int], ...]"
 
 
 def search_roots() -> Roots:
-    """Where to look: the folders of ZBOT_WORKSPACE, else those around the current one."""
+    """Return the folders to search: from ZBOT_WORKSPACE, or else around the current folder."""
     named = os.environ.get("ZBOT_WORKSPACE", "")
     if named:
         parts = [part for part in named.split(os.pathsep) if part]
@@ -44,11 +44,11 @@ def search_roots() -> Roots:
     return _roots_around(current)
 
 
-def stay_in_workspace(start: Path) -> None:
-    """Keep to the workspaces of the current folder and of another, wherever this process goes.
+def set_workspace_variable(start: Path) -> None:
+    """Set ZBOT_WORKSPACE to the workspaces of the current folder and of `start`.
 
-    The processes that it starts keep to them too: a program may change its folder, and its packages
-    are still found. Where ZBOT_WORKSPACE is set already, nothing changes.
+    So this process and its children still find their packages after a change of the current folder.
+    If ZBOT_WORKSPACE is set already, do nothing.
     """
     if os.environ.get("ZBOT_WORKSPACE"):
         return
@@ -61,10 +61,10 @@ def stay_in_workspace(start: Path) -> None:
 
 
 def package_folders(bases: Iterable[Path] | None = None) -> Iterator[Path]:
-    """The folder of every package of the workspace: each has a package.xml or a setup file.
+    """Yield every folder of the workspace that has a package.xml or a setup file.
 
     Args:
-        bases: Where to look instead.
+        bases: Folders to search instead of the workspace.
     """
     roots = [(base, _MAX_DEPTH) for base in bases] if bases else search_roots()
     seen = set()
@@ -73,23 +73,23 @@ def package_folders(bases: Iterable[Path] | None = None) -> Iterator[Path]:
             if folder not in seen and (MANIFEST in names or _is_python_project(folder, names)):
                 seen.add(folder)
                 yield folder
-            # The root may be a package and the workspace of others too, and so may a repository.
+            # The root, or a repository without a package.xml, may contain further packages.
             if folder != root and MANIFEST in names:
                 below.clear()
 
 
 def package_name(folder: Path) -> str:
-    """The name in package.xml, else the folder's."""
+    """Return the name in package.xml, or the folder's name if there is no package.xml."""
     match = _NAME_TAG.search(read_text(folder / MANIFEST))
     return match[1] if match else folder.resolve().name
 
 
 def walk(root: Path, depth: int) -> Iterator[tuple[Path, set[str], list[str]]]:
-    """Visit a folder and those below it, level by level, each level by name.
+    """Visit a folder and its subfolders, level by level. Each level is sorted by name.
 
     Yields:
-        The folder, the names of all that is in it, and the paths of the folders in it that are
-        visited next: clear the list to leave them out.
+        The folder, the names of its entries, and a list of the subfolders to visit next. The caller
+        can clear this list to skip them.
     """
     level, seen = [str(root)], 0
     for _ in range(depth + 1):
@@ -107,10 +107,10 @@ def walk(root: Path, depth: int) -> Iterator[tuple[Path, set[str], list[str]]]:
 
 
 def _roots_around(current: Path) -> Roots:
-    """The workspace of a folder: a `src` that it is in or has, else the package that it is in."""
+    """Return a folder's workspace: a `src` around or in the folder, or the package around it."""
     near = [folder for folder in (current, *current.parents)[:_MAX_PARENTS] if _may_search(folder)]
     for folder in near:
-        # Not the `src` of a package that keeps its modules there.
+        # The `src` of a package contains its modules and is not a workspace.
         if folder.name == "src" and not _is_package(folder.parent):
             return ((folder, _MAX_DEPTH),)
     for folder in near:
@@ -128,7 +128,7 @@ def _is_package(folder: Path) -> bool:
 
 
 def _is_python_project(folder: Path, names: set[str]) -> bool:
-    """Whether setup files are there to install something, and not only to configure tools."""
+    """Return whether the setup files install something, or only configure tools."""
     if "setup.py" in names:
         return True
     marks = {"pyproject.toml": "[project", "setup.cfg": "[metadata]"}
@@ -136,7 +136,7 @@ def _is_python_project(folder: Path, names: set[str]) -> bool:
 
 
 def read_text(path: Path) -> str:
-    """The beginning of a small file; nothing if it cannot be read."""
+    """Return at most the first 65536 characters of a file. Empty if it cannot be read."""
     try:
         with path.open(encoding="utf-8", errors="replace") as file:
             return file.read(_MAX_MANIFEST)
@@ -145,13 +145,13 @@ def read_text(path: Path) -> str:
 
 
 def _may_search(folder: Path) -> bool:
-    """Not the home folder, nor what is above it: those hold everything that a user has."""
+    """Return False for the home folder, its parents and the root, which are not searched."""
     home = Path(os.path.expanduser("~"))  # noqa: PTH111 - Path.home() raises where there is none
     return folder != home and folder not in home.parents and folder != Path(folder.anchor)
 
 
 def _entries(folder: str) -> tuple[set[str], list[str]]:
-    """Names of everything in a folder, and paths of the folders in it worth looking into."""
+    """Return the names of a folder's entries, and the paths of its subfolders to search."""
     names: set[str] = set()
     folders: list[str] = []
     try:
@@ -160,7 +160,7 @@ def _entries(folder: str) -> tuple[set[str], list[str]]:
                 names.add(entry.name)
                 if _is_worth_searching(entry):
                     folders.append(entry.path)
-    except OSError:  # not there, not a folder, or not ours to read
+    except OSError:  # missing, not a folder, or not readable
         return set(), []
     return names, sorted(folders)
 

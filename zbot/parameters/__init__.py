@@ -1,1 +1,1 @@
-"""Parameters: their values, types, ranges and files, and the `--ros-args` of a command line."""
+"""Parameters, their types, ranges and files, and parsing of `--ros-args` in a command line."""

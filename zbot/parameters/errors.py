@@ -1,4 +1,4 @@
-"""What can go wrong with a node's parameters, under the names that rclpy's programs catch."""
+"""Errors about a node's parameters, with rclpy's names."""
 
 from __future__ import annotations
 
@@ -31,10 +31,10 @@ InvalidParameterException = InvalidParameterError
 
 
 class ParameterNotDeclaredException(ParameterError, LookupError):
-    """A parameter is used that the node has not declared.
+    """A program used a parameter that the node has not declared.
 
     Attributes:
-        suggestions: Declared names that may have been meant.
+        suggestions: Declared names that are similar.
     """
 
     def __init__(self, parameters: str | list[str], known: Iterable[str] = ()) -> None:
@@ -47,14 +47,14 @@ class ParameterNotDeclaredException(ParameterError, LookupError):
 
 
 class ParameterAlreadyDeclaredException(ParameterError, ValueError):
-    """A parameter is declared a second time."""
+    """A parameter was declared a second time."""
 
     def __init__(self, parameters: str | list[str]) -> None:
         super().__init__("Parameter(s) already declared", parameters)
 
 
 class InvalidParameterTypeException(ParameterError, TypeError):
-    """A parameter is declared as one type and its value, often an override, is of another."""
+    """A parameter's value has another type than the declaration. The value is often an override."""
 
     def __init__(self, desired_parameter: Parameter[Any], expected_type: str) -> None:
         self.desired_parameter, self.expected_type = desired_parameter, expected_type
@@ -67,7 +67,7 @@ class InvalidParameterTypeException(ParameterError, TypeError):
 
 
 class InvalidParameterValueException(ParameterError, ValueError):
-    """A parameter's descriptor, or a callback of the node, refuses a value."""
+    """A parameter's descriptor or a callback of the node rejected a value."""
 
     def __init__(self, parameter: str, value: object, reason: str) -> None:
         self.value, self.reason = value, reason
@@ -77,14 +77,14 @@ class InvalidParameterValueException(ParameterError, ValueError):
 
 
 class ParameterImmutableException(ParameterError):
-    """A read-only parameter is to be changed or undeclared."""
+    """A program tried to change or undeclare a read-only parameter."""
 
     def __init__(self, parameter_name: str) -> None:
         super().__init__("Attempted to modify read-only parameter", parameter_name)
 
 
 class ParameterUninitializedException(ParameterError):
-    """A parameter was declared with a type alone, and nobody has set it yet."""
+    """A parameter was declared with only a type, and has no value yet."""
 
     def __init__(self, parameter_name: str) -> None:
         super().__init__(f"The parameter '{parameter_name}' is not initialized", parameter_name)
@@ -93,7 +93,7 @@ class ParameterUninitializedException(ParameterError):
 
 
 class ParameterDeclarationError(ZbotError, ValueError):
-    """A declaration contradicts itself, e.g. neither value nor type."""
+    """A declaration is not consistent, e.g. it has neither a value nor a type."""
 
     def __init__(self, parameter: str, reason: str) -> None:
         self.parameter, self.reason = parameter, reason
@@ -101,7 +101,7 @@ class ParameterDeclarationError(ZbotError, ValueError):
 
 
 class ParameterListError(ZbotError, TypeError):
-    """Something in a list of parameters, or of what to declare, is of another form."""
+    """An element in a list of parameters or declarations has the wrong form."""
 
     def __init__(self, index: int, item: object, expected: str) -> None:
         self.index, self.item, self.expected = index, item, expected
@@ -109,7 +109,7 @@ class ParameterListError(ZbotError, TypeError):
 
 
 class UnknownCallbackError(ZbotError, ValueError, RuntimeError):
-    """A parameter callback is to be removed that was never added."""
+    """A program tried to remove a parameter callback that was never added."""
 
     def __init__(self, callback: object) -> None:
         self.callback = callback
@@ -117,7 +117,7 @@ class UnknownCallbackError(ZbotError, ValueError, RuntimeError):
 
 
 class InvalidQosOverridesError(ZbotError):
-    """A quality of service as parameters changed it is refused by the program's own check."""
+    """The program's own callback rejected a QoS profile with overrides."""
 
     def __init__(self, what: str, reason: str) -> None:
         self.what, self.reason = what, reason
@@ -125,7 +125,7 @@ class InvalidQosOverridesError(ZbotError):
 
 
 class ArgumentsError(ZbotError, ValueError, RuntimeError):
-    """A word after `--ros-args` is not understood, or several words are none of its flags."""
+    """Arguments after `--ros-args` are unknown or not valid."""
 
     def __init__(self, word: str | list[str], reason: str) -> None:
         self.word, self.reason = word, reason
@@ -133,7 +133,7 @@ class ArgumentsError(ZbotError, ValueError, RuntimeError):
 
 
 class ParameterValueError(ZbotError, ValueError):
-    """A text is no value that a parameter can have."""
+    """A text is not a value that a parameter can have."""
 
     def __init__(self, text: str, reason: str) -> None:
         self.text, self.reason = text, reason
@@ -141,7 +141,7 @@ class ParameterValueError(ZbotError, ValueError):
 
 
 class ParametersFileError(SetupError, ValueError, RuntimeError):
-    """A parameter file cannot be read or has another form than ROS 2 asks for."""
+    """A parameter file cannot be read, or does not have ROS 2's format."""
 
     def __init__(self, path: str, reason: str) -> None:
         self.path, self.reason = path, reason
@@ -149,4 +149,4 @@ class ParametersFileError(SetupError, ValueError, RuntimeError):
 
 
 class ParametersFileNotFoundError(ParametersFileError, FileNotFoundError):
-    """There is no such parameter file."""
+    """A parameter file does not exist."""

@@ -1,6 +1,6 @@
-"""Parameter files: YAML that says which node gets which parameter values.
+"""Reader of parameter files, which are YAML with parameter values for each node.
 
-/robot_1/lidar:          # a node; `*` is any one part of a name, `**` any number of parts
+/robot_1/lidar:          # a node: `*` matches one part of a name, `**` matches many parts
   ros__parameters:
     rate_hz: 10.0
     filter:
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 __all__ = ["load", "matches", "parse_value", "sections"]
 
 _KEY = "ros__parameters"
-# YAML tries a pattern at the start of a scalar, so each must reach its end.
+# YAML matches a pattern at the start of a scalar, so each pattern must match up to the end.
 _FLOAT = re.compile(
     r"[-+]?(?:[0-9][0-9_]*\.[0-9_]*|\.[0-9]+|[0-9]+(?=[eE]))(?:[eE][-+]?[0-9]+)?\Z"
     r"|[-+]?\.(?:inf|Inf|INF)\Z|\.(?:nan|NaN|NAN)\Z"
@@ -35,14 +35,14 @@ _INTEGER = re.compile(r"[-+]?(?:0x[0-9a-fA-F]+|0b[01]+|0o?[0-7]*|[1-9][0-9_]*)\Z
 
 
 def parse_value(text: str, *, of_one_kind: bool = False) -> Any:
-    """Return the value of a parameter written as YAML: `1.5`, `true`, `[1, 2]`, `hello`.
+    """Return the value of a parameter written as YAML, e.g. `1.5`, `true`, `[1, 2]` or `hello`.
 
     Args:
         text: The YAML.
-        of_one_kind: Whether a list of several kinds is refused.
+        of_one_kind: Whether to reject a list with values of several types.
 
     Raises:
-        ParameterValueError: The text is no YAML, or a value that no parameter can have.
+        ParameterValueError: The text is not YAML, or not a value that a parameter can have.
     """
     yaml = _yaml()
     try:
@@ -54,7 +54,7 @@ def parse_value(text: str, *, of_one_kind: bool = False) -> Any:
 
 
 def load(path: str, node: str) -> dict[str, Any]:
-    """Return the parameters that a file has for a node, nested names joined by dots.
+    """Return the parameters that a file has for a node. Dots join the parts of nested names.
 
     Args:
         path: The YAML file.
@@ -71,7 +71,7 @@ def load(path: str, node: str) -> dict[str, Any]:
 
 
 def sections(path: str) -> list[tuple[str, dict[str, Any]]]:
-    """Return what a file has: for each pattern of nodes their parameters, joined by dots.
+    """Return a file's node patterns with their parameters. Dots join the parts of nested names.
 
     Raises:
         ParametersFileError: The file cannot be read or has another form.
@@ -83,7 +83,7 @@ def sections(path: str) -> list[tuple[str, dict[str, Any]]]:
 
 
 def matches(pattern: str, node: str) -> bool:
-    """Tell whether a node's fully qualified name matches a file's key: `/**`, `/ns/*`, `lidar`."""
+    """Return whether a node's full name matches a pattern such as `/**`, `/ns/*` or `lidar`."""
     parts = pattern.strip("/").split("/")
     expression = "".join(
         {"**": "(?:/[^/]+)*", "*": "/[^/]+"}.get(p, f"/{re.escape(p)}") for p in parts
@@ -92,7 +92,7 @@ def matches(pattern: str, node: str) -> bool:
 
 
 def _sections(path: str) -> Iterator[tuple[str, dict[Any, Any]]]:
-    """Yield each node pattern of a file with its parameters; namespaces may be nested."""
+    """Yield each node pattern of a file and its parameters in the form that the file has."""
     yaml = _yaml()
     try:
         with Path(path).open(encoding="utf-8") as file:
@@ -108,16 +108,16 @@ def _sections(path: str) -> Iterator[tuple[str, dict[Any, Any]]]:
 def _nested_sections(path: str, name: str, content: Any) -> Iterator[tuple[str, dict[Any, Any]]]:
     if not isinstance(content, dict):
         where = f"under {name!r}" if name else "at the top"
-        reason = f"{where} belongs `name:` and indented lines below it, not {content!r}"
+        reason = f"{where} write `name:` and indented lines below it, not {content!r}"
         raise ParametersFileError(path, reason)
     for key, value in content.items():
         if key == _KEY and name:
             if not isinstance(value, dict):
-                reason = f"{_KEY} of {name!r} needs lines `name: value` (mind the space after ':')"
+                reason = f"{_KEY} of {name!r} needs lines `name: value` with a space after ':'"
                 raise ParametersFileError(path, reason)
             yield name, value
         elif key == _KEY:
-            raise ParametersFileError(path, f"{_KEY} belongs below a node's name, e.g. `/**:`")
+            raise ParametersFileError(path, f"write {_KEY} below a node's name, e.g. `/**:`")
         else:
             yield from _nested_sections(path, f"{name}/{str(key).strip('/')}", value)
 
@@ -140,12 +140,12 @@ def _flat(path: str, prefix: str, values: dict[Any, Any]) -> dict[str, Any]:
 def _check(text: str, value: Any, *, of_one_kind: bool) -> None:
     items = value if isinstance(value, list) else [value]
     if any(not isinstance(item, (bool, int, float, str)) for item in items):
-        reason = "a parameter is a bool, a number, a text or a list of one of these"
+        reason = "a parameter is a bool, a number, a string or a list of one of these"
         raise ParameterValueError(text, reason)
     if of_one_kind and len({float if type(item) is int else type(item) for item in items}) > 1:
-        raise ParameterValueError(text, f"the values of a list are of one kind, not {value!r}")
+        raise ParameterValueError(text, f"the values of a list must have one type, not {value!r}")
     if any(isinstance(item, int) and not -(2**63) <= item < 2**63 for item in items):
-        raise ParameterValueError(text, "an integer parameter has 64 bits")
+        raise ParameterValueError(text, "an integer must fit in 64 bits")
 
 
 def _problem(error: Exception) -> str:
@@ -158,7 +158,7 @@ def _problem(error: Exception) -> str:
 
 
 def _yaml() -> Any:
-    # Most command lines have no parameters: PyYAML takes 15 ms to import.
+    # Most command lines have no parameters, and the import of PyYAML takes 15 ms.
     import yaml  # noqa: PLC0415
 
     return yaml
@@ -166,11 +166,11 @@ def _yaml() -> Any:
 
 @lru_cache(maxsize=1)
 def _loader() -> Any:
-    """Return YAML's safe loader with ROS 2's idea of scalars: no dates, `1e3` is a number.
+    """Return YAML's safe loader with ROS 2's rules for scalars.
 
-    `null` and `~` are texts, and only nothing at all is no value.
-
-    A key that is written twice continues what it began, where YAML forgets the first.
+    It reads no dates. `1e3` is a number. `null` and `~` are strings, and only an empty value is
+    None. If a key occurs twice, the loader merges the two mappings. Plain YAML would keep only the
+    second mapping.
     """
     base = _yaml().SafeLoader
 
@@ -191,11 +191,11 @@ def _loader() -> Any:
 
 
 def _joined(pairs: list[tuple[Any, Any]]) -> list[tuple[Any, Any]]:
-    """Return a mapping's keys and values with one pair for each key that has several mappings."""
+    """Return a mapping's pairs. The mappings of a repeated key are merged into one mapping."""
     yaml = _yaml()
     found: dict[Any, tuple[Any, Any]] = {}
     for key, value in pairs:
-        # `<<`, YAML's own merging, may stand twice; a key that is no word is equal to none.
+        # YAML's merge key `<<` may occur twice. It and keys that are not scalars are not merged.
         is_word = isinstance(key, yaml.ScalarNode) and not key.tag.endswith(":merge")
         identity = (key.tag, key.value) if is_word else id(key)
         _, before = found.get(identity, (None, None))

@@ -1,4 +1,4 @@
-"""Parameters: a name, a type and a value, and their forms as messages and as YAML."""
+"""Parameters with name, type and value, and their conversion from and to messages and YAML."""
 
 from __future__ import annotations
 
@@ -27,7 +27,8 @@ __all__ = [
 
 PARAMETER_SEPARATOR_STRING = "."
 
-#: bool, int, float, str, None, or a list, tuple or array of bytes of length 1 or of one of these.
+#: A bool, int, float, str or None, or a list, tuple or array. The items of a list, tuple or array
+#: have one of these types or are bytes of length 1.
 AllowableParameterValue = Any
 ValueT_co = TypeVar("ValueT_co", covariant=True)
 
@@ -35,7 +36,7 @@ _INT64 = range(-(2**63), 2**63)
 
 
 class ParameterTypeError(ZbotError, TypeError):
-    """A value is of a kind that no parameter can have."""
+    """A value has a type that no parameter can have."""
 
     def __init__(self, value: object) -> None:
         self.value = value
@@ -48,7 +49,7 @@ class ParameterTypeError(ZbotError, TypeError):
 
 
 class ParameterMismatchError(ZbotError, ValueError):
-    """A parameter is made of a type and a value of another one."""
+    """A parameter's type and the type of its value differ."""
 
     def __init__(self, name: str, type_: Parameter.Type, value: object) -> None:
         self.name, self.type_, self.value = name, type_, value
@@ -56,7 +57,7 @@ class ParameterMismatchError(ZbotError, ValueError):
 
 
 class UnknownParameterTypeError(ZbotError, RuntimeError):
-    """A message has a parameter type that does not exist."""
+    """A message has an unknown parameter type."""
 
     def __init__(self, type_: int) -> None:
         self.type_ = type_
@@ -64,7 +65,7 @@ class UnknownParameterTypeError(ZbotError, RuntimeError):
 
 
 class NoParametersError(ZbotError, RuntimeError):
-    """A parameter file has nothing for the nodes that it was asked for."""
+    """A parameter file has no parameters for the given nodes."""
 
     def __init__(self, path: str, nodes: Sequence[str]) -> None:
         self.path, self.nodes = path, list(nodes)
@@ -75,20 +76,20 @@ class NoParametersError(ZbotError, RuntimeError):
 class Parameter(Generic[ValueT_co]):
     """A named value with a type, as in rclpy.
 
-    Integers become floats where the type says DOUBLE or DOUBLE_ARRAY.
+    Integers become floats if the type is DOUBLE or DOUBLE_ARRAY.
 
     Args:
-        name: Dots in it make groups.
-        type_: Taken from the value if left out.
-        value: See `AllowableParameterValue`.
+        name: The name. Dots separate groups.
+        type_: The type. By default, it is the type of the value.
+        value: The value. `AllowableParameterValue` lists the possible types.
 
     Raises:
         ParameterTypeError: No parameter can have such a value.
-        ParameterMismatchError: The value is of another type.
-        ArgumentTypeError: `type_` is no type.
+        ParameterMismatchError: The value has another type.
+        ArgumentTypeError: `type_` is not a `Parameter.Type`.
     """
 
-    _zbot_stands_for = "rcl_interfaces/msg/Parameter"  # in fields of messages
+    _zbot_stands_for = "rcl_interfaces/msg/Parameter"  # accepted in fields of messages
 
     class Type(IntEnum):
         """The types, with the numbers of rcl_interfaces/msg/ParameterType."""
@@ -106,7 +107,7 @@ class Parameter(Generic[ValueT_co]):
 
         @classmethod
         def from_parameter_value(cls, parameter_value: Any) -> Parameter.Type:
-            """Return the type that a value has.
+            """Return the type of a value.
 
             Raises:
                 ParameterTypeError: No parameter can have such a value.
@@ -125,7 +126,7 @@ class Parameter(Generic[ValueT_co]):
             raise ParameterTypeError(parameter_value)
 
         def check(self, parameter_value: Any) -> bool:
-            """Tell whether a value is of this type; an int is no DOUBLE here."""
+            """Return whether a value has this type. An int does not count as DOUBLE here."""
             if self is Parameter.Type.NOT_SET:
                 return parameter_value is None
             if not self.is_array:
@@ -141,7 +142,7 @@ class Parameter(Generic[ValueT_co]):
 
         @property
         def text(self) -> str:
-            """The type in the words of the command line, e.g. `double array`."""
+            """The type as the command line prints it, e.g. `double array`."""
             words = {"NOT_SET": "not set", "BOOL": "boolean", "BOOL_ARRAY": "boolean array"}
             return words.get(self.name, self.name.lower().replace("_", " "))
 
@@ -183,7 +184,7 @@ class Parameter(Generic[ValueT_co]):
 
     @property
     def value(self) -> ValueT_co:
-        """The value; None if the type is NOT_SET."""
+        """The value. It is None if the type is NOT_SET."""
         return cast("ValueT_co", self._value)
 
     def get_parameter_value(self) -> ParameterValue:
@@ -206,7 +207,7 @@ class Parameter(Generic[ValueT_co]):
         return f"Parameter({self._name!r}, {self._type_!s}, {self._value!r})"
 
 
-# In this order: a bool is an int to Python. An empty list is one of bytes, as in rclpy.
+# The order matters: bool is a subclass of int. An empty list is a BYTE_ARRAY, as in rclpy.
 _SCALARS: tuple[tuple[type[Any], int], ...] = ((bool, 1), (int, 2), (float, 3), (str, 4))
 _ARRAYS = (5, 6, 7, 8, 9)
 _ELEMENTS: dict[int, type[Any]] = {
@@ -223,7 +224,7 @@ _ELEMENTS: dict[int, type[Any]] = {
 
 
 def _is_a(value: Any, type_: int) -> bool:
-    """Tell whether a value is a scalar of a type, or an element of an array of it."""
+    """Return whether a value is a scalar of a type, or can be an element of an array type."""
     if not isinstance(value, _ELEMENTS[type_]):
         return False
     if _ELEMENTS[type_] is int:
@@ -243,7 +244,7 @@ def _widened(type_: Parameter.Type, value: Any) -> Any:
             is_mixed = any(type(one) is int for one in value) and all(map(_is_number, value))
             return [float(one) for one in value] if is_mixed else value
     except OverflowError:
-        return value  # an integer beyond every float: it is refused as an integer
+        return value  # too large for a float: a later check rejects the integer
     return value
 
 
@@ -252,10 +253,10 @@ def _field(type_: Parameter.Type) -> str:
 
 
 def parameter_value_to_python(parameter_value: ParameterValue) -> AllowableParameterValue:
-    """Return the value of an rcl_interfaces/msg/ParameterValue; None if it is not set.
+    """Return the value of an rcl_interfaces/msg/ParameterValue, or None if the type is NOT_SET.
 
     Raises:
-        UnknownParameterTypeError: The message's type does not exist.
+        UnknownParameterTypeError: The message has an unknown type.
     """
     try:
         type_ = Parameter.Type(parameter_value.type)
@@ -268,25 +269,25 @@ def parameter_value_to_python(parameter_value: ParameterValue) -> AllowableParam
 
 
 def get_parameter_value(string_value: str) -> ParameterValue:
-    """Return what a text on the command line means, as a message.
+    """Return the message for a value that is written on the command line.
 
-    `true`, `5`, `5.0`, `[1, 2]` and `[a, b]` are what they look like, numbers of both kinds in one
-    list are doubles, and all that is no other value is a string.
+    The text is read as YAML: `true`, `5`, `5.0`, `[1, 2]`, `[a, b]`. A list of integers and floats
+    is a list of doubles. A text that is not another valid value is a string.
     """
     try:
         value = parse_value(string_value)
     except ParameterValueError:
         value = string_value
-    return guessed("", value, string_value).get_parameter_value()
+    return infer_parameter("", value, string_value).get_parameter_value()
 
 
-def guessed(name: str, value: Any, text: str | None = None) -> Parameter[Any]:
-    """Return a parameter of a value that YAML gave; a list of several kinds is its text.
+def infer_parameter(name: str, value: Any, text: str | None = None) -> Parameter[Any]:
+    """Return a parameter with a value read from YAML. A list of several types becomes a string.
 
     Args:
         name: The parameter's name.
         value: A scalar or a list of scalars.
-        text: How the value was written.
+        text: The YAML text of the value, which is the string for a list of several types.
     """
     try:
         return Parameter(name, value=value)
@@ -300,18 +301,18 @@ def parameter_dict_from_yaml_file(
     target_nodes: list[str] | None = None,
     namespace: str = "",
 ) -> dict[str, ParameterMsg]:
-    """Return the parameters that a file has for some nodes, by their names.
+    """Return the parameters that a file has for some nodes, by parameter name.
 
     Args:
         parameter_file: Path of the YAML file.
-        use_wildcard: Whether its `/**` applies too; what a node's own name says wins.
-        target_nodes: Names of the nodes; their leading slash may be missing.
-        namespace: Put in front of each parameter's name, as it is.
+        use_wildcard: Whether to include `/**`. Parameters under a node's own name have priority.
+        target_nodes: Names of the nodes, with or without the leading slash.
+        namespace: Prefix that is added to each parameter's name without a separator.
 
     Raises:
-        ParametersFileError: The file cannot be read or has another form; it is a
-            `FileNotFoundError` too if there is none.
-        NoParametersError: It has nothing for these nodes.
+        ParametersFileError: The file cannot be read or has another form. The error is also a
+            `FileNotFoundError` if the file does not exist.
+        NoParametersError: The file has no parameters for these nodes.
     """
     nodes = [name if name.startswith("/") else f"/{name}" for name in target_nodes or ()]
     found = sections(parameter_file)
@@ -321,7 +322,7 @@ def parameter_dict_from_yaml_file(
     if not values:
         raise NoParametersError(parameter_file, nodes)
     return {
-        namespace + name: guessed(namespace + name, value).to_parameter_msg()
+        namespace + name: infer_parameter(namespace + name, value).to_parameter_msg()
         for name, value in values.items()
     }
 

@@ -1,4 +1,4 @@
-"""Quality of service that parameters override: `-p qos_overrides./scan.subscription.depth:=1`."""
+"""QoS overrides by parameters, e.g. `-p qos_overrides./scan.subscription.depth:=1`."""
 
 from __future__ import annotations
 
@@ -20,12 +20,13 @@ if TYPE_CHECKING:
 
 
 class QoSOverridingOptions:
-    """Which policies of a publisher or subscription may be overridden.
+    """Policies of a publisher or subscription that parameters may override.
 
     Args:
-        policy_kinds: These policies become read-only parameters.
-        callback: Takes the profile with the overrides and returns a `SetParametersResult`.
-        entity_id: Tells two publishers or subscriptions of one topic apart.
+        policy_kinds: The policies. Each policy becomes a read-only parameter.
+        callback: Function that checks the profile with the overrides. It returns a
+            `SetParametersResult`.
+        entity_id: Text that distinguishes two publishers or subscriptions of one topic.
     """
 
     policy_kinds: tuple[QoSPolicyKind, ...]
@@ -58,19 +59,19 @@ class QoSOverridingOptions:
 def overridden(
     store: ParameterStore, entity: str, topic: str, qos: QoSProfile, options: QoSOverridingOptions
 ) -> QoSProfile:
-    """Declare the policies as parameters, and return the profile as these change it.
+    """Declare the policies as parameters. Return a copy of the profile with the parameters' values.
 
     Args:
         store: The node's parameters.
         entity: `publisher` or `subscription`.
-        topic: Its topic's full name.
-        qos: What the program asked for; the defaults of the parameters.
-        options: Which policies, and who checks the result.
+        topic: The topic's full name.
+        qos: The program's profile, which gives the defaults of the parameters.
+        options: The policies and the callback.
 
     Raises:
-        UnknownQoSKeyError: An override is no value of its policy.
+        UnknownQoSKeyError: An override is not a value of its policy.
         InvalidParameterTypeException: An override has another type.
-        InvalidQosOverridesError: The options' callback refuses the result.
+        InvalidQosOverridesError: The options' callback rejects the result.
     """
     profile = copy.copy(qos)
     override(store, entity, topic, profile, options)
@@ -84,11 +85,11 @@ def override(
     profile: QoSProfile,
     options: QoSOverridingOptions,
 ) -> None:
-    """Do the same to the profile itself."""
+    """Do the same as `overridden`, but change the profile itself."""
     suffix = "" if options.entity_id is None else f"_{options.entity_id}"
     for kind in options.policy_kinds:
         if kind is QoSPolicyKind.LIFESPAN and entity == "subscription":
-            continue  # it is the publisher who knows how long its messages live
+            continue  # the publisher decides the lifespan of its messages
         policy = kind.name.lower()
         name = f"qos_overrides.{topic}.{entity}{suffix}.{policy}"
         if name not in store.values:

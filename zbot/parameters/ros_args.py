@@ -1,4 +1,4 @@
-"""The part of a command line between `--ros-args` and `--`: names, parameters and logs of nodes."""
+"""Parser of a command line's ROS arguments. They are the words between `--ros-args` and `--`."""
 
 from __future__ import annotations
 
@@ -32,22 +32,22 @@ _SCHEME = re.compile(r"(?:ros(?P<kind>topic|service)://)?(?P<name>.*)", re.DOTAL
 class Remap(NamedTuple):
     """One `-r [node:][scheme://]from:=to`."""
 
-    source: str  #: a topic or service name as it is written, or `__node` or `__ns`
+    source: str  #: topic or service name as written, `__node` or `__ns`
     target: str
-    node: str = ""  #: base name of the only node it is for; empty: every node
-    kind: str = ""  #: `topic` or `service` if it is for only one of them
+    node: str = ""  #: base name of the node that the rule applies to. Empty means every node.
+    kind: str = ""  #: `topic` or `service` if the rule applies to only one kind
 
 
 class ParameterValue(NamedTuple):
     """One `-p [node:]name:=value`."""
 
     name: str
-    value: Any  #: as YAML reads it
-    node: str = ""  #: base name of the only node it is for; empty: every node
+    value: Any  #: value read from the YAML text
+    node: str = ""  #: base name of the node that the value applies to. Empty means every node.
 
 
 class ParametersFile(NamedTuple):
-    """One `--params-file path`, read when a node asks for its parameters."""
+    """One `--params-file path`. The file is read when a node asks for its parameters."""
 
     path: str
 
@@ -56,43 +56,44 @@ class LogLevel(NamedTuple):
     """One `--log-level [logger:=]level`."""
 
     level: str  #: in lower case: `unset`, `debug`, `info`, `warn`, `error` or `fatal`
-    logger: str = ""  #: empty: every logger
+    logger: str = ""  #: name of the logger. Empty means every logger.
 
 
 class Arguments(NamedTuple):
-    """What a command line says about the nodes of its process."""
+    """Settings that a command line has for the nodes of its process."""
 
     remaps: tuple[Remap, ...] = ()
-    parameters: tuple[ParameterValue | ParametersFile, ...] = ()  #: in order; the last one wins
-    log_levels: tuple[LogLevel, ...] = ()  #: in order; the last one wins
+    parameters: tuple[ParameterValue | ParametersFile, ...] = ()  #: in order. The last one is used.
+    log_levels: tuple[LogLevel, ...] = ()  #: in order. The last one is used.
     log_config_file: str = ""
     log_file_name: str = ""
     rosout_logs: bool = True
     stdout_logs: bool = True
     external_lib_logs: bool = True
     enclave: str = "/"
-    unparsed: tuple[str, ...] = ()  #: everything else, the program's name first
+    unparsed: tuple[str, ...] = ()  #: all other words, beginning with the program's name
 
     @classmethod
     def parse(cls, args: Sequence[str]) -> Arguments:
-        """Read a command line.
+        """Return the settings in a command line.
 
         Raises:
-            ArgumentsError: A word after `--ros-args` is not understood.
+            ArgumentsError: A word after `--ros-args` is unknown or not valid.
         """
         words, unparsed = _split(args)
         found, unknown = cls(unparsed=tuple(unparsed)), list[str]()
         while words:
             found = _flag(found, words, unknown)
         if unknown:
-            reason = "there is no such flag: see -r, -p, --params-file and --log-level; end with --"
+            reason = "unknown flag: use -r, -p, --params-file or --log-level, and end with --"
             raise ArgumentsError(unknown, reason)
         return found
 
     def merged(self, after: Arguments) -> Arguments:
-        """Return both sets of rules as one, where these come first: a node's, then its process's.
+        """Return the settings of a node, `self`, combined with those of the process, `after`.
 
-        Among remaps the first match wins and among parameters the last, so either way these do.
+        The node's settings have priority. Of several remaps the first match is used, and of
+        several parameter values the last value is used.
         """
         return self._replace(
             remaps=self.remaps + after.remaps,
@@ -102,29 +103,29 @@ class Arguments(NamedTuple):
         )
 
     def node_name_for(self, name: str) -> str:
-        """Return the base name that a node gets: `__node:=`, or the one the program gave."""
+        """Return a node's base name: the value of `__node:=`, or else the program's `name`."""
         return self._special("__node", name) or name
 
     def namespace_for(self, node_name: str) -> str | None:
-        """Return the namespace set with `__ns:=` for a node of that original name, if any."""
+        """Return the value of `__ns:=` for a node with this original name, or None if not given."""
         return self._special("__ns", node_name)
 
     def remap_topic(self, full_name: str, node: str, namespace: str) -> str:
-        """Return the name that a topic gets; `full_name` is already expanded.
+        """Return the name of a topic after remapping.
 
         Args:
-            full_name: The topic, fully qualified.
-            node: Base name of the node that uses it.
+            full_name: The topic's fully qualified name.
+            node: Base name of the node that uses the topic.
             namespace: That node's namespace.
         """
         return self._remapped("topic", full_name, node, namespace)
 
     def remap_service(self, full_name: str, node: str, namespace: str) -> str:
-        """Return the name that a service gets; see `remap_topic`."""
+        """Return the name of a service after remapping. The arguments are as in `remap_topic`."""
         return self._remapped("service", full_name, node, namespace)
 
     def parameters_for(self, node: str) -> dict[str, Any]:
-        """Return the parameter overrides of a node by its fully qualified name.
+        """Return the parameter overrides for a node. `node` is the node's fully qualified name.
 
         Raises:
             ParametersFileError: A file cannot be read or has another form.
@@ -154,7 +155,7 @@ class Arguments(NamedTuple):
 
 
 def remove_ros_args(args: Sequence[str] | None = None) -> list[str]:
-    """Return a command line, `sys.argv` if left out, without its `--ros-args ... --` parts."""
+    """Return a command line, by default `sys.argv`, without its `--ros-args ... --` parts."""
     return _split(sys.argv if args is None else args)[1]
 
 
@@ -174,7 +175,7 @@ def _split(args: Sequence[str]) -> tuple[list[str], list[str]]:
 
 
 def _flag(found: Arguments, words: list[str], unknown: list[str]) -> Arguments:
-    """Take one flag, with its value if it has one, from the front of the words."""
+    """Remove the first flag and its value from the words, and return the settings with it."""
     flag = words.pop(0)
     switch = _SWITCHES.get(flag)
     if switch is not None:
@@ -183,7 +184,7 @@ def _flag(found: Arguments, words: list[str], unknown: list[str]) -> Arguments:
         unknown.append(flag)
         return found
     if not words:
-        raise ArgumentsError(flag, "it needs a value after it")
+        raise ArgumentsError(flag, "the flag needs a value after it")
     return _FLAGS[flag](found, words.pop(0))
 
 
@@ -221,12 +222,12 @@ def _parameter(found: Arguments, word: str) -> Arguments:
 def _log_level(found: Arguments, word: str) -> Arguments:
     logger, _, level = word.rpartition(_ASSIGN)
     if level.lower() not in _LEVELS or (not logger and _ASSIGN in word):
-        raise ArgumentsError(word, f"a level is one of {', '.join(_LEVELS)}")
+        raise ArgumentsError(word, f"use one of the levels {', '.join(_LEVELS)}")
     return found._replace(log_levels=(*found.log_levels, LogLevel(level.lower(), logger)))
 
 
 def _assignment(word: str, flag: str, example: str) -> tuple[str, str, str]:
-    """Return node, left and right side of `[node:]left:=right`."""
+    """Return the node, the left side and the right side of `[node:]left:=right`."""
     left, assign, right = word.partition(_ASSIGN)
     if not assign:
         raise ArgumentsError(word, f"{_ASSIGN!r} is missing: write it as in `{flag} {example}`")

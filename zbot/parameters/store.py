@@ -1,4 +1,4 @@
-"""The parameters of one node: what is declared, and who is asked and told when one changes."""
+"""Store of one node's parameters, with their descriptors and callbacks."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ from zbot.parameters.errors import (
     ParameterUninitializedException,
 )
 from zbot.parameters.parameter import PARAMETER_SEPARATOR_STRING, Parameter
-from zbot.parameters.validation import Descriptor, is_wrong_type, refusal, widened
+from zbot.parameters.validation import Descriptor, is_wrong_type, rejection_reason, widened
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
     Parameters = list[Parameter[Any]]
 
-_EMPTIED = (
+_EMPTY_LIST_REASON = (
     "parameter list cannot be empty, this might be due to pre_set_parameters_callback modifying "
     "the original parameters list."
 )
@@ -31,7 +31,7 @@ _EMPTIED = (
 
 @dataclass(slots=True)
 class Changes:
-    """What one setting changed; the lists of rcl_interfaces/msg/ParameterEvent."""
+    """Changes that one operation made, in the three lists of rcl_interfaces/msg/ParameterEvent."""
 
     new: Parameters = field(default_factory=list)
     changed: Parameters = field(default_factory=list)
@@ -39,17 +39,17 @@ class Changes:
 
 
 class Declaration(NamedTuple):
-    """What a node declares: a name, a default value or a type alone, and the rules for it."""
+    """Declaration of a parameter: its name, its descriptor, and a default value or only a type."""
 
     name: str
     value: Any = None
     descriptor: Descriptor = Descriptor()
 
     def resolved(self) -> Declaration:
-        """Return it with its type in the descriptor.
+        """Return a declaration whose descriptor contains the type.
 
         Raises:
-            ParameterDeclarationError: The type is missing, or given twice.
+            ParameterDeclarationError: The type is missing or given twice.
             ParameterTypeError: No parameter can have the default value.
         """
         descriptor = self.descriptor
@@ -71,15 +71,16 @@ class Declaration(NamedTuple):
 
 
 class ParameterStore:
-    """Declares, sets and forgets parameters by rclpy's rules.
+    """Parameters of a node, declared, set and undeclared by rclpy's rules.
 
-    Every change goes the same way: pre-set callbacks may replace the list, the descriptors and then
-    the on-set callbacks may refuse it, and once it is done the event is published and the post-set
-    callbacks are told. Of each kind, the callback that was added last is called first.
+    Each change has these steps. The pre-set callbacks may replace the list of parameters. The
+    descriptors and then the on-set callbacks may reject the list. The values are set. The event is
+    published. The post-set callbacks are called. In each step, the callback that was added last is
+    called first.
 
     Args:
-        publish: Called with the changes after each.
-        overrides: What wins over declared defaults, by name.
+        publish: Function that is called with the changes after each operation.
+        overrides: Values by name, which replace declared defaults.
         allow_undeclared: Whether setting an unknown parameter declares it.
     """
 
@@ -95,18 +96,18 @@ class ParameterStore:
         self.overrides = dict(overrides or {})
         self.allow_undeclared = allow_undeclared
         self.pre_set: list[Callable[[Parameters], Parameters]] = []
-        #: each returns why it refuses, empty if it does not
+        #: each callback returns the reason for a rejection, or an empty string
         self.on_set: list[Callable[[Parameters], str]] = []
         self.post_set: list[Callable[[Parameters], object]] = []
         self._publish = publish
 
-    # -- asking --------------------------------------------------------------------------------
+    # -- reading -------------------------------------------------------------------------------
 
     def get(self, name: str) -> Parameter[Any]:
         """Return a parameter.
 
         Raises:
-            ParameterNotDeclaredException: It is unknown, and that is not allowed.
+            ParameterNotDeclaredException: It is unknown, and undeclared parameters are not allowed.
             ParameterUninitializedException: Only its type was declared, and it has no value yet.
         """
         parameter = self.values.get(name)
@@ -119,10 +120,10 @@ class ParameterStore:
         return parameter
 
     def type_of(self, name: str) -> Parameter.Type:
-        """Return the type of the present value.
+        """Return the type of the current value.
 
         Raises:
-            ParameterNotDeclaredException: It is unknown, and that is not allowed.
+            ParameterNotDeclaredException: It is unknown, and undeclared parameters are not allowed.
         """
         if name not in self.values:
             self._require_undeclared_allowed([name])
@@ -130,24 +131,24 @@ class ParameterStore:
         return self.values[name].type_
 
     def describe(self, name: str) -> Descriptor:
-        """Return a parameter's descriptor, with the type of its present value if that may change.
+        """Return a parameter's descriptor. With dynamic typing, it has the current value's type.
 
         Raises:
-            ParameterNotDeclaredException: It is unknown, and that is not allowed.
+            ParameterNotDeclaredException: It is unknown, and undeclared parameters are not allowed.
         """
         if name not in self.descriptors:
             self._require_undeclared_allowed([name])
             return Descriptor()
         return self.descriptors[name]
 
-    def below(self, prefix: str) -> dict[str, Parameter[Any]]:
-        """Return the parameters of a group, by their names without it; all for an empty prefix."""
+    def in_group(self, prefix: str) -> dict[str, Parameter[Any]]:
+        """Return a group's parameters by name without the prefix. An empty prefix means all."""
         start = f"{prefix}{PARAMETER_SEPARATOR_STRING}" if prefix else ""
         found = list(self.values.items())
         return {name[len(start) :]: one for name, one in found if name.startswith(start)}
 
     def names(self, prefixes: Sequence[str], depth: int) -> list[str]:
-        """Return the names below some prefixes, at most `depth` levels of them; 0: all levels."""
+        """Return the names below some prefixes, down to `depth` levels. 0 means all levels."""
         return [
             name
             for name in list(self.values)
@@ -168,10 +169,10 @@ class ParameterStore:
 
         Raises:
             InvalidParameterError: A name is empty.
-            ParameterDeclarationError: A declaration contradicts itself; nothing was declared.
-            ParameterAlreadyDeclaredException: As it says; nothing was declared.
+            ParameterDeclarationError: A declaration is not consistent. Nothing was declared.
+            ParameterAlreadyDeclaredException: A name is declared already. Nothing was declared.
             InvalidParameterTypeException: An override has another type.
-            InvalidParameterValueException: The descriptor or a callback refuses the value.
+            InvalidParameterValueException: The descriptor or a callback rejects the value.
         """
         wanted = list(declarations)
         for one in wanted:
@@ -189,21 +190,21 @@ class ParameterStore:
         override = None if ignore_override else self.overrides.get(name)
         parameter = Parameter(name, value=wanted.value) if override is None else override
         parameter = widened(parameter, wanted.descriptor)
-        reason = refusal(parameter, wanted.descriptor, check_read_only=False)
+        reason = rejection_reason(parameter, wanted.descriptor, check_read_only=False)
         if reason and is_wrong_type(parameter, wanted.descriptor):
             raise InvalidParameterTypeException(parameter, wanted.descriptor.type.name)
-        reason = reason or self._veto([parameter])
+        reason = reason or self._callback_rejection([parameter])
         if reason:
             raise InvalidParameterValueException(name, parameter.value, reason)
         self.descriptors[name] = wanted.descriptor
         self._commit([parameter], keep_unset=True)
 
     def undeclare(self, name: str) -> None:
-        """Forget a parameter.
+        """Remove a parameter.
 
         Raises:
-            ParameterNotDeclaredException: There is none of that name.
-            ParameterImmutableException: It is read-only.
+            ParameterNotDeclaredException: No parameter has that name.
+            ParameterImmutableException: The parameter is read-only.
         """
         if name not in self.values:
             raise ParameterNotDeclaredException(name, self.values)
@@ -215,24 +216,27 @@ class ParameterStore:
     # -- setting -------------------------------------------------------------------------------
 
     def set(self, parameters: Parameters) -> str:
-        """Set all of the parameters, or none of them; of two values for one name, the last.
+        """Set all given parameters, or none. If a name occurs twice, its last value is set.
 
-        One without a value is undeclared, if its typing is dynamic.
+        A parameter without a value is undeclared, if it has dynamic typing.
 
         Returns:
-            Why they are refused; empty if they are set.
+            The reason for a rejection. It is empty if the parameters are set.
 
         Raises:
-            ParameterNotDeclaredException: One is unknown, and that is not allowed.
+            ParameterNotDeclaredException: A parameter is unknown, and undeclared parameters are not
+                allowed.
         """
         if self.pre_set:
             parameters = [one for callback in list(self.pre_set) for one in callback(parameters)]
             if not parameters:
-                return _EMPTIED
+                return _EMPTY_LIST_REASON
         self._require_undeclared_allowed(one.name for one in parameters)
         last = {one.name: one for one in parameters}
         parameters = [self._widened(one) for one in last.values()]
-        reason = next(filter(None, map(self._refusal, parameters)), "") or self._veto(parameters)
+        reason = next(
+            filter(None, map(self._rejection_reason, parameters)), ""
+        ) or self._callback_rejection(parameters)
         if not reason:
             self._commit(parameters, keep_unset=False)
         return reason
@@ -241,13 +245,13 @@ class ParameterStore:
         descriptor = self.descriptors.get(parameter.name)
         return parameter if descriptor is None else widened(parameter, descriptor)
 
-    def _refusal(self, parameter: Parameter[Any]) -> str:
+    def _rejection_reason(self, parameter: Parameter[Any]) -> str:
         descriptor = self.descriptors.get(parameter.name)
         if descriptor is None:
             return ""
-        return refusal(parameter, descriptor, self.values.get(parameter.name))
+        return rejection_reason(parameter, descriptor, self.values.get(parameter.name))
 
-    def _veto(self, parameters: Parameters) -> str:
+    def _callback_rejection(self, parameters: Parameters) -> str:
         return next(filter(None, (callback(parameters) for callback in list(self.on_set))), "")
 
     def _commit(self, parameters: Parameters, *, keep_unset: bool) -> None:
@@ -262,12 +266,12 @@ class ParameterStore:
             present = self.values.get(parameter.name)
             is_new = present is None or present.type_ is Parameter.Type.NOT_SET
             (changes.new if is_new else changes.changed).append(parameter)
-            self._keep(parameter)
+            self._store(parameter)
         self._publish(changes)
         for callback in list(self.post_set):
             callback(parameters)
 
-    def _keep(self, parameter: Parameter[Any]) -> None:
+    def _store(self, parameter: Parameter[Any]) -> None:
         descriptor = self.descriptors.get(parameter.name, Descriptor(dynamic_typing=True))
         if descriptor.dynamic_typing:
             descriptor = descriptor.with_type(parameter.type_)
@@ -277,17 +281,17 @@ class ParameterStore:
     def set_descriptor(
         self, name: str, descriptor: Descriptor, alternative: Parameter[Any] | None
     ) -> Parameter[Any]:
-        """Describe a parameter anew, and return it.
+        """Replace a parameter's descriptor, and return the parameter.
 
         Args:
-            name: Which one.
-            descriptor: The new rules; a type of NOT_SET means that of the value.
-            alternative: Taken if the present value breaks the new rules.
+            name: The parameter's name.
+            descriptor: The new descriptor. If its type is NOT_SET, it gets the type of the value.
+            alternative: The new value if the current value does not fit the new descriptor.
 
         Raises:
-            ParameterNotDeclaredException: It is unknown, and that is not allowed.
+            ParameterNotDeclaredException: It is unknown, and undeclared parameters are not allowed.
             ParameterImmutableException: It is read-only.
-            InvalidParameterValueException: Neither value complies.
+            InvalidParameterValueException: Neither value fits the new descriptor.
         """
         present = self.get(name)
         if name not in self.values:
@@ -300,16 +304,16 @@ class ParameterStore:
         reason = ""
         for candidate in candidates:
             parameter = widened(candidate, descriptor)
-            reason = refusal(parameter, descriptor, check_read_only=False)
+            reason = rejection_reason(parameter, descriptor, check_read_only=False)
             if not reason:
                 self.descriptors[name] = descriptor
-                self._keep(parameter)
+                self._store(parameter)
                 return parameter
         raise InvalidParameterValueException(name, candidates[-1].value, reason)
 
 
 def prefixes_of(names: Iterable[str]) -> Iterator[str]:
-    """Yield each group that some of the names lie in, once."""
+    """Yield the groups of the names. Each group occurs only once."""
     seen = dict.fromkeys(name.rpartition(PARAMETER_SEPARATOR_STRING)[0] for name in names)
     return (prefix for prefix in seen if prefix)
 

@@ -1,4 +1,4 @@
-"""What a parameter's descriptor allows: its type, ranges, steps, and whether it may change."""
+"""Validation of parameter values against a descriptor: type, range, step and read-only flag."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ if TYPE_CHECKING:
     from rcl_interfaces.msg import ParameterDescriptor
 
 REL_TOL = 1e-6
-_STEP_TOL = 1e-6  #: of a step: near zero a relative tolerance is none
+_STEP_TOL = 1e-6  #: fraction of a step, because a relative tolerance is too small near zero
 
 
 class Range(NamedTuple):
-    """An interval with both its ends; with a step, only the values that many steps from its low."""
+    """Range of allowed values with both ends. A step allows only low plus multiples of the step."""
 
     from_value: float
     to_value: float
@@ -32,18 +32,18 @@ class Range(NamedTuple):
         return max(self.from_value, self.to_value)
 
     def has_integer_step(self, value: int) -> bool:
-        """Tell whether an integer inside lies on a step; both ends always do."""
+        """Return whether an integer in the range is on a step. Both ends are always allowed."""
         return value in {self.low, self.high} or not self.step or not (value - self.low) % self.step
 
     def has_float_step(self, value: float) -> bool:
-        """Tell whether a float inside lies close enough to a step."""
+        """Return whether a float in the range is close enough to a step."""
         if not self.step or self.is_end(value):
             return True
         near = self.low + round((value - self.low) / self.step) * self.step
         return math.isclose(near, value, rel_tol=REL_TOL, abs_tol=_STEP_TOL * abs(self.step))
 
     def is_end(self, value: float) -> bool:
-        """Tell whether a float is one of the ends, give or take what arithmetic does to floats."""
+        """Return whether a float is equal to one of the ends, within rounding errors."""
         return math.isclose(value, self.low, rel_tol=REL_TOL) or math.isclose(
             value, self.high, rel_tol=REL_TOL
         )
@@ -55,10 +55,10 @@ class Range(NamedTuple):
 
 
 class Descriptor(NamedTuple):
-    """What a node says of one of its parameters; rcl_interfaces/msg/ParameterDescriptor's fields.
+    """Descriptor of a parameter, with the fields of rcl_interfaces/msg/ParameterDescriptor.
 
-    A value of its own, unlike the message: two parameters that were declared with one message do
-    not share it, and most nodes never need the message's class.
+    A descriptor is immutable, unlike the message. So later changes of a message do not affect the
+    parameters that were declared with it. Also, most nodes never load the message's class.
     """
 
     type: Parameter.Type = Parameter.Type.NOT_SET
@@ -71,7 +71,7 @@ class Descriptor(NamedTuple):
 
     @classmethod
     def of(cls, message: ParameterDescriptor) -> Descriptor:
-        """Return what a message says; its name does not matter here."""
+        """Return the descriptor in a message, without the message's `name`."""
         return cls(
             type=Parameter.Type(message.type),
             description=message.description,
@@ -83,18 +83,18 @@ class Descriptor(NamedTuple):
         )
 
     def with_type(self, type_: Parameter.Type) -> Descriptor:
-        """Return the same with another type."""
+        """Return a copy of the descriptor with another type."""
         return self._replace(type=type_)
 
     @property
     def range(self) -> Range | None:
-        """The range of the present type, if it has one."""
+        """The range for the descriptor's type, or None if there is no range."""
         if self.type is Parameter.Type.INTEGER:
             return self.integer_range
         return self.floating_point_range if self.type is Parameter.Type.DOUBLE else None
 
     def to_message(self, name: str) -> ParameterDescriptor:
-        """Return it as a message."""
+        """Return the descriptor as a message."""
         from rcl_interfaces.msg import (  # noqa: PLC0415 - made at first import
             FloatingPointRange,
             IntegerRange,
@@ -126,7 +126,7 @@ def _range_messages(kind: Any, values: Range | None) -> list[Any]:
 
 
 def widened(parameter: Parameter[Any], descriptor: Descriptor) -> Parameter[Any]:
-    """Return the parameter as its declared type: integers as doubles, `[]` as any array."""
+    """Return the parameter in its declared type. Integers become doubles, and `[]` any array."""
     declared, given = descriptor.type, parameter.type_
     if descriptor.dynamic_typing or declared is given:
         return parameter
@@ -136,7 +136,7 @@ def widened(parameter: Parameter[Any], descriptor: Descriptor) -> Parameter[Any]
         try:
             return Parameter(parameter.name, declared, parameter.value)
         except ValueError:
-            return parameter  # an integer too large for a double is refused as what it is
+            return parameter  # too large for a double: a later check rejects the integer
     return parameter
 
 
@@ -147,27 +147,27 @@ _WIDENINGS = {
 
 
 def is_wrong_type(parameter: Parameter[Any], descriptor: Descriptor) -> bool:
-    """Tell whether a statically typed parameter is given another type."""
+    """Return whether a parameter with static typing has another type than its descriptor."""
     is_static = not descriptor.dynamic_typing and parameter.type_ is not Parameter.Type.NOT_SET
     return is_static and parameter.type_ is not descriptor.type
 
 
-def refusal(
+def rejection_reason(
     parameter: Parameter[Any],
     descriptor: Descriptor,
     present: Parameter[Any] | None = None,
     *,
     check_read_only: bool = True,
 ) -> str:
-    """Return why a descriptor does not allow a value; empty if it does.
+    """Return why a descriptor rejects a value. Return an empty string if the value is allowed.
 
-    The sentences begin as rclpy's do.
+    The texts begin with rclpy's texts.
 
     Args:
-        parameter: The new value, `widened`.
-        descriptor: What was declared.
-        present: The present value, if it is declared already.
-        check_read_only: Whether a read-only parameter is refused as such.
+        parameter: The new value, after `widened`.
+        descriptor: The parameter's descriptor.
+        present: The current value, if the parameter is declared already.
+        check_read_only: Whether to reject a read-only parameter.
     """
     name = parameter.name
     if check_read_only and descriptor.read_only:
@@ -178,12 +178,12 @@ def refusal(
         if is_wrong_type(parameter, descriptor):
             wrong = f"expected '{descriptor.type.text}' got '{parameter.type_.text}'"
             return f"Wrong parameter type, {wrong}: {_facts(name, descriptor, present)}"
-    reason = _range_refusal(parameter, descriptor.with_type(parameter.type_))
+    reason = _range_rejection(parameter, descriptor.with_type(parameter.type_))
     now = "" if present is None or present.value is None else f", now {present.value}"
     return f"{reason} ({parameter.type_.text}{now})" if reason else ""
 
 
-def _range_refusal(parameter: Parameter[Any], descriptor: Descriptor) -> str:
+def _range_rejection(parameter: Parameter[Any], descriptor: Descriptor) -> str:
     limits, name, value = descriptor.range, parameter.name, parameter.value
     if limits is None:
         return ""

@@ -1,1 +1,1 @@
-"""Changes to the host process: signal handlers, the exit, hooks, memory."""
+"""Changes to the host process: signal handlers, exit functions, exception hooks and memory."""

@@ -1,7 +1,7 @@
-"""The end of the process: what is open is closed before Python kills the threads that are left.
+"""Exit function of the process. It closes all contexts before Python kills the other threads.
 
-A thread that is inside Zenoh when Python kills it takes the whole process down, with an abort. The
-program's own threads come first: one that spins goes on after the main thread's last line.
+Zenoh aborts the process if Python kills a thread inside Zenoh. The function first waits for the
+program's own threads, because a thread that spins continues after the main thread's end.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from zbot.transport.weak_set import WeakSet
 if TYPE_CHECKING:
     import zenoh
 
-_PATIENCE_S = 0.3  # for a callback that is running when the program ends
+_CALLBACK_TIMEOUT_S = 0.3  # for a callback that runs when the program ends
 
 
 class OpenContext(Protocol):
-    """A context that has a session, as the end of the process sees it."""
+    """The part of a context with a session that the exit function uses."""
 
     @property
     def sessions(self) -> list[zenoh.Session]:
@@ -34,24 +34,24 @@ class OpenContext(Protocol):
 
     @property
     def executors(self) -> set[Executor]:
-        """The executors that spin its nodes."""
+        """The executors of the context's nodes."""
         ...
 
     def interrupt(self) -> None:
-        """End all that spins."""
+        """Let all executors stop spinning."""
 
     def shutdown(self) -> None:
-        """Close the session and everything in it; the second call does nothing."""
+        """Close the session and all its entities. A second call does nothing."""
 
     def close(self) -> None:
-        """Close the session, also where a signal has interrupted `shutdown()`."""
+        """Close the session. This also works after a signal has interrupted `shutdown()`."""
 
 
 class Executor(Protocol):
-    """An executor, as the end of the process sees it."""
+    """The part of an executor that the exit function uses."""
 
     def wait_idle(self, timeout_s: float, /) -> bool:
-        """Wait until nothing spins there."""
+        """Wait until no thread spins the executor."""
         ...
 
 
@@ -60,38 +60,38 @@ open_contexts: WeakSet[OpenContext] = WeakSet()
 
 
 class _Process:
-    hooked = False
-    ending = False
+    is_registered = False
+    is_ending = False
 
 
 def is_ending() -> bool:
-    """Return whether the main thread has come to its end."""
-    return _Process.ending
+    """Return whether the contexts of the process are being closed."""
+    return _Process.is_ending
 
 
-def hook() -> None:
-    """Close all contexts at the end of the process; the second call does nothing."""
-    if not _Process.hooked:
-        _Process.hooked = True
+def register() -> None:
+    """Let the process close all contexts at its end. A second call does nothing."""
+    if not _Process.is_registered:
+        _Process.is_registered = True
         # Python joins non-daemon threads before it runs atexit functions, and Zenoh's thread ends
-        # only with its session: concurrent.futures closes its pools by the same, private, means.
+        # only with its session. concurrent.futures uses the same private function for its pools.
         threading._register_atexit(_end)  # type: ignore[attr-defined] # noqa: SLF001
-        # A signal that comes just then keeps Python from calling that, but not this.
+        # If a signal comes at that time, Python does not call `_end`, but calls atexit functions.
         atexit.register(_close_contexts)
 
 
 def wait_for_threads() -> None:
-    """Wait for the threads that the program started itself, as Python does at its end.
+    """Wait for the threads that the program started, as Python does at its end.
 
-    Python does so when no thread can start another any more (from 3.12 on), so that none of them
-    could open a node. A signal's exception leaves this function at once.
+    From Python 3.12 on, threads cannot start new threads while Python itself waits for them, so
+    they could not open a node. A signal's exception ends this function at once.
     """
-    for thread in _programs_threads():
+    for thread in _program_threads():
         thread.join()
 
 
-def _programs_threads() -> list[threading.Thread]:
-    # Pools end their threads after this, and Zenoh's end with their session.
+def _program_threads() -> list[threading.Thread]:
+    # Thread pools end their threads later, and Zenoh's threads end with their session.
     pools = sys.modules.get("concurrent.futures.thread")
     pooled = () if pools is None else pools._threads_queues  # noqa: SLF001 - their only list
     return [
@@ -105,24 +105,24 @@ def _programs_threads() -> list[threading.Thread]:
 
 
 def _end() -> None:
-    # A signal ends whatever spins; Python waits for the rest.
+    # A signal ends the spinning threads. Python waits for the other threads.
     with contextlib.suppress(KeyboardInterrupt, SystemExit, ExternalShutdownException):
         wait_for_threads()
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
-        # All is done: nobody needs to hear where in Python's own end a Ctrl-C came.
+        # The program is over: a Ctrl-C from now on must not print a traceback.
         signal.signal(signal.SIGINT, signal.SIG_DFL)
     _close_contexts()
 
 
 def _close_contexts() -> None:
-    _Process.ending = True
+    _Process.is_ending = True
     for context in open_contexts:
         executors = context.executors
         try:
             context.shutdown()
             if context in open_contexts:
-                context.close()  # a signal's exception has left an earlier `shutdown()`
-        except Exception:  # noqa: BLE001 - the others must be closed too
+                context.close()  # a signal's exception ended an earlier `shutdown()`
+        except Exception:  # noqa: BLE001 - the other contexts must be closed too
             traceback.print_exc()
         for executor in executors:
-            executor.wait_idle(_PATIENCE_S)
+            executor.wait_idle(_CALLBACK_TIMEOUT_S)

@@ -1,9 +1,9 @@
-"""Puts that wait for room where nobody makes any, and how their process ends all the same.
+"""Blocked puts of publishers, and functions that cancel them so that the process can end.
 
-A put with congestion control `BLOCK` waits while a subscriber takes nothing, up to a minute (see
-`wait_before_close`). No signal's handler runs in its thread meanwhile, and Zenoh cannot close the
-session before it has returned. So whoever wants to end cuts the session's links: Zenoh takes that
-for the loss of the other side, and the put returns at once.
+A put with congestion control `BLOCK` waits while a keep-all subscriber reads nothing, at most a
+minute (see `wait_before_close`). During the put no signal handler runs in its thread, and Zenoh
+cannot close the session. This module therefore shuts down the sockets of the session's links. Then
+Zenoh sees that the other side is lost, and the put returns at once.
 """
 
 from __future__ import annotations
@@ -31,101 +31,104 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
     from types import CodeType, FrameType
 
-# A put that takes longer is waited for in vain: on a busy machine one takes milliseconds.
-_PATIENCE_S = 0.2
-_RETURN_S = 1.0  # that a link is cut is noticed within a millisecond
+# A put that takes longer is blocked. On a busy machine, a normal put takes milliseconds.
+_BLOCKED_AFTER_S = 0.2
+_RETURN_TIMEOUT_S = 1.0  # puts return within a millisecond after a link was cut
 _PAUSE_S = 0.005
-_DESCRIPTORS = Path("/dev/fd")  # not on Windows, where links cannot be cut
+_DESCRIPTORS = Path("/dev/fd")  # does not exist on Windows, where links cannot be cut
 
-#: The functions in which a publisher's thread stands while Zenoh puts.
-callers: set[CodeType] = set()
-#: The subscriptions of this process whose full queues hold up their publishers.
-own_queues: WeakSet[Any] = WeakSet()
+#: The functions of a publisher that call Zenoh's put.
+put_functions: set[CodeType] = set()
+#: The subscriptions of this process whose full queues block publishers.
+local_queues: WeakSet[Any] = WeakSet()
 
 
-class _Watch:
-    is_needed = False  # whether there is, or was, a publisher whose puts may wait
-    is_on = False
+class _SignalWatch:
+    is_needed = False  # whether there is, or was, a publisher whose puts can block
+    is_installed = False
 
 
 def watch_signals() -> None:
-    """Let a signal release the puts that wait; for each publisher whose puts may.
+    """Cancel blocked puts when a signal comes. Every publisher whose puts can block calls this.
 
-    The signal does so if this is the main thread, and no event loop listens for signals.
+    This works only in the main thread, and only if no event loop has a wake-up descriptor for
+    signals.
     """
-    _Watch.is_needed = True
-    if _Watch.is_on or threading.current_thread() is not threading.main_thread():
+    _SignalWatch.is_needed = True
+    if _SignalWatch.is_installed or threading.current_thread() is not threading.main_thread():
         return
     reader, writer = socket.socketpair()
     writer.setblocking(False)
-    loops = signal.set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
-    if loops != -1:
-        signal.set_wakeup_fd(loops)
+    previous = signal.set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
+    if previous != -1:
+        signal.set_wakeup_fd(previous)
         return
-    _Watch.is_on = True
-    threading.Thread(target=_watch, args=(reader, writer), name="zbot signals", daemon=True).start()
+    _SignalWatch.is_installed = True
+    arguments = (reader, writer)
+    threading.Thread(target=_watch, args=arguments, name="zbot signals", daemon=True).start()
 
 
 def _watch(reader: socket.socket, _writer: socket.socket) -> None:
-    # The main thread's put keeps the signal's handler from running, any other the program's end.
+    # A put of the main thread delays the signal handler. A put of another thread delays the exit.
     while reader.recv(1):
-        release(session for context in at_exit.open_contexts for session in context.sessions)
+        cancel_all(session for context in at_exit.open_contexts for session in context.sessions)
 
 
-def release(sessions: Iterable[zenoh.Session]) -> None:
-    """Let the puts return that wait in vain, by cutting the links of sessions.
+def cancel_all(sessions: Iterable[zenoh.Session]) -> None:
+    """Cut the links of sessions, so that all blocked puts return. Any thread may call this.
 
-    What is under way on them is lost. Returns at once where no put is under way, else within 0.2 s
-    where none waits, and 1.2 s otherwise; from any thread.
+    Messages that are on their way are lost. The call takes no time if no put is running, at most
+    0.2 s if no put is blocked, and at most 1.2 s otherwise.
     """
-    blocked = _Watch.is_needed and _blocked()
+    blocked = _SignalWatch.is_needed and _blocked()
     if not blocked:
         return
     for session in sessions:
         _cut(session)
-    for queue in own_queues:
-        with contextlib.suppress(zenoh.ZError):  # it is undeclared
+    for queue in local_queues:
+        with contextlib.suppress(zenoh.ZError):  # the queue is undeclared
             deque(iter(queue.next_sample, None), maxlen=0)
-    deadline = time.monotonic() + _RETURN_S
+    deadline = time.monotonic() + _RETURN_TIMEOUT_S
     while blocked & _puts() and time.monotonic() < deadline:
         time.sleep(_PAUSE_S)
 
 
 def _blocked() -> set[tuple[int, int, int]]:
-    """Return the puts that do not get on."""
+    """Return the puts that are blocked."""
     puts = _puts()
     if puts:
-        time.sleep(_PATIENCE_S)
+        time.sleep(_BLOCKED_AFTER_S)
         puts &= _puts()
     return puts
 
 
 def _puts() -> set[tuple[int, int, int]]:
-    """Return the puts under way: their threads, publishers, and numbers."""
+    """Return the running puts, each as a thread, a publisher and the number of the message."""
     found = set()
     for thread, frame in _frames().items():
-        if frame.f_code in callers:
+        if frame.f_code in put_functions:
             publisher = frame.f_locals["self"]
             found.add((thread, id(publisher), publisher.sent_count))
     return found
 
 
 def _frames() -> dict[int, FrameType]:
-    """Return what each thread does just now."""
-    # Python 3.11 and older hold a lock meanwhile that a thread waits for when it ends, without
-    # letting others run. To collect garbage may let it run: then both wait for good.
-    collects = gc.isenabled()
+    """Return the present frame of each thread."""
+    # Python 3.11 and older hold a lock here. A thread that ends waits for that lock, and no other
+    # thread can run meanwhile. Garbage collection may switch to such a thread. Then both threads
+    # would block for ever.
+    was_enabled = gc.isenabled()
     gc.disable()
     try:
         return sys._current_frames()  # noqa: SLF001 - Python has no other way
     finally:
-        if collects:
+        if was_enabled:
             gc.enable()
 
 
 def _cut(session: zenoh.Session) -> None:
-    """Shut down the sockets of a session's links, of which Zenoh tells the addresses only."""
-    with contextlib.suppress(zenoh.ZError):  # it is closed
+    """Shut down the sockets of a session's links. Zenoh tells only the addresses of a link."""
+    with contextlib.suppress(zenoh.ZError):  # the session is closed
         links = {(port_of(str(link.src)), port_of(str(link.dst))) for link in session.info.links()}
         for end in _sockets():
             with end, contextlib.suppress(OSError):
@@ -134,7 +137,7 @@ def _cut(session: zenoh.Session) -> None:
 
 
 def _sockets() -> Iterator[socket.socket]:
-    """Open each internet socket of this process a second time; the caller closes it."""
+    """Yield a duplicate of each internet socket of this process. The caller must close it."""
     for path in list(_DESCRIPTORS.iterdir()) if _DESCRIPTORS.is_dir() else ():
         with contextlib.suppress(OSError):
             if stat.S_ISSOCK(os.fstat(int(path.name)).st_mode):

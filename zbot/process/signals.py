@@ -1,9 +1,8 @@
-"""Every way out of a process closes its Zenoh sessions: the end of main, exceptions, signals.
+"""Signal handlers and exception hooks, so that a process closes its Zenoh sessions when it ends.
 
-A session left open with a subscriber keeps Python from ending at all, so this is not a nicety.
-Ctrl-C raises `KeyboardInterrupt` as always, SIGTERM raises `ExternalShutdownException` in a
-spinning main thread and `SystemExit` elsewhere; none of them prints a traceback when nobody catches
-it.
+Python cannot end while a session with a subscriber is open. Ctrl-C raises `KeyboardInterrupt` as
+usual. SIGTERM raises `ExternalShutdownException` if the main thread spins, else `SystemExit`.
+If the program does not catch one of these exceptions, no traceback is printed.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 from zbot.errors import ExternalShutdownException, NotInitializedError, SetupError
 from zbot.process import at_exit
-from zbot.transport.foreign_call import is_uninterrupted
+from zbot.transport.foreign_call import is_deferring_signals
 from zbot.transport.weak_set import WeakSet
 
 if TYPE_CHECKING:
@@ -29,11 +28,11 @@ if TYPE_CHECKING:
 
 _PACKAGE = str(Path(__file__).parents[1]) + os.sep
 _TERMINATED = 128 + signal.SIGTERM
-_MOMENT_S = 0.005  # longer than what Zenoh calls takes, and than a thread's start
+_RETRY_S = 0.005  # longer than a callback of Zenoh, and than the start of a thread
 
 
 class SignalHandlerOptions(enum.Enum):
-    """Which signals `init()` handles."""
+    """The signals that `init()` handles."""
 
     NO = 0
     SIGINT = 1
@@ -42,10 +41,10 @@ class SignalHandlerOptions(enum.Enum):
 
 
 class GuardCondition(Protocol):
-    """What a signal triggers."""
+    """The part of a guard condition that a signal uses."""
 
     def trigger(self) -> None:
-        """Wake up whoever waits for it; from any thread."""
+        """Wake the threads that wait for the guard condition. Any thread may call this."""
 
 
 #: The guard conditions that Ctrl-C and SIGTERM trigger.
@@ -53,23 +52,26 @@ guard_conditions: WeakSet[GuardCondition] = WeakSet()
 
 
 class _Process:
-    """What this process has installed, and how it ends."""
+    """The handlers that this process has installed, and the signal that ends it."""
 
     previous: dict[int, Any] = {}  # noqa: RUF012 - one per process
-    hooked = False
+    has_hooks = False
     got_sigterm = False
-    dies_of_sigterm = False
+    ends_by_sigterm = False
 
 
 class MainThread:
-    """What the signal handlers know about the main thread."""
+    """State of the main thread for the signal handlers."""
 
-    spins = 0  #: how many executors spin in it, each in a callback of the one before
+    spins = 0  #: number of executors that spin in it, each inside a callback of the executor before
 
 
 def install(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
-    """Handle signals (main thread only: Python allows it nowhere else) and hook the ways out."""
-    _hook_ways_out()
+    """Install the exception hooks and, in the main thread, the signal handlers.
+
+    Python allows signal handlers in the main thread only.
+    """
+    _install_hooks()
     if threading.current_thread() is not threading.main_thread():
         return
     if options in {SignalHandlerOptions.SIGINT, SignalHandlerOptions.ALL}:
@@ -79,7 +81,7 @@ def install(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
 
 
 def uninstall() -> None:
-    """Give the signals back to whoever had them before `install()`."""
+    """Restore the signal handlers that were installed before `install()`."""
     if threading.current_thread() is threading.main_thread():
         for number, handler in _Process.previous.items():
             signal.signal(number, handler)
@@ -87,7 +89,7 @@ def uninstall() -> None:
 
 
 def installed() -> SignalHandlerOptions:
-    """Return which signals are handled now."""
+    """Return the signals that are handled now."""
     own = (signal.SIGINT in _Process.previous) + 2 * (signal.SIGTERM in _Process.previous)
     return SignalHandlerOptions(own)
 
@@ -103,7 +105,7 @@ def _interrupt_contexts() -> None:
     for context in at_exit.open_contexts:
         context.interrupt()
     if guard_conditions:
-        # In a thread: who waits for one may hold its lock, and be what this signal interrupted.
+        # In a new thread, because the interrupted thread may hold the condition's lock.
         threading.Thread(target=_trigger_guards, daemon=True).start()
 
 
@@ -113,17 +115,17 @@ def _trigger_guards() -> None:
 
 
 def _is_postponed(number: int, frame: FrameType | None) -> bool:
-    """Return whether no exception may come here; the signal comes again in a moment then."""
-    if not is_uninterrupted(frame):
+    """Return whether the signal must wait because of a frame. If so, send it again soon."""
+    if not is_deferring_signals(frame):
         return False
-    again = threading.Timer(_MOMENT_S, _signal_main_thread, [number])
-    again.daemon = True
-    again.start()
+    retry = threading.Timer(_RETRY_S, _signal_main_thread, [number])
+    retry.daemon = True
+    retry.start()
     return True
 
 
 def _signal_main_thread(number: int) -> None:
-    """Send a signal that also ends what the main thread is sleeping in."""
+    """Send the main thread a signal that also interrupts a sleep."""
     if sys.platform == "win32":
         signal.raise_signal(number)
     else:
@@ -156,48 +158,53 @@ def _on_sigterm(number: int, frame: FrameType | None) -> None:
     _Process.got_sigterm = True
     if MainThread.spins:
         raise ExternalShutdownException
-    _Process.dies_of_sigterm = True
+    _Process.ends_by_sigterm = True
     raise SystemExit(_TERMINATED)
 
 
-def _hook_ways_out() -> None:
-    if _Process.hooked:
+def _install_hooks() -> None:
+    if _Process.has_hooks:
         return
-    _Process.hooked = True
-    sys.excepthook = _quiet(sys.excepthook)
+    _Process.has_hooks = True
+    sys.excepthook = _excepthook_before(sys.excepthook)
     thread_hook = threading.excepthook
 
     def on_thread_exception(args: threading.ExceptHookArgs) -> None:
-        quiet: tuple[type[BaseException], ...] = (ExternalShutdownException, KeyboardInterrupt)
+        ignored: tuple[type[BaseException], ...] = (ExternalShutdownException, KeyboardInterrupt)
         if at_exit.is_ending():
-            quiet += (NotInitializedError,)  # the thread used what was closed under it
-        if not issubclass(args.exc_type, quiet):
-            _shorten(args.exc_value)
+            ignored += (NotInitializedError,)  # the thread used a context that was closed
+        if not issubclass(args.exc_type, ignored):
+            _remove_zbot_frames(args.exc_value)
             thread_hook(args)
 
     threading.excepthook = on_thread_exception
-    sys.unraisablehook = _again(sys.unraisablehook)
-    at_exit.hook()
-    atexit.register(_die_of_sigterm)
+    sys.unraisablehook = _unraisablehook_before(sys.unraisablehook)
+    at_exit.register()
+    atexit.register(_end_by_sigterm)
 
 
-def _quiet(previous: Any) -> Any:
+def _excepthook_before(previous: Any) -> Any:
+    """Return a hook that prints no traceback of signals and setup errors.
+
+    The hook gives other exceptions to `previous`.
+    """
+
     def excepthook(
         kind: type[BaseException], value: BaseException, trace: TracebackType | None
     ) -> None:
         if issubclass(kind, SetupError):
             print(value, file=sys.stderr)
         elif issubclass(kind, ExternalShutdownException):
-            _Process.dies_of_sigterm = _Process.got_sigterm  # nobody caught it
+            _Process.ends_by_sigterm = _Process.got_sigterm  # the program did not catch it
         elif not issubclass(kind, KeyboardInterrupt):
-            _shorten(value)
+            _remove_zbot_frames(value)
             previous(kind, value, value.__traceback__ or trace)
 
     return excepthook
 
 
-def _again(previous: Any) -> Any:
-    """Repeat a signal whose exception ended in a destructor, where Python drops it."""
+def _unraisablehook_before(previous: Any) -> Any:
+    """Return a hook that sends a signal again if its exception was lost in a destructor."""
 
     def unraisablehook(args: Any) -> None:
         number = signal.SIGINT if args.exc_type is KeyboardInterrupt else signal.SIGTERM
@@ -205,23 +212,23 @@ def _again(previous: Any) -> Any:
         if at_exit.is_ending() or sys.platform == "win32" or not issubclass(args.exc_type, ours):
             previous(args)
         else:
-            # The process may have come to its end: what the signal asked for is under way.
+            # The error means that the process ends already. The signal asked for this.
             with contextlib.suppress(RuntimeError):
-                threading.Timer(_MOMENT_S, _signal_main_thread, [number]).start()
+                threading.Timer(_RETRY_S, _signal_main_thread, [number]).start()
 
     return unraisablehook
 
 
-def _shorten(value: BaseException | None) -> None:
-    # Python prints the exception's own traceback, whatever a hook is given beside it.
+def _remove_zbot_frames(value: BaseException | None) -> None:
+    # Python prints the exception's own traceback, not the traceback that a hook passes on.
     if value is not None:
-        value.__traceback__ = user_part(value.__traceback__)
+        value.__traceback__ = user_traceback(value.__traceback__)
 
 
-def user_part(trace: TracebackType | None) -> TracebackType | None:
-    """Return a traceback without zbot's frames: a callback's begins at its own first line.
+def user_traceback(trace: TracebackType | None) -> TracebackType | None:
+    """Return a traceback without zbot's frames. A callback's traceback begins in the callback.
 
-    What is all zbot's is returned whole: that is a fault of zbot.
+    If all frames are zbot's, the traceback is returned as it is, because it shows an error in zbot.
     """
     kept: list[TracebackType] = []
     entry = trace
@@ -229,7 +236,7 @@ def user_part(trace: TracebackType | None) -> TracebackType | None:
         if not _is_ours(entry):
             kept.append(entry)
         elif entry.tb_next is not None and not _is_ours(entry.tb_next):
-            kept.clear()  # a callback begins: how it came to be called is of no use
+            kept.clear()  # a callback begins, so the frames before it are of no use
         entry = entry.tb_next
     result: TracebackType | None = None
     for entry in reversed(kept):
@@ -241,9 +248,9 @@ def _is_ours(entry: TracebackType) -> bool:
     return entry.tb_frame.f_code.co_filename.startswith(_PACKAGE)
 
 
-def _die_of_sigterm() -> None:
-    if _Process.dies_of_sigterm and sys.platform != "win32":
-        # The parent shall see what ended us, as it does for a program that ignores SIGTERM's name.
+def _end_by_sigterm() -> None:
+    if _Process.ends_by_sigterm and sys.platform != "win32":
+        # The parent process then sees the signal as the cause, as for a program without a handler.
         for stream in (sys.stdout, sys.stderr):
             if stream is not None and not stream.closed:
                 stream.flush()

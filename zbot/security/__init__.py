@@ -1,1 +1,1 @@
-"""Who may do what between machines: secrets, certificates, and the rules that a hub enforces."""
+"""Security between machines: secrets, certificates and the access rules of a hub."""

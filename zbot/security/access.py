@@ -1,29 +1,31 @@
-"""The rules that the teacher's hub enforces: which student's messages may pass, and which may not.
+"""Access rules of the teacher's hub, which passes messages between the laptops of a class.
 
-Everything here is pure: users and domains in, paths and values of Zenoh's configuration out, in the
-form that `SessionConfig.build` takes. The rules are Zenoh's access control with nothing allowed by
-default; a student is the user name with which a hub was let in, so what a student's programs claim
-to be does not matter.
+The functions return paths and values of Zenoh's configuration, in the form that
+`SessionConfig.build` takes. The rules use Zenoh's access control and allow nothing by default. They
+identify a student by the user name of the laptop's hub. So a student's programs cannot act as
+another user.
 
-The key spaces of a class, in which `<n>` is the student's domain:
+A class has these key spaces. `<n>` is the student's domain:
 
 | keys | student `<n>` | teacher |
 |---|---|---|
 | `<n>/**`, `@zbot/<n>/**` | all | all |
-| `class/**`, `@zbot/class/**` | hears; all if the space is open | all |
-| `@class/student/<n>/**` | tells | all |
-| `@class/teacher/**` | hears | all |
-| `@class/lobby/**` | asks | all |
+| `class/**`, `@zbot/class/**` | read; all if the space is open | all |
+| `@class/student/<n>/**` | write | all |
+| `@class/teacher/**` | read | all |
+| `@class/lobby/**` | query | all |
 | everything else, the admin space `@/**` included | nothing | all |
 
-Everybody who has not joined yet is the user `lobby`, whose password is no secret, and who may ask
-in the lobby and nothing else: there a PIN is checked (`zbot.security.pin`) and a secret handed out.
+"Write" means to publish, answer queries and declare tokens. "Read" means to subscribe, query and
+watch tokens.
 
-*Tells* means: publishes, serves, declares tokens. *Hears* means: subscribes, calls, sees tokens.
+A laptop that has not joined connects as the user `lobby`, whose password is public. This user may
+only query the lobby. There the class checks the PIN (`zbot.security.pin`) and returns a secret.
 
-Zenoh compares a declaration as a whole: one that is wider than what its partner may hear does not
-reach it. So the teacher's tools subscribe and query per domain (`17/**`), never `**`. Zenoh reads
-the rules when a session opens: whoever changes them reopens the hub's session.
+Zenoh compares the key of a declaration as a whole. A declaration does not reach the other side if
+its key is wider than the rules of the other side. So the teacher's tools subscribe and query each
+domain (`17/**`), never `**`. Zenoh reads the rules when a session opens. So the hub's session must
+be reopened after every change.
 """
 
 from __future__ import annotations
@@ -39,51 +41,56 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 TEACHER = "teacher"  #: user name of the teacher's own programs
-SHARED_SPACE = "class"  #: in a key, this stands where a domain would: `/class/demo` is `class/demo`
-STUDENT_SPACE = "@class/student"  #: what students tell of themselves: `@class/student/17/...`
-TEACHER_SPACE = "@class/teacher"  #: what the teacher tells everybody
+SHARED_SPACE = "class"  #: stands in a key instead of a domain: `/class/demo` is `class/demo`
+STUDENT_SPACE = "@class/student"  #: facts about laptops: `@class/student/17/...`
+TEACHER_SPACE = "@class/teacher"  #: the teacher's notices to all students
 
-LOBBY_SPACE = "@class/lobby"  #: where who wants to join asks the hub
-LOBBY = "lobby"  #: user name of whoever has not joined yet
-LOBBY_SECRET = Secret("lobby")  #: known to all: Zenoh wants a password from each user
+LOBBY_SPACE = "@class/lobby"  #: queries of laptops that want to join
+LOBBY = "lobby"  #: user name of laptops that have not joined
+LOBBY_SECRET = Secret("lobby")  #: public, because Zenoh requires a password for each user
 
-#: A message between laptops is refused above this size (bytes): two uncompressed 4K images.
+#: Maximum size of a message between laptops (bytes): two uncompressed 4K images.
 MAX_MESSAGE_SIZE = 64 * 1024 * 1024
-#: How many sessions may be open: a class has a few hundred, whoever else comes may have many.
+#: Maximum number of open sessions. A class has a few hundred, but an attacker may open many more.
 MAX_SESSIONS = 4000
-#: How many connections may be half open: a class that reconnects, and 1,000 of a troublemaker.
+#: Maximum number of half-open connections. Enough for a class that reconnects and 1,000 of an attacker.
 ACCEPT_PENDING = 2000
-#: How long (ms) one may stay half open; honest ones take 10 ms, on bad Wi-Fi 1 s.
+#: Time (ms) after which a half-open connection is closed. Normally 10 ms are enough, on bad Wi-Fi 1 s.
 ACCEPT_TIMEOUT_MS = 3000
 
-# Whoever connects is below the hub ("south") rather than beside it. Zenoh sends a router beside it
-# the names of all keys, as they say nothing of who may use them: every topic and node of the class
-# to every laptop. One below gets the names of what it is told, which the rules decide.
+# All connections belong to the region below the hub ("south"). To routers of its own region, Zenoh
+# sends the names of all keys and ignores the access rules. So every laptop would get the name of every
+# topic and node of the class. A router in the region below gets only the names that it may read.
 _REGIONS: dict[str, Any] = {"south": [{}]}
 
-_SAYING = ("put", "delete", "reply", "declare_queryable", "liveliness_token")
-_ASKING = ("declare_subscriber", "query", "liveliness_query", "declare_liveliness_subscriber")
-_EVERYWHERE = ("**", "**/@adv/**", "@/**", "@zbot/**", "@class/**", "@hub/**", "@ros2_lv/**")
+_WRITE_MESSAGES = ("put", "delete", "reply", "declare_queryable", "liveliness_token")
+_READ_MESSAGES = (
+    "declare_subscriber",
+    "query",
+    "liveliness_query",
+    "declare_liveliness_subscriber",
+)
+_ALL_KEYS = ("**", "**/@adv/**", "@/**", "@zbot/**", "@class/**", "@hub/**", "@ros2_lv/**")
 
 
 class UserNameError(SetupError, ValueError):
-    """A user name has characters that Zenoh's password file cannot hold."""
+    """A user name is reserved, too long, or has characters that Zenoh's password file forbids."""
 
     def __init__(self, name: str) -> None:
         self.name = name
         super().__init__(
-            f"{name!r} is no user name: use up to 64 letters, digits, '.', '_' and '-' "
+            f"{name!r} is not a user name: use up to 64 letters, digits, '.', '_' and '-' "
             f"(and neither {TEACHER!r} nor {LOBBY!r})"
         )
 
 
 @dataclass(frozen=True)
 class Share:
-    """One student's domain, opened for another student to hear.
+    """Right of a student to read another student's domain.
 
     Attributes:
-        domain: Whose topics and services.
-        reader: User name of the student who may hear them.
+        domain: The domain that is shared.
+        reader: User name of the student who may read it.
     """
 
     domain: int
@@ -96,31 +103,31 @@ def teacher_access(
     shared_is_open: bool = False,
     shares: Iterable[Share] = (),
 ) -> dict[str, Any]:
-    """Return what the teacher's hub is configured with, besides its endpoints and credentials.
+    """Return the configuration of the teacher's hub. Endpoints and credentials are not included.
 
     Args:
-        students: User names, each with its domain.
+        students: The domain of each user name.
         shared_is_open: Whether students may publish in the shared space too.
-        shares: What the teacher has opened between students.
+        shares: The domains that the teacher has shared between students.
 
     Returns:
         Zenoh's configuration paths, each with its value.
 
     Raises:
-        UserNameError: A user's name cannot be one.
+        UserNameError: A user name is invalid.
     """
     policies = [
-        (TEACHER, _tells(TEACHER, _EVERYWHERE) + _hears(TEACHER, _EVERYWHERE)),
-        (LOBBY, _asks(LOBBY)),
+        (TEACHER, _write_rules(TEACHER, _ALL_KEYS) + _read_rules(TEACHER, _ALL_KEYS)),
+        (LOBBY, _query_rules(LOBBY)),
     ]
-    opened = list(shares)
+    given = list(shares)
     for user, domain in students.items():
         if user in {TEACHER, LOBBY}:
             raise UserNameError(user)
         rules = _student_rules(_checked(user), domain, shared_is_open)
-        heard = sorted({share.domain for share in opened if share.reader == user})
-        for number in heard:
-            rules += _hears(f"student {user} shared {number}", _space(str(number)))
+        shared = sorted({share.domain for share in given if share.reader == user})
+        for number in shared:
+            rules += _read_rules(f"student {user} shared {number}", _space(str(number)))
         policies.append((user, rules))
     return {
         "access_control": {
@@ -139,7 +146,7 @@ def teacher_access(
 
 
 def limits() -> dict[str, Any]:
-    """Return what keeps a hub up when somebody sends too much or opens too many connections."""
+    """Return the limits that protect a hub from large messages and from too many connections."""
     return {
         "transport/link/rx/max_message_size": MAX_MESSAGE_SIZE,
         "transport/unicast/max_sessions": MAX_SESSIONS,
@@ -149,18 +156,19 @@ def limits() -> dict[str, Any]:
 
 
 def credentials(user: str, secret: Secret, accepted: Path | None = None) -> dict[str, Any]:
-    """Return the configuration of a session that names itself.
+    """Return the configuration of a session that logs in with a user name.
 
-    Every session of a machine that has joined with a PIN needs it, its nodes' too: once a session
-    has a user, it refuses partners that have none.
+    If a machine has joined with a PIN, all its sessions need this, also the sessions of its nodes. A
+    session with a user name refuses sessions without a user name.
 
     Args:
-        user: Who the session is.
-        secret: Its password.
-        accepted: The file of those it lets in (`accepted_users`); a session that listens needs one.
+        user: The session's user name.
+        secret: The user's password.
+        accepted: File of the users that the session accepts (`accepted_users`). A session that
+            listens needs it.
 
     Raises:
-        UserNameError: The name cannot be one.
+        UserNameError: The user name is invalid.
     """
     path = "transport/auth/usrpwd"
     found = {f"{path}/user": _checked(user), f"{path}/password": secret.reveal()}
@@ -170,10 +178,10 @@ def credentials(user: str, secret: Secret, accepted: Path | None = None) -> dict
 
 
 def accepted_users(users: Mapping[str, Secret]) -> bytes:
-    """Return the content of the file of users whom a session lets in (see `write_private`).
+    """Return the content of a file of the users that a session accepts (see `write_private`).
 
     Raises:
-        UserNameError: A user's name cannot be one.
+        UserNameError: A user name is invalid.
     """
     lines = (f"{_checked(user)}:{secret.reveal()}\n" for user, secret in users.items())
     return "".join(lines).encode()
@@ -190,41 +198,41 @@ def _student_rules(user: str, domain: int, shared_is_open: bool) -> list[dict[st
     name = f"student {user}"
     own, shared = _space(str(domain)), _space(SHARED_SPACE)
     rules = [
-        *_tells(f"{name} own", own),
-        *_hears(f"{name} own", own),
-        *_hears(f"{name} shared", shared),
-        *_tells(f"{name} itself", (f"{STUDENT_SPACE}/{domain}/**",)),
-        *_hears(f"{name} teacher", (f"{TEACHER_SPACE}/**",)),
-        *_asks(name),
+        *_write_rules(f"{name} own", own),
+        *_read_rules(f"{name} own", own),
+        *_read_rules(f"{name} shared", shared),
+        *_write_rules(f"{name} itself", (f"{STUDENT_SPACE}/{domain}/**",)),
+        *_read_rules(f"{name} teacher", (f"{TEACHER_SPACE}/**",)),
+        *_query_rules(name),
     ]
-    return rules + (_tells(f"{name} shared", shared) if shared_is_open else [])
+    return rules + (_write_rules(f"{name} shared", shared) if shared_is_open else [])
 
 
 def _space(first_chunk: str) -> tuple[str, ...]:
-    # The second holds what transient local publishers answer latecomers with (zenoh.ext); `**` does
-    # not reach a chunk that begins with `@`.
+    # The caches of transient local publishers (zenoh.ext) need the second key, because `**` does not
+    # match a chunk that begins with `@`.
     return (f"{first_chunk}/**", f"{first_chunk}/**/@adv/**", f"@zbot/{first_chunk}/**")
 
 
-def _tells(name: str, keys: tuple[str, ...]) -> list[dict[str, Any]]:
+def _write_rules(name: str, keys: tuple[str, ...]) -> list[dict[str, Any]]:
     return [
-        _rule(f"{name}: says", "ingress", _SAYING, keys),
-        _rule(f"{name}: is asked", "egress", _ASKING, keys),
+        _rule(f"{name}: write", "ingress", _WRITE_MESSAGES, keys),
+        _rule(f"{name}: write (other side)", "egress", _READ_MESSAGES, keys),
     ]
 
 
-def _hears(name: str, keys: tuple[str, ...]) -> list[dict[str, Any]]:
+def _read_rules(name: str, keys: tuple[str, ...]) -> list[dict[str, Any]]:
     return [
-        _rule(f"{name}: asks", "ingress", _ASKING, keys),
-        _rule(f"{name}: is told", "egress", _SAYING, keys),
+        _rule(f"{name}: read", "ingress", _READ_MESSAGES, keys),
+        _rule(f"{name}: read (other side)", "egress", _WRITE_MESSAGES, keys),
     ]
 
 
-def _asks(name: str) -> list[dict[str, Any]]:
+def _query_rules(name: str) -> list[dict[str, Any]]:
     keys = (f"{LOBBY_SPACE}/**",)
     return [
-        _rule(f"{name} lobby: asks", "ingress", ("query",), keys),
-        _rule(f"{name} lobby: is told", "egress", ("reply", "declare_queryable"), keys),
+        _rule(f"{name} lobby: query", "ingress", ("query",), keys),
+        _rule(f"{name} lobby: reply", "egress", ("reply", "declare_queryable"), keys),
     ]
 
 

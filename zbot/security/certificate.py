@@ -1,6 +1,6 @@
-"""X.509 certificates: making them, and saying in a sentence what is wrong with one.
+"""X.509 certificates: functions that make certificates and check certificates.
 
-Keys are on the curve P-256, signatures ECDSA with SHA-256: what every TLS library accepts.
+Keys are on the curve P-256, and signatures are ECDSA with SHA-256. Every TLS library accepts both.
 """
 
 from __future__ import annotations
@@ -12,15 +12,12 @@ from datetime import datetime, timedelta, timezone
 from typing import TYPE_CHECKING
 
 from zbot.security.errors import (
-    AddressNameError,
-    EarlyCertificateError,
-    ExpiredCertificateError,
+    CertificateRequestError,
     ForeignCertificateError,
-    ForeignKeyError,
+    InvalidFileError,
     MissingFileError,
     NoCryptographyError,
-    UnreadableFileError,
-    ValidityError,
+    ValidityPeriodError,
 )
 
 if TYPE_CHECKING:
@@ -30,10 +27,10 @@ if TYPE_CHECKING:
     from cryptography import x509
     from cryptography.hazmat.primitives.asymmetric.ec import EllipticCurvePrivateKey
 
-MOST_DAYS = 3650  #: ten years
+MAX_DAYS = 3650  #: ten years
 AUTHORITY_NAME = "zbot keystore"
-#: Clocks of classroom machines differ, and some wake up without one.
-_EARLIER = timedelta(days=1)
+#: Certificates are valid from this time before their creation, because clocks may be slow.
+_CLOCK_TOLERANCE = timedelta(days=1)
 _HOST_NAME = re.compile(
     r"(?=.{1,253}$)[A-Za-z0-9_]([A-Za-z0-9_-]{0,62})(\.[A-Za-z0-9_][A-Za-z0-9_-]{0,62})*"
 )
@@ -41,7 +38,7 @@ _HOST_NAME = re.compile(
 
 @dataclass(frozen=True)
 class KeyPair:
-    """A key and its certificate, as PEM files hold them."""
+    """A key and its certificate, both as the content of a PEM file."""
 
     key: bytes
     certificate: bytes
@@ -49,40 +46,40 @@ class KeyPair:
 
 @dataclass(frozen=True)
 class Facts:
-    """What a certificate says."""
+    """Contents of a certificate."""
 
     name: str
     since: datetime
     until: datetime
     addresses: tuple[str, ...]  #: host names and IP addresses at which others reach the machine
-    is_server: bool  #: whether others may join it
+    is_server: bool  #: whether others may join the machine
 
 
 @dataclass(frozen=True)
 class Validity:
-    """From when until when a certificate is valid."""
+    """Period in which a certificate is valid."""
 
     since: datetime
     until: datetime
 
     @classmethod
     def days(cls, count: int) -> Validity:
-        """Return the days from now on, with a day before for clocks that are slow.
+        """Return a period of some days from now. It begins a day earlier, because clocks may be slow.
 
         Raises:
-            ValidityError: They are too many or too few.
+            CertificateRequestError: The number is not from 1 to 3650.
         """
-        if not 1 <= count <= MOST_DAYS:
-            raise ValidityError(count, MOST_DAYS)
+        if not 1 <= count <= MAX_DAYS:
+            raise CertificateRequestError(count, f"is not a number of days from 1 to {MAX_DAYS}")
         now = datetime.now(timezone.utc)
-        return cls(now - _EARLIER, now + timedelta(days=count))
+        return cls(now - _CLOCK_TOLERANCE, now + timedelta(days=count))
 
 
-def need_cryptography() -> None:
-    """Check that certificates can be handled at all.
+def require_cryptography() -> None:
+    """Check that the package `cryptography` is installed.
 
     Raises:
-        NoCryptographyError: Their package is not installed.
+        NoCryptographyError: The package is not installed.
     """
     try:
         import cryptography  # noqa: F401, PLC0415 - an extra
@@ -91,8 +88,8 @@ def need_cryptography() -> None:
 
 
 def make_authority(validity: Validity) -> KeyPair:
-    """Return a new authority: a key that signs certificates, and the certificate to check them."""
-    need_cryptography()
+    """Return a new authority: a key to sign certificates, and a certificate to check them."""
+    require_cryptography()
     from cryptography import x509  # noqa: PLC0415 - an extra
     from cryptography.hazmat.primitives.asymmetric import ec  # noqa: PLC0415 - an extra
 
@@ -111,16 +108,16 @@ def issue(authority: KeyPair, name: str, addresses: Iterable[str], validity: Val
     """Return a new key and a certificate for it.
 
     Args:
-        authority: Signs.
-        name: The machine's: the certificate's common name.
-        addresses: Host names and IP addresses at which others reach it. A machine without any can
-            join others, but nobody takes it for a hub: its certificate is a client's only.
-        validity: From when until when.
+        authority: Key pair that signs the certificate.
+        name: The machine's name, which becomes the certificate's common name.
+        addresses: Host names and IP addresses at which others reach the machine. Without addresses
+            it is a client's certificate. The machine can join others, but others cannot join it.
+        validity: Period in which the certificate is valid.
 
     Raises:
-        AddressNameError: An address is none.
+        CertificateRequestError: A text is neither a host name nor an IP address.
     """
-    need_cryptography()
+    require_cryptography()
     from cryptography import x509  # noqa: PLC0415 - an extra
     from cryptography.hazmat.primitives.asymmetric import ec  # noqa: PLC0415 - an extra
     from cryptography.hazmat.primitives.serialization import (  # noqa: PLC0415 - an extra
@@ -132,7 +129,7 @@ def issue(authority: KeyPair, name: str, addresses: Iterable[str], validity: Val
     purposes = [Purpose.CLIENT_AUTH, *([Purpose.SERVER_AUTH] if names else [])]
     signer = load_pem_private_key(authority.key, None)
     issuer = x509.load_pem_x509_certificate(authority.certificate)
-    assert isinstance(signer, ec.EllipticCurvePrivateKey)  # ours, made above
+    assert isinstance(signer, ec.EllipticCurvePrivateKey)  # made by make_authority
     key = ec.generate_private_key(ec.SECP256R1())
     builder = (
         _builder(_named(name), issuer.subject, key, validity)
@@ -162,7 +159,8 @@ def _general_name(address: str) -> x509.GeneralName:
         return x509.IPAddress(ipaddress.ip_address(address))
     except ValueError:
         if not _HOST_NAME.fullmatch(address):
-            raise AddressNameError(address) from None
+            problem = "is neither a host name nor an IP address"
+            raise CertificateRequestError(address, problem) from None
         return x509.DNSName(address)
 
 
@@ -217,10 +215,10 @@ def _signed(
 
 
 def facts(certificate: Path) -> Facts:
-    """Return what a certificate's file says.
+    """Return the contents of a certificate's file.
 
     Raises:
-        CertificateError: There is none, or it cannot be read.
+        CertificateError: The file does not exist or cannot be read.
     """
     return _facts(_certificate(certificate))
 
@@ -250,17 +248,19 @@ def _facts(certificate: x509.Certificate) -> Facts:
 
 
 def check(certificate: Path, key: Path, authority: Path, now: datetime | None = None) -> Facts:
-    """Return what a machine's certificate says, having checked all that others will check.
+    """Check a machine's certificate as other machines will check it, and return its contents.
 
     Args:
-        certificate: Its file.
-        key: That of its key.
-        authority: That of the certificate of the keystore's authority.
-        now: The time to check for; the present one by default.
+        certificate: File of the certificate.
+        key: File of the certificate's key.
+        authority: File of the certificate of the keystore's authority.
+        now: The time at which the certificate must be valid, by default the present.
 
     Raises:
-        CertificateError: It is missing, damaged, expired, not valid yet, or not of this authority,
-            or the key is another's: each is a class of its own.
+        MissingFileError: A file does not exist.
+        InvalidFileError: A file is damaged, or the key does not belong to the certificate.
+        ValidityPeriodError: The machine's or the authority's certificate is not valid now.
+        ForeignCertificateError: Another authority signed the certificate.
     """
     moment = now or datetime.now(timezone.utc)
     issuer, own = _certificate(authority), _certificate(certificate)
@@ -274,12 +274,18 @@ def check(certificate: Path, key: Path, authority: Path, now: datetime | None = 
 
 
 def check_issued(der: bytes, shown_by: str, authority: Path, now: datetime | None = None) -> Facts:
-    """Return what a certificate says that another machine has shown, having checked it.
+    """Check a certificate that another machine has shown, and return its contents.
+
+    Args:
+        der: The certificate in DER form.
+        shown_by: `HOST:PORT` of the other machine, used in error messages.
+        authority: File of the certificate of the keystore's authority.
+        now: The time at which the certificate must be valid, by default the present.
 
     Raises:
-        CertificateError: As `check`.
+        CertificateError: The certificate is not valid (see `check`).
     """
-    need_cryptography()
+    require_cryptography()
     from cryptography import x509  # noqa: PLC0415 - an extra
 
     shown = x509.load_der_x509_certificate(der)
@@ -291,10 +297,10 @@ def check_issued(der: bytes, shown_by: str, authority: Path, now: datetime | Non
 
 
 def _check_time(path: Path | str, said: Facts, now: datetime) -> None:
-    if now > said.until:
-        raise ExpiredCertificateError(path, said.name, said.until)
-    if now < said.since:
-        raise EarlyCertificateError(path, said.name, said.since)
+    if not said.since <= now <= said.until:
+        raise ValidityPeriodError(
+            path, said.name, said.since, said.until, is_expired=now > said.until
+        )
 
 
 def _is_signed_by(certificate: x509.Certificate, issuer: x509.Certificate) -> bool:
@@ -315,19 +321,19 @@ def _check_key(path: Path, certificate: x509.Certificate) -> None:
     try:
         key = load_pem_private_key(_content(path, "key"), None)
     except (ValueError, TypeError) as exc:
-        raise UnreadableFileError(path, "key", "it is damaged or has a password") from exc
+        raise InvalidFileError(path, "key", "it is damaged or has a password") from exc
     if key.public_key() != certificate.public_key():
-        raise ForeignKeyError(path)
+        raise InvalidFileError(path, "key", "it does not belong to the certificate beside it")
 
 
 def _certificate(path: Path) -> x509.Certificate:
-    need_cryptography()
+    require_cryptography()
     from cryptography import x509  # noqa: PLC0415 - an extra
 
     try:
         return x509.load_pem_x509_certificate(_content(path, "certificate"))
     except ValueError as exc:
-        raise UnreadableFileError(path, "certificate", "it is damaged") from exc
+        raise InvalidFileError(path, "certificate", "it is damaged") from exc
 
 
 def _content(path: Path, what: str) -> bytes:
@@ -336,4 +342,4 @@ def _content(path: Path, what: str) -> bytes:
     except FileNotFoundError:
         raise MissingFileError(path, what) from None
     except OSError as exc:
-        raise UnreadableFileError(path, what, exc.strerror or str(exc)) from exc
+        raise InvalidFileError(path, what, exc.strerror or str(exc)) from exc

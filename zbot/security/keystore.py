@@ -1,13 +1,13 @@
-"""Keystores: an authority, and a folder for each machine that it vouches for.
+"""Keystore: a folder that has a certificate authority and an enclave for each machine.
 
-    KEYSTORE/public/ca.cert.pem            what certificates are checked with
-    KEYSTORE/private/ca.key.pem            what they are signed with; stays where it was made
-    KEYSTORE/enclaves/NAME/cert.pem        a machine's certificate,
-                           key.pem         its key,
-                           ca.cert.pem     and what it checks others with
+    KEYSTORE/public/ca.cert.pem            the authority's certificate, to check certificates
+    KEYSTORE/private/ca.key.pem            the authority's key, to sign certificates (never copied)
+    KEYSTORE/enclaves/NAME/cert.pem        a machine's certificate
+                           key.pem         its key
+                           ca.cert.pem     a copy of the authority's certificate
 
-The words are those of ROS 2's security tools. An enclave's folder is all that its machine needs: it
-is copied there, and named with `--keystore`.
+ROS 2's security tools use the same names. A machine needs only the folder of its enclave. The user
+copies this folder to the machine, and gives its path with `--keystore`.
 """
 
 from __future__ import annotations
@@ -21,11 +21,9 @@ from typing import TYPE_CHECKING
 
 from zbot.security.certificate import Facts, KeyPair, Validity, check, issue, make_authority
 from zbot.security.errors import (
-    EnclaveExistsError,
-    EnclaveNameError,
+    CertificateRequestError,
     KeystoreExistsError,
     MissingFileError,
-    NoAuthorityKeyError,
     NoKeystoreError,
     SecurityError,
     UnknownEnclaveError,
@@ -56,13 +54,13 @@ class KeystoreWriteError(SecurityError, OSError):
 
 @dataclass(frozen=True)
 class Identity:
-    """What a machine shows to others: its own folder of a keystore."""
+    """Folder with a machine's key and certificates."""
 
     folder: Path
 
     @property
     def authority(self) -> Path:
-        """File of the certificate that others are checked with."""
+        """File of the authority's certificate, used to check other machines."""
         return self.folder / _AUTHORITY
 
     @property
@@ -72,52 +70,55 @@ class Identity:
 
     @property
     def key(self) -> Path:
-        """File of its key."""
+        """File of the machine's key."""
         return self.folder / _KEY
 
     def check(self) -> Facts:
-        """Return what the certificate says, having checked all that other machines will check.
+        """Check the certificate as other machines will check it, and return its contents.
 
         Raises:
-            CertificateError: It is missing, damaged, expired, foreign, ...
+            CertificateError: The certificate is missing, damaged, expired, foreign, ...
         """
         return check(self.certificate, self.key, self.authority)
 
 
 class Keystore:
-    """A folder with an authority and the machines it vouches for.
+    """Folder with an authority and the certificates of machines.
 
     Args:
         root: The folder.
 
     Raises:
-        NoKeystoreError: It is none.
+        NoKeystoreError: The folder is not a keystore.
     """
 
     def __init__(self, root: Path) -> None:
         self.root = root
         if not is_keystore(root):
-            raise NoKeystoreError(root)
+            reason = (
+                f"is not a valid keystore: make one with `zbot security create_keystore {root}`"
+            )
+            raise NoKeystoreError(root, reason)
 
     @classmethod
     def create(cls, root: Path, validity: Validity | None = None) -> Keystore:
         """Make a keystore with a new authority.
 
         Raises:
-            KeystoreExistsError: There is something in the folder.
-            KeystoreWriteError: It cannot be written.
+            KeystoreExistsError: A file of this name exists, or the folder is not empty.
+            KeystoreWriteError: The folder cannot be written.
         """
-        if is_keystore(root):
-            raise KeystoreExistsError(root, "keystore")
         if root.exists() and (not root.is_dir() or any(root.iterdir())):
-            raise KeystoreExistsError(root, "folder" if root.is_dir() else "file")
+            what = "keystore" if is_keystore(root) else "folder" if root.is_dir() else "file"
+            sentence = f"Unable to create keystore: {what} '{root}' already exists"
+            raise KeystoreExistsError(root, sentence)
         made = make_authority(validity or Validity.days(AUTHORITY_DAYS))
         try:
             make_private_folder(root)
             for name in ("public", "private", "enclaves"):
                 make_private_folder(root / name)
             write_private(root / "private" / "ca.key.pem", made.key)
-            # Last: from here on it is a keystore.
+            # Written last, because `is_keystore` is true from here on.
             write_private(root / "public" / _AUTHORITY, made.certificate)
         except OSError as exc:
             raise KeystoreWriteError(root, exc) from exc
@@ -134,22 +135,24 @@ class Keystore:
         """Make a key and a certificate for a machine.
 
         Args:
-            name: Such as `ana` or `/robots/one`.
-            addresses: Host names and IP addresses at which others join it; none for a machine
-                that only joins.
-            validity: A year by default.
-            renew: Replace what there is.
+            name: The machine's name, such as `ana` or `/robots/one`.
+            addresses: Host names and IP addresses at which others join the machine. A machine that
+                only joins others needs no address.
+            validity: The certificate's validity. By default it is a year from now.
+            renew: Replace an existing key and certificate.
 
         Raises:
-            EnclaveNameError: The name cannot be one.
-            EnclaveExistsError: There is one of that name.
-            NoAuthorityKeyError: The keystore has no key to sign with.
-            SecurityError: An address or the validity makes no sense.
+            CertificateRequestError: The name or an address is invalid.
+            KeystoreExistsError: There is a certificate of that name.
+            NoKeystoreError: The keystore has no key to sign with.
+            KeystoreWriteError: The files cannot be written.
         """
         plain = enclave_name(name)
         target = self.root / "enclaves" / plain
         if (target / _CERTIFICATE).exists() and not renew:
-            raise EnclaveExistsError(f"/{plain}", target)
+            sentence = f"Unable to create enclave: '/{plain}' already exists in {target}; "
+            sentence += "--renew replaces its key and certificate"
+            raise KeystoreExistsError(target, sentence)
         authority = self._authority()
         pair = issue(authority, plain, addresses, validity or Validity.days(MACHINE_DAYS))
         try:
@@ -159,7 +162,7 @@ class Keystore:
         return Identity(target)
 
     def enclaves(self) -> list[str]:
-        """Return the names of all machines, sorted, each with a slash before it."""
+        """Return the sorted names of all machines. Each name has a leading slash."""
         folder = self.root / "enclaves"
         found = (file.parent.relative_to(folder) for file in folder.rglob(_CERTIFICATE))
         return sorted(f"/{path.as_posix()}" for path in found if not _is_draft(path))
@@ -169,7 +172,9 @@ class Keystore:
         try:
             return KeyPair(key.read_bytes(), (self.root / "public" / _AUTHORITY).read_bytes())
         except FileNotFoundError:
-            raise NoAuthorityKeyError(self.root) from None
+            reason = "has no key to sign with (private/ca.key.pem): "
+            reason += "make certificates where the keystore was created"
+            raise NoKeystoreError(self.root, reason) from None
         except OSError as exc:
             raise KeystoreWriteError(key, exc) from exc
 
@@ -180,27 +185,29 @@ def is_keystore(root: Path) -> bool:
 
 
 def enclave_name(name: str) -> str:
-    """Return a machine's name without its first slash.
+    """Return a machine's name without its leading slash.
 
     Raises:
-        EnclaveNameError: It cannot be one: it would not stay inside the keystore, for instance.
+        CertificateRequestError: The name is invalid, e.g. a path that leads out of the keystore.
     """
     plain = name.removeprefix("/")
     if not _NAME.fullmatch(plain) or len(plain) > _LONGEST_NAME:
-        raise EnclaveNameError(name)
+        reason = "is not a valid enclave name: use words of letters, digits, '.', '_' and '-', "
+        reason += f"such as /ana or /robots/one, at most {_LONGEST_NAME} characters"
+        raise CertificateRequestError(name, reason)
     return plain
 
 
 def identity(folder: Path) -> Identity:
-    """Return what this machine shows to others.
+    """Return the folder of this machine's key and certificates.
 
     Args:
-        folder: A machine's folder; or a keystore, whose only machine is meant, or the one that has
-            this machine's host name.
+        folder: A machine's folder, or a keystore. If a keystore has one enclave, this is chosen.
+            Otherwise the enclave that has this machine's host name is chosen.
 
     Raises:
-        UnknownEnclaveError: It is a keystore, and it is not clear who of it is meant.
-        MissingFileError: It is neither.
+        UnknownEnclaveError: The keystore has not one enclave, and no enclave has the host name.
+        MissingFileError: The folder does not exist.
     """
     if not is_keystore(folder):
         if not folder.is_dir():
@@ -215,7 +222,7 @@ def identity(folder: Path) -> Identity:
 
 
 def _place(target: Path, pair: KeyPair, authority: bytes) -> None:
-    """Put a machine's files into a folder that is not there half-filled at any moment."""
+    """Write a machine's files into a folder that appears only when it is complete."""
     make_private_folder(target.parent)
     draft = target.with_name(f".{target.name}.{secrets.token_hex(4)}")
     make_private_folder(draft)
@@ -232,7 +239,7 @@ def _swap(draft: Path, target: Path) -> None:
     if not target.exists():
         draft.rename(target)
         return
-    # A folder may hold those of other machines too (/robots and /robots/one), so its files move.
+    # Replace the files, because the folder may contain other machines' folders (/robots/one).
     for name in (_AUTHORITY, _KEY, _CERTIFICATE):
         (draft / name).replace(target / name)
 

@@ -1,8 +1,8 @@
-"""A class's PIN: how a student shows that it knows it, and gets a secret of its own for that.
+"""PIN check of a class: a laptop proves that it knows the PIN, and gets a secret of its own.
 
-Student (`PinClient`) and teacher's hub (`PinServer`) exchange four small documents over any transport,
-a readable one too: neither the PIN nor what is asked for and answered can be found out from them,
-and none works a second time.
+The student's laptop (`PinClient`) and the teacher's hub (`PinServer`) exchange four small documents.
+The transport may be unencrypted, because nobody can read the PIN, the request or the answer in the
+documents. If somebody records a document and sends it again, it is refused.
 
     student                                  teacher
     hello   {public}                 ->
@@ -10,9 +10,9 @@ and none works a second time.
     claim   {visit, claim, proof}    ->
             {answer, tag}            <-      admit, seal
 
-The key comes from SRP-6a (`zbot.security.srp`): each wrong guess costs a visit, and the door counts
-those. Claim and answer are authenticated and encrypted, so nobody without the PIN can play the
-teacher, or read which laptop asks.
+The key comes from SRP-6a (`zbot.security.srp`). Each guess of the PIN needs an attempt of its own,
+and the server counts wrong PINs. Claim and answer are authenticated and encrypted. So a program
+that does not know the PIN cannot impersonate the teacher, and cannot read which laptop sends a claim.
 """
 
 from __future__ import annotations
@@ -37,25 +37,25 @@ if TYPE_CHECKING:
 Document = dict[str, Any]
 
 _SALT_BYTES = 16
-_VISITS = 256  #: kept at a time; a class of thirty that joins at once has thirty
-_VISIT_S = 30.0  #: for how long: a person has typed the PIN before the visit begins
-_FREE_GUESSES = 10  #: as many students may mistype it at once
-_GUESS_S = 2.0  #: after that, one guess in this time: 999,999 PINs take 23 days
+_MAX_ATTEMPTS = 256  #: open at a time (thirty students who join at once need thirty)
+_ATTEMPT_S = 30.0  #: until an attempt expires (the student types the PIN before the attempt)
+_FREE_GUESSES = 10  #: wrong PINs without a delay, because several students may mistype at once
+_GUESS_S = 2.0  #: seconds for each wrong PIN after that (999,999 PINs take 23 days)
 
 
 class PinError(SetupError, PermissionError):
-    """Root of what can go wrong with a PIN."""
+    """Root of the errors of a PIN check."""
 
 
 class WrongPinError(PinError):
-    """The PIN is not that of the class."""
+    """The PIN is not the PIN of the class."""
 
     def __init__(self) -> None:
         super().__init__("wrong PIN: compare it with the one on the teacher's screen")
 
 
 class TooManyGuessesError(PinError):
-    """There have been so many wrong PINs that nobody is let in for a moment."""
+    """The class refuses all PINs for a moment, because too many PINs were wrong."""
 
     def __init__(self, wait_s: float) -> None:
         self.wait_s = wait_s
@@ -65,7 +65,7 @@ class TooManyGuessesError(PinError):
 
 
 class PinMessageError(PinError, ValueError):
-    """What arrived is not what the other side of a PIN check sends."""
+    """A document is not a valid message of a PIN check."""
 
     def __init__(self, reason: str) -> None:
         self.reason = reason
@@ -73,10 +73,10 @@ class PinMessageError(PinError, ValueError):
 
 
 class PinClient:
-    """One attempt to get in, on the student's side.
+    """Student's side of one PIN check.
 
     Args:
-        pin: As it was typed.
+        pin: The PIN as it was typed.
     """
 
     def __init__(self, pin: Secret) -> None:
@@ -85,61 +85,61 @@ class PinClient:
         self._key = b""
 
     def hello(self) -> Document:
-        """Return what to send first."""
+        """Return the first document to send."""
         return {"public": f"{self._side.public:x}"}
 
-    def claim(self, challenge: Document, wish: Document) -> Document:
-        """Return what to send when the challenge has come.
+    def claim(self, challenge: Document, request: Document) -> Document:
+        """Return the second document to send.
 
         Args:
-            challenge: From the door.
-            wish: What is asked for, such as name and number.
+            challenge: The server's reply to `hello`.
+            request: The document to send encrypted, such as name and number.
 
         Raises:
-            PinMessageError: The challenge is none.
+            PinMessageError: The challenge is invalid.
         """
         public, salt = _public(challenge), _bytes(challenge, "salt")
         exponent = _pin_exponent(salt, self._pin)
-        visit = str(challenge.get("visit"))
-        self._key = _key(self._side.shared(public, exponent), self._side.public, public, visit)
-        data = _mixed(self._key, "claim", json.dumps(wish).encode())
-        return {"visit": visit, "claim": data.hex(), "proof": _tag(self._key, "claim", data)}
+        attempt = str(challenge.get("visit"))
+        self._key = _key(self._side.shared(public, exponent), self._side.public, public, attempt)
+        data = _mixed(self._key, "claim", json.dumps(request).encode())
+        return {"visit": attempt, "claim": data.hex(), "proof": _tag(self._key, "claim", data)}
 
     def opened(self, sealed: Document) -> Document:
-        """Return the answer that was sealed for this guest alone.
+        """Return the decrypted answer.
 
         Raises:
-            PinMessageError: It is damaged, or does not come from somebody who knows the PIN.
+            PinMessageError: The answer is damaged, or its sender does not know the PIN.
         """
         data = _bytes(sealed, "answer")
         if not _is_tag(sealed.get("tag"), self._key, "answer", data):
-            raise PinMessageError("the answer does not come from somebody who knows it")
+            raise PinMessageError("the sender of the answer does not know it")
         return _document(_mixed(self._key, "answer", data))
 
 
 @dataclass(frozen=True)
 class Admission:
-    """A guest who has shown to know the PIN.
+    """Admission of a client that has proved that it knows the PIN.
 
     Attributes:
-        wish: What it asks for.
+        request: The client's request.
     """
 
-    wish: Document
+    request: Document
     _key: bytes
 
     def seal(self, answer: Document) -> Document:
-        """Return an answer that only this guest can read; one for each admission."""
+        """Return an answer that only this client can read. Call this once for each admission."""
         data = _mixed(self._key, "answer", json.dumps(answer).encode())
         return {"answer": data.hex(), "tag": _tag(self._key, "answer", data)}
 
 
 class PinServer:
-    """The teacher's side. Safe to use from several threads.
+    """Teacher's side of PIN checks. Safe to use from several threads.
 
     Args:
-        pin: Of the class.
-        now: A clock in seconds; tests have their own.
+        pin: The PIN of the class.
+        now: A monotonic clock in seconds. Tests replace it.
     """
 
     def __init__(self, pin: Secret, now: Callable[[], float] = time.monotonic) -> None:
@@ -147,45 +147,45 @@ class PinServer:
         self._verifier = GROUP.power(_pin_exponent(self._salt, pin))
         self._now = now
         self._lock = threading.Lock()
-        self._visits: OrderedDict[str, tuple[float, int, ServerSide]] = OrderedDict()
+        self._attempts: OrderedDict[str, tuple[float, int, ServerSide]] = OrderedDict()
         self._guesses = _FREE_GUESSES * 1.0
         self._counted = now()
-        self.wrong = 0  #: how many wrong PINs there were
+        self.wrong = 0  #: number of wrong PINs
 
     def challenge(self, hello: Document) -> Document:
-        """Return the answer to a guest's first words.
+        """Return the reply to a client's `hello`.
 
         Raises:
-            PinMessageError: They make no sense.
-            TooManyGuessesError: Nobody is let in now.
+            PinMessageError: The document is invalid.
+            TooManyGuessesError: Too many PINs were wrong.
         """
         public = _public(hello)
         side = ServerSide(self._verifier)
-        visit = secrets.token_hex(16)
+        attempt = secrets.token_hex(16)
         with self._lock:
-            self._check_patience()
-            self._visits[visit] = (self._now(), public, side)
-            while len(self._visits) > _VISITS:
-                self._visits.popitem(last=False)
-        return {"visit": visit, "salt": self._salt.hex(), "public": f"{side.public:x}"}
+            self._check_guess_rate()
+            self._attempts[attempt] = (self._now(), public, side)
+            while len(self._attempts) > _MAX_ATTEMPTS:
+                self._attempts.popitem(last=False)
+        return {"visit": attempt, "salt": self._salt.hex(), "public": f"{side.public:x}"}
 
     def admit(self, claim: Document) -> Admission:
-        """Return who wants what, having checked that they know the PIN.
+        """Check that the client knows the PIN, and return its request.
 
         Raises:
-            WrongPinError: They do not.
-            PinMessageError: The claim belongs to no visit or to one that is over, if recorded.
-            TooManyGuessesError: Nobody is let in now.
+            WrongPinError: The client does not know the PIN.
+            PinMessageError: The claim's attempt does not exist, has expired or was used before.
+            TooManyGuessesError: Too many PINs were wrong.
         """
-        visit, data = str(claim.get("visit")), _bytes(claim, "claim")
+        attempt, data = str(claim.get("visit")), _bytes(claim, "claim")
         with self._lock:
-            self._check_patience()
-            begun, public, side = self._visits.pop(visit, (0.0, 0, None))
-            if side is None or self._now() - begun > _VISIT_S:
-                raise PinMessageError("it took too long, or was tried twice")
-            # Counted before it is checked, so that a hundred at once are no hundred guesses.
+            self._check_guess_rate()
+            begun, public, side = self._attempts.pop(attempt, (0.0, 0, None))
+            if side is None or self._now() - begun > _ATTEMPT_S:
+                raise PinMessageError("the attempt took too long, or was tried twice")
+            # Counted before the check, so that simultaneous claims cannot exceed the limit.
             self._guesses -= 1
-        key = _key(side.shared(public), public, side.public, visit)
+        key = _key(side.shared(public), public, side.public, attempt)
         if not _is_tag(claim.get("proof"), key, "claim", data):
             with self._lock:
                 self.wrong += 1
@@ -194,7 +194,7 @@ class PinServer:
             self._guesses += 1
         return Admission(_document(_mixed(key, "claim", data)), key)
 
-    def _check_patience(self) -> None:
+    def _check_guess_rate(self) -> None:
         now = self._now()
         self._guesses = min(_FREE_GUESSES, self._guesses + (now - self._counted) / _GUESS_S)
         self._counted = now
@@ -211,9 +211,9 @@ def _pin_exponent(salt: bytes, pin: Secret) -> int:
     return GROUP.password_exponent(salt, b"zbot class", pin.reveal().strip().encode())
 
 
-def _key(shared: int, guest: int, door: int, visit: str) -> bytes:
-    numbers = b"".join(GROUP.padded(number) for number in (shared, guest, door))
-    return hashlib.sha256(numbers + visit.encode()).digest()
+def _key(shared: int, client: int, server: int, attempt: str) -> bytes:
+    numbers = b"".join(GROUP.padded(number) for number in (shared, client, server))
+    return hashlib.sha256(numbers + attempt.encode()).digest()
 
 
 def _tag(key: bytes, purpose: str, data: bytes) -> str:
@@ -225,12 +225,12 @@ def _is_tag(found: object, key: bytes, purpose: str, data: bytes) -> bool:
 
 
 def _encoded(found: object) -> bytes:
-    # JSON may hold halves of characters, which UTF-8 does not.
+    # JSON may contain single surrogates. UTF-8 cannot encode them.
     return str(found).encode(errors="backslashreplace")
 
 
 def _mixed(key: bytes, purpose: str, data: bytes) -> bytes:
-    """Encrypt or decrypt: HMAC in counter mode; a key serves for one claim and one answer only."""
+    """Encrypt or decrypt with HMAC in counter mode. A key serves one claim and one answer."""
     blocks = (f"{purpose} {number}".encode() for number in range((len(data) + 31) // 32))
     stream = b"".join(hmac.digest(key, block, "sha256") for block in blocks)
     return bytes(one ^ other for one, other in zip(data, stream, strict=False))

@@ -1,4 +1,4 @@
-"""Secrets that do not print themselves, and files that only their owner reads."""
+"""Secrets that are never printed, and files that only their owner can read."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ FOLDER_MODE: Final = 0o700
 
 
 class Secret:
-    """A PIN or password: `repr`, `str` and f-strings show only that there is one.
+    """PIN or password that `repr`, `str` and f-strings do not show.
 
-    Whoever needs the text calls `reveal`, which is easy to search for. Pickling is refused, as a
-    pickle would carry the text.
+    Only `reveal` returns the text. A `Secret` cannot be pickled, because a pickle would contain the
+    text.
     """
 
     __slots__ = ("_text",)
@@ -28,11 +28,11 @@ class Secret:
 
     @classmethod
     def random(cls) -> Secret:
-        """Return a new secret of 32 hexadecimal digits that nobody can guess."""
+        """Return a new random secret of 32 hexadecimal digits."""
         return cls(secrets.token_hex(_RANDOM_BYTES))
 
     def reveal(self) -> str:
-        """Return the text itself; never put it on a command line or into a log."""
+        """Return the text itself. Never put it on a command line or into a log."""
         return self._text
 
     def __repr__(self) -> str:
@@ -44,36 +44,36 @@ class Secret:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Secret):
             return NotImplemented
-        # In a time that does not tell how much of a guess was right.
+        # The time of this comparison does not depend on how many characters are equal.
         return hmac.compare_digest(self._text.encode(), other._text.encode())
 
     def __hash__(self) -> int:
         return hash(self._text)
 
     def __reduce__(self) -> str:
-        raise TypeError("a Secret is not pickled: pass it through a file that only its owner reads")
+        raise TypeError("cannot pickle a Secret: pass it through a file that only its owner reads")
 
 
 def make_private_folder(folder: Path) -> None:
-    """Make a folder, and those above it, that only its owner can look into.
+    """Make a folder that only its owner can list, and make its missing parents.
 
-    An existing one gets the same mode. On Windows a folder inside the user's own has that already,
-    and the mode changes nothing.
+    An existing folder gets the same mode. On Windows the mode has no effect, but folders inside the
+    user's folder are private already.
 
     Raises:
-        OSError: It cannot be made.
+        OSError: The folder cannot be made.
     """
     folder.mkdir(mode=FOLDER_MODE, parents=True, exist_ok=True)
     folder.chmod(FOLDER_MODE)
 
 
 def write_private(path: Path, content: bytes) -> None:
-    """Write a file that only its owner reads, whole or not at all; an existing one is replaced.
+    """Write a file that only its owner can read. An existing file is replaced in one step.
 
     Raises:
-        OSError: It cannot be written.
+        OSError: The file cannot be written.
     """
-    # mkstemp makes the file with mode 0600, so nobody can open it while it is being written.
+    # mkstemp makes the file with mode 0600, so no other user can open it while it is written.
     descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
     try:
         with os.fdopen(descriptor, "wb") as file:

@@ -1,8 +1,8 @@
-"""SRP-6a (RFC 5054): two sides that know the same short password agree on a long key.
+"""SRP-6a (RFC 5054): two sides agree on a long key if they know the same short password.
 
-Whoever listens learns nothing with which passwords could be tried at home; whoever plays one of the
-two sides can try one password for each conversation, and the other side notices. Pure arithmetic on
-numbers; nothing here is sent or kept.
+An eavesdropper cannot test passwords offline with the messages. An attacker who takes the place of
+one side can test one password in each exchange, and the other side notices this. The module only
+computes. It sends and stores nothing.
 """
 
 from __future__ import annotations
@@ -11,17 +11,17 @@ import hashlib
 import secrets
 from dataclasses import dataclass
 
-_EXPONENT_BITS = 256  #: twice the strength that the 3072-bit group has
+_EXPONENT_BITS = 256  #: twice the security level of the 3072-bit group
 
 
 @dataclass(frozen=True)
 class Group:
-    """The numbers that both sides calculate with.
+    """Prime, generator and hash function that both sides use.
 
     Attributes:
         prime: A safe prime, `N` in the RFC.
         generator: `g` in the RFC.
-        hash_name: As `hashlib.new` knows it.
+        hash_name: The hash function's name in `hashlib.new`.
     """
 
     prime: int
@@ -29,31 +29,31 @@ class Group:
     hash_name: str = "sha256"
 
     def digest(self, *parts: bytes) -> bytes:
-        """Return the hash of some bytes after each other."""
+        """Return the hash of the concatenated parts."""
         return hashlib.new(self.hash_name, b"".join(parts)).digest()
 
     def padded(self, number: int) -> bytes:
-        """Return a number as bytes, as many as the prime has."""
+        """Return a number as bytes, padded to the length of the prime."""
         return number.to_bytes((self.prime.bit_length() + 7) // 8, "big")
 
     def power(self, exponent: int) -> int:
-        """Return the generator to some power."""
+        """Return the generator to the power of the exponent, modulo the prime."""
         return pow(self.generator, exponent, self.prime)
 
     def multiplier(self) -> int:
-        """Return `k`."""
+        """Return `k` in the RFC."""
         return _number(self.digest(self.padded(self.prime), self.padded(self.generator)))
 
     def scrambler(self, client_public: int, server_public: int) -> int:
-        """Return `u`."""
+        """Return `u` in the RFC."""
         return _number(self.digest(self.padded(client_public), self.padded(server_public)))
 
     def password_exponent(self, salt: bytes, name: bytes, password: bytes) -> int:
-        """Return `x`, which stands for the password."""
+        """Return `x` in the RFC, the exponent that is derived from the password."""
         return _number(self.digest(salt, self.digest(name, b":", password)))
 
     def is_public(self, number: int) -> bool:
-        """Return whether a number may be somebody's public one: others would give the key away."""
+        """Return whether a number is a valid public number. Invalid numbers would reveal the key."""
         return 0 < number < self.prime
 
 
@@ -85,11 +85,11 @@ def random_exponent() -> int:
 
 
 class ClientSide:
-    """The side that was told the password.
+    """Client's side, which knows the password.
 
     Args:
-        group: As the server's.
-        exponent: Secret and used once; random unless a test gives one.
+        group: The same group as the server's.
+        exponent: A secret number that is used once. It is random if left out. Only tests give it.
     """
 
     def __init__(self, group: Group = GROUP, exponent: int | None = None) -> None:
@@ -98,7 +98,7 @@ class ClientSide:
         self.public = group.power(self._exponent)
 
     def shared(self, server_public: int, password_exponent: int) -> int:
-        """Return the number that only the two sides know, if the server knew the password."""
+        """Return the secret number. The server gets the same number if it knows the verifier."""
         group = self._group
         scrambler = group.scrambler(self.public, server_public)
         base = server_public - group.multiplier() * group.power(password_exponent)
@@ -106,12 +106,12 @@ class ClientSide:
 
 
 class ServerSide:
-    """The side that knows the password's verifier, the generator to the power of its exponent.
+    """Server's side, which knows the verifier. The verifier is the generator to the power of `x`.
 
     Args:
         verifier: `v` in the RFC.
-        group: As the client's.
-        exponent: Secret and used once; random unless a test gives one.
+        group: The same group as the client's.
+        exponent: A secret number that is used once. It is random if left out. Only tests give it.
     """
 
     def __init__(self, verifier: int, group: Group = GROUP, exponent: int | None = None) -> None:
@@ -120,7 +120,7 @@ class ServerSide:
         self.public = (group.multiplier() * verifier + group.power(self._exponent)) % group.prime
 
     def shared(self, client_public: int) -> int:
-        """Return the number that only the two sides know, if the client knew the password."""
+        """Return the secret number. The client gets the same number if it knows the password."""
         group = self._group
         scrambler = group.scrambler(client_public, self.public)
         base = client_public * pow(self._verifier, scrambler, group.prime)

@@ -1,4 +1,4 @@
-"""TLS between hubs: what Zenoh has to be told, and why two machines do not get together."""
+"""TLS between hubs: Zenoh's settings, and checks that explain why a link fails."""
 
 from __future__ import annotations
 
@@ -8,31 +8,26 @@ import ssl
 from typing import TYPE_CHECKING, Any
 
 from zbot.security.certificate import Facts, check_issued
-from zbot.security.errors import (
-    NoServerCertificateError,
-    NoTlsError,
-    RefusedCertificateError,
-    WrongAddressError,
-)
+from zbot.security.errors import CertificateAddressError, NoTlsError, RefusedCertificateError
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from zbot.security.keystore import Identity
 
-PROTOCOL = "tls"  #: of endpoints between hubs with a keystore, in the place of `tcp`
+PROTOCOL = "tls"  #: protocol of endpoints between hubs that use a keystore (else `tcp`)
 
-_HANDSHAKE_S = 1.5  #: so that a sentence comes within two seconds
-#: A refusal of our certificate follows the handshake (TLS 1.3) at the distance of one round trip.
+_HANDSHAKE_S = 1.5  #: short, so that an error is reported within two seconds
+#: In TLS 1.3 a server refuses a client's certificate after the handshake, one round trip later.
 _REFUSAL_S = 0.4
 
 
 def tls_settings(identity: Identity) -> dict[str, Any]:
     """Return Zenoh's configuration paths and values for a hub with a keystore.
 
-    Both sides show a certificate of the same authority; a hub's has to be a server's and name the
-    address that was dialled. A link ends when a certificate expires. This holds for endpoints that
-    begin with `tls/`; those with `tcp/` (loopback) stay as they are.
+    Both sides show a certificate of the same authority. A hub's certificate must be a server's
+    certificate, and must name the address that was dialled. A link ends when a certificate expires.
+    The settings apply to endpoints that begin with `tls/`, not to `tcp/` (loopback).
     """
     values = {
         "root_ca_certificate": str(identity.authority),
@@ -51,17 +46,17 @@ def check_listening(identity: Identity, address: str) -> Facts:
     """Check that a machine's certificate lets others join it.
 
     Args:
-        identity: The machine's.
-        address: Where others reach it. A certificate with a host's name will do as well, as they
-            may use that.
+        identity: The machine's key and certificates.
+        address: The address at which others reach the machine. If a certificate contains a host
+            name, it is accepted for any address, because others may use the host name.
 
     Raises:
-        CertificateError: It is missing, damaged, expired, foreign, only a client's, or for other
-            addresses.
+        CertificateError: The certificate is missing, damaged, expired or foreign. Or it is a
+            client's certificate, or it is for other addresses.
     """
     said = identity.check()
     if not said.is_server:
-        raise NoServerCertificateError(identity.certificate, said.name)
+        raise CertificateAddressError(identity.certificate, said.name, address, ())
     if all(_is_ip(known) for known in said.addresses):
         _check_address(identity.certificate, said, address)
     return said
@@ -70,24 +65,25 @@ def check_listening(identity: Identity, address: str) -> Facts:
 def check_dialling(
     identity: Identity, host: str, port: int, timeout_s: float = _HANDSHAKE_S
 ) -> Facts:
-    """Shake hands with a hub, to say what Zenoh does not: whose certificate is wrong, and how.
+    """Check both certificates in a TLS handshake with a hub.
 
-    Nothing is sent but the handshake.
+    This function reports whose certificate is wrong and why. Zenoh does not report this. The
+    function sends only the handshake.
 
     Args:
-        identity: This machine's.
-        host: As it will be dialled.
-        port: There.
-        timeout_s: For each step of the handshake.
+        identity: This machine's key and certificates.
+        host: The hub's host, as Zenoh will dial it.
+        port: The hub's port.
+        timeout_s: Seconds for each step of the handshake.
 
     Returns:
-        What the hub's certificate says.
+        The contents of the hub's certificate.
 
     Raises:
-        CertificateError: This machine's certificate or the hub's is of no use.
-        RefusedCertificateError: The hub does not accept this machine's.
-        NoTlsError: No hub with a keystore answers there.
-        OSError: Nobody answers at all.
+        CertificateError: This machine's certificate or the hub's is invalid.
+        RefusedCertificateError: The hub does not accept this machine's certificate.
+        NoTlsError: The program at the address does not use TLS.
+        OSError: No program answers.
     """
     identity.check()
     with socket.create_connection((host, port), timeout_s) as plain:
@@ -107,7 +103,7 @@ def check_dialling(
 
 def _context(identity: Identity) -> ssl.SSLContext:
     context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
-    # Looked at below instead, in more words than OpenSSL has; Zenoh's own handshake verifies again.
+    # `_checked_server` checks instead. Its errors are clearer than OpenSSL's. Zenoh checks again.
     context.check_hostname = False
     context.verify_mode = ssl.CERT_NONE
     context.load_cert_chain(identity.certificate, identity.key)
@@ -117,7 +113,7 @@ def _context(identity: Identity) -> ssl.SSLContext:
 def _checked_server(shown: bytes, identity: Identity, host: str, port: int) -> Facts:
     said = check_issued(shown, f"{host}:{port}", identity.authority)
     if not said.is_server:
-        raise NoServerCertificateError(f"{host}:{port}", said.name)
+        raise CertificateAddressError(f"{host}:{port}", said.name, host, ())
     _check_address(f"{host}:{port}", said, host)
     return said
 
@@ -126,14 +122,14 @@ def _await_refusal(wrapped: ssl.SSLSocket, host: str, port: int) -> None:
     wrapped.settimeout(_REFUSAL_S)
     try:
         if not wrapped.recv(1):
-            raise RefusedCertificateError(host, port, "it hung up")
+            raise RefusedCertificateError(host, port, "it closed the connection")
     except TimeoutError:
-        return  # it waits for Zenoh's first message: we are in
+        return  # the hub waits for Zenoh's first message, so it has accepted the certificate
 
 
 def _check_address(path: Path | str, said: Facts, address: str) -> None:
     if not any(_same(known, address) for known in said.addresses):
-        raise WrongAddressError(path, said.name, address, list(said.addresses))
+        raise CertificateAddressError(path, said.name, address, said.addresses)
 
 
 def _is_ip(address: str) -> bool:

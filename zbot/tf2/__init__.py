@@ -1,4 +1,4 @@
-"""Coordinate frames that move: who is where, seen from whom, and when.
+"""Transforms between coordinate frames over time.
 
     buffer = Buffer()
     listener = TransformListener(buffer, node)

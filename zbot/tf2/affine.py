@@ -1,6 +1,6 @@
-"""Mirrors, shears, projections and fits of tf_transformations, with numpy.
+"""Reflections, shears, projections and superimpositions of tf_transformations, with numpy.
 
-Points are returned with a fourth coordinate, 1, as that package does.
+Points are returned with a fourth coordinate, 1, as in that package.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ _EPSILON = 1e-8
 
 
 class NoSuchTransformError(ValueError):
-    """A matrix is not of the kind that was asked for."""
+    """A matrix is not of the kind that a function needs."""
 
     def __init__(self, kind: str) -> None:
         self.kind = kind
-        super().__init__(f"the matrix is no {kind}")
+        super().__init__(f"the matrix is not a {kind}")
 
 
 def _vector(data: Any) -> Vector:
@@ -46,7 +46,7 @@ def _point(place: Any) -> Vector:
 
 
 def _fixed_point(matrix: Matrix) -> Vector:
-    """Return the point nearest to the origin that a matrix leaves where it is."""
+    """Return the fixed point of a matrix that is nearest to the origin."""
     place, *_ = np.linalg.lstsq(np.identity(3) - matrix[:3, :3], matrix[:3, 3], rcond=None)
     return _point(place)
 
@@ -57,30 +57,32 @@ def random_vector(size: int) -> Vector:
 
 
 def reflection_matrix(point: Any, normal: Any) -> Matrix:
-    """Return the matrix that mirrors at a plane, given by a point and its normal."""
+    """Return the matrix that reflects at a plane, given by a point and the normal."""
     across = unit_vector(_vector(normal))
     flip = np.identity(3) - 2 * np.outer(across, across)
     return _affine(flip, 2 * (_vector(point) @ across) * across)
 
 
 def reflection_from_matrix(matrix: Any) -> tuple[Vector, Vector]:
-    """Return a point and the normal of the plane at which a matrix mirrors.
+    """Return a point and the normal of the plane at which a matrix reflects.
 
     Raises:
-        NoSuchTransformError: It mirrors at none.
+        NoSuchTransformError: The matrix is not a reflection.
     """
     m = np.asarray(matrix, dtype=float)
     values, vectors = np.linalg.eigh((m[:3, :3] + m[:3, :3].T) / 2)
     if abs(values[0] + 1) > _EPSILON:
         raise NoSuchTransformError("reflection")
-    return _point(m[:3, 3] / 2), vectors[:, 0]  # the mirrored origin is twice as far as the plane
+    return _point(m[:3, 3] / 2), vectors[
+        :, 0
+    ]  # the origin's image is at twice the plane's distance
 
 
 def rotation_from_matrix(matrix: Any) -> tuple[float, Vector, Vector]:
-    """Return the angle, in rad, the axis and a point on it, by which a matrix turns.
+    """Return the angle in rad, the axis and a point on the axis of a rotation matrix.
 
     Raises:
-        NoSuchTransformError: It does not only turn.
+        NoSuchTransformError: The matrix is not a rotation.
     """
     m = np.asarray(matrix, dtype=float)
     turn = m[:3, :3]
@@ -93,12 +95,12 @@ def rotation_from_matrix(matrix: Any) -> tuple[float, Vector, Vector]:
 
 
 def scale_from_matrix(matrix: Any) -> tuple[float, Vector, Vector | None]:
-    """Return the factor, the origin and the direction by which a matrix scales.
+    """Return the factor, the origin and the direction of a scaling matrix.
 
-    The direction is `None` for a matrix that scales all of them.
+    The direction is `None` for a matrix that scales uniformly.
 
     Raises:
-        NoSuchTransformError: It scales about no point.
+        NoSuchTransformError: The matrix is not a scaling.
     """
     m = np.asarray(matrix, dtype=float)
     values, vectors = np.linalg.eigh((m[:3, :3] + m[:3, :3].T) / 2)
@@ -112,7 +114,7 @@ def scale_from_matrix(matrix: Any) -> tuple[float, Vector, Vector | None]:
 
 
 def shear_matrix(angle: float, direction: Any, point: Any, normal: Any) -> Matrix:
-    """Return the matrix that shears by an angle, in rad, along a direction of a plane.
+    """Return the matrix that shears by an angle in rad along a direction in a plane.
 
     Raises:
         ValueError: The direction does not lie in the plane.
@@ -129,7 +131,7 @@ def shear_from_matrix(matrix: Any) -> tuple[float, Vector, Vector, Vector]:
     """Return the angle, direction, a point and the normal of a shear.
 
     Raises:
-        NoSuchTransformError: It is none.
+        NoSuchTransformError: The matrix is not a shear.
     """
     m = np.asarray(matrix, dtype=float)
     directions, slopes, normals = np.linalg.svd(m[:3, :3] - np.identity(3))
@@ -150,10 +152,10 @@ def projection_matrix(
 
     Args:
         point: A point of the plane.
-        normal: Its normal.
-        direction: Of the rays; at right angles to the plane if left out.
-        perspective: Where the rays come from, in place of a direction.
-        pseudo: Keep the depths' order, with a perspective.
+        normal: The normal of the plane.
+        direction: Direction of the rays; at right angles to the plane if left out.
+        perspective: Point from which the rays start, instead of a direction.
+        pseudo: Keep the order of depths, with a perspective.
     """
     across = unit_vector(_vector(normal))
     height = _vector(point) @ across
@@ -174,10 +176,10 @@ def projection_matrix(
 def projection_from_matrix(
     matrix: Any, pseudo: bool = False
 ) -> tuple[Vector, Vector, Vector | None, Vector | None, bool]:
-    """Return what `projection_matrix` takes: point, normal, direction, perspective and `pseudo`.
+    """Return the arguments of `projection_matrix` that give a matrix.
 
     Raises:
-        NoSuchTransformError: It is no projection.
+        NoSuchTransformError: The matrix is not a projection.
     """
     m = np.asarray(matrix, dtype=float)
     steepness = float(np.linalg.norm(m[3, :3]))
@@ -187,7 +189,7 @@ def projection_from_matrix(
     rays, values, normals = np.linalg.svd(m[:3, :3].T)
     if values[2] > _EPSILON:
         raise NoSuchTransformError("projection")
-    # The ray is what becomes nothing; the normal, what nothing becomes.
+    # The ray is in the null space of the matrix; the normal is in that of its transpose.
     return _point(m[:3, 3]), normals[2], rays[:, 2], None, False
 
 
@@ -210,10 +212,10 @@ def clip_matrix(  # noqa: PLR0917 - the order of OpenGL, and of tf_transformatio
     far: float,
     perspective: bool = False,
 ) -> Matrix:
-    """Return the matrix that takes a box, or with `perspective` a frustum, to -1 ... 1.
+    """Return the matrix that maps a box, or with `perspective` a frustum, to -1 ... 1.
 
     Raises:
-        ValueError: It has no volume, or its near plane is behind the eye.
+        ValueError: The box has no volume, or the near plane of the frustum is behind the eye.
     """
     if left >= right or bottom >= top or near >= far:
         raise ValueError("left, bottom and near must be below right, top and far")
@@ -235,8 +237,8 @@ def orthogonalization_matrix(lengths: Any, angles: Any) -> Matrix:
     """Return the matrix from a crystal's coordinates to rectangular ones.
 
     Args:
-        lengths: Of the cell's edges.
-        angles: Between them, in degrees.
+        lengths: Lengths of the cell's edges.
+        angles: Angles between the edges, in degrees.
     """
     a, b, c = lengths
     alpha, beta, gamma = np.radians(angles)
@@ -252,20 +254,20 @@ def orthogonalization_matrix(lengths: Any, angles: Any) -> Matrix:
 
 
 def superimposition_matrix(v0: Any, v1: Any, scaling: bool = False, usesvd: bool = True) -> Matrix:
-    """Return the matrix that best takes points to other points: it turns, moves and may scale.
+    """Return the rotation and translation, optionally with scale, that best maps points to others.
 
     Args:
-        v0: The points, one a column.
-        v1: Where they are to go.
-        scaling: Whether it may scale.
-        usesvd: Accepted; there is one way here.
+        v0: The points, one per column.
+        v1: The points to which they are mapped.
+        scaling: Whether the matrix may scale.
+        usesvd: Accepted without effect.
     """
     del usesvd
     start, goal = np.asarray(v0, dtype=float)[:3], np.asarray(v1, dtype=float)[:3]
     centres: tuple[Vector, Vector] = start.mean(axis=1), goal.mean(axis=1)
     start, goal = start - centres[0][:, None], goal - centres[1][:, None]
     left, _, right = np.linalg.svd(goal @ start.T)
-    # Kabsch's way; a mirror image would fit better now and then, and is no rotation.
+    # Kabsch's algorithm; the sign excludes reflections, which may fit better than any rotation.
     handedness = np.diag([1.0, 1.0, np.sign(np.linalg.det(left @ right))])
     turn = left @ handedness @ right
     if scaling:

@@ -1,4 +1,4 @@
-"""tf_transformations' `Arcball`: turning things with a pointer, as if it moved a ball."""
+"""Arcball of tf_transformations: rotation of an object by dragging with a pointer."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def arcball_constrain_to_axis(point: Any, axis: Any) -> Vector:
     length = float(np.linalg.norm(aside))
     if length > _EPSILON:
         near: Vector = aside / length
-        return -near if near[2] < 0 else near  # the half that looks at the eye
+        return -near if near[2] < 0 else near  # the half that faces the viewer
     if abs(along[2] - 1) < _EPSILON:
         return np.array([1.0, 0.0, 0.0])
     return unit_vector([-along[1], along[0], 0.0])
@@ -54,10 +54,10 @@ def arcball_nearest_axis(point: Any, axes: Sequence[Any]) -> Any:
 
 
 class Arcball:
-    """A ball under a pointer.
+    """Ball that a pointer rotates.
 
     Args:
-        initial: How it is turned first: a quaternion, or a 4 x 4 matrix.
+        initial: The first orientation: a quaternion, or a 4 x 4 matrix.
     """
 
     def __init__(self, initial: Any = None) -> None:
@@ -75,23 +75,23 @@ class Arcball:
         self._before: Quaternion = first
 
     def place(self, center: Any, radius: float) -> None:
-        """Say where the ball is in the window, and how large; in pixels."""
+        """Set the centre and the radius of the ball in the window, in pixels."""
         self._center, self._radius = np.asarray(center, dtype=float)[:2], float(radius)
 
     def setaxes(self, *axes: Any) -> None:
-        """Say about which axes alone it turns while it is constrained; any without some."""
+        """Set the axes of rotation for the constrained ball; without arguments, all are allowed."""
         self._axes = [unit_vector(axis) for axis in axes] or None
 
     def setconstrain(self, constrain: bool) -> None:
-        """Say whether it turns only about its axes."""
+        """Set whether the ball rotates only about its axes."""
         self._constrained = constrain
 
     def getconstrain(self) -> bool:
-        """Return whether it turns only about its axes."""
+        """Return whether the ball rotates only about its axes."""
         return self._constrained
 
     def down(self, point: Any) -> None:
-        """Grip the ball at a point of the window."""
+        """Start to drag the ball at a point of the window."""
         self._grip = arcball_map_to_sphere(point, self._center, self._radius)
         self._down = self._before = self._now
         self._axis = None
@@ -100,7 +100,7 @@ class Arcball:
             self._grip = arcball_constrain_to_axis(self._grip, self._axis)
 
     def drag(self, point: Any) -> None:
-        """Turn the ball so that what was gripped is under a point of the window."""
+        """Rotate the ball so that the point gripped by `down` is under a point of the window."""
         there = arcball_map_to_sphere(point, self._center, self._radius)
         if self._axis is not None:
             there = arcball_constrain_to_axis(there, self._axis)
@@ -113,10 +113,10 @@ class Arcball:
             self._now = quaternion_multiply(turn, self._down)
 
     def next(self, acceleration: float = 0.0) -> None:
-        """Turn on as the last drag did, faster by `acceleration`."""
+        """Continue the rotation of the last drag, faster by `acceleration`."""
         onward = quaternion_slerp(self._before, self._now, 2.0 + acceleration, shortestpath=False)
         self._before, self._now = self._now, onward
 
     def matrix(self) -> Matrix:
-        """Return how the ball is turned."""
+        """Return the orientation of the ball as a 4 x 4 matrix."""
         return quaternion_matrix(self._now)

@@ -1,4 +1,4 @@
-"""Broadcasters: they tell everybody where frames are."""
+"""Broadcasters, which publish transforms on `/tf` and `/tf_static`."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ def _listed(transform: TransformStamped | Iterable[TransformStamped]) -> list[Tr
 
 
 class TransformBroadcaster:
-    """Publishes transforms that change on `/tf`.
+    """Publisher of changing transforms on `/tf`.
 
     Args:
-        node: Who publishes.
+        node: The node that publishes.
         qos: Quality of service; depth 100 if left out.
     """
 
@@ -43,11 +43,11 @@ class TransformBroadcaster:
 
 
 class StaticTransformBroadcaster:
-    """Publishes transforms that hold for ever on `/tf_static`: latecomers get them too.
+    """Publisher of static transforms on `/tf_static`, which late subscribers receive too.
 
     Args:
-        node: Who publishes.
-        qos: Quality of service; the last message is kept for latecomers if left out.
+        node: The node that publishes.
+        qos: Quality of service; transient local with depth 1 if left out.
     """
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
@@ -59,9 +59,9 @@ class StaticTransformBroadcaster:
     def sendTransform(  # noqa: N802 - tf2_ros' name
         self, transform: TransformStamped | Iterable[TransformStamped]
     ) -> None:
-        """Publish one transform or several, with all that were sent before."""
-        told = {one.child_frame_id: one for one in self.net_message.transforms}
-        # Copies: programs fill in the same message again and again.
-        told.update((one.child_frame_id, copy.deepcopy(one)) for one in _listed(transform))
-        self.net_message.transforms = list(told.values())
+        """Publish one transform or several, together with all that were sent before."""
+        sent = {one.child_frame_id: one for one in self.net_message.transforms}
+        # Copies, because programs may change and send the same message object again.
+        sent.update((one.child_frame_id, copy.deepcopy(one)) for one in _listed(transform))
+        self.net_message.transforms = list(sent.values())
         self.pub_tf.publish(self.net_message)

@@ -1,4 +1,4 @@
-"""A buffer that waits for transforms, and transforms what has a frame and a time."""
+"""Buffer of transforms that can wait for transforms, and that transforms stamped messages."""
 
 from __future__ import annotations
 
@@ -20,42 +20,42 @@ if TYPE_CHECKING:
 
     from zbot.node.subscription import Subscription
 
-# While a callback waits for what its own executor would receive, it looks this often.
+# Seconds between two checks, while a callback waits for messages of its own executor.
 _LOOK_S = 0.005
 
 
 class Buffer(BufferCore, BufferInterface):
-    """Frames, their history, and waiting for them.
+    """Buffer of frames and their history.
 
     Args:
-        cache_time: How long samples are kept; 10 s if left out.
-        node: Accepted as in tf2_ros.
+        cache_time: Time for which samples are kept; 10 s if left out.
+        node: Accepted as in tf2_ros, without effect.
     """
 
     def __init__(self, cache_time: Duration | None = None, node: Any = None) -> None:
         super().__init__(cache_time)
         self.node = node
-        self.subscriptions: list[Subscription[Any]] = []  #: what a listener feeds it from
-        self.is_fed: Callable[[], bool] = lambda: True  #: whether anything may still come
+        self.subscriptions: list[Subscription[Any]] = []  #: subscriptions of its listener
+        self.is_fed: Callable[[], bool] = lambda: True  #: whether transforms can still arrive
         self._waiting: list[tuple[Callable[[], Any], Future[Any]]] = []
         self._is_in_message = False
 
     def lookup_transform(
         self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
     ) -> Any:
-        """Return where `source_frame` is in `target_frame`, as `TransformStamped`.
+        """Return the transform of `source_frame` in `target_frame`, as `TransformStamped`.
 
         Args:
-            target_frame: In whose coordinates.
-            source_frame: Whose place.
-            time: When; `Time()` is the latest that all frames in between have.
-            timeout: How long to wait until it is known. Also in a callback: the transforms that
-                its own executor would receive are received meanwhile.
+            target_frame: The frame of the coordinates.
+            source_frame: The frame whose position and orientation are returned.
+            time: The time of the transform; `Time()` is the latest that all frames between have.
+            timeout: Longest time to wait until the transform is known. In a callback, messages of
+                its own executor are received meanwhile.
 
         Raises:
             LookupException: A frame does not exist.
-            ConnectivityException: Nothing connects the frames.
-            ExtrapolationException: The time lies outside of what is known.
+            ConnectivityException: The frames are in different trees.
+            ExtrapolationException: The time is outside of the known samples.
             InvalidArgumentException: A name is empty or begins with a slash.
         """
         self._wait(lambda: self._is_possible(target_frame, source_frame, time), timeout)
@@ -70,9 +70,9 @@ class Buffer(BufferCore, BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Return where `source_frame` was at one time, in `target_frame` at another.
+        """Return the transform of `source_frame` at one time in `target_frame` at another time.
 
-        Between the two times only `fixed_frame` stays where it is; see `lookup_transform`.
+        `fixed_frame` is assumed not to move between the two times; see `lookup_transform`.
         """
         ends = (target_frame, target_time, source_frame, source_time, fixed_frame)
         self._wait(lambda: self.can_transform_full(*ends), timeout)
@@ -86,9 +86,9 @@ class Buffer(BufferCore, BufferInterface):
         timeout: Duration = NO_WAIT,
         return_debug_tuple: bool = False,
     ) -> bool | tuple[bool, str]:
-        """Return whether a lookup succeeds, at the latest after `timeout`.
+        """Return whether a lookup succeeds within `timeout`.
 
-        With `return_debug_tuple`: and, if not, why.
+        With `return_debug_tuple`: a tuple of that and the reason for a failure.
         """
         self._wait(lambda: self._is_possible(target_frame, source_frame, time), timeout)
         answer = self.can_transform_core(target_frame, source_frame, time)
@@ -103,7 +103,7 @@ class Buffer(BufferCore, BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> bool:
-        """Return whether `lookup_transform_full` succeeds, at the latest after `timeout`."""
+        """Return whether `lookup_transform_full` succeeds within `timeout`."""
         ends = (target_frame, target_time, source_frame, source_time, fixed_frame)
         self._wait(lambda: self.can_transform_full_core(*ends)[0], timeout)
         return self.can_transform_full_core(*ends)[0]
@@ -128,7 +128,7 @@ class Buffer(BufferCore, BufferInterface):
     def wait_for_transform_async(
         self, target_frame: str, source_frame: str, time: Any
     ) -> Future[bool]:
-        """Return a future that is done with True when the transform is known."""
+        """Return a future whose result becomes True when the transform is known."""
 
         def known() -> Any:
             return self._is_possible(target_frame, source_frame, time) or None
@@ -136,7 +136,7 @@ class Buffer(BufferCore, BufferInterface):
         return self._later(known)
 
     async def lookup_transform_async(self, target_frame: str, source_frame: str, time: Any) -> Any:
-        """Wait as long as it takes for a transform, and return it."""
+        """Wait without a limit for a transform, and return it."""
         await self.wait_for_transform_async(target_frame, source_frame, time)
         return self.lookup_transform_core(target_frame, source_frame, time)
 
@@ -148,14 +148,14 @@ class Buffer(BufferCore, BufferInterface):
         source_time: Any,
         fixed_frame: str,
     ) -> Any:
-        """Wait as long as it takes for a transform between two times, and return it."""
+        """Wait without a limit for a transform between two times, and return it."""
         ends = (target_frame, target_time, source_frame, source_time, fixed_frame)
         await self._later(lambda: self.can_transform_full(*ends) or None)
         return self.lookup_transform_full_core(*ends)
 
     def _later(self, find: Callable[[], Any]) -> Future[Any]:
         future: Future[Any] = Future()
-        with self._changed:  # nothing may arrive between the look and the wait
+        with self._changed:  # no transform can be set between the lookup and the registration
             found = find()
             if found is None:
                 self._waiting.append((find, future))
@@ -165,26 +165,26 @@ class Buffer(BufferCore, BufferInterface):
 
     def _set(self, transform: Any, authority: str, *, is_static: bool) -> None:
         super()._set(transform, authority, is_static=is_static)
-        if not self._is_in_message:  # otherwise at the message's end
-            self._tell_waiting()
+        if not self._is_in_message:  # otherwise `one_message` notifies at the end of the message
+            self._notify_waiting()
 
     @contextmanager
     def one_message(self) -> Iterator[None]:
-        """Let those who wait look once when the block ends, not after each transform it sets."""
+        """Notify waiting lookups once at the end of the block, not after each transform."""
         with self._changed:
             self._is_in_message = True
             try:
                 yield
             finally:
                 self._is_in_message = False
-        self._tell_waiting()
+        self._notify_waiting()
 
-    def _tell_waiting(self) -> None:
+    def _notify_waiting(self) -> None:
         for future, found in self._found() if self._waiting else ():
-            future.set_result(found)  # without the lock: it may call anything
+            future.set_result(found)  # without the lock, because it may call callbacks
 
     def _found(self) -> list[tuple[Future[Any], Any]]:
-        """Return the futures whose transforms are known by now, and wait for them no more."""
+        """Remove and return the futures whose transforms are known now, with the transforms."""
         complete, waiting = [], []
         with self._changed:
             for find, future in self._waiting:

@@ -1,4 +1,4 @@
-"""The tree of frames: what was told of them, and how to get from one to another."""
+"""Tree of frames with their history, and lookups of transforms between two frames."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ if TYPE_CHECKING:
     from collections.abc import Container
 
 _CACHE_S = 10.0
-_QUATERNION_TOLERANCE = 1e-2  # tf2 refuses what is farther from length 1
+_QUATERNION_TOLERANCE = 1e-2  # largest difference of a quaternion's length from 1, as in tf2
 
 
 class BufferCore:
-    """Frames and their history. All methods may be called from any thread.
+    """Tree of frames with their history. All methods may be called from any thread.
 
     Args:
-        cache_time: How long samples are kept; 10 s if left out.
+        cache_time: Time for which samples are kept; 10 s if left out.
     """
 
     def __init__(self, cache_time: Duration | None = None) -> None:
@@ -41,22 +41,22 @@ class BufferCore:
         self._changed = threading.Condition()
         self._refused: set[str] = set()
 
-    # -- telling -------------------------------------------------------------------------------
+    # -- setting -------------------------------------------------------------------------------
 
     def set_transform(self, transform: Any, authority: str = "default_authority") -> None:
-        """Take note of a `TransformStamped`; one that is useless or too old is logged once."""
+        """Add a `TransformStamped`; an invalid or too old one is ignored and logged once."""
         self._set(transform, authority, is_static=False)
 
     def set_transform_static(self, transform: Any, authority: str = "default_authority") -> None:
-        """Take note of a `TransformStamped` that holds for ever."""
+        """Add a static `TransformStamped`."""
         self._set(transform, authority, is_static=True)
 
     def _set(self, transform: Any, authority: str, *, is_static: bool) -> None:
         parent = transform.header.frame_id.removeprefix("/")
         child = transform.child_frame_id.removeprefix("/")
-        fault = _fault(parent, child, transform.transform)
-        if fault:
-            self._refuse(f"a transform from {authority} is ignored: {fault}")
+        problem = _problem(parent, child, transform.transform)
+        if problem:
+            self._log_once(f"a transform from {authority} is ignored: {problem}")
             return
         stamp = Time.from_msg(transform.header.stamp).nanoseconds
         sample = Sample(stamp, parent, _rigid(transform.transform))
@@ -66,36 +66,36 @@ class BufferCore:
             is_kept = frame.add(sample, is_static=is_static)
             self._changed.notify_all()
         if not is_kept and stamp < frame.oldest_ns:
-            self._refuse(
-                f"old transforms of the frame {child!r} from {authority} are ignored: they are "
-                "from before everything that is remembered"
+            self._log_once(
+                f"old transforms of the frame {child!r} from {authority} are ignored: their time "
+                "is before the oldest time in the buffer"
             )
 
-    def _refuse(self, text: str) -> None:
+    def _log_once(self, text: str) -> None:
         if text not in self._refused:
             self._refused.add(text)
             get_logger("tf2").error(text)
 
     def clear(self) -> None:
-        """Forget everything but static transforms, which nobody would tell again."""
+        """Remove all transforms except static ones, which are published only once."""
         with self._changed:
             self._frames = {name: one for name, one in self._frames.items() if one.is_static}
 
-    # -- asking --------------------------------------------------------------------------------
+    # -- looking up ----------------------------------------------------------------------------
 
     def lookup_transform_core(self, target_frame: str, source_frame: str, time: Any) -> Any:
-        """Return where `source_frame` is in `target_frame`, as `TransformStamped`.
+        """Return the transform of `source_frame` in `target_frame`, as `TransformStamped`.
 
         Args:
-            target_frame: In whose coordinates.
-            source_frame: Whose place.
-            time: When; a zero time is the latest that all frames in between have.
+            target_frame: The frame of the coordinates.
+            source_frame: The frame whose position and orientation are returned.
+            time: The time of the transform; zero is the latest that all frames between have.
 
         Raises:
             InvalidArgumentException: A name is empty or begins with a slash.
             LookupException: A frame does not exist.
             ConnectivityException: Nothing connects the frames.
-            ExtrapolationException: The time lies outside of what is known.
+            ExtrapolationException: The time is outside of the known samples.
         """
         with self._changed:
             pose, stamp_ns = self._find(target_frame, source_frame, _nanoseconds(time))
@@ -109,9 +109,9 @@ class BufferCore:
         source_time: Any,
         fixed_frame: str,
     ) -> Any:
-        """Return where `source_frame` was at one time, in `target_frame` at another.
+        """Return the transform of `source_frame` at one time in `target_frame` at another time.
 
-        Between the two times only `fixed_frame` stays where it is. For errors see
+        `fixed_frame` is assumed not to move between the two times. For errors see
         `lookup_transform_core`.
         """
         with self._changed:
@@ -122,7 +122,7 @@ class BufferCore:
     def can_transform_core(
         self, target_frame: str, source_frame: str, time: Any
     ) -> tuple[bool, str]:
-        """Return whether a lookup would succeed, and if not, why."""
+        """Return whether a lookup would succeed, and the reason if it would not."""
         try:
             with self._changed:
                 self._find(target_frame, source_frame, _nanoseconds(time))
@@ -143,7 +143,7 @@ class BufferCore:
         source_time: Any,
         fixed_frame: str,
     ) -> tuple[bool, str]:
-        """Return whether a lookup between two times would succeed, and if not, why."""
+        """Return whether a lookup between two times would succeed, and the reason if not."""
         with self._changed:
             answer = self.can_transform_core(fixed_frame, source_frame, source_time)
             if answer[0]:
@@ -151,7 +151,7 @@ class BufferCore:
         return answer
 
     def _is_possible(self, target: str, source: str, time: Any) -> bool:
-        """Whether a lookup would succeed; for those who wait, who need no reason in words."""
+        """Return whether a lookup would succeed, without the cost of a reason in words."""
         with self._changed:
             if not (self._exists(target) and self._exists(source)):
                 return False
@@ -162,7 +162,7 @@ class BufferCore:
         return True
 
     def get_latest_common_time(self, target_frame: str, source_frame: str) -> Time:
-        """Return the latest time that all frames in between have; 0 if none of them moves.
+        """Return the latest time that all frames between have; 0 if all of them are static.
 
         Raises:
             InvalidArgumentException: A name is empty or begins with a slash.
@@ -181,31 +181,32 @@ class BufferCore:
         stamp_ns = stamp_ns or self._latest_common_ns(target, source)
         if target == source:
             return Rigid(), stamp_ns
-        up, up_fault = self._climb(source, stamp_ns, {target})
-        down, down_fault = self._climb(target, stamp_ns, up)
+        up, up_fault = self._to_ancestors(source, stamp_ns, {target})
+        down, down_fault = self._to_ancestors(target, stamp_ns, up)
         name = next(reversed(down))
-        if name in up:  # the close_matches that is above both
+        if name in up:  # the nearest common ancestor
             return down[name].inverse() @ up[name], stamp_ns
         between = {name for names in self._path(target, source) for name in names}
-        for ways, fault in ((up, up_fault), (down, down_fault)):
-            # What lies above their meeting was climbed too, but is not needed.
-            if fault is not None and next(reversed(ways)) in between:
+        for ways, problem in ((up, up_fault), (down, down_fault)):
+            # Frames above the nearest common ancestor were visited too, but are not needed.
+            if problem is not None and next(reversed(ways)) in between:
                 route = f"when looking up transform from frame [{source}] to frame [{target}]"
-                raise ExtrapolationException(f"{fault}, {route}")
+                raise ExtrapolationException(f"{problem}, {route}")
         raise _unconnected(target, source)
 
-    def _climb(
+    def _to_ancestors(
         self, name: str, stamp_ns: int, ends: Container[str]
     ) -> tuple[dict[str, Rigid], ExtrapolationException | None]:
-        """Return where a frame was in itself and in each one above it, and what ended the way.
+        """Return the transforms of a frame in itself and its ancestors, and the error at the end.
 
-        That is one of the `ends`, where a tree begins, or a time that is not known.
+        The ancestors end at one of the `ends`, at the root of the tree, or at a frame whose
+        transform is unknown at that time; only then there is an error.
         """
         pose = Rigid()
         poses = {name: pose}
         while name not in ends and (frame := self._frames.get(name)) is not None:
             try:
-                sample = frame.at(stamp_ns)  # its parent of that time: it may have another now
+                sample = frame.at(stamp_ns)  # has the parent at that time, which may have changed
             except ExtrapolationException as error:
                 return poses, error
             if sample.parent in poses:
@@ -215,7 +216,7 @@ class BufferCore:
         return poses, None
 
     def _latest_common_ns(self, target: str, source: str) -> int:
-        """Return the latest time that all frames in between have; 0 if none of them moves."""
+        """Return the latest time that all frames between have; 0 if all of them are static."""
         if target == source:
             links = [source] if source in self._frames else []
         else:
@@ -226,10 +227,10 @@ class BufferCore:
 
     def _check(self, argument: str, name: str) -> None:
         if not name or name.startswith("/"):
-            fault = f"cannot start with a '/' like: {name}" if name else "cannot be empty"
+            problem = f"cannot start with a '/' like: {name}" if name else "cannot be empty"
             raise InvalidArgumentException(
                 f"Invalid argument passed to lookupTransform argument {argument} in tf2 frame_ids "
-                f"{fault}"
+                f"{problem}"
             )
         if not self._exists(name):
             guess = close_matches(name, self._names(), 1)
@@ -252,17 +253,17 @@ class BufferCore:
         return line
 
     def _path(self, target: str, source: str) -> tuple[list[str], list[str]]:
-        """The frames from the source, and from the target, up to where their lines meet."""
+        """Return the frames from the source and from the target up to their common ancestor."""
         from_source, from_target = self._ancestors(source), self._ancestors(target)
         for place, name in enumerate(from_source):
             if name in from_target:
                 return from_source[:place], from_target[: from_target.index(name)]
         raise _unconnected(target, source)
 
-    # -- looking at the tree -------------------------------------------------------------------
+    # -- the tree ------------------------------------------------------------------------------
 
     def all_frames_as_string(self) -> str:
-        """Return one sentence a frame: who its parent is."""
+        """Return one line for each frame, with the name of its parent."""
         with self._changed:
             frames = list(self._frames.values())
             return "".join(f"Frame {one.name} exists with parent {one.parent}.\n" for one in frames)
@@ -292,7 +293,7 @@ def _yaml(frame: Frame) -> str:
     )
 
 
-def _fault(parent: str, child: str, transform: Any) -> str:
+def _problem(parent: str, child: str, transform: Any) -> str:
     if not parent or not child:
         return "frame_id and child_frame_id must not be empty"
     if parent == child:
@@ -302,7 +303,7 @@ def _fault(parent: str, child: str, transform: Any) -> str:
     if not all(map(math.isfinite, numbers)):
         return f"a number of {child!r} is infinite or not a number"
     if abs(sum(part * part for part in numbers[3:]) - 1) > _QUATERNION_TOLERANCE:
-        return f"the rotation of {child!r} is no quaternion of length 1"
+        return f"the rotation of {child!r} is not a quaternion of length 1"
     return ""
 
 
@@ -324,7 +325,7 @@ def _stamped(pose: Rigid, stamp_ns: int, target: str, source: str) -> TransformS
 
 
 def _nanoseconds(time: Any) -> int:
-    """Return a `Time`, or a message of one, in nanoseconds."""
+    """Return a `Time` or a time message in nanoseconds."""
     return int(
         time.nanoseconds if hasattr(time, "nanoseconds") else Time.from_msg(time).nanoseconds
     )

@@ -1,4 +1,4 @@
-"""Transforming objects of registered classes, whoever looks the transforms up."""
+"""Interface of buffers, which transforms objects of registered classes."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ _conversions: dict[tuple[type[Any], type[Any]], Callable[[Any], Any]] = {}
 
 
 class BufferInterface:
-    """What every buffer offers; a subclass writes the lookups."""
+    """Base class of buffers; a subclass implements the lookups."""
 
     def lookup_transform(
         self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
     ) -> Any:
-        """Return where `source_frame` is in `target_frame`, as `TransformStamped`."""
+        """Return the transform of `source_frame` in `target_frame`, as `TransformStamped`."""
         raise NotImplementedException(f"{type(self).__name__} has no lookup_transform")
 
     def lookup_transform_full(
@@ -33,7 +33,7 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Return where `source_frame` was at one time, in `target_frame` at another."""
+        """Return the transform of `source_frame` at one time in `target_frame` at another."""
         raise NotImplementedException(f"{type(self).__name__} has no lookup_transform_full")
 
     def transform(
@@ -46,13 +46,13 @@ class BufferInterface:
         """Return a point, vector or pose with header, in another frame.
 
         Args:
-            object_stamped: Of a class that is registered.
-            target_frame: Where it shall be.
-            timeout: How long to wait until the transform is known.
+            object_stamped: An object of a registered class.
+            target_frame: The frame of the result.
+            timeout: Longest time to wait until the transform is known.
             new_type: The class to convert the result to.
 
         Raises:
-            TypeException: Nobody knows how to transform or convert objects of its class.
+            TypeException: No function to transform or convert objects of its class is registered.
             TransformException: For the other errors see `Buffer.lookup_transform`.
         """
         do_transform = conversion.registered(type(object_stamped))
@@ -83,10 +83,10 @@ class BufferInterface:
 
 
 def convert(value: Any, new_type: type[Any]) -> Any:
-    """Return an object as another class, by what was given to `ConvertRegistration`.
+    """Return an object converted to another class, by a function of `ConvertRegistration`.
 
     Raises:
-        TypeException: Nobody said how.
+        TypeException: None is registered for these classes.
     """
     if type(value) is new_type:
         return value
@@ -100,24 +100,24 @@ def convert(value: Any, new_type: type[Any]) -> Any:
 
 
 class TransformRegistration:
-    """Lets buffers transform objects of further classes."""
+    """Registry of the functions with which buffers transform objects."""
 
     def add(self, key: type[Any], callback: Callable[[Any, Any], Any]) -> None:
-        """Register what takes an object and a `TransformStamped`, and returns a new object."""
+        """Register a function of an object and a `TransformStamped` that returns a new object."""
         conversion.add(key, callback)
 
     def get(self, key: type[Any]) -> Callable[[Any, Any], Any]:
-        """Return what was registered.
+        """Return the function of a class.
 
         Raises:
-            TypeException: Nothing was.
+            TypeException: None is registered.
         """
         return conversion.registered(key)
 
 
 class ConvertRegistration:
-    """Lets `convert` make objects of one class from those of another."""
+    """Registry of the functions that `convert` uses."""
 
     def add_convert(self, key: tuple[type[Any], type[Any]], callback: Callable[[Any], Any]) -> None:
-        """Register a conversion, by the classes it goes from and to."""
+        """Register a function for a pair of classes: of its argument and of its result."""
         _conversions[key] = callback

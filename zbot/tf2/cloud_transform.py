@@ -1,4 +1,4 @@
-"""Point clouds in another frame: the functions of `tf2_sensor_msgs`.
+"""Transformation of point clouds: the functions of `tf2_sensor_msgs`.
 
 Needs numpy, which `pip install 'zbot[numpy]'` brings.
 """
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 def transform_points(point_cloud: ArrayLike, transform: Any) -> NDArray[np.float64]:
     """Return an array of shape (points, 3) in the transform's parent frame."""
-    import numpy as np  # noqa: PLC0415 - an extra
+    import numpy as np  # noqa: PLC0415 - part of an extra
 
     motion = conversion.rigid(transform)
     try:
@@ -36,12 +36,12 @@ def transform_points(point_cloud: ArrayLike, transform: Any) -> NDArray[np.float
 
 
 def do_transform_cloud(cloud: Any, transform: Any) -> Any:
-    """Return a `PointCloud2` in the transform's parent frame; all but x, y and z stays as it is.
+    """Return a `PointCloud2` in the transform's parent frame; only x, y and z change.
 
     Raises:
         PointCloudError: The cloud has no x, y or z, or less data than its size needs.
     """
-    from numpy.lib.recfunctions import structured_to_unstructured  # noqa: PLC0415 - an extra
+    from numpy.lib.recfunctions import structured_to_unstructured  # noqa: PLC0415 - part of an extra
 
     moved = transform_points(
         structured_to_unstructured(read_points(cloud, ["x", "y", "z"])), transform

@@ -1,4 +1,4 @@
-"""Points, vectors and poses in another frame. Programs may register classes of their own."""
+"""Transformation of points, vectors and poses; programs can register further classes."""
 
 from __future__ import annotations
 
@@ -18,22 +18,22 @@ from geometry_msgs.msg import (
     WrenchStamped,
 )
 
-#: Takes an object with header and a `TransformStamped`; returns a new object.
+#: Function that takes an object with a header and a `TransformStamped`, and returns a new object.
 Transformation = Callable[[Any, Any], Any]
 
 _registered: dict[type[Any], Transformation] = {}
 
 
 def add(stamped_class: type[Any], transformation: Transformation) -> None:
-    """Let buffers transform objects of a class."""
+    """Register the function with which buffers transform objects of a class."""
     _registered[stamped_class] = transformation
 
 
 def registered(stamped_class: type[Any]) -> Transformation:
-    """Return how objects of a class are transformed.
+    """Return the function that transforms objects of a class.
 
     Raises:
-        TypeException: Nobody said how.
+        TypeException: None is registered.
     """
     transformation = _registered.get(stamped_class)
     if transformation is None:
@@ -102,7 +102,7 @@ def transform_covariance(covariance: Sequence[float], transform: Any) -> list[fl
     rotation = rigid(transform).rotation
 
     def turned(rows: Iterable[tuple[float, ...]]) -> list[tuple[float, ...]]:
-        # Of each row, both the position's and the angles' half are vectors.
+        # Each row consists of two vectors: one for the position and one for the angles.
         return [
             (*rotate(rotation, (a, b, c)), *rotate(rotation, (d, e, f)))
             for a, b, c, d, e, f in rows
@@ -110,7 +110,7 @@ def transform_covariance(covariance: Sequence[float], transform: Any) -> list[fl
 
     rows = [tuple(map(float, covariance[start : start + 6])) for start in range(0, 36, 6)]
     columns = zip(*turned(rows), strict=True)
-    # From the other side: the rows of the transposed matrix are its columns.
+    # The columns are rotated too, as the rows of the transposed matrix.
     return [value for row in zip(*turned(columns), strict=True) for value in row]
 
 

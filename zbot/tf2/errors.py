@@ -1,4 +1,4 @@
-"""What can be wrong with a transform. The names are those of ROS 2's tf2."""
+"""Errors of transforms, with the names of ROS 2's tf2."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from zbot.errors import ZbotError
 
 
 class TransformException(ZbotError):  # noqa: N818 - tf2's name, as all here
-    """A transform cannot be had; the base of all others."""
+    """Base of all errors about transforms."""
 
 
 class LookupException(TransformException):
@@ -14,24 +14,24 @@ class LookupException(TransformException):
 
 
 class ConnectivityException(TransformException):
-    """Two frames exist, and nothing connects them."""
+    """Two frames exist, but in different trees."""
 
 
 class ExtrapolationException(TransformException):
-    """The time asked for lies before or behind everything that is known."""
+    """The requested time is before or after all known samples."""
 
 
 class InvalidArgumentException(TransformException):
-    """A frame's name cannot be one."""
+    """A name is not valid as a frame's name."""
 
 
 class TimeoutException(TransformException):
-    """The transform did not come in time."""
+    """The transform did not become known in time."""
 
 
 class TypeException(TransformException):
-    """Nobody knows how to transform objects of a class."""
+    """No function to transform objects of a class is registered."""
 
 
 class NotImplementedException(TransformException):
-    """A method that a subclass has to write."""
+    """A subclass does not implement a method."""

@@ -1,4 +1,4 @@
-"""One frame's history: where it was in its parent."""
+"""History of one frame: its transforms in its parent frame over time."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _BY_TIME = attrgetter("stamp_ns")
 
 
 class Sample(NamedTuple):
-    """Where a frame was at one time."""
+    """Transform of a frame in its parent at one time."""
 
     stamp_ns: int
     parent: str
@@ -23,11 +23,11 @@ class Sample(NamedTuple):
 
 
 class Frame:
-    """Samples of one frame in the order of time; a static frame has one, which holds always.
+    """Samples of one frame in the order of time; a static frame has one sample for all times.
 
     Args:
-        name: The frame's.
-        cache_ns: How far back from the latest one samples are kept.
+        name: Name of the frame.
+        cache_ns: Age at which samples are dropped, relative to the latest sample, nanoseconds.
     """
 
     def __init__(self, name: str, cache_ns: int) -> None:
@@ -39,7 +39,7 @@ class Frame:
 
     @property
     def parent(self) -> str:
-        """The parent by the latest sample."""
+        """Parent frame in the latest sample."""
         return self._samples[-1].parent
 
     @property
@@ -54,12 +54,12 @@ class Frame:
 
     @property
     def rate_hz(self) -> float:
-        """Samples a second, on average over what is kept; 0 for fewer than two."""
+        """Mean rate of the samples that are kept; 0 for fewer than two."""
         span = self.latest_ns - self.oldest_ns
         return (len(self._samples) - 1) / (span / 1e9) if span else 0.0
 
     def add(self, sample: Sample, *, is_static: bool) -> bool:
-        """Keep a sample; `False` if it is too old, or if there is one of that time."""
+        """Add a sample; return `False` if it is too old, or if one with its time exists."""
         self.is_static = is_static
         if is_static:
             self._samples = [sample]
@@ -75,10 +75,10 @@ class Frame:
         return True
 
     def at(self, stamp_ns: int) -> Sample:
-        """Return where the frame was at a time, between two samples by interpolation.
+        """Return the sample at a time, interpolated between two samples.
 
         Raises:
-            ExtrapolationException: The time lies outside of all samples.
+            ExtrapolationException: The time is before the first or after the last sample.
         """
         if self.is_static:
             return self._samples[0]

@@ -1,4 +1,4 @@
-"""Listeners: they fill a buffer from `/tf` and `/tf_static`."""
+"""Listeners, which fill a buffer from `/tf` and `/tf_static`."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from zbot.errors import ExternalShutdownException
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.clock import ClockChange, JumpThreshold, TimeJump
-from zbot.executor.executor import SingleThreadedExecutor
+from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.node.node import Node
 from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.tf2.broadcaster import TF_STATIC_TOPIC, TF_TOPIC
@@ -23,17 +23,17 @@ _DEPTH = 100
 
 
 class TransformListener:
-    """Feeds a buffer with what is told of frames.
+    """Subscriber of transforms, which adds them to a buffer.
 
     Args:
-        buffer: Who is fed.
-        node: Who subscribes; a node of its own, spun by a thread, if left out.
-        spin_thread: Whether a thread of its own spins the node, instead of the program.
-        qos: For `/tf`; depth 100 if left out.
-        static_qos: For `/tf_static`; with the messages sent before, if left out.
+        buffer: The buffer.
+        node: The node that subscribes; if left out, a new node that a thread spins.
+        spin_thread: Whether the listener starts a thread that spins the node.
+        qos: Quality of service for `/tf`; depth 100 if left out.
+        static_qos: Quality of service for `/tf_static`; transient local if left out.
         tf_topic: Another topic than `/tf`.
         tf_static_topic: Another topic than `/tf_static`.
-        static_only: Leave `/tf` alone.
+        static_only: Do not subscribe to `/tf`.
     """
 
     def __init__(
@@ -86,7 +86,7 @@ class TransformListener:
             try:
                 executor.spin()
             except ExternalShutdownException:
-                return  # the program ends
+                return  # the context was shut down
 
         self.dedicated_listener_thread = threading.Thread(target=spin, daemon=True)
         self.dedicated_listener_thread.start()
@@ -98,19 +98,19 @@ class TransformListener:
         self.buffer.clear()
 
     def callback(self, data: Any) -> None:
-        """Take note of transforms that change."""
+        """Add the transforms of a message."""
         with self.buffer.one_message():
             for transform in data.transforms:
                 self.buffer.set_transform(transform, "default_authority")
 
     def static_callback(self, data: Any) -> None:
-        """Take note of transforms that hold for ever."""
+        """Add the static transforms of a message."""
         with self.buffer.one_message():
             for transform in data.transforms:
                 self.buffer.set_transform_static(transform, "default_authority")
 
     def unregister(self) -> None:
-        """Listen no more; may be called twice."""
+        """Destroy the subscriptions; may be called twice."""
         for subscription in self._subscriptions:
             if subscription in self.buffer.subscriptions:
                 self.buffer.subscriptions.remove(subscription)
@@ -123,13 +123,13 @@ class TransformListener:
 
 
 class StaticTransformListener(TransformListener):
-    """Feeds a buffer with the transforms that hold for ever, and no others.
+    """Subscriber of static transforms only, which adds them to a buffer.
 
     Args:
-        buffer: Who is fed.
-        node: Who subscribes.
-        spin_thread: Whether a thread of its own spins the node, instead of the program.
-        static_qos: Quality of service; with the messages sent before, if left out.
+        buffer: The buffer.
+        node: The node that subscribes.
+        spin_thread: Whether the listener starts a thread that spins the node.
+        static_qos: Quality of service; transient local if left out.
         tf_static_topic: Another topic than `/tf_static`.
     """
 

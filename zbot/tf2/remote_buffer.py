@@ -1,4 +1,4 @@
-"""A buffer that others ask: the action `tf2_msgs/LookupTransform`, and a client of it."""
+"""Buffer for other nodes: server and client of the action `tf2_msgs/LookupTransform`."""
 
 from __future__ import annotations
 
@@ -34,15 +34,15 @@ _CODES: dict[int, type[TransformException]] = {
     TF2Error.TIMEOUT_ERROR: TimeoutException,
     TF2Error.TRANSFORM_ERROR: TransformException,
 }
-_PADDING = Duration(seconds=2.0)  # tf2_ros's
+_PADDING = Duration(seconds=2.0)  # the default in tf2_ros
 
 
 class BufferServer:
-    """Answers what a buffer knows.
+    """Action server that looks transforms up in a buffer.
 
     Args:
         buffer: The buffer.
-        node: The node whose action it is; its executor runs it.
+        node: The node that has the action; its executor runs the callbacks.
         ns: The action's name.
     """
 
@@ -74,18 +74,18 @@ class BufferServer:
         )
 
     def destroy(self) -> None:
-        """Answer no more."""
+        """Destroy the action server."""
         self._server.destroy()
 
 
 class BufferClient(BufferInterface):
-    """Looks transforms up in another node's buffer.
+    """Client that looks transforms up in another node's buffer.
 
     Args:
-        node: Asks; another thread, or the callback that asks, runs its executor.
+        node: The node of the client; another thread, or the calling callback, runs its executor.
         ns: The action's name.
-        check_frequency: Accepted: nothing is polled.
-        timeout_padding: How long to wait for the server, beyond each lookup's own timeout; a
+        check_frequency: Accepted without effect, because nothing is polled.
+        timeout_padding: Time to wait for the server in addition to a lookup's timeout; a
             `Duration`, or seconds.
     """
 
@@ -103,17 +103,17 @@ class BufferClient(BufferInterface):
         self._padding = timeout_padding
 
     def wait_for_server(self, timeout: Duration = NO_WAIT) -> bool:
-        """Return whether there is a server, at the latest after `timeout`."""
+        """Wait for a server; return whether it appeared within `timeout`."""
         return self._client.wait_for_server(timeout.nanoseconds / 1e9)
 
     def lookup_transform(
         self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
     ) -> Any:
-        """Return where `source_frame` is in `target_frame`, as `TransformStamped`.
+        """Return the transform of `source_frame` in `target_frame`, as `TransformStamped`.
 
         Raises:
-            TimeoutException: There is no server.
-            TransformException: What the server's own buffer raises.
+            TimeoutException: The action has no server.
+            TransformException: The server's buffer raised it.
         """
         return self._ask(
             timeout,
@@ -131,7 +131,7 @@ class BufferClient(BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Return where `source_frame` was at one time, in `target_frame` at another."""
+        """Return the transform of `source_frame` at one time in `target_frame` at another."""
         return self._ask(
             timeout,
             target_frame=target_frame,
@@ -182,7 +182,7 @@ class BufferClient(BufferInterface):
         return result.transform
 
     def destroy(self) -> None:
-        """Ask no more."""
+        """Destroy the action client."""
         self._client.destroy()
 
 

@@ -1,4 +1,4 @@
-"""Rigid motions in plain numbers: a translation in metres and a rotation as quaternion x y z w."""
+"""Rigid transforms: a translation in metres and a rotation as a quaternion x y z w."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ _NEARLY_PARALLEL = 0.9995  # above, the sine of the angle is too small to divide
 
 
 def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
-    """Return the rotation `b`, then `a`."""
+    """Return the rotation that applies `b` and then `a`."""
     ax, ay, az, aw = a
     bx, by, bz, bw = b
     return (
@@ -24,7 +24,7 @@ def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
 
 
 def conjugate(q: Quaternion) -> Quaternion:
-    """Return the rotation back."""
+    """Return the inverse rotation."""
     return (-q[0], -q[1], -q[2], q[3])
 
 
@@ -40,13 +40,13 @@ def normalized(q: Quaternion) -> Quaternion:
 
 
 def rotate(q: Quaternion, v: Vector) -> Vector:
-    """Return a vector, rotated."""
+    """Return the rotated vector."""
     x, y, z, _ = multiply(multiply(q, (*v, 0.0)), conjugate(q))
     return (x, y, z)
 
 
 def slerp(a: Quaternion, b: Quaternion, share: float) -> Quaternion:
-    """Return the rotation between two, the shorter way; `share` from 0 (`a`) to 1 (`b`)."""
+    """Return the interpolated rotation on the shorter way; `share` from 0 (`a`) to 1 (`b`)."""
     cosine = sum(p * q for p, q in zip(a, b, strict=True))
     if cosine < 0:
         b = (-b[0], -b[1], -b[2], -b[3])
@@ -61,13 +61,13 @@ def slerp(a: Quaternion, b: Quaternion, share: float) -> Quaternion:
 
 
 class Rigid(NamedTuple):
-    """Where a child frame is in its parent: takes a child's coordinates to the parent's."""
+    """Transform of a child frame in its parent: maps the child's coordinates to the parent's."""
 
     translation: Vector = (0.0, 0.0, 0.0)
     rotation: Quaternion = (0.0, 0.0, 0.0, 1.0)
 
     def __matmul__(self, inner: Rigid) -> Rigid:
-        """Return the motion `inner`, then this one."""
+        """Return the transform that applies `inner` and then this one."""
         return Rigid(self.apply(inner.translation), multiply(self.rotation, inner.rotation))
 
     def apply(self, point: Vector) -> Vector:
@@ -77,13 +77,13 @@ class Rigid(NamedTuple):
         return (x + tx, y + ty, z + tz)
 
     def inverse(self) -> Rigid:
-        """Return the way back."""
+        """Return the inverse transform."""
         back = conjugate(self.rotation)
         x, y, z = rotate(back, self.translation)
         return Rigid((-x, -y, -z), back)
 
     def towards(self, other: Rigid, share: float) -> Rigid:
-        """Return what lies between two; `share` from 0 (this one) to 1 (the other)."""
+        """Return the interpolated transform; `share` from 0 (this one) to 1 (the other)."""
         x, y, z = (
             p + share * (q - p) for p, q in zip(self.translation, other.translation, strict=True)
         )

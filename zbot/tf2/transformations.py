@@ -1,7 +1,7 @@
-"""The functions of ROS 2's tf_transformations, with numpy. Quaternions are x y z w.
+"""Functions of ROS 2's tf_transformations, with numpy. Quaternions are x y z w.
 
-Axes are written as there: `sxyz` turns about the fixed axes x, y, z in this order, `rzyx` about the
-axes of the turning body.
+Axes are named as in that package: `sxyz` rotates about the fixed axes x, y, z in this order, `rzyx`
+about the axes of the rotating body.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ Matrix = npt.NDArray[np.float64]
 Quaternion = npt.NDArray[np.float64]
 
 _EPSILON = 1e-12
-#: Of the first axis: 0 x, 1 y, 2 z; whether the others follow backwards; whether the first comes
-#: again; whether the axes turn along.
+#: First axis (0 x, 1 y, 2 z); whether the others follow in reverse order; whether the first axis
+#: is also the last; whether the axes rotate with the body.
 _AXES: dict[str, tuple[int, int, int, int]] = {
     "sxyz": (0, 0, 0, 0),
     "sxyx": (0, 0, 1, 0),
@@ -47,12 +47,12 @@ _AXES: dict[str, tuple[int, int, int, int]] = {
 
 
 def identity_matrix() -> Matrix:
-    """Return the 4 x 4 matrix that changes nothing."""
+    """Return the 4 x 4 identity matrix."""
     return np.identity(4)
 
 
 def vector_norm(data: Any, axis: int | None = None) -> Any:
-    """Return the length of a vector, or of each along an axis."""
+    """Return the length of a vector, or of each vector along an axis of an array."""
     return np.linalg.norm(np.asarray(data, dtype=float), axis=axis)
 
 
@@ -64,14 +64,14 @@ def unit_vector(data: Any) -> npt.NDArray[np.float64]:
 
 
 def translation_matrix(direction: Any) -> Matrix:
-    """Return the 4 x 4 matrix that moves by a vector."""
+    """Return the 4 x 4 matrix that translates by a vector."""
     matrix = np.identity(4)
     matrix[:3, 3] = np.asarray(direction, dtype=float)[:3]
     return matrix
 
 
 def translation_from_matrix(matrix: Any) -> npt.NDArray[np.float64]:
-    """Return the vector by which a matrix moves."""
+    """Return the translation vector of a matrix."""
     column: npt.NDArray[np.float64] = np.array(matrix, dtype=float)[:3, 3].copy()
     return column
 
@@ -91,7 +91,7 @@ def scale_matrix(factor: float, origin: Any = None, direction: Any = None) -> Ma
 
 
 def rotation_matrix(angle: float, direction: Any, point: Any = None) -> Matrix:
-    """Return the 4 x 4 matrix that turns by an angle, in rad, about an axis through a point."""
+    """Return the 4 x 4 matrix that rotates by an angle in rad about an axis through a point."""
     matrix = quaternion_matrix(quaternion_about_axis(angle, direction))
     if point is not None:
         centre = np.asarray(point, dtype=float)[:3]
@@ -108,7 +108,7 @@ def concatenate_matrices(*matrices: Any) -> Matrix:
 
 
 def inverse_matrix(matrix: Any) -> Matrix:
-    """Return the matrix that undoes another."""
+    """Return the inverse of a matrix."""
     return np.linalg.inv(np.asarray(matrix, dtype=float))
 
 
@@ -119,14 +119,14 @@ def compose_matrix(
     translate: Any = None,
     perspective: Any = None,
 ) -> Matrix:
-    """Return the matrix that scales, shears, turns, moves and projects, in this order.
+    """Return the matrix that scales, shears, rotates, translates and projects, in this order.
 
     Args:
         scale: Factors along x, y and z.
-        shear: How far x moves with y, x with z, and y with z.
-        angles: Of `sxyz`, in rad.
-        translate: Where the origin goes.
-        perspective: The last row.
+        shear: Shear factors of x by y, x by z, and y by z.
+        angles: Angles for `sxyz`, in rad.
+        translate: Translation vector.
+        perspective: Last row of the matrix.
     """
     matrix = np.identity(4)
     if perspective is not None:
@@ -155,19 +155,19 @@ def decompose_matrix(
     npt.NDArray[np.float64],
     npt.NDArray[np.float64],
 ]:
-    """Return scale, shear, angles, translation and perspective: what `compose_matrix` takes.
+    """Return scale, shear, angles, translation and perspective, the arguments of `compose_matrix`.
 
     Raises:
         ValueError: The matrix maps everything to a plane, or the origin to infinity.
     """
     m = np.array(matrix, dtype=float)
     if abs(m[3, 3]) < _EPSILON or abs(np.linalg.det(m[:3, :3])) < _EPSILON:
-        raise ValueError("the matrix is singular: it cannot be taken apart")
+        raise ValueError("the matrix is singular: it cannot be decomposed")
     m /= m[3, 3]
     affine = np.vstack([m[:3], [0.0, 0.0, 0.0, 1.0]])
     perspective = m[3] @ np.linalg.inv(affine)
     turned, upper = np.linalg.qr(m[:3, :3])
-    signs = np.sign(np.diag(upper))  # of the many ways, the one with positive scales
+    signs = np.sign(np.diag(upper))  # of all decompositions, the one with positive scales
     turned, upper = turned * signs, signs[:, None] * upper
     if np.linalg.det(turned) < 0:
         turned, upper = -turned, -upper
@@ -183,7 +183,7 @@ def euler_matrix(ai: float, aj: float, ak: float, axes: str = "sxyz") -> Matrix:
 
 
 def euler_from_matrix(matrix: Any, axes: str = "sxyz") -> tuple[float, float, float]:
-    """Return the three angles, in rad, by which a matrix turns."""
+    """Return the three angles of a rotation matrix, in rad."""
     first, parity, repetition, frame = _axes(axes)
     i, j, k = first, (first + 1 + parity) % 3, (first + 2 - parity) % 3
     m = np.array(matrix, dtype=float)[:3, :3]
@@ -244,7 +244,7 @@ def quaternion_about_axis(angle: float, axis: Any) -> Quaternion:
 
 
 def quaternion_matrix(quaternion: Any) -> Matrix:
-    """Return the 4 x 4 matrix of a rotation, of any length above 0."""
+    """Return the 4 x 4 matrix of a quaternion; its length may be any number above 0."""
     x, y, z, w = np.asarray(quaternion, dtype=float)[:4]
     square = x * x + y * y + z * z + w * w
     matrix = np.identity(4)
@@ -260,7 +260,7 @@ def quaternion_matrix(quaternion: Any) -> Matrix:
 
 
 def quaternion_from_matrix(matrix: Any) -> Quaternion:
-    """Return the rotation of a matrix."""
+    """Return the quaternion of a rotation matrix."""
     m = np.array(matrix, dtype=float)[:3, :3]
     trace = float(np.trace(m))
     if trace > 0:
@@ -279,7 +279,7 @@ def quaternion_from_matrix(matrix: Any) -> Quaternion:
 
 
 def quaternion_multiply(quaternion1: Any, quaternion0: Any) -> Quaternion:
-    """Return the rotation `quaternion0`, then `quaternion1`."""
+    """Return the rotation that applies `quaternion0` and then `quaternion1`."""
     x1, y1, z1, w1 = np.asarray(quaternion1, dtype=float)
     x0, y0, z0, w0 = np.asarray(quaternion0, dtype=float)
     return np.array(
@@ -293,12 +293,12 @@ def quaternion_multiply(quaternion1: Any, quaternion0: Any) -> Quaternion:
 
 
 def quaternion_conjugate(quaternion: Any) -> Quaternion:
-    """Return a quaternion with its vector turned round."""
+    """Return a quaternion with x, y and z negated."""
     return np.asarray(quaternion, dtype=float) * [-1.0, -1.0, -1.0, 1.0]
 
 
 def quaternion_inverse(quaternion: Any) -> Quaternion:
-    """Return the rotation back."""
+    """Return the inverse rotation."""
     parts = np.asarray(quaternion, dtype=float)
     inverse: Quaternion = quaternion_conjugate(parts) / np.dot(parts, parts)
     return inverse
@@ -307,7 +307,7 @@ def quaternion_inverse(quaternion: Any) -> Quaternion:
 def quaternion_slerp(
     quat0: Any, quat1: Any, fraction: float, spin: int = 0, shortestpath: bool = True
 ) -> Quaternion:
-    """Return the rotation between two; `fraction` from 0 to 1, with `spin` full turns more."""
+    """Return the interpolated rotation; `fraction` from 0 to 1, with `spin` more full turns."""
     q0, q1 = unit_vector(quat0), unit_vector(quat1)
     cosine = float(np.dot(q0, q1))
     if shortestpath and cosine < 0:
@@ -324,12 +324,12 @@ def quaternion_slerp(
 
 
 def random_rotation_matrix(rand: Any = None) -> Matrix:
-    """Return a matrix that turns by random angles; `rand` are three numbers from 0 to 1."""
+    """Return a random rotation matrix; `rand` may give three numbers from 0 to 1."""
     return quaternion_matrix(random_quaternion(rand))
 
 
 def random_quaternion(rand: Any = None) -> Quaternion:
-    """Return a rotation, all equally likely; `rand` may give three numbers from 0 to 1."""
+    """Return a uniformly distributed rotation; `rand` may give three numbers from 0 to 1."""
     a, b, c = np.random.default_rng().random(3) if rand is None else np.asarray(rand, dtype=float)
     r1, r2 = math.sqrt(1 - a), math.sqrt(a)
     t1, t2 = 2 * math.pi * b, 2 * math.pi * c
@@ -338,12 +338,12 @@ def random_quaternion(rand: Any = None) -> Quaternion:
 
 
 def is_same_transform(matrix0: Any, matrix1: Any) -> bool:
-    """Return whether two matrices do the same."""
+    """Return whether two matrices are the same transform."""
     return bool(np.allclose(np.asarray(matrix0), np.asarray(matrix1)))
 
 
 def _axes(axes: str) -> tuple[int, int, int, int]:
     known = _AXES.get(axes.lower())
     if known is None:
-        raise KeyError(f"axes {axes!r} are none of {', '.join(_AXES)}")
+        raise KeyError(f"axes {axes!r} are unknown: use one of {', '.join(_AXES)}")
     return known

@@ -1,1 +1,1 @@
-"""Zenoh: sessions, the meeting point, queries of the admin space, the configuration."""
+"""Zenoh sessions, the meeting port, queries of the admin space, and the configuration."""

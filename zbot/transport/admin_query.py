@@ -1,8 +1,8 @@
-"""Questions to everybody, and room for all their answers.
+"""Queries to all sessions of a domain. Their queues are large enough for all replies.
 
-Zenoh stops a session, and all that uses it, while the queue of one query or of tokens is full. What
-it knows itself it answers before it returns from asking, when nobody reads yet: its own queues, of
-256 places, would stop a session for good where 30 nodes are.
+Zenoh stops a whole session while the queue of a query is full. It puts the replies that it knows
+itself into the queue before `get` returns, when no thread reads the queue yet. Zenoh's default
+queue for 256 replies would therefore stop a session for ever in a domain with 30 nodes.
 """
 
 from __future__ import annotations
@@ -14,24 +14,24 @@ import zenoh
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-# A class of thirty has 2,000 tokens. Places are not paid for before they are taken.
-_ROOM = 1_000_000
+# A class of thirty students has 2,000 tokens. A queue takes memory only for the replies in it.
+_QUEUE_LENGTH = 1_000_000
 
 
-def room() -> Any:
-    """Return a queue for Zenoh that nobody fills up."""
-    return zenoh.handlers.FifoChannel(_ROOM)
+def large_queue() -> Any:
+    """Return a queue for Zenoh that never gets full."""
+    return zenoh.handlers.FifoChannel(_QUEUE_LENGTH)
 
 
 def tokens(session: zenoh.Session, key: str, timeout_s: float) -> Iterator[str]:
-    """Ask at once for the liveliness tokens that match a key expression; yield their keys."""
-    replies = session.liveliness().get(key, room(), timeout=timeout_s)
+    """Query the liveliness tokens that match a key expression, and yield their keys."""
+    replies = session.liveliness().get(key, large_queue(), timeout=timeout_s)
     return (str(reply.ok.key_expr) for reply in replies if reply.ok is not None)
 
 
 def answers(session: zenoh.Session, key: str, timeout_s: float) -> Iterator[tuple[str, bytes]]:
-    """Ask at once for the values that match a key expression; yield their keys and payloads."""
-    replies = session.get(key, room(), timeout=timeout_s)
+    """Query the values that match a key expression, and yield their keys and payloads."""
+    replies = session.get(key, large_queue(), timeout=timeout_s)
     return (
         (str(reply.ok.key_expr), reply.ok.payload.to_bytes())
         for reply in replies
@@ -40,11 +40,13 @@ def answers(session: zenoh.Session, key: str, timeout_s: float) -> Iterator[tupl
 
 
 def sessions(session: zenoh.Session, router: str, timeout_s: float) -> dict[str, str]:
-    """Ask a router, or all (`*`), whom it is linked to; return `peer` or `client` by session id.
+    """Return the sessions that are linked to a router, or to all routers (`*`).
 
-    Never ask a router for its `subscriber`, `publisher`, `queryable` or `token`: Zenoh 1.10 holds a
-    lock while it answers that, takes it again for the answer, and stops for good if somebody
-    declares something in between (pull request 2619 of eclipse-zenoh/zenoh).
+    The result has `peer` or `client` for each session id.
+
+    Never query a router's `subscriber`, `publisher`, `queryable` or `token`. During such a query,
+    Zenoh 1.10 holds a lock, and takes it again for the reply. If a session declares something in
+    between, Zenoh blocks for ever (pull request 2619 of eclipse-zenoh/zenoh).
     """
     found: dict[str, str] = {}
     for _, facts in answers(session, f"@/{router}/router", timeout_s):
@@ -54,7 +56,7 @@ def sessions(session: zenoh.Session, router: str, timeout_s: float) -> dict[str,
 
 def _sessions_in(router_facts: bytes) -> dict[str, str]:
     """Return peers and clients by session id, from a router's admin space root (JSON)."""
-    import json  # noqa: PLC0415 - later than everything that somebody waits for
+    import json  # noqa: PLC0415 - not needed before a program's first message
 
     sessions = json.loads(router_facts).get("sessions", [])
     return {

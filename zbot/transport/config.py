@@ -1,4 +1,4 @@
-"""Where a program's settings come from: environment variables and the Zenoh configuration file."""
+"""Settings of a program: environment variables and the Zenoh configuration file."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ import zenoh
 from zbot.transport import membership
 from zbot.transport.errors import ConfigError, DiscoveryRangeError, DomainIdError, PortError
 
-MAX_DOMAIN_ID = 232  #: ROS 2's own limit, kept so that lesson sheets stay true
-MEETING_PORT = 7450  #: domain 0 meets here on 127.0.0.1, domain n on 7450 + n
-HUB_PORT = 7447  #: Zenoh's router port, where hubs listen
+MAX_DOMAIN_ID = 232  #: ROS 2's own limit, so that lesson sheets for ROS 2 are valid here
+MEETING_PORT = 7450  #: meeting port of domain 0 on 127.0.0.1 (of domain n: 7450 + n)
+HUB_PORT = 7447  #: Zenoh's router port, on which hubs listen
 
 _FILE_VARIABLES = ("ZBOT_CONFIG", "ZENOH_CONFIG")
 _DOMAIN_VARIABLES = ("ZBOT_DOMAIN_ID", "ROS_DOMAIN_ID")
@@ -24,11 +24,11 @@ _RANGE_VARIABLES = ("ZBOT_DISCOVERY_RANGE", "ROS_AUTOMATIC_DISCOVERY_RANGE")
 
 
 class DiscoveryRange(enum.Enum):
-    """How far a program looks for others."""
+    """Range in which a program looks for other programs."""
 
-    OFF = "OFF"  #: not at all
+    OFF = "OFF"  #: nowhere
     LOCALHOST = "LOCALHOST"  #: on this machine; the default
-    SUBNET = "SUBNET"  #: also by multicast on the network
+    SUBNET = "SUBNET"  #: on this machine, and by multicast on the network
 
 
 def _first_set(variables: tuple[str, ...]) -> tuple[str, str] | None:
@@ -36,10 +36,10 @@ def _first_set(variables: tuple[str, ...]) -> tuple[str, str] | None:
 
 
 def domain_id(given: int | None = None) -> int:
-    """Return the domain: `given`, `$ZBOT_DOMAIN_ID`, `$ROS_DOMAIN_ID`, the student's number or 0.
+    """Return the first of `given`, `$ZBOT_DOMAIN_ID`, `$ROS_DOMAIN_ID`, the student's number, 0.
 
     Raises:
-        DomainIdError: It is no integer from 0 to 232.
+        DomainIdError: The domain is not an integer from 0 to 232.
     """
     if given is not None:
         return _checked_domain("domain_id", given)
@@ -61,10 +61,10 @@ def _checked_domain(source: str, value: object) -> int:
 
 
 def hub_port() -> int:
-    """Return the port of this machine's own hub: `$ZBOT_HUB_PORT`, else 7447.
+    """Return the port of this machine's own hub: `$ZBOT_HUB_PORT`, or 7447 if it is not set.
 
     Raises:
-        PortError: The variable holds no port.
+        PortError: The variable does not hold a port.
     """
     text = os.environ.get("ZBOT_HUB_PORT") or str(HUB_PORT)
     if not (text.isascii() and text.isdigit() and 0 < int(text) <= _MAX_PORT):
@@ -73,7 +73,7 @@ def hub_port() -> int:
 
 
 def discovery_range() -> DiscoveryRange:
-    """Return the range of `$ZBOT_DISCOVERY_RANGE` or ROS 2's variable; LOCALHOST by default.
+    """Return the range in `$ZBOT_DISCOVERY_RANGE` or ROS 2's variable, by default LOCALHOST.
 
     Raises:
         DiscoveryRangeError: The variable holds another word.
@@ -88,47 +88,47 @@ def discovery_range() -> DiscoveryRange:
 
 
 class SessionConfig(NamedTuple):
-    """The text of a Zenoh configuration file, and where it came from."""
+    """The text of a Zenoh configuration file, and the file's name."""
 
     source: str
     text: str
 
     def build(self, fill: dict[str, Any], force: dict[str, Any] | None = None) -> zenoh.Config:
-        """Return a configuration: the file, then `fill` where it is silent, then `force` over all.
+        """Return a configuration. `force` overrides the file, and the file overrides `fill`.
 
         Args:
-            fill: Zenoh's configuration paths and values for what the file leaves out.
-            force: Paths and values that this kind of session cannot do without.
+            fill: Zenoh's configuration paths and values, for paths that the file does not set.
+            force: Paths and values that this kind of session needs. They replace the file's values.
 
         Raises:
-            ConfigError: The file is no valid Zenoh configuration.
+            ConfigError: The file is not a valid Zenoh configuration, or it sets `id`.
         """
         try:
             built: zenoh.Config = zenoh.Config.from_json5(self.text)
         except zenoh.ZError as exc:
             raise ConfigError(self.source, str(exc)) from exc
         if built.get_json("id") != "null":
-            reason = "remove `id`: every session of a program needs one of its own"
+            reason = "remove `id`: every session of a program needs a different one"
             raise ConfigError(self.source, reason)
-        silent = zenoh.Config()
+        default = zenoh.Config()
         for path, value in fill.items():
-            if built.get_json(path) == silent.get_json(path) and not self._mentions(path):
+            if built.get_json(path) == default.get_json(path) and not self._mentions(path):
                 built.insert_json5(path, json.dumps(value))
         for path, value in (force or {}).items():
             built.insert_json5(path, json.dumps(value))
         return built
 
     def _mentions(self, path: str) -> bool:
-        # adminspace is off by default, so a file that switches it off says what an empty one says.
+        # adminspace is off by default, so its value does not show whether the file switches it off.
         lines = (line.split("//")[0] for line in self.text.splitlines())
         return path.startswith("adminspace") and any("adminspace" in line for line in lines)
 
 
 def load() -> SessionConfig:
-    """Read the first configuration found: a variable, `./zenoh.json5`, the packaged one.
+    """Return the first configuration of: a variable's file, `./zenoh.json5`, the packaged file.
 
     Raises:
-        ConfigError: A file was named that cannot be read.
+        ConfigError: The file cannot be read.
     """
     found = _first_set(_FILE_VARIABLES)
     if found is not None:
@@ -146,12 +146,12 @@ def _read(path: Path) -> SessionConfig:
 
 def _packaged() -> SessionConfig:
     here = Path(__file__).parents[1]
-    # In a checkout the file stands beside the package, not inside it.
+    # In a checkout the file is beside the package, not inside it.
     candidates = (here.parent / "zenoh.json5", here / "zenoh.json5")
     shipped = candidates[0] if (here.parent / "pyproject.toml").is_file() else candidates[1]
     return SessionConfig("the packaged zenoh.json5", shipped.read_text(encoding="utf-8"))
 
 
 def port_of(locator: str) -> str:
-    """Return the port of a Zenoh endpoint or locator, `7447` of `tcp/[::1]:7447?rel=1#iface=lo`."""
+    """Return the port of a Zenoh endpoint or locator: 7447 for `tcp/[::1]:7447?rel=1#iface=lo`."""
     return locator.split("?", 1)[0].split("#", 1)[0].rpartition(":")[2]

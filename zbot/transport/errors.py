@@ -1,4 +1,4 @@
-"""Errors of settings and of Zenoh sessions."""
+"""Errors of settings and of Zenoh sessions that a program's user can cause."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from zbot.errors import SetupError
 
 
 class DomainIdError(SetupError, ValueError, RuntimeError):
-    """A domain id is no integer in range."""
+    """A domain id is not an integer from 0 to the maximum."""
 
     def __init__(self, source: str, value: object, maximum: int) -> None:
         self.source, self.value, self.maximum = source, value, maximum
@@ -17,7 +17,7 @@ class DomainIdError(SetupError, ValueError, RuntimeError):
 
 
 class DiscoveryRangeError(SetupError, ValueError):
-    """A discovery range variable holds an unknown word."""
+    """A variable for the discovery range has an unknown value."""
 
     def __init__(self, source: str, value: str) -> None:
         self.source, self.value = source, value
@@ -25,7 +25,7 @@ class DiscoveryRangeError(SetupError, ValueError):
 
 
 class PortError(SetupError, ValueError):
-    """A variable that should hold a TCP port holds something else."""
+    """A variable for a TCP port has a value that is not a port."""
 
     def __init__(self, source: str, value: str) -> None:
         self.source, self.value = source, value
@@ -33,13 +33,11 @@ class PortError(SetupError, ValueError):
 
 
 class ConfigError(SetupError, ValueError):
-    """A Zenoh configuration file cannot be read or understood."""
+    """A Zenoh configuration file cannot be read, or is not valid."""
 
     def __init__(self, source: str, reason: str) -> None:
         self.source, self.reason = source, reason
-        # Zenoh adds the place in its own source code, which helps nobody here.
-        told = " ".join(reason.split(" at /", maxsplit=1)[0].split())
-        super().__init__(f"cannot use the Zenoh configuration {source}: {told}")
+        super().__init__(f"cannot use the Zenoh configuration {source}: {_first_part(reason)}")
 
 
 class SessionError(SetupError, OSError):
@@ -47,6 +45,9 @@ class SessionError(SetupError, OSError):
 
     def __init__(self, what: str, reason: str) -> None:
         self.what, self.reason = what, reason
-        super().__init__(
-            f"cannot open {what}: {' '.join(reason.split(' at /', maxsplit=1)[0].split())}"
-        )
+        super().__init__(f"cannot open {what}: {_first_part(reason)}")
+
+
+def _first_part(reason: str) -> str:
+    """Return Zenoh's error text without the place in Zenoh's source code that follows it."""
+    return " ".join(reason.split(" at /", maxsplit=1)[0].split())

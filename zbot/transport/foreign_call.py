@@ -1,7 +1,9 @@
-"""Functions in which a Ctrl-C has to wait: its exception would be lost, or leave locks taken.
+"""Functions that a signal's exception must not interrupt. The signal waits until they return.
 
-What Zenoh calls runs in its own threads, but for a service of one's own process in the caller's,
-which may be the main one: no exception may leave it, for Rust would drop that.
+The exception would be lost, or the function would not release its locks. Zenoh calls Python
+functions in its own threads. If a client and its service are in one process, it calls the service
+in the client's thread, which may be the main thread. Zenoh's Rust code loses exceptions of these
+functions.
 """
 
 from __future__ import annotations
@@ -17,56 +19,60 @@ FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 ResultT = TypeVar("ResultT")
 
 _IMPORTS = "<frozen importlib._bootstrap>"
-_codes: set[CodeType] = set()
+_deferring: set[CodeType] = set()
 _known = threading.local()
 
 
-def uninterrupted(function: FunctionT) -> FunctionT:
-    """Mark a function that a signal's exception must not leave half done."""
-    _codes.add(function.__code__)
+def defers_signals(function: FunctionT) -> FunctionT:
+    """Mark a function that a signal's exception must not interrupt."""
+    _deferring.add(function.__code__)
     return function
 
 
 def called_by_zenoh(function: FunctionT) -> FunctionT:
     """Mark a function that Zenoh calls."""
-    return uninterrupted(function)
+    return defers_signals(function)
 
 
-@uninterrupted
-def in_one_go(function: Callable[..., ResultT], *arguments: Any, **options: Any) -> ResultT:
-    """Call a function that starts a thread: one of ours, or of Zenoh's for what it is to call.
+@defers_signals
+def without_interruption(
+    function: Callable[..., ResultT], *arguments: Any, **options: Any
+) -> ResultT:
+    """Call a function that starts a thread. A signal's exception waits until the function returns.
 
-    A signal's exception would leave that thread half started: nobody could wait for its end any
-    more, and Python's end, which destroys it, makes Zenoh abort the process.
+    An exception would leave the thread half started. Then no other thread could wait for its end,
+    and Zenoh would abort the process when Python destroys the thread at the exit.
     """
     return function(*arguments, **options)
 
 
-def is_uninterrupted(frame: FrameType | None) -> bool:
-    """Return whether a frame is inside of a marked function, or of Python's own for imports.
+def is_deferring_signals(frame: FrameType | None) -> bool:
+    """Return whether a frame is inside a marked function or is a function of Python's import.
 
-    The latter would leave the lock of all imports taken. What a module itself does is not meant.
+    After an exception, an import function would not release the import lock. The code of an
+    imported module may be interrupted.
     """
     if frame is not None and frame.f_code.co_filename == _IMPORTS:
         return True
     while frame is not None:
-        if frame.f_code in _codes:
+        if frame.f_code in _deferring:
             return True
         frame = frame.f_back
     return False
 
 
 def keep_thread_state() -> None:
-    """Let Python remember the calling thread of Zenoh's until the process ends.
+    """Let Python keep its state of the calling Zenoh thread until the process ends.
 
-    A foreign thread is a new one to Python at each call, and gets memory for its frames from the
-    kernel, which takes it 20 us. Zenoh's threads are few and live as long as the process, so they
-    enter once more than they leave. Does nothing where Python is not CPython.
+    Without this, Python creates a new state at each call from Zenoh. This takes 20 us, because the
+    memory comes from the kernel. Zenoh has few threads, and they exist as long as the process. So
+    it is enough to call `PyGILState_Ensure` once without a release. If Python is not CPython, the
+    function does nothing.
     """
     if getattr(_known, "is_kept", False):
         return
     _known.is_kept = True
-    import ctypes  # noqa: PLC0415 - 3 ms, which a program without service calls does not need
+    import ctypes  # noqa: PLC0415 - takes 3 ms; only service calls need it
 
     enter = getattr(getattr(ctypes, "pythonapi", None), "PyGILState_Ensure", None)
     if enter is not None:

@@ -1,4 +1,4 @@
-"""rclpy's `handle`: what a program holds in a `with` block while it uses an object's inner part."""
+"""Handle of an entity. rclpy programs use it in a `with` block and give it to a `WaitSet`."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ EntityT_co = TypeVar("EntityT_co", covariant=True)
 
 
 class Handle(Generic[EntityT_co]):
-    """A reference to one of zbot's objects that can be given to a `WaitSet`.
+    """A reference to an entity of zbot. A `WaitSet` takes such references.
 
     Args:
-        entity: The object.
+        entity: The entity.
     """
 
     def __init__(self, entity: EntityT_co) -> None:
@@ -26,16 +26,16 @@ class Handle(Generic[EntityT_co]):
 
     @property
     def entity(self) -> EntityT_co:
-        """The object."""
+        """The entity."""
         return self._entity
 
     @property
     def pointer(self) -> int:
-        """A number that no other living object has."""
+        """A number that no other living entity has."""
         return id(self.entity)
 
     def destroy_when_not_in_use(self) -> None:
-        """Destroy the object."""
+        """Destroy the entity."""
         entity: Any = self.entity
         entity.destroy()
 
@@ -50,7 +50,7 @@ class Handle(Generic[EntityT_co]):
         exc_val: BaseException | None,
         exc_tb: TracebackType | None,
     ) -> None:
-        """Leave the object as it is."""
+        """Do nothing."""
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Handle) and other.entity is self.entity

@@ -1,7 +1,8 @@
-"""Which class or partner this machine has joined: a small file that every program reads.
+"""Membership file: it says which class, or which hub of another machine, this machine has joined.
 
-`zbot join`, `zbot leave` and `zbot class` write it. It says which domain is this machine's own and
-with which name and secret its sessions speak to each other and to its hub.
+`zbot join`, `zbot leave` and `zbot class` write the file, and every program reads it. It contains
+this machine's domain, user name and secret. Its sessions use the name and the secret to log in to
+each other and to the hub.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ Role = Literal["teacher", "student", "partner"]
 
 
 class MembershipError(SetupError, ValueError):
-    """The file that says what this machine has joined cannot be understood."""
+    """The membership file cannot be read, or is damaged."""
 
     def __init__(self, path: Path, reason: str) -> None:
         self.path, self.reason = path, reason
@@ -34,31 +35,31 @@ class MembershipError(SetupError, ValueError):
 
 @dataclass(frozen=True)
 class Membership:
-    """What this machine has joined."""
+    """The class or hub that this machine has joined."""
 
-    role: Role  #: `partner` joined a plain hub, without a class
-    host: str  #: where the hub that it joined is; the teacher's own address
+    role: Role  #: `partner` means that the machine joined a hub without a class
+    host: str  #: address of the joined hub, or this machine's own address if it is the teacher's
     port: int
     class_name: str = ""
-    number: int = 0  #: the student's number, which is this machine's domain; 0 otherwise
-    name: str = ""  #: of the student
-    user: str = ""  #: with which sessions introduce themselves; empty where nobody asks
+    number: int = 0  #: the student's number, which is this machine's domain (0 if there is none)
+    name: str = ""  #: the student's name
+    user: str = ""  #: the user name that sessions log in with, empty if they need no user name
     secret: str = field(default="", repr=False)
-    claim: str = ""  #: tells this claim of the number from others
-    hub_id: str = ""  #: the Zenoh id that a class knows this machine's hub by
-    keystore: str = ""  #: folder of this machine's certificate, where hubs use them
+    claim: str = ""  #: identifies this machine's request for the number
+    hub_id: str = ""  #: the Zenoh id of this machine's hub, as the class knows it
+    keystore: str = ""  #: folder of this machine's certificate, if the hubs use certificates
 
     @property
     def in_class(self) -> bool:
-        """Whether there is a class, with numbers and a shared space."""
+        """Whether the machine is in a class, which has numbers and a shared space."""
         return self.role != "partner"
 
 
 def folder() -> Path:
-    """Return the folder for the user's own settings; it need not exist yet.
+    """Return the folder for the user's own settings. The folder may not exist yet.
 
-    `$XDG_CONFIG_HOME/zbot` where that is set, else what the system uses: `~/.config/zbot`,
-    `~/Library/Application Support/zbot` on macOS, `%APPDATA%/zbot` on Windows.
+    It is `$XDG_CONFIG_HOME/zbot` if that variable is set. Otherwise it is `~/.config/zbot`, or on
+    macOS `~/Library/Application Support/zbot`, or on Windows `%APPDATA%/zbot`.
     """
     base = os.environ.get("XDG_CONFIG_HOME")
     if base:
@@ -71,7 +72,7 @@ def folder() -> Path:
 
 
 def load() -> Membership | None:
-    """Return what this machine has joined; `None` if nothing.
+    """Return this machine's membership, or `None` if it has not joined a class or hub.
 
     Raises:
         MembershipError: The file is damaged.
@@ -96,13 +97,13 @@ def _parsed(path: Path, text: str) -> Membership:
 
 
 def save(membership: Membership, users: Iterable[tuple[str, str]] = ()) -> None:
-    """Write what this machine has joined, for its user's eyes only.
+    """Write this machine's membership to files that only its user can read.
 
     Args:
-        membership: What.
-        users: Whom its sessions let in, with their secrets; where they introduce themselves.
+        membership: The membership.
+        users: Names and secrets of the users that may log in to this machine's sessions.
     """
-    from zbot.security.secret import make_private_folder, write_private  # noqa: PLC0415 - seldom
+    from zbot.security.secret import make_private_folder, write_private  # noqa: PLC0415 - rare
 
     make_private_folder(folder())
     if membership.user:
@@ -111,23 +112,24 @@ def save(membership: Membership, users: Iterable[tuple[str, str]] = ()) -> None:
 
 
 def save_users(users: Iterable[tuple[str, str]]) -> None:
-    """Write whom this machine's sessions let in from now on; Zenoh reads it when one opens."""
-    from zbot.security.secret import write_private  # noqa: PLC0415 - seldom
+    """Write the users that may log in to sessions that are opened from now on."""
+    from zbot.security.secret import write_private  # noqa: PLC0415 - rarely needed
 
     lines = "".join(f"{user}:{secret}\n" for user, secret in users)
     write_private(folder() / USERS_FILE, lines.encode())
 
 
 def forget() -> None:
-    """Remove what was written; nothing happens if there is nothing."""
+    """Remove the membership files. Do nothing if there are no files."""
     for name in (FILE, USERS_FILE):
         (folder() / name).unlink(missing_ok=True)
 
 
 def session_settings(membership: Membership | None) -> dict[str, Any]:
-    """Return what Zenoh needs to know for a session of this machine to be let in by the others.
+    """Return the Zenoh settings that a session of this machine needs to log in to other sessions.
 
-    A session that introduces itself refuses whoever does not, so all of a machine's must.
+    A session with a user name refuses sessions without a user name. So all sessions of a machine
+    need these settings.
     """
     if membership is None or not membership.user:
         return {}

@@ -1,8 +1,8 @@
-"""What a session does so that its domain stays whole: it minds the meeting port, and who is linked.
+"""Peering of a session: keeps the meeting port open and the session linked to all peers.
 
-The meeting router introduces the domain's peers to each other, once. Zenoh dials once, too: where
-both sides of an introduction are too busy to answer the other's call in time, as on a laptop that
-starts twenty programs, they would not hear each other for as long as they live.
+The meeting router introduces the peers of a domain to each other once, and then Zenoh dials once.
+The two peers may be too busy to answer in time, for example on a laptop that starts twenty
+programs. Without this module, they would never be linked then.
 """
 
 from __future__ import annotations
@@ -18,38 +18,40 @@ import zenoh
 
 from zbot.transport import admin_query
 from zbot.transport.errors import SessionError
-from zbot.transport.foreign_call import in_one_go
+from zbot.transport.foreign_call import without_interruption
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from zbot.transport.session import MeetingPoint
 
-# Links are listed, and listed no more, a moment after their event.
+# Zenoh's lists of links change a short time after the event of a link.
 _LINK_PAUSE_S = 0.005
 _LISTING_TIMEOUT_S = 0.1
 _LONGEST_PAUSE_S = 1.0
-# So long no link has come or gone when a session looks for those whom it never met. It has each of
-# them introduced so often, at intervals that double; one that is dead is listed for 10 s.
-_QUIET_S = 1.0
-_TRIES = 5
-_INTRODUCTION_S = 2.0  # 50 ms are usual
+# If its links have not changed for this time, a session looks for peers without a link to it.
+_CHECK_DELAY_S = 1.0
+# A session introduces each of these peers at most this often. The time between two introductions
+# doubles. The router lists a dead peer for 10 s.
+_MAX_INTRODUCTIONS = 5
+_INTRODUCTION_TIMEOUT_S = 2.0  # an introduction usually takes 50 ms
 _INTRODUCTION_PAUSE_S = 0.02
-_END_S = 2.0  # the thread ends within a millisecond of its session
+_JOIN_TIMEOUT_S = 2.0  # the thread ends within a millisecond after its session
 
 
 class Peering:
-    """Keeps the meeting port open, and the session linked to all others, for as long as it lives.
+    """Keeps the meeting port open, and a session linked to all peers, until the session is closed.
 
-    One thread waits, without polling, for links to come and go. When the router's link goes, it
-    tries to take the port, and exactly one of the domain's processes succeeds. Once all is quiet
-    after that, it looks whether the router knows somebody whom its session does not, and sends for
-    an introducer then.
+    One thread waits, without polling, for links to appear and disappear. When the link to the
+    router disappears, the thread tries to open a router on the port, and exactly one of the
+    domain's processes succeeds. When the links have not changed for a time, the thread asks the
+    router for its peers. If the session is not linked to one of them, the thread opens an
+    introducer session.
 
     Args:
-        session: The session that is looked after.
-        meeting: Where its domain meets.
-        receiver: Makes a function into what Zenoh calls until the session is closed.
+        session: The session.
+        meeting: The meeting point of the session's domain.
+        receiver: Turns a function into a callback that Zenoh calls until the session is closed.
     """
 
     def __init__(
@@ -62,17 +64,17 @@ class Peering:
         self._meeting = meeting
         self._changed = threading.Condition()
         self._events: queue.SimpleQueue[Any] = queue.SimpleQueue()  # `None` ends the thread
-        self._tries: Counter[str] = Counter()
+        self._introductions: Counter[str] = Counter()  # by session id
         self._closing = threading.Event()
         listen = session.info.declare_transport_events_listener
-        in_one_go(listen, receiver(self._on_event), history=True)
-        # Not all look at the same time, because one introducer serves everybody.
-        self._share = int(self._own()[:4], 16) / 0x10000
+        without_interruption(listen, receiver(self._on_event), history=True)
+        # The delay is different for each session, because one introducer is enough for all.
+        self._extra_delay = int(self._own()[:4], 16) / 0x10000
         self._thread = threading.Thread(target=self._run, name="zbot meeting", daemon=True)
 
     def start(self) -> None:
-        """Begin to watch."""
-        in_one_go(self._thread.start)
+        """Start the thread."""
+        without_interruption(self._thread.start)
 
     def _on_event(self, event: Any) -> None:
         self._events.put(event)
@@ -85,26 +87,26 @@ class Peering:
             try:
                 event = self._events.get(timeout=timeout_s)
             except queue.Empty:
-                pause_s = self._meet_strangers()
+                pause_s = self._introduce_unlinked()
             else:
                 if event is None:
                     return
                 if event.kind == zenoh.SampleKind.DELETE:
                     self._replace_router(str(event.transport.zid))
-                pause_s = _QUIET_S
-            timeout_s = None if pause_s is None else pause_s * (1 + self._share)
+                pause_s = _CHECK_DELAY_S
+            timeout_s = None if pause_s is None else pause_s * (1 + self._extra_delay)
 
     def _replace_router(self, gone: str) -> None:
         self._wait(lambda: gone not in self._routers(), _LISTING_TIMEOUT_S)
-        # A process that is killed loses its links a moment before its port, and whoever takes the
-        # port before us needs a moment to be linked.
+        # A killed process loses its links a short time before its port. And after another process
+        # has taken the port, it needs a short time until it is linked.
         pause_s = _LINK_PAUSE_S
-        while not (self._session.is_closed() or self._routers() or self._meeting.hold()):
+        while not (self._session.is_closed() or self._routers() or self._meeting.open_router()):
             if self._closing.wait(pause_s):
                 return
             pause_s = min(2 * pause_s, _LONGEST_PAUSE_S)
 
-    # -- who is there --------------------------------------------------------------------------
+    # -- links ---------------------------------------------------------------------------------
 
     def _own(self) -> str:
         return str(self._session.info.zid())
@@ -115,39 +117,40 @@ class Peering:
     def _peers(self) -> set[str]:
         return {str(zid) for zid in self._session.info.peers_zid()}
 
-    def wait_linked(self, timeout_s: float) -> bool:
-        """Wait until the session has a link to a router; `False` if none came in time."""
+    def wait_for_router(self, timeout_s: float) -> bool:
+        """Wait until the session is linked to a router. Return `False` if the time is over."""
         return self._wait(lambda: bool(self._routers()), timeout_s)
 
-    def wait_settled(self, timeout_s: float) -> bool:
+    def wait_for_answers(self, timeout_s: float) -> bool:
         """Wait until every session that the meeting router knows has answered a query.
 
-        The answer comes behind what its sender declared before, so from then on a message that is
-        published reaches the subscribers that it had. Takes 5 to 30 ms after a session was opened.
+        An answer arrives after all declarations that its sender made before. From then on, a
+        published message reaches the subscribers that these sessions had. This takes 5 to 30 ms
+        after a session was opened.
         """
         deadline = time.monotonic() + timeout_s
-        if not self.wait_linked(timeout_s):
+        if not self.wait_for_router(timeout_s):
             return False
-        met = {self._own()}
-        missing = self._at_router(deadline) - met
+        answered = {self._own()}
+        missing = self._at_router(deadline) - answered
         while missing:
             left = deadline - time.monotonic()
             if left <= 0:
                 return False
-            met |= {
+            answered |= {
                 key.split("/")[1] for key, _ in admin_query.answers(self._session, "@/*/*", left)
             }
-            if missing <= met:
+            if missing <= answered:
                 break
             with self._changed:
                 self._changed.wait(_LINK_PAUSE_S)
-            missing = self._at_router(deadline) - met  # somebody may have gone
+            missing = self._at_router(deadline) - answered  # sessions may have ended
         return True
 
     def _at_router(self, deadline: float) -> set[str]:
-        """Return the sessions that the meeting router lists.
+        """Return the ids of the sessions that the meeting router lists.
 
-        It lists this one, too, as soon as it answers at all: what it says before is no answer.
+        A list that does not contain this session is too old and is ignored.
         """
         while True:
             found = self._listed(max(0.0, deadline - time.monotonic()))
@@ -157,7 +160,7 @@ class Peering:
                 self._changed.wait(_LINK_PAUSE_S)
 
     def _listed(self, timeout_s: float) -> dict[str, str]:
-        """Return what the router knows: peers and clients, by session id."""
+        """Return the sessions that the router lists: `peer` or `client` for each session id."""
         found: dict[str, str] = {}
         for router in self._routers():
             found |= admin_query.sessions(self._session, router, timeout_s)
@@ -165,30 +168,32 @@ class Peering:
 
     # -- introductions -------------------------------------------------------------------------
 
-    def _meet_strangers(self) -> float | None:
-        """Have those introduced whom its session never met; return when to look again, if ever."""
-        # An error: the session was closed, or the router has just gone, which is an event.
+    def _introduce_unlinked(self) -> float | None:
+        """Introduce the peers that are not linked. Return the seconds until the next check."""
+        # If an error occurs, the session was closed or the router has ended. The end of the router
+        # causes another event.
         with contextlib.suppress(zenoh.ZError, SessionError):
-            # A program with a configuration of its own may be out of everybody's reach.
-            strangers = [one for one in self._strangers() if self._tries[one] < _TRIES]
-            if strangers:
-                self._tries.update(strangers)
-                self._call_introducer()
-                return _QUIET_S * (1 << min(self._tries[one] for one in strangers))
+            # There is a maximum, because a program with its own configuration may be unreachable.
+            counts = self._introductions
+            unlinked = [zid for zid in self._unlinked() if counts[zid] < _MAX_INTRODUCTIONS]
+            if unlinked:
+                counts.update(unlinked)
+                self._introduce()
+                return _CHECK_DELAY_S * (1 << min(counts[zid] for zid in unlinked))
         return None
 
-    def _strangers(self) -> set[str]:
-        """Return the peers that the router knows and this one is not linked to."""
+    def _unlinked(self) -> set[str]:
+        """Return the listed peers that this session is not linked to."""
         known = self._listed(_LISTING_TIMEOUT_S)
         if known.get(self._own()) != "peer":
-            return set()  # a client is linked to the router alone
+            return set()  # a client is linked to the router only
         peers = {zid for zid, kind in known.items() if kind == "peer"}
         return peers - self._peers() - {self._own()}
 
-    def _call_introducer(self) -> None:
-        deadline = time.monotonic() + _INTRODUCTION_S
+    def _introduce(self) -> None:
+        deadline = time.monotonic() + _INTRODUCTION_TIMEOUT_S
         with self._meeting.open_introducer():
-            while self._strangers() and time.monotonic() < deadline:
+            while self._unlinked() and time.monotonic() < deadline:
                 if self._closing.wait(_INTRODUCTION_PAUSE_S):
                     return
 
@@ -203,11 +208,11 @@ class Peering:
         return True
 
     def join(self) -> None:
-        """Wait for the thread to end; call it after the session was closed."""
+        """Wait for the thread to end. Call this after the session was closed."""
         self._closing.set()
         self._events.put(None)
         with self._changed:
             self._changed.notify_all()
-        # One whose start was interrupted by a signal has no ident.
+        # A thread without an ident was not started, because a signal interrupted its start.
         if self._thread is not threading.current_thread() and self._thread.ident is not None:
-            self._thread.join(_END_S)
+            self._thread.join(_JOIN_TIMEOUT_S)

@@ -1,9 +1,9 @@
-"""Zenoh sessions, and the meeting point through which those of one domain find each other.
+"""Zenoh sessions, and the meeting point where the sessions of one domain find each other.
 
-Every node's session is a Zenoh peer on loopback. It connects to the domain's meeting port, where a
-small router lives inside whichever process got the port first; that router introduces the peers to
-each other and serves the command line's clients. When its process ends, another takes the port.
-This module is the only place that calls `zenoh.open()`.
+A node's session is a Zenoh peer on loopback. It connects to the domain's meeting port. The first
+process on that port runs a small router, which introduces the peers to each other and serves the
+clients of the command line. When that process ends, another one opens the port.
+Only this module calls `zenoh.open()`.
 """
 
 from __future__ import annotations
@@ -24,16 +24,17 @@ from zbot.transport.errors import SessionError
 
 LOOPBACK = "127.0.0.1"
 _TAKEN_TIMEOUT_S = 0.1
-_LINK_PAUSE_S = 0.005  # links are listed a moment after they came
-_FOUND_PAUSE_S = 0.25  # machines answer multicast at about the same time, then tell their tokens
+_LINK_PAUSE_S = 0.005  # Zenoh lists a link a short time after it was opened
+_FOUND_PAUSE_S = 0.25  # machines answer multicast at about the same time, then send their tokens
 _OPEN_TIMEOUT_MS = 500
-# How long `DROP` waits for room. Small batches are soon full where a busy machine does not let the
-# sending thread run: of bursts of 300 messages of 3 kB beside six busy processes 14 to 37 % were
-# lost with Zenoh's own 1000 us, none with these beside ten.
-_BURST_US = 20_000
+# Time that a put with `DROP` waits for space in the queue. The queue is soon full if a busy machine
+# does not run the sending thread. Measured with bursts of 300 messages of 3 kB: Zenoh's default of
+# 1000 us lost 14 to 37 % beside six busy processes. This value lost no message beside ten.
+_DROP_WAIT_US = 20_000
 _NO_FILE = SessionConfig("the configuration between hubs", "{}")
 _RETRY = {"period_init_ms": 20, "period_max_ms": 500, "period_increase_factor": 2}
-# Most machines never have a hub: each try wakes an idle node three times.
+# The router tries less often, because most machines have no hub, and each try wakes an idle node
+# three times.
 _RETRY_HUB = _RETRY | {"period_max_ms": 2000}
 
 
@@ -47,9 +48,9 @@ def _open(what: str, config: zenoh.Config) -> zenoh.Session:
 
 
 def process_facts(version: str) -> dict[str, Any]:
-    """Return what a session tells of its process in the admin space (docs/wire.md)."""
+    """Return the facts about this process, for a session's admin space (see docs/wire.md)."""
     command = " ".join([Path(sys.argv[0]).name, *sys.argv[1:]]) if sys.argv else ""
-    # Python hides bytes that are no UTF-8 in surrogates, which Zenoh's JSON refuses.
+    # Python represents bytes that are not UTF-8 by surrogates. Zenoh's JSON parser refuses them.
     command = command.encode(errors="replace").decode()
     return {
         "zbot": {
@@ -70,13 +71,14 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
         "connect/timeout_ms": -1,
         "connect/exit_on_failure": False,
         "connect/retry": _RETRY,
-        # close() waits as long for a partner that accepts and never answers; others take 5 ms.
+        # close() waits this long for a program that accepts a link and never answers. Other
+        # programs take 5 ms.
         "transport/unicast/open_timeout": _OPEN_TIMEOUT_MS,
-        # A blocked reader may stop the world for this long before its link is given up
-        # (microseconds).
+        # Microseconds that a put may wait for a blocked reader before the reader's link is closed.
         "transport/link/tx/queue/congestion_control/block/wait_before_close": 60_000_000,
-        # Zenoh takes 16 MB of memory for a session's first message that is shared. Answers from the
-        # admin space are large enough where twelve nodes are: forty of them took 700 MB.
+        # Only puts use shared memory. Zenoh takes 16 MB for a session's first message in shared
+        # memory. Admin space replies of twelve nodes are large enough to use it, and forty nodes
+        # took 700 MB.
         "transport/shared_memory/transport_optimization/messages": ["put"],
         **membership.session_settings(membership.load()),
     }
@@ -89,12 +91,12 @@ def open_hub(
 
     Args:
         listen: Zenoh endpoints that must be free.
-        connect: Those that are dialled, again and again while they do not answer.
-        settings: Zenoh's configuration paths and values beyond those that every session has.
+        connect: Zenoh endpoints to connect to. The hub retries while they do not answer.
+        settings: Zenoh's configuration paths and values. They are added to every session's values.
         facts: See `process_facts`.
 
     Raises:
-        SessionError: An endpoint to listen on is taken, or a setting makes no sense.
+        SessionError: An endpoint to listen on is in use, or a setting is not valid.
     """
     force = {
         "mode": "router",
@@ -109,21 +111,21 @@ def open_hub(
 
 
 def hub_endpoint() -> str:
-    """Return where this machine's hub listens, if it has one."""
+    """Return the Zenoh endpoint on which a hub of this machine listens."""
     return f"tcp/{LOOPBACK}:{hub_port()}"
 
 
 def open_hub_client(
     endpoint: str | None = None, more: dict[str, Any] | None = None
 ) -> zenoh.Session | None:
-    """Open a session that sees what a hub sees.
+    """Open a client session of a hub.
 
     Args:
-        endpoint: The hub's; this machine's if left out.
-        more: Zenoh's configuration paths and values, such as another user than this machine's.
+        endpoint: The hub's endpoint. If left out, this machine's hub is used.
+        more: Zenoh's configuration paths and values, such as a user that is not this machine's.
 
     Returns:
-        `None` if there is none, or it does not let this machine in.
+        The session, or `None` if there is no hub or the hub refuses this machine.
     """
     settings = {
         "mode": "client",
@@ -140,12 +142,12 @@ def open_hub_client(
 
 
 class MeetingPoint:
-    """One domain's meeting port on this machine: the way in, and the duty to keep it open.
+    """Meeting port of one domain on this machine, and the sessions that use it.
 
     Args:
-        config: The configuration that every session starts from.
+        config: The configuration on which the configuration of every session is based.
         domain: 0 to 232.
-        reach: OFF opens no port and looks for nobody.
+        reach: With OFF, no port is opened and no other program is found.
         facts: See `process_facts`.
     """
 
@@ -156,7 +158,7 @@ class MeetingPoint:
         self._reach = reach
         self._facts = facts
         self.port = MEETING_PORT + domain
-        self.shares_memory = False  #: whether the peer's large messages may go that way
+        self.shares_memory = False  #: whether the peer may use shared memory for large messages
         self._router: zenoh.Session | None = None
         self._lock = threading.Lock()
         self._closed = False
@@ -172,11 +174,11 @@ class MeetingPoint:
             "scouting/multicast/autoconnect": {"router": ["router"], "peer": ["router", "peer"]},
         }
 
-    def hold(self) -> bool:
-        """Open the router behind the port if nobody has; the bind decides who wins.
+    def open_router(self) -> bool:
+        """Open the router on the meeting port if no other process has the port.
 
         Returns:
-            Whether this process holds the port now.
+            Whether this process has the router now.
         """
         if self._reach is DiscoveryRange.OFF:
             return False
@@ -184,7 +186,7 @@ class MeetingPoint:
             if self._closed or self._router is not None:
                 return self._router is not None
             if self._is_taken():
-                return False  # which an attempt would tell, too, for some megabytes and 5 ms
+                return False  # to try it takes 5 ms and some megabytes
             listen = [self.endpoint]
             if self.reaches_out:
                 listen.append("tcp/[::]:0")
@@ -202,35 +204,35 @@ class MeetingPoint:
                     "the meeting router", self._config.build(_common(self._facts), force)
                 )
             except SessionError:
-                return False  # taken just now: by another process of the domain, or by a stranger
+                return False  # another process has just taken the port
             return True
 
     def _is_taken(self) -> bool:
-        # `create_connection` loads what spells the names of foreign hosts, for 3 ms.
-        with socket.socket() as knock:
-            knock.settimeout(_TAKEN_TIMEOUT_S)
+        # `create_connection` takes 3 ms more, because it imports the codec for international names.
+        with socket.socket() as connection:
+            connection.settimeout(_TAKEN_TIMEOUT_S)
             try:
-                knock.connect((LOOPBACK, self.port))
+                connection.connect((LOOPBACK, self.port))
             except TimeoutError:
-                return True  # its holder is too busy to answer
+                return True  # the process on the port is too busy to answer
             except OSError:
                 return False
         return True
 
     @property
     def router(self) -> zenoh.Session | None:
-        """The session that the domain's others meet at, if this process holds the port."""
+        """The router session of the domain, if this process has it."""
         return self._router
 
     @property
     def reaches_out(self) -> bool:
-        """Whether others are looked for on the network too."""
+        """Whether the domain's programs search for other machines by multicast."""
         return self._reach is DiscoveryRange.SUBNET
 
-    def wait_found(self, timeout_s: float) -> None:
-        """Wait until our router, if it reaches out, has found those of other machines.
+    def wait_for_routers(self, timeout_s: float) -> None:
+        """Wait until this process's router has found the routers of other machines by multicast.
 
-        Returns a moment after the last one was found, or when the time is over.
+        The call ends 0.25 s after it found the last router, or when the time is over.
         """
         deadline, found = time.monotonic() + timeout_s, 0
         while self.reaches_out and self._router is not None and time.monotonic() < deadline:
@@ -240,16 +242,16 @@ class MeetingPoint:
             time.sleep(_LINK_PAUSE_S)
 
     def open_peer(self) -> zenoh.Session:
-        """Open a node process's session.
+        """Open the session of a process with nodes.
 
         Raises:
-            SessionError: Zenoh refused, usually because of the configuration file.
+            SessionError: Zenoh cannot open the session, usually because of the configuration file.
         """
         fill = {
             "mode": "peer",
             "listen/endpoints": ["tcp/[::]:0"] if self.reaches_out else [f"tcp/{LOOPBACK}:0"],
             "connect/endpoints": [self.endpoint],
-            "transport/link/tx/queue/congestion_control/drop/wait_before_drop": _BURST_US,
+            "transport/link/tx/queue/congestion_control/drop/wait_before_drop": _DROP_WAIT_US,
             **_common(self._facts),
             **self._multicast(),
         }
@@ -260,10 +262,10 @@ class MeetingPoint:
         return _open("a Zenoh session", built)
 
     def open_introducer(self) -> zenoh.Session:
-        """Open a peer without a node: whoever it is linked to hears from it of the others.
+        """Open a peer without a node. Peers link to it, and it introduces them to each other.
 
         Raises:
-            SessionError: Zenoh refused.
+            SessionError: Zenoh cannot open the session.
         """
         force = {
             "mode": "peer",
@@ -274,16 +276,16 @@ class MeetingPoint:
         return _open("a Zenoh session", self._config.build(_common({}), force))
 
     def open_client(self) -> zenoh.Session | None:
-        """Open a session that sees the domain through its router, else through the machine's hub.
+        """Open a client session of the domain's router. Without a router, use this machine's hub.
 
         Returns:
-            `None` if nobody is there.
+            The session, or `None` if there is neither router nor hub.
         """
         if self._reach is DiscoveryRange.OFF:
             return None
         fill = {
             "mode": "client",
-            # The hub knows the nodes of other machines where there are none here.
+            # If this machine has no nodes, the hub knows the nodes of other machines.
             "connect/endpoints": [self.endpoint, hub_endpoint()],
             **_common(self._facts),
             "connect/timeout_ms": 0,
@@ -296,7 +298,7 @@ class MeetingPoint:
             return None
 
     def close(self) -> None:
-        """Close the router, if it is ours, and never take the port again. May be called twice."""
+        """Close this process's router, if any, and never open it again. May be called twice."""
         with self._lock:
             self._closed = True
             if self._router is not None:

@@ -1,8 +1,8 @@
-"""Large messages written straight into the memory that programs of one machine share.
+"""Shared memory: all programs of one machine can read the large messages in it.
 
-Zenoh moves what is large there by itself, but copies it into a buffer of its own first. Without
-that copy a megabyte's way takes a quarter less. Readers on other machines get the same bytes over
-the network.
+Zenoh itself also moves large messages into shared memory, but first copies them into a buffer.
+Without this copy, a message of one megabyte takes a quarter less time. Readers on other machines
+get the same bytes over the network.
 """
 
 from __future__ import annotations
@@ -15,23 +15,24 @@ import zenoh
 if TYPE_CHECKING:
     from zenoh.shm import ShmProvider, ZShmMut
 
-# As much as Zenoh gives a session for what it moves; kept free by readers that take their messages.
+# The size that Zenoh uses for a session. A block is free again when its readers have read it.
 _POOL_BYTES = 16 * 1024 * 1024
 
 
 def place(payload: bytes) -> Any:
-    """Return a payload in shared memory for Zenoh to send, or itself where there is no room.
+    """Return a payload in shared memory, or the payload itself if the pool is full.
 
-    For any thread. A block is free again when the last reader has dropped it, or has died.
+    Any thread may call this. A block is free again when its last reader has dropped the block or
+    has ended.
     """
     pool = _pool()
     if pool is None:
         return payload
     block = _block(pool, len(payload)) or _block(_tidied(pool), len(payload))
     if block is None:
-        return payload  # all of the pool waits to be read, or the payload is larger
+        return payload  # the messages in the pool are not read yet, or the payload is too large
     block[0 : len(payload)] = payload
-    return zenoh.ZBytes(block)  # which may be sent again, as a block may not
+    return zenoh.ZBytes(block)  # in contrast to a block, it can be sent several times
 
 
 def _block(pool: ShmProvider, size: int) -> ZShmMut | None:
@@ -42,10 +43,10 @@ def _block(pool: ShmProvider, size: int) -> ZShmMut | None:
 
 
 def _tidied(pool: ShmProvider) -> ShmProvider:
-    """Return the pool with all that was read free again, and in one piece.
+    """Free all blocks that were read, join the free blocks, and return the pool.
 
-    Zenoh's own policies of allocation do the one without the other, and find no room for a block
-    that is larger than the former ones.
+    A Zenoh allocation policy either frees blocks or joins them. So it finds no space for a block
+    that is larger than the earlier blocks.
     """
     pool.garbage_collect()
     pool.defragment()
@@ -54,7 +55,7 @@ def _tidied(pool: ShmProvider) -> ShmProvider:
 
 @functools.cache
 def _pool() -> ShmProvider | None:
-    """Open this process's pool; `None` where the system or this build of Zenoh has none."""
+    """Return this process's pool. `None` if the system or this Zenoh has no shared memory."""
     from zenoh.shm import ShmProvider  # noqa: PLC0415
 
     try:

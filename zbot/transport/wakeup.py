@@ -1,10 +1,10 @@
-"""Waiting for another thread: asleep as a rule, for a moment wide awake when work comes quickly.
+"""Wake-ups between threads: a binary semaphore, and busy waiting for messages that come soon.
 
-To be woken takes a thread 10 to 30 us, which is much of a small message's way. So a thread whose
-last wait was over at once looks again and again for a moment before it sleeps, and lets everybody
-else run in between: round trips take half the time. Whoever waits longer than that moment, as for
-the messages of a 1 kHz topic, sleeps at once. What comes every 0.1 to 0.5 ms, or large and every 3,
-takes the time in which its core would be idle.
+A sleeping thread takes 10 to 30 us to wake, which is a large part of a small message's time. So if
+a thread's last wait was short, it polls for a short time before it sleeps, and yields its core
+between the polls. Round trips take half the time then. If its last wait was longer, such as for the
+messages of a 1 kHz topic, the thread sleeps at once. Busy waiting uses a core that would be idle
+otherwise, as long as small messages come every 0.1 to 0.5 ms, or large messages every 3 ms.
 """
 
 from __future__ import annotations
@@ -19,52 +19,53 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# Ctrl-C does not interrupt a lock's acquire() on Windows, and elsewhere not if it comes just before
-# Python goes to sleep: wait in slices.
-#: Seconds.
+# On Windows, Ctrl-C does not interrupt a lock's acquire(). On other systems, Ctrl-C does not
+# interrupt acquire() if it comes just before Python goes to sleep.
+#: The longest single wait, in seconds.
 LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
-# A round trip between two processes of one machine takes 60 to 400 us, 64 B to 1 MB ...
-_MOMENT_NS = 500_000
-#: ... and with large messages 2 ms on a virtual one that copies and wakes slowly.
-LARGE_MOMENT_NS = 3_000_000
+# A round trip of 64 B to 1 MB between two processes of one machine takes 60 to 400 us.
+_SHORT_WAIT_NS = 500_000
+#: A round trip of a large message takes 2 ms on a virtual machine, which copies and wakes slowly.
+LARGE_MESSAGE_WAIT_NS = 3_000_000
 
 _yield: Callable[[], None] = getattr(os, "sched_yield", partial(time.sleep, 0))
 
 
 class BusyWait:
-    """Tells whether one more short wait is to be expected, and waits through it awake.
+    """Polls for a short time at the beginning of a wait, if the last wait was short.
 
-    Threads that share one may sleep, or stay awake for a moment, where it was not worth it.
+    Several threads may share a `BusyWait`. Then the last wait of one thread decides whether another
+    thread polls.
     """
 
     def __init__(self) -> None:
-        self.moment_ns = _MOMENT_NS  #: up to this a wait is short
+        self.short_wait_ns = _SHORT_WAIT_NS  #: a wait up to this time is short
         self._was_short = False
         self._begun_ns = 0
 
     def begin(self, has_come: Callable[[], object]) -> bool:
-        """Begin to wait; return whether what is waited for came in that moment.
+        """Begin to wait. Return whether the event came during the polling.
 
         Args:
-            has_come: Called again and again, if at all; true when it came.
+            has_come: Returns true when the event has come. It is called repeatedly or never.
         """
         self._begun_ns = time.monotonic_ns()
         if self._was_short:
-            end_ns = self._begun_ns + self.moment_ns
+            end_ns = self._begun_ns + self.short_wait_ns
             while not has_come():
-                _yield()  # without the interpreter's lock
+                _yield()  # releases the interpreter's lock
                 if time.monotonic_ns() >= end_ns:
                     return False
             return True
         return False
 
     def end(self, *, came: bool) -> None:
-        """Note whether what was waited for came; an end of patience tells nothing."""
-        self._was_short = came and time.monotonic_ns() - self._begun_ns < self.moment_ns
+        """End a wait. The wait counts as short only if the event came."""
+        self._was_short = came and time.monotonic_ns() - self._begun_ns < self.short_wait_ns
 
 
 class BinarySemaphore:
-    """`set` it any number of times, `wait` for at least one of them; one thread may wait."""
+    """Semaphore that is set or not set. Any thread may call `set`. One thread may call `wait`."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -73,15 +74,15 @@ class BinarySemaphore:
         self._busy_wait = BusyWait()
 
     def set(self) -> None:
-        """Let the present or next `wait` return; from any thread."""
+        """Let the present or the next `wait` return. Further calls before that change nothing."""
         try:
             self._lock.release()
         except RuntimeError:
-            return  # set already
+            return  # it is set already
 
     def wait(self, timeout_s: float) -> bool:
-        """Wait at most `timeout_s` seconds and `LONGEST_WAIT_S`; return whether it was set."""
-        if timeout_s > _MOMENT_NS / 1e9 and self._busy_wait.begin(self._is_set):
+        """Wait at most `timeout_s` or `LONGEST_WAIT_S` seconds. Return whether it was set."""
+        if timeout_s > _SHORT_WAIT_NS / 1e9 and self._busy_wait.begin(self._is_set):
             return True
         was_set = self._lock.acquire(timeout=min(timeout_s, LONGEST_WAIT_S))
         self._busy_wait.end(came=was_set)

@@ -1,4 +1,4 @@
-"""A set that keeps nothing alive, and that several threads use."""
+"""Weak set that several threads can use."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ T = TypeVar("T")
 
 
 class WeakSet(weakref.WeakSet[T]):
-    """Python's, but one that may change while it is iterated, in the same thread or another.
+    """Variant of Python's `WeakSet` that any thread may change during an iteration.
 
-    Who iterates sees the members of the moment in which it began.
+    An iteration returns the members that the set had when the iteration began.
     """
 
     def __iter__(self) -> Iterator[T]:
-        references = list(self.data)  # type: ignore[attr-defined] # in one step: no Python runs
+        references = list(self.data)  # type: ignore[attr-defined] # one atomic step
         return iter([item for one in references if (item := one()) is not None])

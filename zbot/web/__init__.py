@@ -1,1 +1,1 @@
-"""The live page: what a domain's nodes do, in a browser on this machine."""
+"""Live page: a web server that shows a domain's running nodes in a browser."""

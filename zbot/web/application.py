@@ -1,4 +1,4 @@
-"""The page as an application, and the web server that runs it."""
+"""Web application of the live page, with the server that runs it."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
     from zbot.web.system import System
 
-# Who does not come back within this time has left.
+# A browser that does not reconnect within this time has closed the page.
 _RECONNECT_S = 3.0
-_LONGEST_GOODBYE_S = 1
-#: Messages to a browser that NiceGUI repeats after a short loss of the connection.
+_SHUTDOWN_TIMEOUT_S = 1
+#: The newest messages to a browser, which NiceGUI repeats after a short loss of the connection.
 _REPEATED_MESSAGES = 100
 
 
@@ -28,15 +28,15 @@ def run(
     system: System,
     listener: socket.socket,
     protect: Callable[[Any], Any],
-    tell: Callable[[], None],
+    on_startup: Callable[[], None],
 ) -> None:
-    """Serve pages until a signal ends it; only once in a process, as NiceGUI's state is global.
+    """Serve pages until a signal; only once in a process, as NiceGUI's state is global.
 
     Args:
-        system: What pages show.
-        listener: A socket that listens.
-        protect: Puts something in front of the application that decides who may ask.
-        tell: Called once pages can be had.
+        system: The running system that pages show.
+        listener: A listening socket.
+        protect: Wraps the application (ASGI) into one that checks requests.
+        on_startup: Called when the server accepts requests.
     """
     add_pages(system)
     application = FastAPI(docs_url=None, redoc_url=None, openapi_url=None)
@@ -46,11 +46,11 @@ def run(
         dark=None,
         reconnect_timeout=_RECONNECT_S,
         message_history_length=_REPEATED_MESSAGES,
-        gzip_middleware_factory=None,  # on one machine compressing costs more time than it saves
-        tailwind=False,  # it would look at every change of the page again
+        gzip_middleware_factory=None,  # on one machine, compression is slower than sending
+        tailwind=False,  # it would process every change of the page
         show_welcome_message=False,
     )
-    # Its line about browsers that were still connected at the end says nothing to a user.
+    # Uvicorn would log an error about browsers that are still connected at the end.
     logging.getLogger("uvicorn.error").setLevel(logging.CRITICAL)
     config = uvicorn.Config(
         protect(application),
@@ -59,16 +59,16 @@ def run(
         access_log=False,
         server_header=False,
         proxy_headers=False,
-        timeout_graceful_shutdown=_LONGEST_GOODBYE_S,
+        timeout_graceful_shutdown=_SHUTDOWN_TIMEOUT_S,
     )
-    _Server(config, tell).run([listener])
+    _Server(config, on_startup).run([listener])
 
 
 class _Server(uvicorn.Server):
-    def __init__(self, config: uvicorn.Config, tell: Callable[[], None]) -> None:
+    def __init__(self, config: uvicorn.Config, on_startup: Callable[[], None]) -> None:
         super().__init__(config)
-        self._tell = tell
+        self._on_startup = on_startup
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:
         await super().startup(sockets)
-        self._tell()
+        self._on_startup()

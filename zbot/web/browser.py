@@ -1,4 +1,4 @@
-"""Showing the page to whoever sits in front of the machine, if anybody does."""
+"""Browser of the machine's user: whether one can be opened, and opening a page in it."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import webbrowser
 
 
 def has_desktop() -> bool:
-    """Return whether a browser can open a window here, and nobody said that it should not.
+    """Return whether a browser can open a window for the user.
 
-    `$ZBOT_NO_BROWSER` says so; so does a login over SSH, where it would open on the other side.
+    It cannot with `$ZBOT_NO_BROWSER`, and in a login over SSH, as the user is at another machine.
     """
     if os.environ.get("ZBOT_NO_BROWSER") or os.environ.get("SSH_CONNECTION"):
         return False
@@ -21,8 +21,8 @@ def has_desktop() -> bool:
 
 
 def open_page(address: str) -> None:
-    """Open an address in the user's browser, without waiting for it."""
-    # Some browsers keep their starter busy until they are closed.
+    """Open an address in the user's browser, and return at once."""
+    # With some browsers, `webbrowser.open` returns only when the browser is closed.
     threading.Thread(
         target=webbrowser.open, args=(address,), name="zbot browser", daemon=True
     ).start()

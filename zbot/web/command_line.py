@@ -1,4 +1,4 @@
-"""The `zbot` command that does what a click did, to read and to copy."""
+"""Command line of `zbot` that does the same as a click in the page, for the user to copy."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ import re
 import shlex
 
 _BARE = re.compile(r"[\w@%+=:,./~-]+\Z")
-#: What a shell would change inside double quotes.
-_TREACHEROUS = re.compile(r"[\"$`\\!]")
+#: Characters that a shell changes inside double quotes.
+_UNSAFE_IN_DOUBLE_QUOTES = re.compile(r"[\"$`\\!]")
 
 
 def command_line(*words: str) -> str:
-    """Return words as one types them: `zbot topic pub /a std_msgs/msg/Bool "{data: true}"`.
+    """Return words as a user types them: `zbot topic pub /a std_msgs/msg/Bool "{data: true}"`.
 
-    Double quotes where they suffice, as every shell knows them, also Windows'.
+    Words get double quotes where possible, as these work in all shells, also on Windows.
     """
     return " ".join(("zbot", *map(_quoted, words)))
 
@@ -21,4 +21,4 @@ def command_line(*words: str) -> str:
 def _quoted(word: str) -> str:
     if _BARE.match(word):
         return word
-    return shlex.quote(word) if _TREACHEROUS.search(word) else f'"{word}"'
+    return shlex.quote(word) if _UNSAFE_IN_DOUBLE_QUOTES.search(word) else f'"{word}"'

@@ -1,4 +1,4 @@
-"""Curves: numeric fields of topics over time."""
+"""Curves of a plot: numeric fields of topics over time."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ if TYPE_CHECKING:
 
     from zbot.web.watch import Watch
 
-#: Messages that wait for a page that is hidden; for 20 s of a topic of 1000 Hz.
+#: Messages that are kept for a hidden page: 20 s of a topic with 1000 Hz.
 KEPT_MESSAGES = 20_000
-#: Curves that a topic without a field stands for.
+#: The most curves for a topic that is given without a field.
 _MOST_FIELDS = 8
 
 
 class Watcher(Protocol):
-    """What can watch topics: a page, or the whole system."""
+    """Object with a method `watch`: a page, or the system."""
 
     def watch(self, topic: str, *, keep: int) -> Watch:
         """Watch a topic."""
@@ -28,31 +28,31 @@ class Watcher(Protocol):
 
 
 class CurveError(ZbotError, ValueError):
-    """A word names no curve."""
+    """A text is not the name of a curve."""
 
     def __init__(self, word: str, reason: str) -> None:
         self.word, self.reason = word, reason
-        self.hint = "name a topic and a numeric field of it: /turtle1/pose.x"
-        super().__init__(f"{word!r} is no curve: {reason}")
+        self.hint = "write a topic and one of its numeric fields: /turtle1/pose.x"
+        super().__init__(f"{word!r} is not a curve: {reason}")
 
 
 def split_curve(word: str, topics: Iterable[str]) -> tuple[str, str]:
-    """Return the topic and the field that a word names.
+    """Return the topic and the field of a curve; the field is empty if the text has none.
 
     Args:
-        word: `/turtle1/pose.x`, or as rqt_plot writes it `/turtle1/pose/x`; the slash at its
-            beginning may be missing. Without a field it stands for all numbers of the message.
-        topics: The topics that there are: they tell where a name with slashes ends.
+        word: `/turtle1/pose.x`, or `/turtle1/pose/x` as in rqt_plot; the first slash is optional.
+        topics: The present topics, to find the end of the topic in a name with slashes.
 
     Raises:
-        CurveError: It is neither.
+        CurveError: The topic is missing.
+        FieldPathError: The field is not a path.
     """
     name, _, field = word.strip().partition(".")
     name = "/" + name.strip("/")
     if name == "/":
         raise CurveError(word, "the topic is missing")
     if field:
-        FieldPath(field)  # for its sentence
+        FieldPath(field)  # raises an error with the reason
         return name, field
     known = [topic for topic in topics if name.startswith(f"{topic}/")]
     if known and name not in topics:
@@ -67,16 +67,16 @@ def numeric_fields(message: Any) -> list[str]:
 
 
 def value_at(message: Any, path: FieldPath) -> float:
-    """Return a number of a message; ticks are 0 and 1.
+    """Return a number of a message; booleans are 0 and 1.
 
     Raises:
-        FieldPathError: There is no number.
+        FieldPathError: The field is missing or not a number.
     """
     value = path.select(message)
     try:
         return float(value)
     except (TypeError, ValueError):
-        reason = f"it is no number but {type(value).__name__}"
+        reason = f"it is not a number but {type(value).__name__}"
         raise FieldPathError(path.text, reason) from None
 
 
@@ -86,8 +86,8 @@ class Curve:
     Attributes:
         topic: Full name.
         field: The field's path.
-        problem: Why there are no points, in a sentence.
-        last: The newest value; None if there is none yet.
+        problem: The reason why there are no points; empty if there is none.
+        last: The newest value; None before the first one.
     """
 
     def __init__(self, topic: str, field: str) -> None:
@@ -98,11 +98,11 @@ class Curve:
 
     @property
     def name(self) -> str:
-        """What the user typed: `/turtle1/pose.x`."""
+        """The name with a point before the field: `/turtle1/pose.x`."""
         return f"{self.topic}.{self.field}"
 
     def value(self, message: Any) -> float | None:
-        """Return its value in a message; None if it has none, which `problem` tells."""
+        """Return its value in a message; None if there is none, with the reason in `problem`."""
         try:
             self.last = value_at(message, self.path)
         except FieldPathError as error:
@@ -113,7 +113,7 @@ class Curve:
 
 
 class _Topic:
-    """A topic of which curves are drawn: each message is decoded once for all of them."""
+    """Topic with its curves; each message is decoded once for all of them."""
 
     def __init__(self, watch: Watch) -> None:
         self.watch = watch
@@ -124,10 +124,10 @@ Points = dict[str, list[float]]
 
 
 class Curves:
-    """The curves of one plot, each with the points that came since the last look.
+    """Curves of one plot, with the points since the last `take`.
 
     Args:
-        watcher: Watches their topics.
+        watcher: The object that watches their topics.
     """
 
     def __init__(self, watcher: Watcher) -> None:
@@ -143,14 +143,14 @@ class Curves:
 
     @property
     def waiting(self) -> list[str]:
-        """Topics without a field that nobody uses yet."""
+        """Topics without a field whose type is not known yet."""
         return list(self._wholes)
 
     def add(self, topic: str, field: str) -> None:
-        """Add a curve or, without a field, all numbers of a topic once its type is known.
+        """Add a curve or, without a field, all numbers of a topic after its first message.
 
         Raises:
-            FieldPathError: The field is no path.
+            FieldPathError: The field is not a path.
         """
         if field:
             curve = Curve(topic, field)
@@ -161,7 +161,7 @@ class Curves:
             self._topics[topic] = _Topic(self._watcher.watch(topic, keep=KEPT_MESSAGES))
 
     def remove(self, name: str) -> None:
-        """Remove a curve, or a topic that waits; nothing happens if there is none."""
+        """Remove a curve, or a topic without a field; do nothing if there is none."""
         self._curves.pop(name, None)
         if name in self._wholes:
             self._wholes.remove(name)
@@ -170,14 +170,14 @@ class Curves:
             self._topics.pop(topic).watch.release()
 
     def problem(self, curve: Curve) -> str:
-        """Return why a curve has no points, in a sentence; empty if it has."""
+        """Return the reason why a curve has no points, as a sentence; empty if it has points."""
         watch = self._topics[curve.topic].watch
         if watch.type_name is None:
-            return f"nobody uses {curve.topic} yet"
+            return f"no node uses {curve.topic} yet"
         return watch.problem or curve.problem
 
     def take(self) -> Points:
-        """Return what is new, by the curve's name: time (seconds since the epoch), value, ..."""
+        """Return the new points by the curve's name: [time in s since the epoch, value, ...]."""
         found: Points = {}
         for name, topic in self._topics.items():
             records = topic.watch.since(topic.read_count)

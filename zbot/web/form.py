@@ -1,7 +1,7 @@
-"""A form for a message type: an input for each field, and the message that they make.
+"""Form for a message type: an input for each field, and the message that the inputs make.
 
-Nothing here knows of a page. Inputs hold text, as typed; `Input.problem` tells in a sentence what
-is wrong with it, before anything is sent.
+The form is independent of the page. Inputs take text as typed; `Input.problem` returns a sentence
+about wrong text before a message is sent.
 """
 
 from __future__ import annotations
@@ -34,9 +34,9 @@ _HEADER = "std_msgs/msg/Header"
 
 
 class InputKind(Enum):
-    """What an input looks like."""
+    """Kind of an input."""
 
-    BOOL = "bool"  #: a tick
+    BOOL = "bool"  #: a checkbox
     INTEGER = "integer"
     NUMBER = "number"
     TEXT = "text"
@@ -47,12 +47,12 @@ class InputKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Input:
-    """One input of a form."""
+    """Input of a form."""
 
     path: str  #: `linear.x`
     type: FieldType
     kind: InputKind
-    default: str  #: what stands in it at first
+    default: str  #: its first text
 
     @property
     def name(self) -> str:
@@ -61,25 +61,25 @@ class Input:
 
     @property
     def bounds(self) -> tuple[int, int] | None:
-        """The least and the greatest whole number that fit; None where there are no such."""
+        """The least and the greatest value of an integer field; None for other fields."""
         return integer_range(self.type.base) if self.kind is InputKind.INTEGER else None
 
     @property
     def max_length(self) -> int | None:
-        """How many characters, or elements of a list, fit; None if any number does."""
+        """The most characters of a string or elements of a list; None without a limit."""
         bound = self.type.size if self.kind is InputKind.LIST else self.type.string_bound
         return bound or None
 
     def read(self, entry: Entry, now_ns: Callable[[], int] = time.time_ns) -> Any:
-        """Return the field's value that an entry stands for.
+        """Return the field's value for an entry.
 
         Raises:
-            EntryError: It stands for none; says why in a sentence.
+            EntryError: The entry does not fit the field; the message has the reason.
         """
         return read(self.type, entry, self.path, now_ns)
 
     def problem(self, entry: Entry) -> str | None:
-        """Return what is wrong with an entry, in a sentence; None if nothing is."""
+        """Return a sentence about a wrong entry; None if the entry fits."""
         try:
             self.read(entry)
         except EntryError as error:
@@ -89,7 +89,7 @@ class Input:
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """The inputs of a field that is a message."""
+    """Inputs of a field that is a message."""
 
     path: str
     type_name: str
@@ -105,10 +105,10 @@ Member: TypeAlias = "Input | Group"
 
 
 class Form:
-    """The inputs for messages of one type.
+    """Form for messages of one type.
 
     Args:
-        message_type: A message class; of a service its `Request`, of an action its `Goal`.
+        message_type: A message class; the `Request` of a service, the `Goal` of an action.
 
     Attributes:
         members: Inputs and groups of inputs, in the order of the definition.
@@ -120,17 +120,17 @@ class Form:
 
     @property
     def inputs(self) -> tuple[Input, ...]:
-        """Every input, also those in groups."""
+        """All inputs, including those in groups."""
         return tuple(_inputs(self.members))
 
     def message(
         self, entries: Mapping[str, Entry], now_ns: Callable[[], int] = time.time_ns
     ) -> Any:
-        """Return the message that was typed in.
+        """Return the message for the entries of all inputs.
 
         Args:
-            entries: What stands in the inputs, by path; the default where there is none.
-            now_ns: What `now` stands for, in nanoseconds since the epoch.
+            entries: The entries by path; a missing entry is the input's default.
+            now_ns: Returns the time for `now`, in nanoseconds since the epoch.
 
         Raises:
             EntryError: An entry does not fit its field.
@@ -146,18 +146,18 @@ class Form:
         return message
 
     def problems(self, entries: Mapping[str, Entry]) -> dict[str, str]:
-        """Return what is wrong with each entry, by path; nothing if a message can be made."""
+        """Return a sentence about each wrong entry, by path; empty if all entries fit."""
         found = {one.path: one.problem(entries.get(one.path, one.default)) for one in self.inputs}
         return {path: problem for path, problem in found.items() if problem is not None}
 
     def entries(self, message: Any) -> dict[str, str]:
-        """Return what the inputs show for a message, by path."""
+        """Return the texts of the inputs for a message, by path."""
         return {one.path: show(one.type, _follow(message, one.path)) for one in self.inputs}
 
     def yaml(self, entries: Mapping[str, Entry]) -> str:
-        """Return the message as a command line takes it: `{linear: {x: 2.0}}`.
+        """Return the message as YAML for a command line: `{linear: {x: 2.0}}`.
 
-        What is as in a new message is left out, and `now` stays `now`.
+        Fields with their default values are left out, and `now` stays `now`.
 
         Raises:
             EntryError: An entry does not fit its field.
@@ -166,9 +166,9 @@ class Form:
         for one in self.inputs:
             entry = entries.get(one.path, one.default)
             value, is_now = one.read(entry), one.kind is InputKind.TIME and entry == NOW
-            told = NOW if is_now else plain(value)
-            if is_now or told != plain(_follow(new, one.path)):
-                _put(tree, one.path, told)
+            shown = NOW if is_now else plain(value)
+            if is_now or shown != plain(_follow(new, one.path)):
+                _put(tree, one.path, shown)
         return flow(tree)
 
 
@@ -206,7 +206,7 @@ def _member(path: str, kind: FieldType, value: Any, inside: str) -> Member:
     if is_group:
         message = value if value is not None else get_message(kind.base)()
         return Group(path, kind.base, _members(message, f"{path}.", kind.base))
-    # Whoever fills in a header means the present; a program would set it as well.
+    # The stamp of a header is `now` at first, as a program would set it.
     is_stamp = kind.base == TIME and kind.kind == "scalar" and inside == _HEADER
     return Input(path, kind, _input_kind(kind), NOW if is_stamp else show(kind, value))
 

@@ -1,4 +1,4 @@
-"""What is typed into one input of a form, as the value of a field; and back."""
+"""Conversion of the text in an input to the value of a message field, and back."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from zbot.interfaces import Field
 
-#: What an input of a page may hold: text, a tick, a number of a slider; None is an empty one.
+#: Content of an input: text, the state of a checkbox, or a number; None if the input is empty.
 Entry = Union[str, bool, int, float, None]  # noqa: UP007 - evaluated at run time on Python 3.10
 
 TIME = "builtin_interfaces/msg/Time"
@@ -33,11 +33,11 @@ _NANOSECONDS = 10**9
 
 
 class EntryError(ZbotError, ValueError):
-    """What was typed does not fit its field.
+    """The content of an input does not fit its field.
 
     Attributes:
         path: The field, e.g. `linear.x`.
-        reason: The sentence without the field's name.
+        reason: The message without the field's name.
     """
 
     def __init__(self, path: str, reason: str) -> None:
@@ -51,13 +51,13 @@ def integer_range(base: str) -> tuple[int, int] | None:
 
 
 def read(kind: FieldType, entry: Entry, path: str, now_ns: Callable[[], int]) -> Any:
-    """Return the value that an entry stands for.
+    """Return the value of a field for an entry.
 
     Args:
-        kind: The field's type; of the messages, only times and durations.
-        entry: What was typed.
+        kind: The field's type; messages other than times and durations are not allowed.
+        entry: The content of the input.
         path: The field's path, for errors.
-        now_ns: What `now` stands for as a time, in nanoseconds since the epoch.
+        now_ns: Returns the time for `now`, in nanoseconds since the epoch.
 
     Raises:
         EntryError: The entry does not fit.
@@ -84,7 +84,7 @@ def _bool(text: str, path: str) -> bool:
 def _string(kind: FieldType, text: str, path: str) -> str:
     bound = kind.string_bound
     if bound and len(text) > bound:
-        raise EntryError(path, f"at most {bound} characters fit, and these are {len(text)}")
+        raise EntryError(path, f"write at most {bound} characters, not {len(text)}")
     return text
 
 
@@ -96,7 +96,7 @@ def _number(kind: FieldType, text: str, path: str) -> Any:
         return _float(kind, text, path)
     number, (low, high) = _integer(text, path), bounds
     if not low <= number <= high:
-        raise EntryError(path, f"{kind.base} goes from {low} to {high}, and this is {text}")
+        raise EntryError(path, f"write a number from {low} to {high} ({kind.base}), not {text}")
     return bytes([number]) if kind.base == "byte" else number
 
 
@@ -113,7 +113,7 @@ def _integer(text: str, path: str) -> int:
 def _float(kind: FieldType, text: str, path: str) -> float:
     number = _parsed_float(text, path)
     if kind.base == "float32" and math.isfinite(number) and abs(number) > FLOAT32_MAX:
-        raise EntryError(path, f"{text} is beyond what a float32 holds")
+        raise EntryError(path, f"{text} is too large for a float32")
     return number
 
 
@@ -137,13 +137,13 @@ def _instant(base: str, text: str, path: str, now_ns: Callable[[], int]) -> Any:
     try:
         message.sec, message.nanosec = sec, nanosec
     except ValueError:
-        raise EntryError(path, f"{text} s is beyond what {base} holds") from None
+        raise EntryError(path, f"{text} s does not fit into {base}") from None
     return message
 
 
 def _nanoseconds(text: str, path: str) -> int:
-    _parsed_float(text, path)  # for its sentence
-    seconds = Decimal(text.strip("."))  # seconds since the epoch as a float are exact to 200 ns
+    _parsed_float(text, path)  # raises an error with the reason
+    seconds = Decimal(text.strip("."))  # a float of seconds since the epoch is exact to 200 ns only
     if not seconds.is_finite():
         raise EntryError(path, f"write seconds, not {text!r}")
     return int(seconds * _NANOSECONDS)
@@ -155,10 +155,10 @@ def _nanoseconds(text: str, path: str) -> int:
 def _list(kind: FieldType, text: str, path: str) -> list[Any]:
     if not text and kind.kind == "array":
         return [_zero(kind)] * kind.size
-    # Brackets may be left out: `1, 2, 3` is what people type.
+    # Users may leave out the brackets: `1, 2, 3`.
     bare = text if text.startswith("[") else f"[{text}]"
     try:
-        # The base loader leaves every word as it was written: `no` is a text for a string[].
+        # The base loader returns all values as text, so that `no` stays a text in a string[].
         values = yaml.load(bare, Loader=yaml.BaseLoader)
     except yaml.YAMLError:
         raise EntryError(path, "write a list: [1, 2, 3]") from None
@@ -169,15 +169,15 @@ def _elements(kind: FieldType, values: Any, path: str) -> list[Any]:
     if not isinstance(values, list):
         raise EntryError(path, "write a list: [1, 2, 3]")
     if kind.kind == "array" and len(values) != kind.size:
-        raise EntryError(path, f"it has {kind.size} elements, and these are {len(values)}")
+        raise EntryError(path, f"write {kind.size} elements, not {len(values)}")
     if kind.kind == "sequence" and kind.size and len(values) > kind.size:
-        raise EntryError(path, f"it has at most {kind.size} elements, and these are {len(values)}")
+        raise EntryError(path, f"write at most {kind.size} elements, not {len(values)}")
     one = FieldType(kind.base, "scalar", 0, kind.string_bound)
     return [_element(one, value, f"{path}[{index}]") for index, value in enumerate(values)]
 
 
 def _element(kind: FieldType, value: Any, path: str) -> Any:
-    """Return what a part of a list stands for, given its words."""
+    """Return the value of a list's element, given its YAML with all values as text."""
     if kind.kind != "scalar":
         return _elements(kind, value, path)
     if isinstance(value, str) and (not kind.is_message or kind.base in {TIME, DURATION}):
@@ -217,13 +217,13 @@ def _zero(kind: FieldType) -> Any:
     return {"bool": False, "byte": b"\0", "float32": 0.0, "float64": 0.0}.get(kind.base, 0)
 
 
-# -- and back ----------------------------------------------------------------------------------
+# -- values to text ----------------------------------------------------------------------------
 
 
 def show(kind: FieldType, value: Any) -> str:
-    """Return the text that an input shows for a value, which `read` takes back.
+    """Return the text of an input for a value; `read` converts it back.
 
-    A fixed-size array of zeros that is too long to look at is an empty text.
+    The text for a long fixed-size array of zeros is empty.
     """
     if kind.kind != "scalar":
         return _shown_list(kind, plain(value))
@@ -249,7 +249,7 @@ def _shown_scalar(value: Any) -> str:
 
 
 def flow(value: Any) -> str:
-    """Return plain values as YAML on one line, as a command line takes it."""
+    """Return plain values as YAML on one line, for a command line."""
     text = yaml.safe_dump(
         value, default_flow_style=True, allow_unicode=True, sort_keys=False, width=2**31 - 1
     )

@@ -1,4 +1,4 @@
-"""A form of the page: the inputs of a message type, checked while they are filled in."""
+"""Form in the page: the inputs for a message type, checked while the user types."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ _HINTS = {
 
 
 class FormView:
-    """The inputs for messages of one type, made where it is called.
+    """Inputs for messages of one type; the constructor adds them to the current element.
 
     Args:
-        message_type: A message class; of a service its `Request`, of an action its `Goal`.
-        on_change: Called when somebody has changed an input.
+        message_type: A message class; the `Request` of a service, the `Goal` of an action.
+        on_change: Called when the user has changed an input.
     """
 
     def __init__(
@@ -44,11 +44,11 @@ class FormView:
 
     @property
     def problems(self) -> dict[str, str]:
-        """What is wrong with each input, by its path; empty if a message can be made."""
+        """A sentence for each wrong input, by path; empty if all inputs fit."""
         return self.form.problems(self._entries)
 
     def message(self) -> Any:
-        """Return the message that was typed in.
+        """Return the message for the inputs.
 
         Raises:
             EntryError: An entry does not fit its field.
@@ -56,11 +56,11 @@ class FormView:
         return self.form.message(self._entries)
 
     def maker(self) -> Callable[[], Any]:
-        """Return a function that makes the message as it is typed in now, in any thread."""
+        """Return a function that makes the message of the present inputs, in any thread."""
         return partial(self.form.message, dict(self._entries))
 
     def yaml(self) -> str:
-        """Return the message as a command line takes it: `{linear: {x: 2.0}}`.
+        """Return the message as YAML for a command line: `{linear: {x: 2.0}}`.
 
         Raises:
             EntryError: An entry does not fit its field.

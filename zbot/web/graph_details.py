@@ -1,4 +1,4 @@
-"""The details of what was clicked in the graph."""
+"""Details of a node, topic or action that the user clicked in the graph."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
     from zbot.graph.snapshot import Snapshot
     from zbot.graph.topics import TopicView
-    from zbot.web.panel import Part
+    from zbot.web.panel import Section
 
 _ENDS = (
     ("Publishes", EntityKind.PUBLISHER),
@@ -28,7 +28,7 @@ _ENDS = (
     ("Serves", EntityKind.SERVICE),
     ("Calls", EntityKind.CLIENT),
 )
-# What every node has says nothing about this one.
+# Topics and services of every node; the details do not list them.
 _COMMON = frozenset(
     {
         "describe_parameters",
@@ -44,30 +44,30 @@ _COMMON = frozenset(
 )
 
 
-def show_details(part: Part, key: str, close: Callable[[], None]) -> str:
-    """Show what a key of the picture stands for, where this is called, until the part is closed.
+def show_details(section: Section, key: str, close: Callable[[], None]) -> str:
+    """Add the details of a node, topic or action to the current element.
 
     Args:
-        part: Ends with the choice of something else.
-        key: As in the picture: `n:/talker`.
+        section: The section of the details; closing it ends their updates.
+        key: The key in the drawing: `n:/talker`.
         close: Called when the user closes the details.
 
     Returns:
-        The command that shows the same; empty if the key is none.
+        The command that prints the same; empty if the key has no details.
     """
     kind, _, name = key.partition(":")
     quoted = shlex.quote(name)
     if kind == node_key("")[0]:
-        _show_node(part, name, close)
+        _show_node(section, name, close)
         return f"zbot node info {quoted}"
     if kind == BoxKind.TOPIC.key("")[0]:
-        show_topic(part, name, close)
+        show_topic(section, name, close)
         return f"zbot topic info {quoted} --verbose"
     if kind == BoxKind.ACTION.key("")[0]:
-        _show_box(part, key, close)
+        _show_box(section, key, close)
         return f"zbot action info {quoted} -t"
     if kind in {BoxKind.TF.key("")[0], BoxKind.IMAGES.key("")[0]}:
-        _show_box(part, key, close)
+        _show_box(section, key, close)
         return "zbot topic list -t"
     return ""
 
@@ -78,7 +78,7 @@ def _head(name: str, close: Callable[[], None]) -> None:
         ui.button(icon="close", on_click=close).props('flat round dense aria-label="Close"')
 
 
-def _show_node(part: Part, name: str, close: Callable[[], None]) -> None:
+def _show_node(section: Section, name: str, close: Callable[[], None]) -> None:
     _head(name, close)
     body = ui.element("div").classes("zb-col")
 
@@ -97,14 +97,14 @@ def _show_node(part: Part, name: str, close: Callable[[], None]) -> None:
                     is_topic = kind in {EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION}
                     _add_name(one, ", ".join(types), is_link=is_topic)
 
-    _keep_filled(part, body, fill)
+    _keep_filled(section, body, fill)
 
 
 def _is_own(name: str) -> bool:
     return not is_hidden(name) and name.rpartition("/")[2] not in _COMMON
 
 
-def _show_box(part: Part, key: str, close: Callable[[], None]) -> None:
+def _show_box(section: Section, key: str, close: Callable[[], None]) -> None:
     _head(key.partition(":")[2], close)
     body = ui.element("div").classes("zb-col")
 
@@ -114,9 +114,9 @@ def _show_box(part: Part, key: str, close: Callable[[], None]) -> None:
         if key in boxes:
             _add_box(boxes[key])
         else:
-            ui.label("Nobody uses it.").classes("zb-muted")
+            ui.label("No node uses it.").classes("zb-muted")
 
-    _keep_filled(part, body, fill)
+    _keep_filled(section, body, fill)
 
 
 def _add_box(box: TopicView) -> None:
@@ -129,7 +129,7 @@ def _add_box(box: TopicView) -> None:
         _add_names("Called by" if is_action else "Published by", box.publishers)
         _add_names("Served by" if is_action else "Subscribed by", box.subscriptions)
     if box.stands_for:
-        ui.label("Stands for").classes("zb-heading")
+        ui.label("Topics in this box").classes("zb-heading")
         for name in box.stands_for:
             _add_name(name, "", is_link=True)
 
@@ -142,7 +142,7 @@ def _add_names(title: str, names: Iterable[str]) -> None:
             for name in shown:
                 ui.label(name).classes("zb-chip zb-mono")
             if not shown:
-                ui.label("nobody").classes("zb-muted")
+                ui.label("no node").classes("zb-muted")
 
 
 def _add_name(name: str, hint: str, *, is_link: bool) -> None:
@@ -154,15 +154,15 @@ def _add_name(name: str, hint: str, *, is_link: bool) -> None:
         ui.label(hint).classes("zb-muted zb-mono")
 
 
-def _keep_filled(part: Part, body: ui.element, fill: Callable[[Snapshot], None]) -> None:
+def _keep_filled(section: Section, body: ui.element, fill: Callable[[Snapshot], None]) -> None:
     seen = -1
 
     def update() -> None:
         nonlocal seen
-        if part.system.revision != seen:
-            seen = part.system.revision
+        if section.system.revision != seen:
+            seen = section.system.revision
             body.clear()
             with body:
-                fill(part.system.snapshot())
+                fill(section.system.snapshot())
 
-    part.live(update, 2.0)
+    section.live(update, 2.0)

@@ -1,4 +1,4 @@
-"""What stands above the graph: modes, filters, what to hide and to group, and ways to save it."""
+"""Toolbar above the graph: mode, filters, hiding and grouping, and saving."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from zbot.web.panels.graph import GraphPanel
 
 _MODES = {Mode.NODES: "Nodes", Mode.ACTIVE: "Active", Mode.ALL: "All"}
-_FILTER_HINT = "names or expressions, with commas between; - before those to leave out: -/rqt.*"
-#: Switches of `zbot graph`, as rqt_graph words them, and whether a tick sets or unsets them.
+_FILTER_HINT = "names or regular expressions, separated by commas; - leaves out: -/rqt.*"
+#: Options of `zbot graph` with rqt_graph's words, and whether a checked box sets the option.
 _HIDE = (
     ("no-dead-sinks", "Dead sinks", "topics without subscriptions", True),
     ("no-leaf-topics", "Leaf topics", "topics with one connection", True),
@@ -35,7 +35,7 @@ _GROUP = (
 
 def add_filters(panel: GraphPanel) -> None:
     """Add the modes, the two filters, and the switch for rates."""
-    with panel.frame.toolbar:
+    with panel.page.toolbar:
 
         def choose_mode(event: Any) -> None:
             panel.change(replace(panel.options, mode=Mode(event.value)))
@@ -46,7 +46,7 @@ def add_filters(panel: GraphPanel) -> None:
         _add_filter(panel, "nodes", "Nodes")
         _add_filter(panel, "topics", "Topics")
         rates = ui.switch("Rates", value=panel.shows_rates, on_change=panel.switch_rates)
-        rates.props("dense").tooltip("Measuring means to subscribe to what is shown")
+        rates.props("dense").tooltip("Messages a second; the page subscribes to all shown topics")
 
 
 def _add_filter(panel: GraphPanel, name: str, label: str) -> None:
@@ -68,9 +68,9 @@ def _add_filter(panel: GraphPanel, name: str, label: str) -> None:
 
 
 def add_options_menu(panel: GraphPanel) -> None:
-    """Add the menu of what is hidden and what is drawn as one."""
+    """Add the menu with the options to hide and to group."""
     with (
-        panel.frame.toolbar,
+        panel.page.toolbar,
         _button("tune", "Hide and group"),
         ui.menu().props("auto-close=false"),
         ui.element("div").classes("zb-graph-menu"),
@@ -109,8 +109,8 @@ def _add_namespaces(panel: GraphPanel) -> None:
 
 
 def add_export_menu(panel: GraphPanel) -> None:
-    """Add the buttons that lay out anew, show all, and save."""
-    with panel.frame.toolbar:
+    """Add the buttons for a new layout, for showing all, and for saving."""
+    with panel.page.toolbar:
         _button("auto_fix_high", "Tidy up").on_click(panel.tidy)
         _button("fit_screen", "Show all").on_click(panel.fit)
         with _button("download", "Save"), ui.menu():
@@ -125,17 +125,17 @@ def _button(icon: str, text: str) -> ui.button:
 
 
 def _save_svg(panel: GraphPanel) -> None:
-    panel.frame.call("zbot.save", "graph.svg", panel.svg(), "image/svg+xml")
-    panel.frame.show_command(f"{panel.options.command} --svg graph.svg")
+    panel.page.call("zbot.save", "graph.svg", panel.svg(), "image/svg+xml")
+    panel.page.show_command(f"{panel.options.command} --svg graph.svg")
 
 
 def _save_png(panel: GraphPanel) -> None:
-    panel.frame.call("zbot.graph.savePng", "graph.png", panel.svg())
-    panel.frame.show_command(f"{panel.options.command} --svg graph.svg")
+    panel.page.call("zbot.graph.savePng", "graph.png", panel.svg())
+    panel.page.show_command(f"{panel.options.command} --svg graph.svg")
 
 
 def _save_dot(panel: GraphPanel) -> None:
     if panel.drawing is not None:
         text = dot(panel.drawing.view) + "\n"
-        panel.frame.call("zbot.save", "graph.dot", text, "text/vnd.graphviz")
-        panel.frame.show_command(f"{panel.options.command} --dot > graph.dot")
+        panel.page.call("zbot.save", "graph.dot", text, "text/vnd.graphviz")
+        panel.page.show_command(f"{panel.options.command} --dot > graph.dot")

@@ -1,4 +1,4 @@
-"""What the graph's page shows, as the page's address and as the command that shows the same."""
+"""Options of the graph's panel, as parameters of its address and as a `zbot graph` command."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MOST_NAMESPACES = 9
 _NAMESPACES = "group-namespaces"
 _TEXTS = ("nodes", "topics")
 
-#: `zbot graph`'s switches: whether it changes the filters or the grouping, which field, to what.
+#: Options of `zbot graph`: `filters` or `grouping`, the field there, and the value that it gets.
 FLAGS: dict[str, tuple[str, str, bool]] = {
     "debug-topics": ("filters", "debug", False),
     "params": ("filters", "params", False),
@@ -36,7 +36,7 @@ FLAGS: dict[str, tuple[str, str, bool]] = {
 
 @dataclass(frozen=True)
 class GraphOptions:
-    """All that can be chosen about the graph's picture."""
+    """Mode, filters and grouping of the drawn graph."""
 
     mode: Mode = Mode.ALL
     filters: Filters = field(default_factory=Filters)
@@ -44,7 +44,7 @@ class GraphOptions:
 
     @classmethod
     def from_query(cls, query: Mapping[str, str]) -> GraphOptions:
-        """Return what an address asks for; what it misspells, is as if it were not there."""
+        """Return the options of an address; unknown parameters and values are ignored."""
         found = cls()
         for flag in FLAGS:
             if flag in query:
@@ -60,7 +60,7 @@ class GraphOptions:
 
     @property
     def query(self) -> dict[str, str]:
-        """What stands in the address: all that is not as usual."""
+        """The parameters of the address: all options without their default values."""
         found = {} if self.mode is Mode.ALL else {"show": self.mode.value}
         for name in _TEXTS:
             if getattr(self.filters, name).strip() not in {"", "/"}:
@@ -71,19 +71,19 @@ class GraphOptions:
 
     @property
     def command(self) -> str:
-        """The command that shows the same."""
+        """The command that prints the same."""
         words = ["zbot", "graph"]
         for name, value in self.query.items():
             words += [f"--{name}"] if name in FLAGS else [f"--{name}", shlex.quote(value)]
         return " ".join(words)
 
     def has(self, flag: str) -> bool:
-        """Whether a switch of `zbot graph` is set."""
+        """Return whether an option of `zbot graph` is set."""
         part, name, value = FLAGS[flag]
         return bool(getattr(getattr(self, part), name) is value)
 
     def flagged(self, flag: str, *, is_set: bool) -> GraphOptions:
-        """Return them with a switch of `zbot graph` set or not."""
+        """Return a copy with an option of `zbot graph` set or not."""
         part, name, value = FLAGS[flag]
         changed: dict[str, Any] = {name: value if is_set else not value}
         if part == "filters":
@@ -91,23 +91,23 @@ class GraphOptions:
         return replace(self, grouping=replace(self.grouping, **changed))
 
     def filtered(self, name: str, text: str) -> GraphOptions:
-        """Return them with another filter for `nodes` or `topics`."""
+        """Return a copy with another filter for `nodes` or `topics`."""
         filters = self.filters
         if name == "nodes":
             return replace(self, filters=replace(filters, nodes=text))
         return replace(self, filters=replace(filters, topics=text))
 
     def framed(self, namespaces: int) -> GraphOptions:
-        """Return them with frames around so many levels of namespaces."""
+        """Return a copy with frames for this number of namespace levels."""
         return replace(self, grouping=replace(self.grouping, namespaces=namespaces))
 
     def view(self, snapshot: Snapshot) -> GraphView:
-        """Return what to draw of a snapshot."""
+        """Return the view of a snapshot with these options."""
         return view(snapshot, self.mode, self.filters, self.grouping)
 
 
 def filter_problem(text: str | None) -> str | None:
-    """Return what is wrong with a filter, in a sentence; None if nothing is."""
+    """Return a sentence about a wrong filter; None if the filter is valid."""
     try:
         compile_filter(text or "")
     except InvalidFilterError as exc:

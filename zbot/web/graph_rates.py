@@ -1,4 +1,4 @@
-"""Messages a second beside the arrows of the graph, while somebody wants to see them."""
+"""Rates beside the arrows of the graph, in messages a second."""
 
 from __future__ import annotations
 
@@ -9,39 +9,39 @@ from zbot.web.value_text import amount
 
 if TYPE_CHECKING:
     from zbot.graph.view import Edge, GraphView
-    from zbot.web.panel import Part
+    from zbot.web.panel import Section
     from zbot.web.watch import Watch
 
-#: Measuring means to receive. Whoever has more topics finds theirs by the filter.
+#: Measuring needs a subscription to each topic. With more topics, the user can set a filter.
 MOST_WATCHED = 300
 
 
 class GraphRates:
-    """Watches the topics of a picture.
+    """Watches of the topics in the drawing.
 
     Args:
-        part: Ends with it.
+        section: The section of the panel; closing it ends the watches.
     """
 
-    def __init__(self, part: Part) -> None:
-        self._part = part
+    def __init__(self, section: Section) -> None:
+        self._section = section
         self._watches: dict[str, Watch] = {}
 
     def match(self, shown: GraphView | None) -> None:
-        """Watch the topics that are shown and no others; None: none at all."""
+        """Watch exactly the topics of a view; no topics if None."""
         topics = shown.topics if shown is not None else ()
         names = [topic.name for topic in topics if topic.kind is BoxKind.TOPIC][:MOST_WATCHED]
         for name in self._watches.keys() - set(names):
-            self._part.drop(self._watches.pop(name))
+            self._section.drop(self._watches.pop(name))
         for name in names:
             if name not in self._watches:
-                self._watches[name] = self._part.watch(name)
+                self._watches[name] = self._section.watch(name)
 
     def labels(self, shown: GraphView) -> dict[Edge, str]:
-        """Return what stands beside each arrow.
+        """Return the text beside each arrow.
 
-        What several nodes publish is measured together: it stands beside the arrows that lead to
-        who hears it, not beside those that lead to the topic.
+        The rate of a topic is the sum of all its publishers. With several publishers it is only
+        beside the arrows to subscriptions.
         """
         alone = {one.name: len(one.publishers) == 1 for one in shown.topics}
         found = {}

@@ -1,4 +1,4 @@
-"""A list on the left, and on the right what was chosen of it."""
+"""List of a panel on the left, with the details of the chosen row on the right."""
 
 from __future__ import annotations
 
@@ -12,36 +12,36 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
     from zbot.graph.snapshot import Snapshot
-    from zbot.web.panel import Frame, Part
+    from zbot.web.panel import Page, Section
     from zbot.web.table import Column
 
-# A change of the graph is to be seen at once, and costs nothing while there is none.
+# High, to show changes of the graph at once; without a change an update does nothing.
 _LIST_HZ = 10.0
 
 
 class ListPanel:
-    """Rows that follow the graph, with a filter, and the details of the chosen one.
+    """List that follows the graph, with a filter, and with the details of the chosen row.
 
     Args:
-        frame: The page.
-        columns: Of the table.
-        rows: Returns the rows by their keys, given the graph and whether to show hidden ones.
-        details: Shows one row's details where it is called, given its key and what closes them.
-        key: What the address calls the chosen row: `?service=/spawn`.
+        page: The page.
+        columns: The columns of the table.
+        rows: Returns the rows by their keys, given the graph and whether to show hidden rows.
+        details: Adds a row's details to the current element, given a section and the row's key.
+        key: The address's parameter for the chosen row: `service` for `?service=/spawn`.
         command: The command that prints the list.
-        empty: What stands there if there are no rows.
-        hidden: Label of the tick for rows that are hidden at first.
-        version: Rows are asked for again when what this returns has changed, or the graph has.
-        is_narrow: Whether the list needs little room beside details.
+        empty: The text to show without rows.
+        hidden: The label of the checkbox for rows that are hidden at first.
+        version: Returns a value; when it changes, or the graph, `rows` is called again.
+        is_narrow: Whether the list needs little space beside details.
     """
 
     def __init__(
         self,
-        frame: Frame,
+        page: Page,
         *,
         columns: Sequence[Column],
         rows: Callable[[Snapshot, bool], Mapping[str, Sequence[str | Cell]]],
-        details: Callable[[Part, str], object],
+        details: Callable[[Section, str], object],
         key: str,
         command: str,
         empty: str,
@@ -49,24 +49,24 @@ class ListPanel:
         version: Callable[[], object] = lambda: None,
         is_narrow: bool = False,
     ) -> None:
-        self._frame, self._rows, self._details = frame, rows, details
+        self._page, self._rows, self._details = page, rows, details
         self._key, self._command, self._version = key, command, version
         self._filter, self._shows_hidden = "", False
         self._seen: object = None
-        self._part: Part | None = None
+        self._section: Section | None = None
         self._chosen: str | None = None
-        with frame.toolbar:
+        with page.toolbar:
             search = ui.input(placeholder="Filter", on_change=self._search)
             search.props('dense outlined clearable aria-label="Filter"').classes("zb-search")
             ui.checkbox(hidden, on_change=self._toggle).props("dense")
         with ui.element("div").classes("zb-split") as self._split:
             with ui.element("div").classes("zb-card zb-list"):
-                self._table = Table(frame, columns, self.choose)
+                self._table = Table(page, columns, self.choose)
                 self._empty = ui.label(empty).classes("zb-empty")
             self._side = ui.element("div").classes("zb-card zb-side")
         self._split.classes("zb-split-narrow" if is_narrow else "")
-        frame.live(self._update, _LIST_HZ)
-        chosen = frame.query.get(key)
+        page.live(self._update, _LIST_HZ)
+        chosen = page.query.get(key)
         if chosen:
             self.choose(chosen)
         else:
@@ -79,12 +79,12 @@ class ListPanel:
         self._shows_hidden = bool(getattr(event, "value", False))
 
     def _update(self) -> None:
-        revision = self._frame.system.revision
+        revision = self._page.system.revision
         state = (revision, self._version(), self._filter, self._shows_hidden)
         if state == self._seen:
             return
         self._seen = state
-        found = self._rows(self._frame.system.snapshot(), self._shows_hidden)
+        found = self._rows(self._page.system.snapshot(), self._shows_hidden)
         shown = {
             key: row
             for key, row in found.items()
@@ -94,38 +94,38 @@ class ListPanel:
         self._empty.set_visibility(not shown)
 
     def choose(self, key: str) -> None:
-        """Show a row's details, or no longer if they are shown."""
+        """Show a row's details, or close them if they are shown."""
         if self._chosen == key:
             self.close()
             return
         self._end_details()
         self._chosen = key
-        self._frame.set_query(**{self._key: key})
+        self._page.set_query(**{self._key: key})
         self._table.choose(key)
         self._seen = None
         self._split.classes(add="zb-split-open")
-        self._part = self._frame.part()
+        self._section = self._page.section()
         with self._side:
             with ui.element("div").classes("zb-side-head"):
                 ui.label(key).classes("zb-mono zb-name").tooltip(key)
                 close = ui.button(icon="close", on_click=self.close)
                 close.props('flat round dense aria-label="Close"')
-            self._details(self._part, key)
+            self._details(self._section, key)
 
     def close(self) -> None:
-        """Show the list alone."""
+        """Close the details."""
         self._end_details()
         self._chosen = None
-        self._frame.set_query()
-        self._frame.show_command(self._command)
+        self._page.set_query()
+        self._page.show_command(self._command)
         self._table.choose(None)
         self._seen = None
         self._split.classes(remove="zb-split-open")
 
     def _end_details(self) -> None:
-        if self._part is not None:
-            self._part.close()
-        self._part = None
+        if self._section is not None:
+            self._section.close()
+        self._section = None
         self._side.clear()
 
 

@@ -1,4 +1,4 @@
-"""Which log lines a reader wants to see, and how many there are of each level."""
+"""Filter for log lines, and the number of lines of each level."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ if TYPE_CHECKING:
 
     from zbot.web.log_ring import LogLine
 
-#: Levels of rcl_interfaces/msg/Log, with the words that stand for them.
+#: Levels of rcl_interfaces/msg/Log, with their names.
 LEVELS = {10: "Debug", 20: "Info", 30: "Warn", 40: "Error", 50: "Fatal"}
 
 
 def level_of(line: LogLine) -> int:
-    """Return the level of a line, one of `LEVELS`: programs may use any number up to 255."""
+    """Return the level of a line as one of `LEVELS`; programs may use other values, up to 255."""
     return min(max(line.level // 10 * 10, 10), 50)
 
 
 @dataclass(frozen=True, slots=True)
 class LogFilter:
-    """What a line has to be."""
+    """Filter for log lines."""
 
-    level: int = 10  #: at least
-    logger: str = ""  #: this one, or one below it; any if empty
-    text: str = ""  #: which the line or its logger contains, in any case
+    level: int = 10  #: the lowest level
+    logger: str = ""  #: the logger; its children pass too; empty for all loggers
+    text: str = ""  #: a text in the line or in its logger's name, in upper or lower case
 
     def matches(self, line: LogLine) -> bool:
-        """Return whether a line is wanted."""
+        """Return whether a line passes the filter."""
         if line.level < self.level:
             return False
         if self.logger and line.name != self.logger and not line.name.startswith(f"{self.logger}."):
@@ -39,7 +39,7 @@ class LogFilter:
 
     @property
     def condition(self) -> str:
-        """The same for `zbot topic echo --filter`; empty if every line is wanted."""
+        """The condition for `zbot topic echo --filter`; empty if all lines pass."""
         parts = []
         if self.level > min(LEVELS):
             parts.append(f"m.level >= {self.level}")
@@ -51,5 +51,5 @@ class LogFilter:
 
 
 def counts(lines: Iterable[LogLine]) -> Counter[int]:
-    """Return how many lines there are of each level."""
+    """Return the number of lines of each level."""
     return Counter(map(level_of, lines))

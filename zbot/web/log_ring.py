@@ -1,4 +1,4 @@
-"""The last log lines of all nodes, numbered so that a reader can ask for what is new."""
+"""Ring buffer of the last log lines of all nodes, with numbers for reading only new lines."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
-#: Enough for a lesson's evening; a node that logs a thousand lines a second fills it in ten.
+#: Enough for a lesson; a node that logs 1000 lines a second fills it in 10 s.
 CAPACITY = 10_000
 
 
@@ -27,10 +27,10 @@ class LogLine:
 
 
 class LogRing:
-    """Keeps the last lines. All methods may be called from any thread.
+    """Ring buffer of log lines. All methods may be called from any thread.
 
     Args:
-        capacity: How many are kept.
+        capacity: The number of lines that are kept.
     """
 
     def __init__(self, capacity: int = CAPACITY) -> None:
@@ -40,7 +40,7 @@ class LogRing:
 
     @property
     def last(self) -> int:
-        """The number of the newest line; 0 if there was none."""
+        """The number of the newest line; 0 before the first line."""
         return self._last
 
     def add(self, message: Any) -> None:
@@ -50,7 +50,7 @@ class LogRing:
             self._lines.append(_line(self._last, message))
 
     def since(self, number: int) -> list[LogLine]:
-        """Return the kept lines after a number, the oldest first."""
+        """Return the kept lines after a number, oldest first."""
         with self._lock:
             new = min(self._last - number, len(self._lines))
             return list(islice(self._lines, len(self._lines) - new, None)) if new > 0 else []

@@ -1,4 +1,4 @@
-"""A message that came as a tree in the page: a reply, a goal's feedback, its result."""
+"""Tree of a received message in the page: a response, feedback, or a result."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from zbot.web.table import Cell, Column, Table
 from zbot.web.value_text import tree
 
 if TYPE_CHECKING:
-    from zbot.web.panel import Part
+    from zbot.web.panel import Section
 
 _COLUMNS = (
     Column("Field", "zb-mono zb-cut", "40%"),
@@ -20,25 +20,25 @@ _COLUMNS = (
 
 
 class MessageView:
-    """A heading with a tree below it, hidden while there is nothing to show.
+    """Heading with a tree below it, hidden while there is no message.
 
     Args:
-        part: Of the page.
-        title: What the message is: `Reply`.
+        section: The section of the page.
+        title: The heading: `Reply`.
     """
 
-    def __init__(self, part: Part, title: str) -> None:
+    def __init__(self, section: Section, title: str) -> None:
         with ui.element("div").classes("zb-message") as self._box:
             with ui.element("div").classes("zb-row"):
                 ui.label(title).classes("zb-heading")
                 self._note = ui.label().classes("zb-muted")
-            self._table = Table(part.frame, _COLUMNS)
+            self._table = Table(section.page, _COLUMNS)
             self._table.element.classes("zb-tree")
             self._error = ui.label().classes("zb-bad zb-wrap")
         self.clear()
 
     def clear(self) -> None:
-        """Show nothing."""
+        """Hide heading and tree."""
         self._box.set_visibility(False)
 
     def show(self, message: Any, note: str = "") -> None:
@@ -52,10 +52,10 @@ class MessageView:
             for row in tree(message)
         }
         self._table.show(rows)
-        self._say("" if rows else "It has no fields.", note)
+        self._say("" if rows else "The message has no fields.", note)
 
-    def complain(self, error: Exception) -> None:
-        """Show an error's sentence instead."""
+    def show_error(self, error: Exception) -> None:
+        """Show an error's message instead of a tree."""
         self._table.show({})
         self._say(str(error), "")
         self._error.classes(add="zb-bad")

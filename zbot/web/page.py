@@ -1,4 +1,4 @@
-"""What stands around every panel: the list of panels, the title, and the strip with the command."""
+"""Layout of the page around a panel: the list of panels, the title, and the command at the end."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from nicegui import app, ui
 from zbot.errors import ZbotError
 from zbot.names import nearest
 from zbot.version import __version__
-from zbot.web.panel import Frame
+from zbot.web.panel import Page
 from zbot.web.panels import PANELS
 
 if TYPE_CHECKING:
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 _STATIC = Path(__file__).parent / "static"
 _ADDRESS = f"/_zbot/{__version__}"
-# page.js makes what the others add to.
+# page.js comes first: it makes the object `zbot` that the others add to.
 _SCRIPTS = (
     "page.js",
     "table.js",
@@ -40,7 +40,7 @@ _ICON = (
 
 
 class UnknownPanelError(ZbotError, ValueError):
-    """The page has no panel of that name."""
+    """The page has no panel with this name."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -51,13 +51,13 @@ class UnknownPanelError(ZbotError, ValueError):
 
 
 def check_path(path: str) -> None:
-    """Refuse an address that leads to no panel.
+    """Check that a path is the path of a panel.
 
     Args:
-        path: With its query, if any: `/plot?curve=/pose.x`.
+        path: The path, with or without a query: `/plot?curve=/pose.x`.
 
     Raises:
-        UnknownPanelError: There is none.
+        UnknownPanelError: There is no panel with this path.
     """
     bare = path.partition("?")[0]
     if bare != "/" and bare not in {panel.path for panel in PANELS}:
@@ -65,8 +65,8 @@ def check_path(path: str) -> None:
 
 
 def add_pages(system: System) -> None:
-    """Serve every panel at its address, and the first one at `/`."""
-    # No age: whoever updates zbot must not see what the browser remembers of the old one.
+    """Serve each panel at its path, and the first panel at `/`."""
+    # Without caching: after an update of zbot, the browser must not use the old files.
     app.add_static_files(_ADDRESS, str(_STATIC), max_cache_age=0)
     for name in _SCRIPTS:
         ui.add_head_html(f'<script src="{_ADDRESS}/{name}"></script>', shared=True)
@@ -81,17 +81,17 @@ def add_pages(system: System) -> None:
 def _page(panel: Panel, system: System) -> Callable[[], None]:
     def build() -> None:
         client = ui.context.client
-        frame = Frame(client, system, client.request.query_params)
+        page = Page(client, system, client.request.query_params)
         with ui.element("div").classes("zb-page"):
             _rail(panel, system)
             with ui.element("main").classes("zb-main"):
                 with ui.element("header").classes("zb-top"):
                     ui.label(panel.title).classes("zb-title")
-                    frame.toolbar = ui.element("div").classes("zb-toolbar")
+                    page.toolbar = ui.element("div").classes("zb-toolbar")
                 body = ui.element("div").classes("zb-body")
-            _strip(frame)
+            _strip(page)
         with body:
-            panel.build(frame)
+            panel.build(page)
 
     return build
 
@@ -117,10 +117,10 @@ def _rail(current: Panel, system: System) -> None:
             button.on("click", js_handler="() => zbot.switchTheme()")
 
 
-def _strip(frame: Frame) -> None:
+def _strip(page: Page) -> None:
     with ui.element("footer").classes("zb-strip"):
         ui.label("$").classes("zb-prompt")
         text = ui.label().classes("zb-command").props('aria-label="The same on the command line"')
         button = ui.button(icon="content_copy").props('flat dense size=sm aria-label="Copy"')
         button.on("click", js_handler="() => zbot.copyCommand()")
-    frame.on_command(text.set_text)
+    page.on_command(text.set_text)

@@ -1,4 +1,4 @@
-"""How programs of a domain find the page that shows it already, to use it and start no second."""
+"""Discovery of a running page of the domain, so that a program does not start a second one."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from zbot.qos import DurabilityPolicy, QoSProfile
 if TYPE_CHECKING:
     from zbot.node.node import Node
 
-#: Hidden, and latched: who comes later gets it too.
+#: Hidden and latched (transient local), so that later nodes receive the address too.
 TOPIC = "/_zbot_web"
 _TYPE = "std_msgs/msg/String"
 _LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -21,12 +21,12 @@ _PATIENCE_S = 2.0
 
 
 def announce(node: Node, address: str) -> None:
-    """Tell the domain that a page can be had, until the node ends.
+    """Publish the address of a page in the domain, until the node is destroyed.
 
     Args:
-        node: Publishes it.
-        address: Where, without a path: `http://127.0.0.1:8080`. An address with a token in it is
-            nobody else's business.
+        node: The node that publishes.
+        address: The address without a path: `http://127.0.0.1:8080`. Never pass an address with a
+            token, as all nodes of the domain can read it.
     """
     message_type: Any = get_message(_TYPE)
     facts = {"host": socket.gethostname(), "address": address}
@@ -36,10 +36,10 @@ def announce(node: Node, address: str) -> None:
 
 
 def running_page(node: Node) -> str | None:
-    """Return the address of a page of this machine that shows the node's domain; None if none does.
+    """Return the address of a page of this machine for the node's domain; None without a page.
 
     Args:
-        node: Asks; a node that nobody spins yet.
+        node: The node that subscribes; no executor may spin it.
     """
     if not node.count_publishers(TOPIC):
         return None

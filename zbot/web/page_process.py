@@ -1,6 +1,6 @@
-"""A page beside a program: `python -m zbot.web.companion PATH` serves it until that program ends.
+"""Process `python -m zbot.web.page_process PATH` that serves the page until another program ends.
 
-The program holds the other end of its standard input, which closes however the program ends.
+That program holds the other end of its standard input, a pipe, which closes with the program.
 """
 
 from __future__ import annotations
@@ -18,22 +18,22 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-_GOODBYE_S = 5.0
+_CLOSE_TIMEOUT_S = 5.0
 _PATIENCE_S = 30.0
-# Which of several programs that begin at once serves the page: who can bind this port.
+# Of several programs that start at once, the one that can bind this port serves the page.
 _ABOVE_MEETING_PORT = 2000
 
 
 def is_installed() -> bool:
-    """Return whether the extra `web` is."""
+    """Return whether the extra `web` is installed."""
     return all(importlib.util.find_spec(name) is not None for name in ("nicegui", "psutil"))
 
 
-class Companion:
-    """A process that serves the page, opened in the user's browser, until it is closed.
+class PageProcess:
+    """Process that serves the page and opens it in the user's browser, until `close`.
 
     Args:
-        path: What to show first: `/turtle?node=/turtlesim`.
+        path: The path of the page to open: `/turtle?node=/turtlesim`.
     """
 
     def __init__(self, path: str) -> None:
@@ -41,11 +41,11 @@ class Companion:
         self._process = subprocess.Popen(words, stdin=subprocess.PIPE)  # noqa: S603 - as just made
 
     def close(self) -> None:
-        """End it; may be called twice."""
+        """End the process; may be called twice."""
         if self._process.stdin is not None:
             self._process.stdin.close()
         try:
-            self._process.wait(_GOODBYE_S)
+            self._process.wait(_CLOSE_TIMEOUT_S)
         except subprocess.TimeoutExpired:
             self._process.kill()
 
@@ -57,11 +57,11 @@ class Companion:
 
 
 def main() -> None:
-    """Serve until standard input closes, or show the page that another companion serves."""
+    """Serve until standard input closes, or open the page that another process serves."""
     from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - only in that process
     from zbot.web.server import serve  # noqa: PLC0415 - as above
 
-    threading.Thread(target=_end_with_input, name="zbot companion", daemon=True).start()
+    threading.Thread(target=_end_with_input, name="zbot page input", daemon=True).start()
     path = sys.argv[1]
     with socket.socket() as arbiter:
         if _is_first(arbiter):
@@ -72,7 +72,7 @@ def main() -> None:
 
 
 def _is_first(arbiter: socket.socket) -> bool:
-    """Return whether no other program of the domain has begun to show its page."""
+    """Return whether no other program of the domain on this machine serves a page in this way."""
     from zbot.transport.config import MEETING_PORT, domain_id  # noqa: PLC0415 - only in that process
 
     try:
@@ -84,15 +84,15 @@ def _is_first(arbiter: socket.socket) -> bool:
 
 
 def _show_others(path: str) -> None:
-    """Open the page that another companion is about to serve."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the program beside it tells of Ctrl-C
+    """Wait for the page that another process is starting, and open it."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the program prints its own line about Ctrl-C
     from zbot.context import Context  # noqa: PLC0415 - only in that process
     from zbot.node.node import Node  # noqa: PLC0415 - as above
-    from zbot.web.announcement import TOPIC, running_page  # noqa: PLC0415 - as above
+    from zbot.web.page_discovery import TOPIC, running_page  # noqa: PLC0415 - as above
 
     context = Context()
     context.init([])
-    node = Node(f"_zbot_companion_{os.getpid()}", context=context, enable_rosout=False)
+    node = Node(f"_zbot_page_{os.getpid()}", context=context, enable_rosout=False)
     context.graph.wait_for(lambda graph: bool(graph.publishers(TOPIC)), _PATIENCE_S)
     address = running_page(node)
     context.shutdown()
@@ -104,7 +104,7 @@ def _end_with_input() -> None:
     while sys.stdin.buffer.read(1):
         continue
     if sys.platform == "win32":
-        os._exit(0)  # no signal reaches one's own process there
+        os._exit(0)  # on Windows, os.kill would end the process with an error code
     os.kill(os.getpid(), signal.SIGTERM)
 
 

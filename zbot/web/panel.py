@@ -1,4 +1,4 @@
-"""What a panel of the page is made of, and what the page gives it."""
+"""Panel of the page, and the objects that it builds with: `Page` and `Section`."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, Protocol, TypeVar, cast
 from nicegui import ui
 
 from zbot.log import get_logger
-from zbot.web.pace import Pace
+from zbot.web.update_scheduler import UpdateScheduler
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
@@ -24,84 +24,84 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class Panel:
-    """One page of the live page, with an address of its own."""
+    """One view of the live page, with its own path."""
 
     path: str  #: `/topics`
     title: str
     icon: str  #: name of a Material icon: `hub`
-    build: Callable[[Frame], None]  #: fills the page; called inside its body, once a browser
+    build: Callable[[Page], None]  #: adds the elements; called once for each browser
 
 
 class Releasable(Protocol):
-    """A watch, a lease: what has to be released."""
+    """Watch or reference that has to be released."""
 
     def release(self) -> None:
-        """Need it no more; may be called twice."""
+        """Release it; may be called twice."""
 
 
 ReleasableT = TypeVar("ReleasableT", bound=Releasable)
 
 
-class Part:
-    """Something of a page that can end before the page does: the details of what was chosen.
+class Section:
+    """Section of a page that can be closed before the page, such as the details of a topic.
 
-    Its methods belong to NiceGUI's loop.
+    Its methods must be called in NiceGUI's loop.
     """
 
-    def __init__(self, frame: Frame) -> None:
-        self.frame = frame
+    def __init__(self, page: Page) -> None:
+        self.page = page
         self._endings: dict[object, Callable[[], object]] = {}
 
     @property
     def system(self) -> System:
         """The running system."""
-        return self.frame.system
+        return self.page.system
 
     def live(self, update: Callable[[], None], max_hz: float = 30.0) -> Callable[[], None]:
-        """Call a function when the browser wants to draw, at most `max_hz` times a second.
+        """Call a function when the browser is about to draw, at most `max_hz` times a second.
 
-        It runs in NiceGUI's loop and changes elements. It must be quick, and should change nothing
-        when nothing is new (`Watch.count`, `System.revision`): the browser then asks less often.
-        One that raises is shown in the page and not called again.
+        The function runs in NiceGUI's loop and changes elements. It must be quick. It should change
+        no element when nothing is new (`Watch.count`, `System.revision`): the browser then asks
+        less often. If the function raises, the page shows the error and stops calling the function.
 
         Returns:
-            A function that ends this; it may be called twice.
+            A function that ends the calls; it may be called twice.
         """
-        undo = self.frame.pace.add(update, max_hz)
+        undo = self.page.scheduler.add(update, max_hz)
         return self.on_close(undo)
 
     def watch(
         self, topic: str, type_name: str | None = None, *, keep: int = 0, even_hidden: bool = False
     ) -> Watch:
-        """Watch a topic while the page is seen; it is released when this is closed.
+        """Watch a topic while the page is visible; closing the section releases the watch.
 
         Args:
             topic: Full name.
-            type_name: Full name of its type; the one that the graph tells if left out.
-            keep: How many messages to keep for `Watch.since`.
-            even_hidden: Whether messages are wanted while the page is hidden behind others.
+            type_name: Full name of its type; the type in the graph if left out.
+            keep: The number of messages to keep for `Watch.since`.
+            even_hidden: Whether to receive messages while the page is hidden too.
         """
-        is_awake = self.frame.is_awake
+        is_awake = self.page.is_awake
         watch = self.system.watch(topic, type_name, keep=keep, is_active=is_awake)
-        self.frame.watches[watch] = even_hidden
+        self.page.watches[watch] = even_hidden
         return self.keep(watch)
 
     def keep(self, thing: ReleasableT) -> ReleasableT:
-        """Release a watch or a lease when this is closed, if it was not dropped; return it."""
+        """Return a watch or a reference; closing the section releases it."""
         self._endings[thing] = thing.release
         return thing
 
     def drop(self, thing: Releasable) -> None:
-        """Release a watch or a lease now; nothing happens if that has been done."""
+        """Release a watch or a reference now; may be called twice."""
         self._endings.pop(thing, None)
-        self.frame.watches.pop(thing, None)
+        self.page.watches.pop(thing, None)
         thing.release()
 
     def on_close(self, callback: Callable[[], object]) -> Callable[[], None]:
-        """Call a function when this is closed.
+        """Call a function when the section is closed.
 
         Returns:
-            A function that calls it now instead; it may be called twice.
+            A function that makes this call earlier; it may be called twice.
         """
         key = object()
         self._endings[key] = callback
@@ -113,37 +113,37 @@ class Part:
 
         return end
 
-    def part(self) -> Part:
-        """Return a part that ends with this one, or earlier by its `close`."""
-        part = Part(self.frame)
-        self._endings[part] = part.close
-        return part
+    def section(self) -> Section:
+        """Return an inner section, which closes with this one or by its own `close`."""
+        section = Section(self.page)
+        self._endings[section] = section.close
+        return section
 
     def close(self) -> None:
-        """End everything that was begun here; may be called twice."""
+        """Release all watches and references, and end all calls; may be called twice."""
         while self._endings:
             thing, end = self._endings.popitem()
-            self.frame.watches.pop(thing, None)
+            self.page.watches.pop(thing, None)
             end()
 
 
-class Frame(Part):
-    """One browser's page around a panel.
+class Page(Section):
+    """Page of one browser, with one panel.
 
-    The browser asks for what is new when it is about to draw, and asks again when it has drawn the
-    answer. Nothing is sent unasked: a hidden, slow or vanished browser has nothing waiting for it.
-    When the page is closed or reloaded, or its browser has vanished, it is closed.
+    The browser asks for changes when it is about to draw, and asks again after it has drawn them.
+    The server sends nothing else, so that no messages queue up for a hidden, slow or lost browser.
+    The page is closed when the user closes or reloads it, or when its browser is lost.
 
     Args:
-        client: NiceGUI's view of the browser.
+        client: NiceGUI's object for the browser.
         system: The running system.
-        query: What stands behind the `?` of the address.
+        query: The parameters of the address, after the `?`.
 
     Attributes:
-        query: What stands behind the `?` of the address, e.g. `{"topic": "/scan"}`.
-        toolbar: A row beside the title, for buttons and filters: `with frame.toolbar: ...`
-        command: The command that does what the page shows.
-        is_awake: Whether somebody sees the page.
+        query: The parameters of the address, e.g. `{"topic": "/scan"}`.
+        toolbar: A row beside the title, for buttons and filters: `with page.toolbar: ...`
+        command: The command that prints the same as the page.
+        is_awake: Whether the page is visible.
     """
 
     toolbar: ui.element
@@ -154,8 +154,8 @@ class Frame(Part):
         self.query = dict(query)
         self.command = ""
         self.is_awake = False
-        self.pace = Pace(self._on_fault)
-        self.watches: dict[object, bool] = {}  #: whether also while the page is hidden
+        self.scheduler = UpdateScheduler(self._on_fault)
+        self.watches: dict[object, bool] = {}  #: value: whether also while the page is hidden
         self._client = client
         self._choosers: dict[str, Callable[[str], None]] = {}
         self._show: Callable[[str], object] | None = None
@@ -171,22 +171,22 @@ class Frame(Part):
 
     @property
     def read_only(self) -> bool:
-        """Whether the page may only look."""
+        """Whether the page can only show the system, not change it."""
         return self.system.read_only
 
     def show_command(self, command: str) -> None:
-        """Show which `zbot ...` command does the same as the user's last click."""
+        """Show the `zbot ...` command that does the same as the user's last click."""
         self.command = command
         if self._show is not None:
             self._show(command)
 
     def on_command(self, show: Callable[[str], object]) -> None:
-        """Set what shows commands; the page around the panel does."""
+        """Set the function that shows commands below the panel."""
         self._show = show
         show(self.command)
 
     def on_choose(self, element_id: str, choose: Callable[[str], None]) -> None:
-        """Call a function with the key of a row that was clicked in a table; see `Table`."""
+        """Call a function with the key of a clicked row of a table; see `Table`."""
         self._choosers[element_id] = choose
 
     def _chose(self, event: Any) -> None:
@@ -197,18 +197,18 @@ class Frame(Part):
     # -- drawing -------------------------------------------------------------------------------
 
     def set_query(self, **query: str) -> None:
-        """Change what stands behind the `?` of the address, so that a reload shows the same."""
+        """Set the parameters of the address, so that a reload shows the same."""
         self.query = query
         self.call("zbot.setQuery", query)
 
     def call(self, function: str, *arguments: Any) -> None:
-        """Call a function of the page's scripts, with values that JSON has.
+        """Call a function of the page's scripts, with JSON values: `page.call("zbot.f", 1)`.
 
-        This is the way for data that should not pass through elements: `frame.call("zbot.f", 1)`.
+        Use it for data that does not belong to an element of NiceGUI.
         """
-        # JSON is JavaScript; a message's text stays a string in it.
+        # JSON is valid JavaScript, so a text in a message cannot become code.
         words = ",".join(json.dumps(one) for one in arguments)
-        # At once, unlike Client.run_javascript: whether there is something to draw is asked below.
+        # Client.run_javascript would enqueue this later, after `_on_ask` has read the outbox.
         code = {"code": f"{function}({words})"}
         self._client.outbox.enqueue_message("run_javascript", code, self._client.id)
 
@@ -216,9 +216,9 @@ class Frame(Part):
         if not self.is_awake:
             self._wake()
         outbox = self._client.outbox
-        self.pace.run(time.monotonic())
+        self.scheduler.run(time.monotonic())
         is_changed = bool(outbox.updates or outbox.messages)
-        # NiceGUI sends changes first: the browser gets this when it has drawn them.
+        # NiceGUI sends changes first, so this call runs after the browser has drawn them.
         self.call("zbot.answered", is_changed)
 
     def _on_fault(self, error: Exception) -> None:
@@ -226,7 +226,7 @@ class Frame(Part):
         get_logger("zbot.web").error(f"a part of the page stopped\n{trace}")
         with self._client:
             ui.notify(
-                f"This part of the page has stopped: {error}",
+                f"This section of the page has stopped: {error}",
                 type="negative",
                 timeout=0,
                 close_button=True,

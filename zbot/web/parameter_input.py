@@ -1,4 +1,4 @@
-"""One parameter in the page: its name, what it is for, and an input that sets it."""
+"""Row of one parameter in the page: name, type, description, and an input that sets it."""
 
 from __future__ import annotations
 
@@ -8,38 +8,38 @@ from nicegui import ui
 
 from zbot.errors import ZbotError
 from zbot.parameters.parameter import Parameter
-from zbot.web.call import guarded
 from zbot.web.command_line import command_line
 from zbot.web.form_value import EntryError
 from zbot.web.remote_parameter import set_value, show_value
+from zbot.web.service_call import with_errors_shown
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
     from nicegui.events import GenericEventArguments
 
-    from zbot.web.panel import Part
+    from zbot.web.panel import Section
     from zbot.web.remote_parameter import Range, RemoteParameter
 
-#: While a slider is dragged, seconds between two values.
+#: Seconds between two values while the user drags a slider.
 _DRAG_S = 0.1
-_STEPS = 200  # of a slider whose range names none
+_STEPS = 200  # of a slider whose range has no step
 
 
 class ParameterInput:
-    """A row for one parameter, made where it is called.
+    """Row for one parameter; the constructor adds it to the current element.
 
     Args:
-        part: Of the page.
+        section: The section of the page.
         node: The node's full name.
-        parameter: What it tells of the parameter.
+        parameter: The parameter with its description.
     """
 
-    def __init__(self, part: Part, node: str, parameter: RemoteParameter) -> None:
-        self._part, self._node, self._parameter = part, node, parameter
+    def __init__(self, section: Section, node: str, parameter: RemoteParameter) -> None:
+        self._section, self._node, self._parameter = section, node, parameter
         self._value = parameter.value
         self._is_setting = False
-        self._waiting: Any = None  # what was chosen while the node still thought about the last
+        self._waiting: Any = None  # the newest value, until the node has answered
         self._showers: list[Callable[[Any], object]] = []
         with ui.element("div").classes("zb-parameter").props(f'data-name="{parameter.name}"'):
             with ui.element("div").classes("zb-row"):
@@ -55,7 +55,7 @@ class ParameterInput:
             self._refusal.set_visibility(False)
 
     def show(self, type_: Parameter.Type, value: Any) -> bool:
-        """Show a value that somebody has set; return False if it has another type now."""
+        """Show a value that was set elsewhere; return False if its type has changed."""
         if type_ != self._parameter.type:
             return False
         self._value = value
@@ -67,7 +67,7 @@ class ParameterInput:
 
     def _build(self) -> None:
         parameter = self._parameter
-        if parameter.is_read_only or self._part.frame.read_only:
+        if parameter.is_read_only or self._section.page.read_only:
             label = ui.label().classes("zb-mono")
             self._showers.append(lambda value: label.set_text(self._text(value)))
         elif parameter.type is Parameter.Type.BOOL:
@@ -80,7 +80,7 @@ class ParameterInput:
 
     def _add_switch(self) -> None:
         switch = ui.switch().props(f'dense aria-label="{self._parameter.name}"')
-        switch.on("click", guarded(self._on_switch(switch)))
+        switch.on("click", with_errors_shown(self._on_switch(switch)))
         self._showers.append(switch.set_value)
 
     def _on_switch(self, switch: ui.switch) -> Callable[..., Any]:
@@ -99,8 +99,8 @@ class ParameterInput:
         async def slide(_event: object) -> None:
             await self._set(convert(slider.value or 0.0))
 
-        # Only what the user does: what others set moves the slider too.
-        slider.on("update:model-value", guarded(slide), throttle=_DRAG_S, args=[])
+        # Only the user's changes: other changes move the slider too.
+        slider.on("update:model-value", with_errors_shown(slide), throttle=_DRAG_S, args=[])
         self._showers.append(slider.set_value)
 
     def _add_text(self) -> None:
@@ -118,7 +118,7 @@ class ParameterInput:
                 return
             await self._set(value)
 
-        box.on("change", guarded(commit), js_handler="(value) => emit(value)")
+        box.on("change", with_errors_shown(commit), js_handler="(value) => emit(value)")
         self._showers.append(lambda value: box.set_value(self._text(value)))
 
     def _text(self, value: Any) -> str:
@@ -143,12 +143,12 @@ class ParameterInput:
         parameter = self._parameter
         text = show_value(parameter.type, value)
         words = ("param", "set", self._node, parameter.name, text)
-        self._part.frame.show_command(command_line(*words))
+        self._section.page.show_command(command_line(*words))
         message = Parameter(parameter.name, parameter.type, value)
         try:
-            refusal = await set_value(self._part.system, self._node, message)
+            refusal = await set_value(self._section.system, self._node, message)
         except ZbotError:
-            self._spring_back()
+            self._restore()
             raise
         if refusal:
             self._refuse(refusal)
@@ -157,11 +157,11 @@ class ParameterInput:
             self.show(parameter.type, value)
 
     def _refuse(self, reason: str) -> None:
-        """Show why a value will not do, and the one that holds."""
+        """Show why a value was refused, and restore the present value."""
         self._refusal.set_text(reason)
         self._refusal.set_visibility(True)
-        self._spring_back()
+        self._restore()
 
-    def _spring_back(self) -> None:
+    def _restore(self) -> None:
         for shower in self._showers:
             shower(self._value)

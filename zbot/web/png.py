@@ -1,7 +1,7 @@
-"""Images of cameras as PNG, without any imaging library: bytes are moved, hardly ever computed.
+"""PNG encoder for `sensor_msgs/Image`, without an imaging library.
 
-`sensor_msgs/Image` in the encodings that drivers use, made smaller while it is read so that a page
-is not flooded; `CompressedImage` passes through as it is.
+It reads the common encodings of camera drivers, and leaves out rows and columns of large images, to
+send less data to the browser. `CompressedImage` is sent to the browser without changes.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from typing import Any, TypeVar
 
 from zbot.errors import ZbotError
 
-#: A page shows them no larger; what is wider or higher loses rows and columns.
+#: In pixels; larger images lose rows and columns.
 LONGEST_SIDE = 480
-# 1 is quick and already halves what cameras see; these never leave the machine.
+# Level 1 is fast and halves the size of usual camera images.
 _COMPRESSION = 1
 
-#: Encoding -> bytes of a pixel, and which of them are shown as grey, or red, green and blue.
+#: Encoding: bytes of a pixel, and the positions of grey, or of red, green and blue.
 _PLANES: dict[str, tuple[int, tuple[int, ...]]] = {
     "rgb8": (3, (0, 1, 2)),
     "bgr8": (3, (2, 1, 0)),
@@ -33,17 +33,17 @@ _PLANES: dict[str, tuple[int, tuple[int, ...]]] = {
     "8UC3": (3, (2, 1, 0)),  # OpenCV's order
     "8UC4": (4, (2, 1, 0)),
     "8UC2": (2, (0,)),
-    # YUV 4:2:2: the brightness alone, which stands in every second byte
+    # YUV 4:2:2: only the brightness, in every second byte
     "yuv422": (2, (1,)),
     "uyvy": (2, (1,)),
     "yuv422_yuy2": (2, (0,)),
     "yuyv": (2, (0,)),
 }
-#: Raw patterns of colour sensors: shown in grey, as they are.
+#: Raw patterns of colour sensors, shown in grey.
 _PLANES |= {f"bayer_{pattern}8": (1, (0,)) for pattern in ("rggb", "bggr", "gbrg", "grbg")}
-#: Planes one behind the other, the brightness first: that is what is shown.
+#: Encodings with separate planes; the first plane is the brightness, and only it is shown.
 _PLANAR = frozenset({"nv12", "nv21", "nv24", "yuv420", "i420"})
-#: Encodings of several bytes a number: array typecode, numbers a pixel, which are shown.
+#: Encodings with larger numbers: array typecode, numbers of a pixel, positions as above.
 _NUMBERS: dict[str, tuple[str, int, tuple[int, ...]]] = {
     "mono16": ("H", 1, (0,)),
     "16UC1": ("H", 1, (0,)),
@@ -59,9 +59,9 @@ _NUMBERS: dict[str, tuple[str, int, tuple[int, ...]]] = {
     "32FC3": ("f", 3, (2, 1, 0)),
 }
 _NUMBERS |= {f"bayer_{pattern}16": ("H", 1, (0,)) for pattern in ("rggb", "bggr", "gbrg", "grbg")}
-#: Encodings whose numbers have a fixed range; the others are stretched from least to greatest.
+#: Encodings whose numbers have a fixed range; other numbers are scaled from least to greatest.
 _FULL_RANGE = frozenset({"mono16", "rgb16", "bgr16", "rgba16", "bgra16"})
-#: How files of compressed images begin, and what browsers call them.
+#: First bytes of compressed images, and their media types.
 _SIGNATURES = {
     b"\xff\xd8\xff": "image/jpeg",
     b"\x89PNG\r\n\x1a\n": "image/png",
@@ -74,22 +74,22 @@ _SIGNATURES = {
 SliceableT = TypeVar("SliceableT", bytes, "array[Any]")
 
 
-class PictureError(ZbotError, ValueError):
-    """An image message cannot be shown; says why."""
+class ImageError(ZbotError, ValueError):
+    """An image message cannot be shown."""
 
 
-def png(image: Any) -> bytes:
+def encode_png(image: Any) -> bytes:
     """Return a `sensor_msgs/Image` as PNG, at most `LONGEST_SIDE` pixels wide and high.
 
-    Numbers of more than 8 bits (depth) become grey, from the least (black) to the greatest (white);
-    what is 0 or not finite was not measured and is black.
+    Numbers of more than 8 bits (depth) become grey, from the least (black) to the greatest (white).
+    Zeros and numbers that are not finite are missing measurements, and black.
 
     Raises:
-        PictureError: The encoding is unknown, or the data too short.
+        ImageError: The encoding is unknown, or the data is too short.
     """
     width, height = image.width, image.height
     if not width or not height:
-        raise PictureError("the image is empty")
+        raise ImageError("the image is empty")
     step = -(-max(width, height) // LONGEST_SIDE)
     planes = _planes(image, step)
     shown_width = -(-width // step)
@@ -98,36 +98,36 @@ def png(image: Any) -> bytes:
 
 
 def media_type(data: bytes) -> str:
-    """Return what a compressed image is, e.g. `image/jpeg`.
+    """Return the media type of a compressed image, e.g. `image/jpeg`.
 
     Raises:
-        PictureError: It is nothing that browsers show.
+        ImageError: Browsers cannot show the format.
     """
     for signature, name in _SIGNATURES.items():
         if data.startswith(signature):
             return name
-    raise PictureError("a compressed image is neither JPEG nor PNG nor WebP")
+    raise ImageError("the format of the compressed image is unknown: use JPEG, PNG or WebP")
 
 
 @dataclass(frozen=True, slots=True)
 class _Layout:
-    """How the pixels of an image lie in its data; all but the sizes in elements of the data."""
+    """Positions of an image's pixels in its data; `row` and `pixel` count elements of the data."""
 
     width: int
     height: int
     row: int  #: from one row to the next
     pixel: int  #: from one pixel to the next
-    step: int  #: every so many rows and columns are taken
+    step: int  #: every `step`-th row and column is used
 
     def rows(self, data: SliceableT, offset: int) -> list[SliceableT]:
         """Return one number of every pixel, row by row.
 
         Raises:
-            PictureError: There is less data than that.
+            ImageError: The data is too short.
         """
         length = self.width * self.pixel
         if self.row < length or len(data) < self.row * (self.height - 1) + length:
-            raise PictureError(
+            raise ImageError(
                 f"{self.width} x {self.height} pixels do not fit into {len(data)} numbers "
                 f"in rows of {self.row}"
             )
@@ -146,7 +146,7 @@ def _planes(image: Any, step: int) -> list[bytes]:
     elif encoding in _PLANES:
         size, shown = _PLANES[encoding]
     else:
-        raise PictureError(f"the encoding {encoding!r} cannot be shown")
+        raise ImageError(f"the encoding {encoding!r} cannot be shown")
     layout = _Layout(image.width, image.height, image.step or size * image.width, size, step)
     return [b"".join(layout.rows(data, offset)) for offset in shown]
 
@@ -170,13 +170,13 @@ def _range(encoding: str, planes: list[list[float]]) -> tuple[float, float]:
     if encoding in _FULL_RANGE:
         return 0.0, 65_535.0
     finite = [one for plane in planes for one in plane if one - one == 0]
-    # A depth of 0 means that nothing was measured: it is black whatever the range.
+    # A depth of 0 is a missing measurement, and not part of the range.
     measured = [one for one in finite if one] or finite or [0.0]
     return min(measured), max(measured)
 
 
 def _shade(value: float) -> int:
-    # NaN fails both comparisons.
+    # NaN: both comparisons are false.
     if value >= 255:
         return 255 if value - value == 0 else 0
     return int(value) if value > 0 else 0
@@ -195,7 +195,7 @@ def _interleaved(planes: list[bytes], width: int, height: int) -> list[bytes]:
 
 
 def _file(width: int, height: int, colours: int, rows: list[bytes]) -> bytes:
-    """Return a PNG file: 8 bits, grey or RGB, no filter (RFC 2083)."""
+    """Return a PNG file: 8 bits, grey or RGB, without a filter (RFC 2083)."""
     header = struct.pack(">IIBBBBB", width, height, 8, 0 if colours == 1 else 2, 0, 0, 0)
     pixels = zlib.compress(b"".join(b"\0" + row for row in rows), _COMPRESSION)
     chunks = (_chunk(b"IHDR", header), _chunk(b"IDAT", pixels), _chunk(b"IEND", b""))

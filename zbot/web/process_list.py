@@ -1,4 +1,4 @@
-"""The processes that nodes run in: whose they are, what they cost, and how to stop them."""
+"""Processes of nodes, with their use of CPU and memory, and a way to stop them."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import Process, Snapshot
     from zbot.web.system import System
 
-#: A session is opened after its process has begun; clocks of both are those of one machine.
+#: Tolerance for comparing the start of a process with the start that its session reports.
 _SLACK_S = 2.0
 
 
 class StopError(ZbotError):
-    """A process cannot be stopped from here."""
+    """This machine's user cannot stop a process."""
 
 
 @dataclass(frozen=True, slots=True)
 class RunningProcess:
-    """A process with the nodes in it."""
+    """Process with its nodes."""
 
     host: str
     pid: int
@@ -39,26 +39,26 @@ class RunningProcess:
     version: str  #: of zbot
     nodes: tuple[str, ...]  #: full names
     is_here: bool  #: whether it runs on this machine
-    is_page: bool  #: whether it is the one that serves the page
-    cpu_percent: float | None = None  #: of one core, since the last look; None elsewhere
-    memory_bytes: int | None = None  #: resident; None elsewhere
+    is_page: bool  #: whether it serves the page
+    cpu_percent: float | None = None  #: of one core, since the last `look`; None on other machines
+    memory_bytes: int | None = None  #: resident; None on other machines
 
     @property
     def key(self) -> str:
-        """What tells it from all others."""
+        """A key that no other process has."""
         return f"{self.host}:{self.pid}"
 
 
 class ProcessList:
-    """Looks at processes again and again. One thread at a time may call it."""
+    """List of processes, with their use of CPU since the last `look`; for one thread at a time."""
 
     def __init__(self) -> None:
         self._known: dict[int, psutil.Process] = {}
 
     def look(self, system: System) -> list[RunningProcess]:
-        """Return the processes of the domain's nodes; asks their sessions, 1 to 25 ms."""
-        told = processes(system.context.session)
-        found = _merged(system.snapshot(), told)
+        """Return the processes of the domain's nodes; queries their sessions (1 to 25 ms)."""
+        by_session = processes(system.context.session)
+        found = _merged(system.snapshot(), by_session)
         self._known = {pid: one for pid, one in self._known.items() if psutil.pid_exists(pid)}
         return [self._measured(process, nodes) for process, nodes in found]
 
@@ -80,19 +80,21 @@ class ProcessList:
 
     def _costs(self, pid: int) -> tuple[float | None, int | None]:
         try:
-            # The object remembers the last look, which the share is reckoned from.
+            # The same object is kept, as psutil measures CPU time since its last call.
             process = self._known.setdefault(pid, psutil.Process(pid))
             return process.cpu_percent(), process.memory_info().rss
-        except psutil.Error:  # it has ended, or belongs to somebody else
+        except psutil.Error:  # it has ended, or belongs to another user
             return None, None
 
 
-def _merged(graph: Snapshot, told: Mapping[str, Process]) -> list[tuple[Process, tuple[str, ...]]]:
+def _merged(
+    graph: Snapshot, by_session: Mapping[str, Process]
+) -> list[tuple[Process, tuple[str, ...]]]:
     """Return each process once, with the nodes of all its sessions."""
     nodes: dict[tuple[str, int], list[str]] = {}
     first: dict[tuple[str, int], Process] = {}
     for node in graph.nodes:
-        process = told.get(node.zid)
+        process = by_session.get(node.zid)
         if process is not None:
             key = (process.host, process.pid)
             first.setdefault(key, process)
@@ -102,25 +104,25 @@ def _merged(graph: Snapshot, told: Mapping[str, Process]) -> list[tuple[Process,
 
 
 def stop(process: RunningProcess, *, force: bool = False) -> None:
-    """Ask a process of this machine to end, as Ctrl-C does; or end it, without a goodbye.
+    """Stop a process of this machine with SIGINT, as Ctrl-C does; with SIGKILL if `force`.
 
     Raises:
-        StopError: It runs elsewhere, is somebody else's, or has ended.
+        StopError: The process runs on another machine, belongs to another user, or has ended.
     """
     if not process.is_here:
-        raise StopError(f"it runs on {process.host}: end it there")
+        raise StopError(f"process {process.pid} runs on {process.host}: stop it there")
     try:
         running = psutil.Process(process.pid)
         is_same = running.create_time() <= process.started_ns / 1e9 + _SLACK_S
         if is_same and force:
             running.kill()
         elif is_same and sys.platform == "win32":
-            running.terminate()  # Ctrl-C reaches only whole consoles there
+            running.terminate()  # on Windows, Ctrl-C can be sent only to all processes of a console
         elif is_same:
             running.send_signal(signal.SIGINT)
     except psutil.NoSuchProcess:
         is_same = False
     except psutil.AccessDenied:
         raise StopError(f"process {process.pid} belongs to another user") from None
-    if not is_same:  # the number may have been given to another process since
+    if not is_same:  # another process may have the same number now
         raise StopError(f"process {process.pid} has ended already")

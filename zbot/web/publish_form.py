@@ -1,4 +1,4 @@
-"""Publishing by hand: a form made from the type, once or at a rate."""
+"""Form for publishing a message of a topic's type, once or at a rate."""
 
 from __future__ import annotations
 
@@ -11,32 +11,32 @@ from zbot.errors import ZbotError
 from zbot.web.form_view import FormView
 
 if TYPE_CHECKING:
-    from zbot.web.panel import Part
+    from zbot.web.panel import Section
     from zbot.web.repeated_publishing import RepeatedPublishing
     from zbot.web.watch import Watch
 
 _FASTEST_HZ = 1000.0
 
 
-def add_publish_form(part: Part, watch: Watch) -> None:
-    """Add a form for a topic's messages where this is called, once its type is known."""
-    # Where nobody publishes, somebody probably wants to.
-    is_open = not part.system.snapshot().publishers(watch.topic)
+def add_publish_form(section: Section, watch: Watch) -> None:
+    """Add a form for a topic's messages to the current element, when the type is known."""
+    # Open at first if the topic has no publisher.
+    is_open = not section.system.snapshot().publishers(watch.topic)
     expansion = ui.expansion("Publish", icon="send", value=is_open)
     expansion.classes("zb-publish").props("dense")
     type_name: str | None = None
 
     async def update() -> None:
         try:
-            message_type = await run.io_bound(part.system.interface, str(type_name))
+            message_type = await run.io_bound(section.system.interface, str(type_name))
         except ZbotError as error:
             with expansion:
                 ui.label(str(error)).classes("zb-bad")
             return
         if message_type is None:
-            return  # the server is about to end
+            return  # the server is shutting down
         with expansion:
-            _PublishForm(part, watch.topic, str(type_name), message_type)
+            _PublishForm(section, watch.topic, str(type_name), message_type)
 
     def look() -> None:
         nonlocal type_name
@@ -45,12 +45,12 @@ def add_publish_form(part: Part, watch: Watch) -> None:
             undo()
             ui.timer(0, update, once=True)
 
-    undo = part.live(look, 5.0)
+    undo = section.live(look, 5.0)
 
 
 class _PublishForm:
-    def __init__(self, part: Part, topic: str, type_name: str, message_type: type[Any]) -> None:
-        self.part, self.topic, self.type_name = part, topic, type_name
+    def __init__(self, section: Section, topic: str, type_name: str, message_type: Any) -> None:
+        self.section, self.topic, self.type_name = section, topic, type_name
         self.repetition: RepeatedPublishing | None = None
         self.view = FormView(message_type, self.changed)
         with ui.element("div").classes("zb-row"):
@@ -61,7 +61,7 @@ class _PublishForm:
             self.said = ui.label().classes("zb-muted")
 
     def changed(self) -> None:
-        """Follow what was typed: a repeated message changes at once."""
+        """Use the changed inputs: a repeated message changes at once."""
         is_right = not self.view.problems
         self.once.set_enabled(is_right)
         self.repeat.set_enabled(is_right or self.repetition is not None)
@@ -72,34 +72,34 @@ class _PublishForm:
 
     @property
     def rate_hz(self) -> float:
-        """How often to repeat it, within what is possible."""
+        """Messages a second, limited to possible values."""
         return min(max(float(self.rate.value or 1.0), 0.01), _FASTEST_HZ)
 
     def show_command(self) -> None:
-        """Show what does the same on the command line."""
+        """Show the command that publishes the same."""
         how = f"-r {self.rate_hz:g}" if self.repetition is not None else "--once"
         words = [self.topic, self.type_name, self.view.yaml()]
-        self.part.frame.show_command(f"zbot topic pub {how} {shlex.join(words)}")
+        self.section.page.show_command(f"zbot topic pub {how} {shlex.join(words)}")
 
     def publish(self) -> None:
         """Send the message once."""
         if self.view.problems:
             return
-        with self.part.system.publisher(self.topic, self.type_name) as lease:
-            lease.entity.publish(self.view.message())
+        with self.section.system.publisher(self.topic, self.type_name) as reference:
+            reference.entity.publish(self.view.message())
         self.said.set_text("published")
         self.show_command()
 
     def toggle(self) -> None:
-        """Begin or end repeating the message."""
+        """Start or stop repeating the message."""
         if self.repetition is None:
-            self.repetition = self.part.keep(
-                self.part.system.repeat(self.topic, self.type_name, self.view.maker(), self.rate_hz)
-            )
+            repeat, make = self.section.system.repeat, self.view.maker()
+            repetition = repeat(self.topic, self.type_name, make, self.rate_hz)
+            self.repetition = self.section.keep(repetition)
             self.repeat.set_text("Stop")
             self.said.set_text("publishing")
         else:
-            self.part.drop(self.repetition)
+            self.section.drop(self.repetition)
             self.repetition = None
             self.repeat.set_text("Repeat")
             self.said.set_text("")

@@ -1,4 +1,4 @@
-"""How often something comes, and how large it is: over the last seconds, at a constant cost."""
+"""Meter of messages and bytes a second over the last 5 s, with constant memory."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 _WINDOW_NS = 5 * 10**9
 _BUCKET_NS = 10**8
-#: Who is silent for so many periods has become slower or stopped: the rate falls from then on.
-_PATIENT_PERIODS = 2
+#: After a silence of this many periods the rate falls: the publisher is slower or has stopped.
+_SILENT_PERIODS = 2
 
 
 @dataclass(slots=True)
@@ -20,10 +20,10 @@ class _Bucket:
     size: int
 
 
-class Meter:
-    """Counts arrivals. `add` and the rates may be called from different threads.
+class RateMeter:
+    """Meter of arrivals. `add` and `rates` may be called from different threads.
 
-    Times are nanoseconds of any one clock that does not run backwards.
+    Times are nanoseconds of one clock that does not run backwards.
     """
 
     def __init__(self) -> None:
@@ -31,7 +31,7 @@ class Meter:
         self._lock = threading.Lock()
 
     def add(self, now_ns: int, size: int) -> None:
-        """Count something of so many bytes that comes now."""
+        """Count an arrival with a size in bytes."""
         with self._lock:
             bucket = self._buckets[-1] if self._buckets else None
             if bucket is None or now_ns - bucket.first_ns >= _BUCKET_NS:
@@ -42,7 +42,7 @@ class Meter:
             bucket.size += size
 
     def rates(self, now_ns: int) -> tuple[float, float]:
-        """Return arrivals and bytes a second; 0 until a second one came, and after a silence."""
+        """Return arrivals and bytes a second; zeros before the second arrival and after 5 s."""
         with self._lock:
             recent = [one for one in self._buckets if now_ns - one.last_ns <= _WINDOW_NS]
         count = sum(one.count for one in recent)
@@ -50,7 +50,7 @@ class Meter:
             return 0.0, 0.0
         span_ns = recent[-1].last_ns - recent[0].first_ns
         silent_ns = now_ns - recent[-1].last_ns
-        if silent_ns * (count - 1) > _PATIENT_PERIODS * span_ns:
+        if silent_ns * (count - 1) > _SILENT_PERIODS * span_ns:
             span_ns += silent_ns
         if span_ns <= 0:
             return 0.0, 0.0

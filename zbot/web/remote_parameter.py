@@ -1,4 +1,4 @@
-"""Parameters of other nodes, as a page shows and sets them."""
+"""Parameters of other nodes: reading, showing and setting them for a page."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces import FieldType, get_service
 from zbot.parameters.parameter import Parameter, parameter_value_to_python
-from zbot.web.call import call
 from zbot.web.form_value import Entry, EntryError, read, show
+from zbot.web.service_call import call
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
@@ -34,11 +34,11 @@ _TYPES = {
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """What a number may be."""
+    """Range of a number."""
 
     low: float
     high: float
-    step: float  #: 0 if anything in between will do
+    step: float  #: 0 if all values in between are allowed
 
     @property
     def text(self) -> str:
@@ -49,7 +49,7 @@ class Range:
 
 @dataclass(frozen=True, slots=True)
 class RemoteParameter:
-    """A parameter with what its node tells of it."""
+    """Parameter of another node, with its descriptor."""
 
     name: str
     type: Parameter.Type
@@ -61,14 +61,14 @@ class RemoteParameter:
 
     @property
     def text(self) -> str:
-        """The value as an input shows it."""
+        """The text of an input for the value."""
         return show_value(self.type, self.value)
 
     def read(self, entry: Entry) -> Any:
-        """Return the value that an entry stands for.
+        """Return the value for an entry.
 
         Raises:
-            EntryError: It is none of the parameter's type.
+            EntryError: The entry does not fit the parameter's type.
         """
         kind = _TYPES.get(self.type)
         if kind is None:
@@ -77,13 +77,13 @@ class RemoteParameter:
 
 
 def show_value(type_: Parameter.Type, value: Any) -> str:
-    """Return a value as an input shows it."""
+    """Return the text of an input for a value."""
     kind = _TYPES.get(type_)
     return "" if kind is None else show(kind, value)
 
 
 def nodes_with_parameters(graph: Snapshot) -> list[str]:
-    """Return the full names of the nodes that offer their parameters, sorted."""
+    """Return the full names of the nodes with parameter services, sorted."""
     served = (name for name, types in graph.services() if _SET in types)
     return sorted(name.rpartition("/")[0] for name in served)
 
@@ -92,8 +92,8 @@ async def load(system: System, node: str) -> list[RemoteParameter]:
     """Return a node's parameters, sorted by name.
 
     Raises:
-        ServiceError: The node is gone.
-        NoAnswerError: It does not answer.
+        ServiceError: The node has ended.
+        NoAnswerError: The node does not answer.
     """
     listed = await _ask(system, node, "list_parameters", _LIST)
     names = sorted(listed.result.names)
@@ -106,19 +106,19 @@ async def load(system: System, node: str) -> list[RemoteParameter]:
 
 
 async def set_value(system: System, node: str, parameter: Parameter[Any]) -> str:
-    """Set one parameter; return why the node refuses it, or an empty text.
+    """Set one parameter; return the node's reason if it refuses, otherwise an empty text.
 
     Raises:
-        ReadOnlyError: The page may only look.
-        ServiceError: The node is gone.
-        NoAnswerError: It does not answer.
+        ReadOnlyError: The page is read-only.
+        ServiceError: The node has ended.
+        NoAnswerError: The node does not answer.
     """
     request = get_service(_SET).Request(  # type: ignore[attr-defined] # of each service
         parameters=[parameter.to_parameter_msg()]
     )
     response = await call(system, f"{node}/set_parameters", _SET, request)
     (result,) = response.results
-    return "" if result.successful else result.reason or "the node refuses it"
+    return "" if result.successful else result.reason or "the node refused the value"
 
 
 async def _ask(system: System, node: str, name: str, type_name: str, **fields: Any) -> Any:

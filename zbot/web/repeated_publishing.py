@@ -1,4 +1,4 @@
-"""A message that is published again and again."""
+"""Repeated publishing of a message at a rate."""
 
 from __future__ import annotations
 
@@ -10,29 +10,33 @@ if TYPE_CHECKING:
     from zbot.executor.timer import Timer
     from zbot.node.node import Node
     from zbot.node.publisher import Publisher
-    from zbot.web.lease import Lease
+    from zbot.web.shared_entities import EntityReference
 
 
 class RepeatedPublishing:
-    """Publishes at a rate, in the node's thread, until it is released.
+    """Timer that publishes at a rate, in the node's thread, until `release`.
 
     Args:
-        node: Whose timer it is.
-        lease: The publisher; released at the end.
-        make: Returns the message; called each time, so that stamps tell the present.
-        rate_hz: How often.
+        node: The node of the timer.
+        reference: The publisher; it is released too.
+        make: Returns the message; called for each message, so that stamps are new.
+        rate_hz: Messages a second.
     """
 
     def __init__(
-        self, node: Node, lease: Lease[Publisher[Any]], make: Callable[[], Any], rate_hz: float
+        self,
+        node: Node,
+        reference: EntityReference[Publisher[Any]],
+        make: Callable[[], Any],
+        rate_hz: float,
     ) -> None:
-        self._node, self._lease = node, lease
+        self._node, self._reference = node, reference
         self._make, self._rate_hz = make, rate_hz
         self._timer: Timer | None = node.create_timer(1 / rate_hz, self._publish)
         self._publish()
 
     def change(self, make: Callable[[], Any], rate_hz: float) -> None:
-        """Publish something else, or at another rate, from now on."""
+        """Change the message or the rate."""
         self._make = make
         if rate_hz != self._rate_hz and self._timer is not None:
             self._rate_hz = rate_hz
@@ -40,12 +44,12 @@ class RepeatedPublishing:
             self._timer = self._node.create_timer(1 / rate_hz, self._publish)
 
     def _publish(self) -> None:
-        if self._lease.entity.is_open:
-            self._lease.entity.publish(self._make())
+        if self._reference.entity.is_open:
+            self._reference.entity.publish(self._make())
 
     def release(self) -> None:
-        """Publish no more; may be called twice."""
+        """Stop publishing; may be called twice."""
         timer, self._timer = self._timer, None
         if timer is not None:
             self._node.destroy_timer(timer)
-            self._lease.release()
+            self._reference.release()

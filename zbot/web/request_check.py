@@ -1,7 +1,7 @@
-"""Who may talk to the server: nobody but pages of its own, and with a token off this machine.
+"""Check of requests: only the server's own pages may send them; other machines need a token.
 
-A page of another site that the same browser shows can send requests to 127.0.0.1 too, under its own
-name (Origin) or, by DNS rebinding, under a name that it made lead here (Host).
+A website in the same browser can also send requests to 127.0.0.1. Such a request has the website's
+name in the header Origin or, with DNS rebinding, in the header Host.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 _LOCAL_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
 _PARAMETER = "token"
 _HOST = re.compile(r"(?P<name>\[[0-9a-fA-F:.]+\]|[\w.-]+)(:\d+)?\Z")
-# What the browser enforces on top: whatever a page may contain, nothing is fetched from elsewhere
-# and no other site frames it. NiceGUI's templates are compiled in the browser: hence unsafe-eval.
+# The browser enforces this policy: a page loads nothing from other sites, and no other site can
+# show the page in a frame. unsafe-eval: NiceGUI compiles its templates in the browser.
 _POLICY = (
     "default-src 'self' data: blob: 'unsafe-inline' 'unsafe-eval'; "
     "connect-src 'self' ws://{host} wss://{host}; object-src 'none'; base-uri 'none'; "
@@ -34,7 +34,7 @@ _POLICY = (
 
 
 def is_loopback(host: str) -> bool:
-    """Return whether a host name or address can only be reached from this machine."""
+    """Return whether only this machine can reach a host name or address."""
     if host.lower() == "localhost":
         return True
     try:
@@ -43,13 +43,13 @@ def is_loopback(host: str) -> bool:
         return False
 
 
-class Guard:
-    """Refuses requests and websockets that do not come from a page of this server.
+class RequestCheck:
+    """Application (ASGI) that refuses requests and websockets from pages of other servers.
 
     Args:
         app: The server's application (ASGI).
-        host: What the server listens on.
-        token: What the address must tell, once a browser; None if this machine alone can ask.
+        host: The host that the server listens on.
+        token: The token that the first address of each browser must contain; None on loopback.
     """
 
     def __init__(self, app: App, *, host: str, token: str | None) -> None:
@@ -58,7 +58,7 @@ class Guard:
         self._token = token
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Pass a request on, or refuse it."""
+        """Pass a request to the application, or refuse it."""
         if scope["type"] not in {"http", "websocket"}:
             await self.app(scope, receive, send)
             return
@@ -68,26 +68,26 @@ class Guard:
             if scope["type"] == "http" and self._has_token(scope):
                 await _redirect(scope, send, self._cookie(scope))
                 return
-            reason = "open the address that `zbot web` printed: it has a token in it"
+            reason = "the token is missing: open the address that `zbot web` printed"
         if reason is not None:
             await _refuse(scope, send, reason)
             return
-        # A proxy's header that NiceGUI would build addresses from; there is no proxy here.
+        # NiceGUI would build addresses from this header of proxies; the server has no proxy.
         scope["headers"] = [one for one in scope["headers"] if one[0] != b"x-forwarded-prefix"]
         await self.app(scope, receive, _with_policy(send, headers.get("host", "")))
 
     def _refusal(self, headers: Mapping[str, str]) -> str | None:
         host = headers.get("host", "")
         if not self._is_ours(host):
-            return f"this server is not called {host!r}"
+            return f"{host!r} is not a name of this server: open the address that it printed"
         origin = headers.get("origin")
         if origin is not None and urlsplit(origin).netloc != host:
-            return f"a page of {origin} may not talk to zbot"
-        # The address bar and links may lead here from anywhere, pictures and scripts may not.
+            return f"pages of {origin} may not send requests to zbot"
+        # A link of another site may open the page; its images and scripts may not load anything.
         if headers.get("sec-fetch-site", "none") in {"cross-site", "same-site"}:
             is_visit = headers.get("sec-fetch-dest") == "document"
             if not is_visit:
-                return "a page of another site may not talk to zbot"
+                return "pages of other sites may not send requests to zbot"
         return None
 
     def _is_ours(self, host: str) -> bool:
@@ -95,11 +95,11 @@ class Guard:
         name = match["name"].strip("[]").lower() if match else ""
         if name in self._names:
             return True
-        # With a token, any address will do: the machine may have several, and may get new ones.
+        # With a token, all IP addresses are accepted: the machine may get new ones.
         return self._token is not None and _is_address(name)
 
     def _cookie_name(self, scope: Scope) -> str:
-        # Cookies do not know ports: two servers of one machine must not forget each other's.
+        # Cookies are shared by all ports: with one name, two servers would overwrite them.
         return f"zbot_{scope['server'][1]}"
 
     def _cookie(self, scope: Scope) -> str:
@@ -122,7 +122,7 @@ class Guard:
 
 
 def address(host: str, port: int, path: str, token: str | None) -> str:
-    """Return the address to type into a browser."""
+    """Return the address for the user's browser."""
     name = f"[{host}]" if ":" in host else host
     query = f"?{urlencode({_PARAMETER: token})}" if token else ""
     return f"http://{name}:{port}{path}{query}"
@@ -161,11 +161,11 @@ def _with_policy(send: Send, host: str) -> Send:
 
 
 async def _redirect(scope: Scope, send: Send, cookie: str) -> None:
-    """Give the browser its cookie, and an address without the token to show and to bookmark."""
+    """Set the browser's cookie, and send it to the same address without the token."""
     query = scope["query_string"].decode("latin-1")
     kept = [pair for pair in parse_qsl(query, keep_blank_values=True) if pair[0] != _PARAMETER]
     target = scope["path"] + (f"?{urlencode(kept)}" if kept else "")
-    # Two slashes at its beginning would make it another server's address.
+    # With two slashes at its beginning, the target would be another server.
     headers = [
         (b"location", ("/" + target.lstrip("/")).encode("latin-1", "replace")),
         (b"set-cookie", cookie.encode("latin-1")),

@@ -1,4 +1,4 @@
-"""The server of the live page: `serve()` runs it until Ctrl-C."""
+"""Server of the live page; `serve()` runs it until Ctrl-C."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ import socket
 import sys
 
 from zbot.errors import ZbotError
-from zbot.web.announcement import announce
 from zbot.web.browser import open_page
-from zbot.web.guard import Guard, address, is_loopback
+from zbot.web.page_discovery import announce
+from zbot.web.request_check import RequestCheck, address, is_loopback
 from zbot.web.system import System
 
 DEFAULT_HOST = "127.0.0.1"
@@ -20,7 +20,7 @@ _BACKLOG = 128
 
 
 class ServerError(ZbotError, OSError):
-    """The server cannot listen where it was asked to."""
+    """The server cannot listen on a host and port."""
 
     def __init__(self, host: str, port: int, reason: str) -> None:
         self.host, self.port, self.reason = host, port, reason
@@ -38,18 +38,18 @@ def serve(
     """Serve the live page of this process's domain until a signal ends it.
 
     Args:
-        host: What to listen on; other machines can reach it unless it is a loopback address.
-        port: Where, or at the next free one; 0 for any.
-        open_browser: Whether to show it in the user's browser.
-        read_only: Whether pages may only look.
-        start_path: Which page to open first, with its query: `/plot?curve=/pose.x`.
+        host: The host to listen on; other machines can reach it unless it is a loopback address.
+        port: The port, or the first of the ports to try; 0 for any free port.
+        open_browser: Whether to open the page in the user's browser.
+        read_only: Whether pages can only show the system, not change it.
+        start_path: The path of the first page, with its query: `/plot?curve=/pose.x`.
 
     Raises:
-        UnknownPanelError: The path leads to no panel.
-        ServerError: It cannot listen there.
+        UnknownPanelError: There is no panel with this path.
+        ServerError: The server cannot listen on this host and port.
         SessionError: Zenoh cannot open a session.
     """
-    # Half a second of imports, which nothing but a running server needs.
+    # These imports take half a second, and only a running server needs them.
     from zbot.web.application import run  # noqa: PLC0415
     from zbot.web.page import check_path  # noqa: PLC0415
 
@@ -63,21 +63,21 @@ def serve(
             if token is None:
                 announce(system.node, address(host, listener.getsockname()[1], "", None))
 
-            def tell() -> None:
+            def on_startup() -> None:
                 print("\n".join(f"zbot web: {one}" for one in addresses), flush=True)
                 if open_browser:
                     open_page(addresses[0])
 
-            run(system, listener, lambda app: Guard(app, host=host, token=token), tell)
+            run(system, listener, lambda app: RequestCheck(app, host=host, token=token), on_startup)
     finally:
         listener.close()
 
 
 def listen(host: str, port: int) -> socket.socket:
-    """Return a socket that listens on a port or, if that is taken, on the next free one.
+    """Return a socket that listens on a port or, if this is taken, on the next free port.
 
     Raises:
-        ServerError: The host is none of this machine, or all these ports are taken.
+        ServerError: The host is not an address of this machine, or all ports are taken.
     """
     try:
         family = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0][0]
@@ -96,7 +96,7 @@ def listen(host: str, port: int) -> socket.socket:
 def _bound(family: int, host: str, port: int) -> socket.socket:
     listener = socket.socket(family, socket.SOCK_STREAM)
     try:
-        # On Windows the same option would let two servers share a port, to the first one's loss.
+        # On Windows, this option would let a second server take over a port in use.
         option = "SO_EXCLUSIVEADDRUSE" if sys.platform == "win32" else "SO_REUSEADDR"
         listener.setsockopt(socket.SOL_SOCKET, getattr(socket, option), 1)
         listener.bind((host, port))
@@ -114,7 +114,7 @@ def _addresses(host: str, port: int, path: str, token: str | None) -> list[str]:
 
 
 def _own_addresses() -> list[str]:
-    import psutil  # noqa: PLC0415 - of the extra
+    import psutil  # noqa: PLC0415 - only with the extra `web`
 
     found = [
         one.address

@@ -1,4 +1,4 @@
-"""Calling services for a page, and telling its user what went wrong."""
+"""Service calls of a page, and the display of their errors."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from nicegui import run, ui
 
 from zbot.errors import ZbotError
-from zbot.web.system import answer
+from zbot.web.system import await_future
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
@@ -45,49 +45,49 @@ async def call(
         system: The running system.
         name: The service's full name.
         type_name: Its type.
-        request: The request, or what makes it, given the service's class.
-        changes: Whether a page that may only look has to refuse.
+        request: The request.
+        changes: Whether the call changes something, so that a read-only page must refuse it.
         timeout_s: The longest wait.
 
     Raises:
-        ReadOnlyError: The page may only look.
+        ReadOnlyError: The page is read-only, and `changes` is true.
         NoAnswerError: The server did not answer in time.
         ServiceError: There is no server, its callback raised, or it ended.
-        NoTypeError: Nobody knows the type.
+        UnknownTypeError: No definition of the type was found.
     """
     connect = system.client if changes else system.reader
-    # The type may have to be asked of another machine, which takes its time.
-    lease = await in_thread(connect, name, type_name)
-    with lease:
+    # In a thread, as the definition of the type may have to come from another machine.
+    reference = await run_in_thread(connect, name, type_name)
+    with reference:
         try:
-            return await answer(lease.entity.call_async(request), timeout_s)
+            return await await_future(reference.entity.call_async(request), timeout_s)
         except asyncio.TimeoutError:
             raise NoAnswerError(name, timeout_s) from None
 
 
-async def in_thread(function: Callable[..., T], *arguments: Any) -> T:
-    """Run a function that may take a while, while NiceGUI's loop goes on."""
+async def run_in_thread(function: Callable[..., T], *arguments: Any) -> T:
+    """Run a slow function in a thread, without blocking NiceGUI's loop, and return its result."""
     made = await run.io_bound(function, *arguments)
     if made is None:
-        raise asyncio.CancelledError  # the server is about to end
+        raise asyncio.CancelledError  # NiceGUI returns None while the server shuts down
     return made
 
 
-def complain(error: Exception) -> None:
-    """Show an error's sentence in the page."""
+def show_error(error: Exception) -> None:
+    """Show an error's message in the page."""
     ui.notify(str(error), type="negative", multi_line=True, classes="zb-complaint")
 
 
-def guarded(
+def with_errors_shown(
     action: Callable[..., Coroutine[Any, Any, None]],
 ) -> Callable[..., Coroutine[Any, Any, None]]:
-    """Return a handler that tells its user of errors, which are sentences, in the page."""
+    """Return an event handler that shows errors in the page."""
 
-    @functools.wraps(action)  # NiceGUI looks at what a handler takes
+    @functools.wraps(action)  # NiceGUI inspects the parameters of a handler
     async def handler(*arguments: Any) -> None:
         try:
             await action(*arguments)
         except ZbotError as error:
-            complain(error)
+            show_error(error)
 
     return handler

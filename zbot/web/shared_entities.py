@@ -1,4 +1,4 @@
-"""Things that several browsers share, and that end when nobody needs them any more."""
+"""Publishers and clients that browsers share; the last release destroys them."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ if TYPE_CHECKING:
 T = TypeVar("T")
 
 
-class Lease(Generic[T]):
-    """One holder's part in a shared thing.
+class EntityReference(Generic[T]):
+    """Counted reference to a shared entity.
 
     Attributes:
-        entity: The thing: a publisher, a client, ...
+        entity: The entity: a publisher, a client, ...
     """
 
     def __init__(self, entity: T, release: Callable[[], None]) -> None:
@@ -25,7 +25,7 @@ class Lease(Generic[T]):
         self._release: Callable[[], None] | None = release
 
     def release(self) -> None:
-        """Need it no more; the last holder's release destroys it. May be called twice."""
+        """Release the reference; the last release destroys the entity. May be called twice."""
         release, self._release = self._release, None
         if release is not None:
             release()
@@ -37,36 +37,38 @@ class Lease(Generic[T]):
         self.release()
 
 
-class _Shared:
+class _CountedEntity:
     def __init__(self, entity: Any, destroy: Callable[[], object]) -> None:
         self.entity, self.destroy = entity, destroy
-        self.holders = 0
+        self.references = 0
 
 
-class Leases:
-    """Makes each thing once and counts who holds it. All methods may be called from any thread."""
+class SharedEntities:
+    """Entities by key, with reference counts. All methods may be called from any thread."""
 
     def __init__(self) -> None:
-        self._shared: dict[Hashable, _Shared] = {}
+        self._shared: dict[Hashable, _CountedEntity] = {}
         self._lock = threading.RLock()
 
     def __len__(self) -> int:
         return len(self._shared)
 
-    def get(self, key: Hashable, make: Callable[[], T], destroy: Callable[[T], object]) -> Lease[T]:
-        """Return a lease of the thing under a key, made if nobody holds it yet."""
+    def get(
+        self, key: Hashable, make: Callable[[], T], destroy: Callable[[T], object]
+    ) -> EntityReference[T]:
+        """Return a reference to the entity with a key, which is made if there is none."""
         with self._lock:
             shared = self._shared.get(key)
             if shared is None:
                 entity = make()
-                shared = self._shared[key] = _Shared(entity, lambda: destroy(entity))
-            shared.holders += 1
-        return Lease(shared.entity, lambda: self._release(key, shared))
+                shared = self._shared[key] = _CountedEntity(entity, lambda: destroy(entity))
+            shared.references += 1
+        return EntityReference(shared.entity, lambda: self._release(key, shared))
 
-    def _release(self, key: Hashable, shared: _Shared) -> None:
+    def _release(self, key: Hashable, shared: _CountedEntity) -> None:
         with self._lock:
-            shared.holders -= 1
-            if shared.holders:
+            shared.references -= 1
+            if shared.references:
                 return
             del self._shared[key]
             shared.destroy()

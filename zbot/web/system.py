@@ -1,4 +1,4 @@
-"""The running system as pages see it: one hidden node for all browsers, in a thread of its own."""
+"""Access of all pages to the running system, through one hidden node in its own thread."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from zbot.action import ActionClient
 from zbot.context import Context
 from zbot.errors import ExternalShutdownException, NotInitializedError, ZbotError
-from zbot.executor.executor import SingleThreadedExecutor
+from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.interfaces import get_interface
 from zbot.log import LoggingSeverity, get_logger, set_logger_level
 from zbot.names import ROSOUT_TOPIC
 from zbot.node.node import Node
 from zbot.node.remote_types import learn_type
 from zbot.qos import qos_profile_rosout_default
-from zbot.web.lease import Leases
 from zbot.web.log_ring import LogRing
 from zbot.web.repeated_publishing import RepeatedPublishing
-from zbot.web.watch import Feed, NoTypeError, Watch, profile_for
+from zbot.web.shared_entities import SharedEntities
+from zbot.web.watch import Feed, UnknownTypeError, Watch, profile_for
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot, Token
     from zbot.node.client import Client
     from zbot.node.publisher import Publisher
-    from zbot.web.lease import Lease
+    from zbot.web.shared_entities import EntityReference
 
 T = TypeVar("T")
 
@@ -40,7 +40,7 @@ _PUBLISH_DEPTH = 10
 
 
 class ReadOnlyError(ZbotError):
-    """A page that may only look wanted to change something."""
+    """A read-only page tried to change something."""
 
     def __init__(self, what: str) -> None:
         self.what = what
@@ -48,15 +48,15 @@ class ReadOnlyError(ZbotError):
 
 
 class System:
-    """Who is there, what they say, and a voice among them. Any thread may call any method.
+    """Graph, topics, services and actions of a domain. Any thread may call any method.
 
     Args:
-        read_only: Refuse whatever could change something.
+        read_only: Whether to refuse to publish, call, set and send goals.
         domain_id: 0 to 232; `$ZBOT_DOMAIN_ID` or `$ROS_DOMAIN_ID`, else 0, if left out.
 
     Attributes:
         logs: The last lines of `/rosout`.
-        revision: Grows with every change of the graph: equal means nothing changed.
+        revision: A number that grows with every change of the graph.
 
     Raises:
         SessionError: Zenoh cannot open a session.
@@ -71,7 +71,7 @@ class System:
         self._callbacks: list[Callable[[], None]] = []
         self._lock = threading.RLock()
         self._feeds: dict[tuple[str, str | None], Feed] = {}
-        self._leases = Leases()
+        self._shared_entities = SharedEntities()
         self._seen: tuple[int, Snapshot] | None = None
         self.context = Context()
         self.context.init([], domain_id=domain_id)
@@ -89,7 +89,7 @@ class System:
             enable_rosout=False,
             start_parameter_services=False,
         )
-        # Pages say what is wrong with a topic; the terminal behind them should not repeat it.
+        # Pages show the problems of topics; the terminal should not repeat them.
         set_logger_level(self.node.get_logger().name, LoggingSeverity.FATAL)
         self._executor = SingleThreadedExecutor(context=self.context)
         self._executor.add_node(self.node)
@@ -106,7 +106,7 @@ class System:
                 self._executor.spin()
             except ExternalShutdownException:
                 return
-            except Exception:  # noqa: BLE001 - one faulty callback must not blind every browser
+            except Exception:  # noqa: BLE001 - a faulty callback must not stop all pages
                 get_logger("zbot.web").error(traceback.format_exc())
 
     @property
@@ -116,7 +116,7 @@ class System:
 
     @property
     def node_name(self) -> str:
-        """The full name of the hidden node that looks for all pages."""
+        """The full name of the hidden node of all pages."""
         return self.node.get_fully_qualified_name()
 
     def close(self) -> None:
@@ -129,10 +129,10 @@ class System:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    # -- who is there --------------------------------------------------------------------------
+    # -- graph ---------------------------------------------------------------------------------
 
     def snapshot(self) -> Snapshot:
-        """Return the graph as it is now; the same object while nothing changes."""
+        """Return the graph as it is now; the same object until the next change."""
         seen = self._seen
         revision = self.revision
         if seen is None or seen[0] != revision:
@@ -143,7 +143,7 @@ class System:
         """Call a quick function at each change of the graph, in the thread that noticed it.
 
         Returns:
-            A function that ends this; it may be called twice.
+            A function that ends the calls; it may be called twice.
         """
         with self._lock:
             self._callbacks.append(callback)
@@ -156,8 +156,8 @@ class System:
         return undo
 
     def _on_token(self, _token: Token, _appeared: bool) -> None:
-        # Without the lock: whoever holds it may be declaring something, which waits for this thread
-        # when many tokens come at once.
+        # Without the lock: its holder may be declaring an entity, and a declaration can wait for
+        # this thread when many tokens arrive at once.
         self.revision += 1
         for feed in list(self._feeds.values()):
             if feed.is_wanted and feed.type_name is None:
@@ -170,13 +170,13 @@ class System:
     def watch(
         self, topic: str, type_name: str | None = None, *, keep: int = 0, is_active: bool = True
     ) -> Watch:
-        """Watch a topic; all who watch it share one subscription.
+        """Return a watch of a topic; all watches of the topic share one subscription.
 
         Args:
-            topic: Full name; nobody needs to use it yet.
-            type_name: Full name of the type; the one that the graph tells if left out.
-            keep: How many messages to keep for `Watch.since`.
-            is_active: Whether to want its messages at once, or after `Watch.resume`.
+            topic: Full name; the topic may have no nodes yet.
+            type_name: Full name of the type; the type in the graph if left out.
+            keep: The number of messages to keep for `Watch.since`.
+            is_active: Whether to receive messages at once, or only after `Watch.resume`.
         """
         key = (topic, type_name)
         with self._lock:
@@ -188,7 +188,7 @@ class System:
 
     @property
     def watched_topics(self) -> list[str]:
-        """The topics that are subscribed to now, sorted."""
+        """Return the topics with a subscription now, sorted."""
         with self._lock:
             return sorted(one.topic for one in self._feeds.values() if one.subscription is not None)
 
@@ -215,9 +215,9 @@ class System:
                 message_type, feed.topic, feed.take, profile, raw="payload"
             )
         except NotInitializedError:
-            return  # the end of the program came first
-        # From here on it looks at what samples say of their type: what another type's publisher
-        # sends on a disputed topic would otherwise be read as messages full of zeros.
+            return  # the program has ended meanwhile
+        # On a topic with several types, the subscription checks the type of each sample: messages
+        # of another type would otherwise be decoded as zeros.
         subscription.raw = False
         subscription.report_losses_to(_ignore)
         feed.subscription = subscription
@@ -229,7 +229,7 @@ class System:
 
     def _learn(self, feed: Feed) -> None:
         name = str(feed.type_name)
-        feed.problem = f"asking the nodes that use it what {name} is"
+        feed.problem = f"waiting for the definition of {name} from another node"
 
         def learn() -> None:
             try:
@@ -253,35 +253,35 @@ class System:
             if feed.is_abandoned and self._feeds.get(key) is feed:
                 del self._feeds[key]
 
-    # -- speaking ------------------------------------------------------------------------------
+    # -- publishing and calling ----------------------------------------------------------------
 
     def interface(self, type_name: str) -> Any:
         """Return the class of a message, service or action type.
 
-        Asks the nodes that use it if this machine does not know it, which may take seconds: call
-        it with `nicegui.run.io_bound` where the type can be foreign.
+        If this machine has no definition, the nodes that use the type are asked for it. This may
+        take seconds: call it in a thread, with `run_in_thread`.
 
         Raises:
-            NoTypeError: Nobody knows it.
+            UnknownTypeError: No definition of the type was found.
         """
         try:
             return get_interface(type_name)
         except LookupError:
             if learn_type(self.context, type_name) is None:
-                raise NoTypeError(type_name) from None
+                raise UnknownTypeError(type_name) from None
             return get_interface(type_name)
 
-    def publisher(self, topic: str, type_name: str) -> Lease[Publisher[Any]]:
-        """Return a lease of a publisher.
+    def publisher(self, topic: str, type_name: str) -> EntityReference[Publisher[Any]]:
+        """Return a reference to a publisher.
 
         Raises:
-            ReadOnlyError: The page may only look.
-            NoTypeError: Nobody knows the type.
+            ReadOnlyError: The page is read-only.
+            UnknownTypeError: No definition of the type was found.
             InvalidTopicNameError: The name breaks ROS 2's grammar.
         """
         self._check_writable("publishing")
         message_type = self.interface(type_name)
-        return self._leases.get(
+        return self._shared_entities.get(
             ("publisher", topic, type_name),
             lambda: self.node.create_publisher(message_type, topic, _PUBLISH_DEPTH),
             self.node.destroy_publisher,
@@ -290,56 +290,58 @@ class System:
     def repeat(
         self, topic: str, type_name: str, make: Callable[[], Any], rate_hz: float
     ) -> RepeatedPublishing:
-        """Publish at a rate until what is returned is released.
+        """Publish at a rate until the returned object is released.
 
         Args:
             topic: Full name.
             type_name: Full name of its type.
             make: Returns the message; called each time.
-            rate_hz: How often.
+            rate_hz: Messages a second.
 
         Raises:
-            ReadOnlyError: The page may only look.
-            NoTypeError: Nobody knows the type.
+            ReadOnlyError: The page is read-only.
+            UnknownTypeError: No definition of the type was found.
         """
         return RepeatedPublishing(self.node, self.publisher(topic, type_name), make, rate_hz)
 
-    def client(self, name: str, type_name: str) -> Lease[Client[Any, Any]]:
-        """Return a lease of a service's client; await its answers with `answer`.
+    def client(self, name: str, type_name: str) -> EntityReference[Client[Any, Any]]:
+        """Return a reference to a service's client; await its futures with `await_future`.
 
         Raises:
-            ReadOnlyError: The page may only look.
-            NoTypeError: Nobody knows the type.
+            ReadOnlyError: The page is read-only.
+            UnknownTypeError: No definition of the type was found.
         """
         self._check_writable("calling services")
         return self._client(name, type_name)
 
-    def reader(self, name: str, type_name: str) -> Lease[Client[Any, Any]]:
-        """Return a client of a service that changes nothing, e.g. one that gets parameters.
+    def reader(self, name: str, type_name: str) -> EntityReference[Client[Any, Any]]:
+        """Return a reference to a client of a service that changes nothing; allowed if read-only.
 
         Raises:
-            NoTypeError: Nobody knows the type.
+            UnknownTypeError: No definition of the type was found.
         """
         return self._client(name, type_name)
 
-    def _client(self, name: str, type_name: str) -> Lease[Client[Any, Any]]:
+    def _client(self, name: str, type_name: str) -> EntityReference[Client[Any, Any]]:
         service_type = self.interface(type_name)
-        return self._leases.get(
+        return self._shared_entities.get(
             ("client", name, type_name),
             lambda: self.node.create_client(service_type, name),
             self.node.destroy_client,
         )
 
-    def action_client(self, name: str, type_name: str) -> Lease[ActionClient[Any, Any, Any]]:
-        """Return a lease of an action's client; await its answers with `answer`.
+    def action_client(
+        self, name: str, type_name: str
+    ) -> EntityReference[ActionClient[Any, Any, Any]]:
+        """Return a reference to an action's client; await its futures with `await_future`.
 
         Raises:
-            ReadOnlyError: The page may only look.
-            NoTypeError: Nobody knows the type.
+            ReadOnlyError: The page is read-only.
+            UnknownTypeError: No definition of the type was found.
         """
         self._check_writable("sending goals")
         action_type = self.interface(type_name)
-        return self._leases.get(
+        return self._shared_entities.get(
             ("action", name, type_name),
             lambda: ActionClient(self.node, action_type, name),
             ActionClient.destroy,
@@ -350,16 +352,16 @@ class System:
             raise ReadOnlyError(what)
 
 
-async def answer(future: Future[T], timeout_s: float | None = None) -> T:
-    """Wait in asyncio's loop for a future that zbot's thread completes.
+async def await_future(future: Future[T], timeout_s: float | None = None) -> T:
+    """Wait in asyncio's loop for a future of zbot, which another thread completes.
 
     Args:
-        future: E.g. of `Client.call_async`.
-        timeout_s: The longest wait; None for ever.
+        future: A future, e.g. of `Client.call_async`.
+        timeout_s: The longest wait; None to wait without a limit.
 
     Raises:
-        asyncio.TimeoutError: Nothing came in time.
-        Exception: What the future was completed with, e.g. a ServiceError.
+        asyncio.TimeoutError: The future was not complete in time.
+        Exception: The exception of the future, e.g. a ServiceError.
     """
     loop = asyncio.get_running_loop()
     is_over = asyncio.Event()
@@ -371,4 +373,4 @@ async def answer(future: Future[T], timeout_s: float | None = None) -> T:
 
 
 def _ignore(_missing: int) -> None:
-    """Losses are counted by the subscription; a page shows them."""
+    """Ignore lost messages here: the subscription counts them, and a page shows the number."""

@@ -1,4 +1,4 @@
-"""Tables that change while they are looked at: only cells that are new go to the browser."""
+"""Table of the page; only changed cells are sent to the browser."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from nicegui import ui
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping, Sequence
 
-    from zbot.web.panel import Frame
+    from zbot.web.panel import Page
 
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """One column.
+    """Column of a table.
 
     Attributes:
         title: Its heading.
         classes: CSS classes of its cells, e.g. `zb-mono` or `zb-number`.
-        width: CSS width; what its cells need if empty.
+        width: CSS width; if empty, the width that the cells need.
     """
 
     title: str
@@ -30,31 +30,31 @@ class Column:
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """What stands in one place: always text, never HTML."""
+    """Cell of a table, always with text, never HTML."""
 
     text: str
-    classes: str = ""  #: added to those of the column, e.g. `zb-bad`
+    classes: str = ""  #: CSS classes besides those of the column, e.g. `zb-bad`
     indent: int = 0
-    address: str = ""  #: where a click leads, on this page: `/plot?curve=/pose.x`
-    hint: str = ""  #: shown when the mouse rests on it
+    address: str = ""  #: target of a link, on this server: `/plot?curve=/pose.x`
+    hint: str = ""  #: tooltip
 
 
 class Table:
-    """A table of the page, changed row by row.
+    """Table of the page.
 
     Args:
-        frame: The page.
-        columns: Its columns.
-        on_choose: Called with a row's key when it is clicked; rows cannot be chosen without.
+        page: The page.
+        columns: The columns.
+        on_choose: Called with the key of a clicked row; without it, rows cannot be chosen.
     """
 
     def __init__(
         self,
-        frame: Frame,
+        page: Page,
         columns: Sequence[Column],
         on_choose: Callable[[str], None] | None = None,
     ) -> None:
-        self._frame = frame
+        self._page = page
         self._classes = [column.classes for column in columns]
         self._order: list[str] = []
         self._cells: dict[str, list[Any]] = {}
@@ -66,14 +66,14 @@ class Table:
             ui.element("tbody")
         if on_choose is not None:
             self.element.classes("zb-choosable")
-            frame.on_choose(f"c{self.element.id}", on_choose)
+            page.on_choose(f"c{self.element.id}", on_choose)
 
     def choose(self, key: str | None) -> None:
-        """Mark a row as chosen, from the next `show` on."""
+        """Mark a row as chosen in the next `show`."""
         self._chosen = key
 
     def show(self, rows: Mapping[str, Sequence[str | Cell]]) -> None:
-        """Show rows in their order; nothing is sent if nothing is new."""
+        """Show rows in their order; only changes are sent to the browser."""
         order = list(rows)
         cells = {key: [_plain(cell) for cell in row] for key, row in rows.items()}
         changed = {
@@ -85,7 +85,7 @@ class Table:
         if is_same and not changed and self._chosen == self._shown_choice:
             return
         self._order, self._cells, self._shown_choice = order, cells, self._chosen
-        self._frame.call(
+        self._page.call(
             "zbot.table.show",
             self.element.id,
             self._classes,
@@ -107,20 +107,20 @@ def _head(columns: Sequence[Column]) -> None:
 
 
 def _only(column: Column, *names: str) -> str:
-    """Return those of the classes that a column's heading shares with its cells."""
+    """Return the given classes that the column has."""
     return " ".join(name for name in names if name in column.classes.split())
 
 
 def _plain(cell: str | Cell) -> Any:
     if isinstance(cell, str):
         return cell
-    told = {
+    facts = {
         "c": cell.classes,
         "i": cell.indent,
         "h": cell.address,
         "d": cell.hint,
     }
-    return {"t": cell.text} | {name: value for name, value in told.items() if value}
+    return {"t": cell.text} | {name: value for name, value in facts.items() if value}
 
 
 def _difference(old: list[Any] | None, new: list[Any]) -> list[Any]:

@@ -1,4 +1,4 @@
-"""The details of one topic: who uses it, its last message as a tree or a picture, publishing."""
+"""Details of one topic: its nodes, its last message as tree and picture, and a publish form."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from zbot.web.value_text import amount, tree
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from zbot.web.panel import Part
+    from zbot.web.panel import Section
     from zbot.web.value_text import TreeRow
     from zbot.web.watch import Watch
 
@@ -28,26 +28,26 @@ _COLUMNS = (
 )
 
 
-def show_topic(part: Part, topic: str, close: Callable[[], None]) -> None:
-    """Show a topic's details where this is called, until the part is closed.
+def show_topic(section: Section, topic: str, close: Callable[[], None]) -> None:
+    """Add a topic's details to the current element.
 
     Args:
-        part: Ends with the choice of another topic.
+        section: The section of the details; closing it ends their updates.
         topic: Full name.
         close: Called when the user closes the details.
     """
-    watch = part.watch(topic)
+    watch = section.watch(topic)
     with ui.element("div").classes("zb-side-head"):
         ui.label(topic).classes("zb-mono zb-name").tooltip(topic)
         ui.button(icon="close", on_click=close).props('flat round dense aria-label="Close"')
-    _add_facts(part, watch)
-    add_picture(part, watch)
-    _add_tree(part, watch)
-    if not part.frame.read_only:
-        add_publish_form(part, watch)
+    _add_facts(section, watch)
+    add_picture(section, watch)
+    _add_tree(section, watch)
+    if not section.page.read_only:
+        add_publish_form(section, watch)
 
 
-def _add_facts(part: Part, watch: Watch) -> None:
+def _add_facts(section: Section, watch: Watch) -> None:
     kind = ui.label().classes("zb-muted zb-mono")
     numbers = ui.label().classes("zb-muted")
     problem = ui.label().classes("zb-bad")
@@ -58,18 +58,18 @@ def _add_facts(part: Part, watch: Watch) -> None:
 
     def update() -> None:
         nonlocal seen
-        kind.set_text(watch.type_name or "nobody uses this topic")
+        kind.set_text(watch.type_name or "no node uses this topic")
         numbers.set_text(_numbers(watch))
         problem.set_text(watch.problem)
         problem.set_visibility(bool(watch.problem))
-        if part.system.revision != seen:
-            seen = part.system.revision
-            rows = topic_rows(part.system.snapshot(), part.system.node_name)
+        if section.system.revision != seen:
+            seen = section.system.revision
+            rows = topic_rows(section.system.snapshot(), section.system.node_name)
             row = next((one for one in rows if one.name == watch.topic), None)
             _fill(publishers, row.publishers if row else ())
             _fill(subscriptions, row.subscriptions if row else ())
 
-    part.live(update, 2.0)
+    section.live(update, 2.0)
 
 
 def _numbers(watch: Watch) -> str:
@@ -94,13 +94,13 @@ def _fill(chips: ui.element, nodes: Sequence[str]) -> None:
         for name in nodes:
             ui.label(name).classes("zb-chip zb-mono")
         if not nodes:
-            ui.label("nobody").classes("zb-muted")
+            ui.label("no node").classes("zb-muted")
 
 
-def _add_tree(part: Part, watch: Watch) -> None:
+def _add_tree(section: Section, watch: Watch) -> None:
     ui.label("Last message").classes("zb-heading")
     waiting = ui.label("No message yet.").classes("zb-muted")
-    table = Table(part.frame, _COLUMNS)
+    table = Table(section.page, _COLUMNS)
     table.element.classes("zb-tree")
     shown: object = None
 
@@ -115,13 +115,13 @@ def _add_tree(part: Part, watch: Watch) -> None:
             waiting.set_text("The message has no fields.")
             waiting.set_visibility(not rows)
 
-    part.live(update, _TREE_HZ)
+    section.live(update, _TREE_HZ)
 
 
 def _cells(topic: str, row: TreeRow) -> list[str | Cell]:
     address = ""
     if row.is_number:
         address = f"/plot?{urlencode({'curve': f'{topic}.{row.path}'})}"
-    hint = "plot it" if address else ""
+    hint = "show as plot" if address else ""
     name = Cell(row.name, indent=row.depth, address=address, hint=hint)
     return [name, Cell(row.text), Cell(row.type.rpartition("/")[2], hint=row.type)]

@@ -1,4 +1,4 @@
-"""Topics that are pictures: images of cameras, and laser scans seen from above."""
+"""Picture of a topic's last message: a camera image, or a laser scan from above."""
 
 from __future__ import annotations
 
@@ -8,24 +8,24 @@ from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
 
-from zbot.web.picture import PictureError, media_type, png
+from zbot.web.png import ImageError, encode_png, media_type
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from zbot.web.panel import Part
+    from zbot.web.panel import Section
     from zbot.web.watch import Watch
 
 _IMAGE = "sensor_msgs/msg/Image"
 _COMPRESSED = "sensor_msgs/msg/CompressedImage"
 _SCAN = "sensor_msgs/msg/LaserScan"
 _PICTURE_HZ = 15.0
-#: A circle of more points than a picture has pixels around it shows nothing more.
+#: More points would not be visible, as the picture has about as many pixels around a circle.
 _MOST_RAYS = 1440
 
 
-def add_picture(part: Part, watch: Watch) -> None:
-    """Show a topic as a picture where this is called, if it is one."""
+def add_picture(section: Section, watch: Watch) -> None:
+    """Add a picture of a topic to the current element, if its type is an image or a laser scan."""
     place = ui.element("div").classes("zb-picture")
     place.set_visibility(False)
     undo: Callable[[], None]
@@ -38,12 +38,12 @@ def add_picture(part: Part, watch: Watch) -> None:
             place.set_visibility(True)
             with place:
                 add = _add_scan if watch.type_name == _SCAN else _add_image
-                add(part, watch)
+                add(section, watch)
 
-    undo = part.live(look, 10.0)
+    undo = section.live(look, 10.0)
 
 
-def _add_image(part: Part, watch: Watch) -> None:
+def _add_image(section: Section, watch: Watch) -> None:
     picture = ui.element("img").props('alt="The last image"')
     said = ui.label().classes("zb-muted")
     shown: object = None
@@ -56,18 +56,18 @@ def _add_image(part: Part, watch: Watch) -> None:
         shown = message
         try:
             address, text = _address(message)
-        except PictureError as error:
+        except ImageError as error:
             said.set_text(str(error))
             return
         said.set_text(text)
-        part.frame.call("zbot.showPicture", picture.id, address)
+        section.page.call("zbot.showPicture", picture.id, address)
 
-    part.live(update, _PICTURE_HZ)
+    section.live(update, _PICTURE_HZ)
 
 
 def _address(message: Any) -> tuple[str, str]:
     if hasattr(message, "encoding"):
-        data, kind = png(message), "image/png"
+        data, kind = encode_png(message), "image/png"
         text = f"{message.width} x {message.height}, {message.encoding}"
     else:
         data = bytes(message.data)
@@ -75,7 +75,7 @@ def _address(message: Any) -> tuple[str, str]:
     return f"data:{kind};base64,{base64.b64encode(data).decode()}", text
 
 
-def _add_scan(part: Part, watch: Watch) -> None:
+def _add_scan(section: Section, watch: Watch) -> None:
     drawing = ui.element("div").classes("zb-scan")
     said = ui.label("x is up, y to the left").classes("zb-muted")
     shown: object = None
@@ -88,16 +88,16 @@ def _add_scan(part: Part, watch: Watch) -> None:
         shown = message
         points, reach = points_of(message)
         said.set_text(f"{len(message.ranges)} rays, x is up, rings every {ring(reach):g} m")
-        part.frame.call("zbot.showScan", drawing.id, points, reach, ring(reach))
+        section.page.call("zbot.showScan", drawing.id, points, reach, ring(reach))
 
-    part.live(update, _PICTURE_HZ)
+    section.live(update, _PICTURE_HZ)
 
 
 def points_of(scan: Any) -> tuple[list[float], float]:
-    """Return where a scan hit something, and how far the picture has to reach.
+    """Return the points of a scan, and the radius of the picture.
 
     Returns:
-        Metres in turn: x (forward) and y (left) of each hit; then the farthest hit, at least 1 m.
+        [x (forward), y (left), x, y, ...] and the distance of the farthest point, at least 1; in m.
     """
     count = len(scan.ranges)
     every = -(-count // _MOST_RAYS) or 1
@@ -105,7 +105,7 @@ def points_of(scan: Any) -> tuple[list[float], float]:
     farthest = 1.0
     for index in range(0, count, every):
         distance = float(scan.ranges[index])
-        # What is out of the sensor's range is no hit; so is infinity, and NaN fails both.
+        # Values outside of the sensor's range are left out; so are infinity and NaN.
         if not scan.range_min <= distance <= scan.range_max or math.isinf(distance):
             continue
         angle = scan.angle_min + index * scan.angle_increment
@@ -115,6 +115,6 @@ def points_of(scan: Any) -> tuple[list[float], float]:
 
 
 def ring(reach: float) -> float:
-    """Return how far the rings of a picture are apart, in metres: 1, 2 or 5 of a power of ten."""
+    """Return the distance of the rings in a picture, in metres: 1, 2 or 5 times a power of ten."""
     power = 10.0 ** math.floor(math.log10(reach / 2))
     return next(power * digit for digit in (1.0, 2.0, 5.0, 10.0) if power * digit * 5 >= reach)

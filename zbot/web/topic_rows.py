@@ -1,4 +1,4 @@
-"""The topics of a graph, as a list shows them."""
+"""Rows of the list of topics."""
 
 from __future__ import annotations
 
@@ -16,26 +16,26 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class TopicRow:
-    """A topic, who uses it, and what looks wrong with it."""
+    """Topic with its nodes, and with its problem if there is one."""
 
     name: str
     types: tuple[str, ...]
-    publishers: tuple[str, ...]  #: full names of nodes, sorted; as often as they publish
-    subscriptions: tuple[str, ...]  #: likewise
-    guess: str | None  #: the published topic that was probably meant, if nobody publishes this one
+    publishers: tuple[str, ...]  #: full names of nodes, sorted; once for each publisher
+    subscriptions: tuple[str, ...]  #: full names of nodes, sorted; once for each subscription
+    guess: str | None  #: a published topic with a similar name, if this one has no publisher
 
     @property
     def has_clash(self) -> bool:
-        """Whether its nodes use different types, and so cannot hear each other."""
+        """Whether its nodes use different types, and so exchange no messages."""
         return len(self.types) > 1
 
 
 def topic_rows(graph: Snapshot, own_node: str) -> list[TopicRow]:
-    """Return the topics, those with numbers in the order of these; a page's own ends do not count.
+    """Return the topics in natural order; the endpoints of the page's own node are left out.
 
     Args:
-        graph: Who is there.
-        own_node: Full name of the page's node, which listens to whatever is looked at.
+        graph: The graph.
+        own_node: Full name of the page's node, which subscribes to the topics that pages show.
     """
     ends: dict[str, list[EndpointToken]] = {}
     for end in graph.of_kind(EntityKind.PUBLISHER, EntityKind.SUBSCRIPTION):
@@ -64,6 +64,6 @@ def _is_publisher(end: EndpointToken) -> bool:
 
 
 def _natural(name: str) -> list[tuple[int, str]]:
-    """`/robot2` before `/robot10`."""
+    """Return a sort key with which `/robot2` comes before `/robot10`."""
     parts = re.split(r"(\d+)", name)
-    return [(int(part), "") if part.isdecimal() else (-1, part) for part in parts]
+    return [(int(section), "") if section.isdecimal() else (-1, section) for section in parts]

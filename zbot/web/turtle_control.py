@@ -1,4 +1,4 @@
-"""What a user does to turtles: messages, service calls and goals, and the commands for the same."""
+"""Control of turtles by messages, service calls and goals, with the commands that do the same."""
 
 from __future__ import annotations
 
@@ -11,32 +11,32 @@ from zbot.interfaces import get_action, get_message, get_service
 from zbot.names import fully_qualified
 from zbot.node.node import Node
 from zbot.parameters.parameter import Parameter
-from zbot.web.call import call
 from zbot.web.command_line import command_line
 from zbot.web.form import Form
-from zbot.web.system import ReadOnlyError, answer
+from zbot.web.service_call import call
+from zbot.web.system import ReadOnlyError, await_future
 
 if TYPE_CHECKING:
     from zbot.action import ActionClient
     from zbot.executor.task import Future
     from zbot.graph.snapshot import Snapshot
     from zbot.node.publisher import Publisher
-    from zbot.web.lease import Lease
-    from zbot.web.panel import Frame
+    from zbot.web.panel import Page
+    from zbot.web.shared_entities import EntityReference
 
 SCENE_TYPE = "zbot_msgs/srv/TurtleScene"
 _SCENE = "/_scene"
 _TWIST = "geometry_msgs/msg/Twist"
 _ROTATE = "turtlesim/action/RotateAbsolute"
 _EMPTY = "std_srvs/srv/Empty"
-#: As turtle_teleop_key: forward in m/s, turn in rad/s.
+#: Forward in m/s and turn in rad/s, as in turtle_teleop_key.
 ARROWS = {
     "ArrowUp": (2.0, 0.0),
     "ArrowDown": (-2.0, 0.0),
     "ArrowLeft": (0.0, 2.0),
     "ArrowRight": (0.0, -2.0),
 }
-#: The letters lie around F as the headings around a turtle that looks at G.
+#: Headings in rad. On the keyboard, a letter's direction from F is the heading; G is 0.
 HEADINGS = {
     "e": 2.3562,
     "r": 1.5708,
@@ -50,55 +50,55 @@ HEADINGS = {
 CANCEL = "f"
 _TELEOP = "teleop_turtle"
 _DRIVER_DEPTH = 1
-_numbers = itertools.count(1)  # of pages that drive beside another one
+_numbers = itertools.count(1)  # for the node names of further pages
 
 
 class Simulator(NamedTuple):
-    """A turtlesim node."""
+    """Turtlesim node."""
 
     node: str  #: its full name
-    namespace: str  #: which its services and turtles are in
+    namespace: str  #: the namespace of its services and turtles
 
     def name(self, relative: str) -> str:
-        """Return the full name of something of its own: `spawn`, `turtle1/pose`."""
+        """Return the full name of a service or topic in its namespace: `spawn`, `turtle1/pose`."""
         return fully_qualified(self.namespace, relative)
 
     @property
     def scene(self) -> str:
-        """The service that tells what there is to draw."""
+        """The name of the service that returns turtles and lines to draw."""
         return self.node + _SCENE
 
 
 def simulators(graph: Snapshot) -> list[Simulator]:
-    """Return the turtlesim nodes that run, sorted."""
+    """Return the running turtlesim nodes, sorted."""
     found = [name for name, types in graph.services() if SCENE_TYPE in types]
     nodes = (name.removesuffix(_SCENE) for name in found if name.endswith(_SCENE))
     return [Simulator(node, node.rpartition("/")[0] or "/") for node in nodes]
 
 
-class TurtleRemote:
-    """A page's hold on the turtles of one simulator. Its methods belong to NiceGUI's loop.
+class TurtleControl:
+    """Control of one simulator's turtles by a page. Call its methods in NiceGUI's loop.
 
     Args:
-        frame: The page.
-        simulator: Which turtles.
+        page: The page.
+        simulator: The simulator.
     """
 
-    def __init__(self, frame: Frame, simulator: Simulator) -> None:
-        self._frame = frame
-        self._system = frame.system
+    def __init__(self, page: Page, simulator: Simulator) -> None:
+        self._page = page
+        self._system = page.system
         self.simulator = simulator
         self._driver: Node | None = None
         self._publishers: dict[str, Publisher[Any]] = {}
-        self._clients: dict[str, Lease[ActionClient[Any, Any, Any]]] = {}
+        self._clients: dict[str, EntityReference[ActionClient[Any, Any, Any]]] = {}
         self._goals: dict[str, Future[Any]] = {}
-        frame.on_close(self.close)
+        page.on_close(self.close)
 
     def close(self) -> None:
-        """Be gone from the graph."""
+        """Remove the node and the clients from the graph."""
         clients, self._clients = self._clients, {}
-        for lease in clients.values():
-            self._frame.drop(lease)
+        for reference in clients.values():
+            self._page.drop(reference)
         driver, self._driver = self._driver, None
         self._publishers.clear()
         if driver is not None and self._system.context.ok():
@@ -107,10 +107,10 @@ class TurtleRemote:
     # -- driving -------------------------------------------------------------------------------
 
     def drive(self, turtle: str, forward: float, turn: float) -> None:
-        """Give a turtle a velocity, which lasts 1 s: m/s and rad/s.
+        """Give a turtle a velocity (m/s, rad/s) for 1 s.
 
         Raises:
-            ReadOnlyError: The page may only look.
+            ReadOnlyError: The page is read-only.
         """
         if self._system.read_only:
             raise ReadOnlyError("driving")
@@ -125,7 +125,7 @@ class TurtleRemote:
         self._show("topic", "pub", "--once", topic, _TWIST, values)
 
     def _publisher(self, topic: str) -> Publisher[Any]:
-        # The graph is to look as with turtle_teleop_key, so the page stands in for that.
+        # A node of its own, so that the graph looks as with turtle_teleop_key.
         if self._driver is None:
             name = fully_qualified(self.simulator.namespace, _TELEOP)
             is_free = name not in full_names(self._system.snapshot().nodes)
@@ -140,20 +140,20 @@ class TurtleRemote:
         return self._driver.create_publisher(get_message(_TWIST), topic, _DRIVER_DEPTH)
 
     def prepare(self, turtle: str) -> None:
-        """Get ready for a turtle's goals: the first one of a new client takes a while."""
+        """Create the action client of a turtle early, as a new client needs time to connect."""
         if turtle not in self._clients and not self._system.read_only:
-            lease = self._system.action_client(self._rotation(turtle), _ROTATE)
-            self._clients[turtle] = self._frame.keep(lease)
+            reference = self._system.action_client(self._rotation(turtle), _ROTATE)
+            self._clients[turtle] = self._page.keep(reference)
 
     def _rotation(self, turtle: str) -> str:
         return self.simulator.name(f"{turtle}/rotate_absolute")
 
     async def rotate(self, turtle: str, theta: float) -> None:
-        """Let a turtle turn to a heading in rad.
+        """Turn a turtle to a heading in rad.
 
         Raises:
-            ReadOnlyError: The page may only look.
-            ServiceError: The turtle is gone.
+            ReadOnlyError: The page is read-only.
+            ServiceError: The turtle does not exist any more.
         """
         if self._system.read_only:
             raise ReadOnlyError("turning")
@@ -162,16 +162,16 @@ class TurtleRemote:
         self.prepare(turtle)
         goal = get_action(_ROTATE).Goal(theta=theta)  # type: ignore[attr-defined] # of each action
         self._goals[turtle] = self._clients[turtle].entity.send_goal_async(goal)
-        await answer(self._goals[turtle])
+        await await_future(self._goals[turtle])
 
     async def cancel(self, turtle: str) -> None:
-        """Let a turtle turn no further."""
+        """Stop a turtle's rotation."""
         sent = self._goals.pop(turtle, None)
         if sent is not None:
-            goal = await answer(sent)
-            await answer(goal.cancel_goal_async())
+            goal = await await_future(sent)
+            await await_future(goal.cancel_goal_async())
 
-    # -- the world -----------------------------------------------------------------------------
+    # -- simulator -----------------------------------------------------------------------------
 
     async def call(self, relative: str, type_name: str, **values: Any) -> Any:
         """Call a service of the simulator, with the fields of its request."""
@@ -183,15 +183,15 @@ class TurtleRemote:
         return await call(self._system, name, type_name, request)
 
     async def clear(self) -> None:
-        """Wipe out the lines."""
+        """Remove all lines."""
         await self.call("clear", _EMPTY)
 
     async def reset(self) -> None:
-        """Begin anew."""
+        """Reset the simulator."""
         await self.call("reset", _EMPTY)
 
     async def spawn(self, x: float, y: float, theta: float, name: str) -> str:
-        """Add a turtle; return its name, empty if that was taken."""
+        """Add a turtle; return its name, or an empty text if the name is taken or invalid."""
         values = {"x": x, "y": y, "theta": theta, "name": name}
         response = await self.call("spawn", "turtlesim/srv/Spawn", **values)
         return str(response.name)
@@ -201,14 +201,14 @@ class TurtleRemote:
         await self.call("kill", "turtlesim/srv/Kill", name=turtle)
 
     async def teleport(self, turtle: str, x: float, y: float, theta: float) -> None:
-        """Put a turtle elsewhere."""
+        """Move a turtle to a position."""
         relative, type_name = f"{turtle}/teleport_absolute", "turtlesim/srv/TeleportAbsolute"
         await self.call(relative, type_name, x=x, y=y, theta=theta)
 
     async def set_pen(
         self, turtle: str, colour: tuple[int, int, int], width: int, *, is_down: bool
     ) -> None:
-        """Change what a turtle draws with."""
+        """Change a turtle's pen."""
         r, g, b = colour
         values = {"r": r, "g": g, "b": b, "width": width, "off": int(not is_down)}
         await self.call(f"{turtle}/set_pen", "turtlesim/srv/SetPen", **values)
@@ -225,4 +225,4 @@ class TurtleRemote:
         await call(self._system, f"{self.simulator.node}/set_parameters", type_name, request)
 
     def _show(self, *words: str) -> None:
-        self._frame.show_command(command_line(*words))
+        self._page.show_command(command_line(*words))

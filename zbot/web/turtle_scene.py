@@ -1,4 +1,4 @@
-"""The turtles' world in a page: asks a simulator what is new, and has the browser draw it."""
+"""Scene of a turtle simulator in a page: turtles, lines and background."""
 
 from __future__ import annotations
 
@@ -7,21 +7,21 @@ import time
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.interfaces import get_service
-from zbot.web.turtle_remote import SCENE_TYPE
+from zbot.web.turtle_control import SCENE_TYPE
 
 if TYPE_CHECKING:
     from zbot.executor.task import Future
     from zbot.node.client import Client
-    from zbot.web.lease import Lease
-    from zbot.web.panel import Frame
-    from zbot.web.turtle_remote import Simulator
+    from zbot.web.panel import Page
+    from zbot.web.shared_entities import EntityReference
+    from zbot.web.turtle_control import Simulator
 
-#: Seconds to leave a simulator alone that could not answer.
-_REST_S = 0.5
+#: Seconds between a failed request and the next one.
+_RETRY_S = 0.5
 
 
 class SeenTurtle(NamedTuple):
-    """A turtle as it was last seen."""
+    """Turtle in the last response of the simulator."""
 
     name: str
     x: float  #: metres from the left edge
@@ -32,48 +32,48 @@ class SeenTurtle(NamedTuple):
     is_pen_down: bool
 
 
-class Stage:
-    """One browser's view of one simulator at a time. Its methods belong to NiceGUI's loop.
+class SceneView:
+    """View of one simulator at a time for one page. Call its methods in NiceGUI's loop.
 
     Args:
-        frame: The page, whose browser has the function `zbotTurtle.show`.
+        page: The page; its browser has the function `zbotTurtle.show`.
 
     Attributes:
-        turtles: Who was there when the simulator last answered, by name.
+        turtles: The turtles in the last response, by name.
         background: Red, green and blue.
     """
 
-    def __init__(self, frame: Frame) -> None:
-        self._frame = frame
-        self._client: Lease[Client[Any, Any]] | None = None
+    def __init__(self, page: Page) -> None:
+        self._page = page
+        self._client: EntityReference[Client[Any, Any]] | None = None
         self._request: Any = get_service(SCENE_TYPE).Request()  # type: ignore[attr-defined] # of each
         self._asked: Future[Any] | None = None
-        self._rest_until = 0.0
+        self._retry_at_s = 0.0
         self._shown: list[Any] = []
         self.turtles: dict[str, SeenTurtle] = {}
         self.background = (0, 0, 0)
 
     def look_at(self, simulator: Simulator | None) -> None:
-        """Show another simulator, or nothing."""
+        """Show another simulator, or none."""
         if self._client is not None:
-            self._frame.drop(self._client)
+            self._page.drop(self._client)
         self._client = self._asked = None
         self._shown, self.turtles = [], {}
         self._request.run = self._request.until = 0
         if simulator is not None:
-            reader = self._frame.system.reader(simulator.scene, SCENE_TYPE)
-            self._client = self._frame.keep(reader)
+            reader = self._page.system.reader(simulator.scene, SCENE_TYPE)
+            self._client = self._page.keep(reader)
 
     def update(self) -> None:
-        """Show what the simulator answered, and ask again; for `Frame.live`."""
-        if self._client is None or time.monotonic() < self._rest_until:
+        """Show the simulator's response, and send the next request; for `Page.live`."""
+        if self._client is None or time.monotonic() < self._retry_at_s:
             return
         asked, self._asked = self._asked, None
         if asked is not None and not asked.is_over:
             self._asked = asked
             return
         if asked is not None and asked.exception() is not None:
-            self._rest_until = time.monotonic() + _REST_S  # it is gone, or going
+            self._retry_at_s = time.monotonic() + _RETRY_S  # the simulator has probably ended
             return
         if asked is not None:
             self._show(asked.result())
@@ -87,7 +87,7 @@ class Stage:
         if standing == self._shown and not scene.lines and not scene.sheet:
             return
         self._shown = standing
-        self._frame.call("zbotTurtle.show", _picture(scene, self.background, self.turtles))
+        self._page.call("zbotTurtle.show", _picture(scene, self.background, self.turtles))
 
 
 def _seen(turtle: Any) -> SeenTurtle:
@@ -106,7 +106,7 @@ def _seen(turtle: Any) -> SeenTurtle:
 def _picture(
     scene: Any, background: tuple[int, int, int], turtles: dict[str, SeenTurtle]
 ) -> dict[str, Any]:
-    """Return what the browser draws, in pixels and as values that JSON has."""
+    """Return the arguments of `zbotTurtle.show`, as JSON values."""
     picture: dict[str, Any] = {
         "background": background,
         "turtles": [[one.name, one.x, one.y, one.theta] for one in turtles.values()],

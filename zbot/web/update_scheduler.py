@@ -1,4 +1,4 @@
-"""Which of a page's updates are due when its browser asks."""
+"""Scheduler of a page's updates, which run when the browser asks for changes."""
 
 from __future__ import annotations
 
@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# A browser asks at its display's pace, a bit early or late.
+# Requests follow the display's refreshes and can come a little early.
 _EARLY_S = 0.003
 
 
-class Pace:
-    """Runs functions when they are asked for, but none more often than it wants to be.
+class UpdateScheduler:
+    """Scheduler that limits how often each function runs.
 
     Args:
-        on_fault: Told of a function that raised, which then is not run any more.
+        on_fault: Called with the exception of a function; that function does not run again.
     """
 
     def __init__(self, on_fault: Callable[[Exception], None]) -> None:
@@ -24,7 +24,7 @@ class Pace:
         self._ran: dict[object, float] = {}
 
     def add(self, update: Callable[[], None], max_hz: float) -> Callable[[], None]:
-        """Run a function from now on; return a function that ends this."""
+        """Add a function; return another one that removes it."""
         key = object()
         self._updates[key] = (update, 1 / max_hz - _EARLY_S)
 
@@ -35,7 +35,7 @@ class Pace:
         return undo
 
     def run(self, now_s: float) -> None:
-        """Run what is due.
+        """Run the functions that are due.
 
         Args:
             now_s: Seconds of a clock that does not run backwards.
@@ -46,6 +46,6 @@ class Pace:
             self._ran[key] = now_s
             try:
                 update()
-            except Exception as error:  # noqa: BLE001 - the page tells it, the others go on
+            except Exception as error:  # noqa: BLE001 - shown in the page; other functions continue
                 self._updates.pop(key, None)
                 self._on_fault(error)

@@ -1,4 +1,4 @@
-"""Messages as a page shows them: on one line, or as a tree of fields."""
+"""Text of messages in a page: on one line, or as a tree of fields."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ if TYPE_CHECKING:
 
     from zbot.interfaces import FieldType
 
-#: Elements of a list that a tree shows; a scan has hundreds, and nobody reads them.
+#: The most elements of a list in a tree; a scan has hundreds.
 MOST_ELEMENTS = 24
-#: Rows of a tree; a message of messages could have thousands.
+#: The most rows of a tree; a nested message can have thousands.
 MOST_ROWS = 300
 _LONGEST_TEXT = 2000
 _HEADER = "std_msgs/msg/Header"
@@ -23,18 +23,18 @@ _TIMES = {"builtin_interfaces/msg/Time", "builtin_interfaces/msg/Duration"}
 
 @dataclass(frozen=True, slots=True)
 class TreeRow:
-    """One line of a tree."""
+    """Row of a tree."""
 
     path: str  #: `pose.position.x`, `ranges[3]`
     name: str  #: its last part
     depth: int
     type: str
-    text: str  #: its value; empty if its parts follow
+    text: str  #: its value; empty if its fields follow
     is_number: bool = False
 
 
 def number(value: float) -> str:
-    """Return a number with as many digits as people read: six significant ones."""
+    """Return a number with six significant digits."""
     if isinstance(value, bool):
         return str(value).lower()
     return f"{value:.6g}" if isinstance(value, float) else str(value)
@@ -53,7 +53,7 @@ def brief(message: Any, longest: int = 80) -> str:
 def _brief_fields(message: Any, longest: int) -> str:
     parts: list[str] = []
     length = 0
-    # A header tells when and where; on one line there is only place for what.
+    # One line has no space for a header.
     fields = [one for one in fields_of(message) if one.type.base != _HEADER] or fields_of(message)
     for field in fields:
         parts.append(f"{field.name}: {_brief_value(getattr(message, field.name), longest)}")
@@ -77,12 +77,12 @@ def _brief_value(value: Any, longest: int) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Return NumPy's numbers as Python's."""
+    """Return a number of NumPy as a number of Python."""
     return value.item() if hasattr(value, "item") else value
 
 
 def tree(message: Any) -> list[TreeRow]:
-    """Return a message as rows: fields, with those of inner messages below them."""
+    """Return a message as rows, one for each field; fields of inner messages follow theirs."""
     rows: list[TreeRow] = []
     for row in _rows(message, "", 0):
         rows.append(row)
@@ -114,7 +114,7 @@ def _list(path: str, name: str, kind: FieldType, values: Any, depth: int) -> Ite
     count = len(values)
     yield TreeRow(path, name, depth, kind.text, f"[{count}]" if count else "[]")
     if isinstance(values, bytes) and count > MOST_ELEMENTS:
-        return  # an image
+        return  # bytes such as an image's
     one = type(kind)(kind.base, "scalar", 0, kind.string_bound)
     for index in range(min(count, MOST_ELEMENTS)):
         inner = f"[{index}]"
@@ -137,7 +137,7 @@ def _is_number(value: Any) -> bool:
 
 
 def amount(value: float, unit: str) -> str:
-    """Return a quantity with three digits and a prefix: `1.23 kB/s`; empty for nothing."""
+    """Return a quantity with three digits and a prefix: `1.23 kB/s`; empty for 0."""
     if value <= 0:
         return ""
     prefixes = ["", "k", "M", "G"]

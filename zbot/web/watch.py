@@ -1,7 +1,6 @@
-"""What is watched: topics, with their newest message, their rates and, if wanted, their history.
+"""Watches of topics: the newest message, the rates and, if wanted, older messages.
 
-Messages are kept as the bytes that came. They become messages when somebody looks, and not more
-often than a page can show.
+Messages are kept as bytes. A message is decoded when a page reads it, at most 30 times a second.
 """
 
 from __future__ import annotations
@@ -13,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from zbot.errors import ZbotError
 from zbot.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-from zbot.web.meter import Meter
+from zbot.web.rate_meter import RateMeter
 from zbot.wire.errors import CodecError
 
 if TYPE_CHECKING:
@@ -21,38 +20,38 @@ if TYPE_CHECKING:
 
     from typing_extensions import Self
 
-    from zbot.node.subscription import MessageInfo
+    from zbot.node.message_info import MessageInfo
     from zbot.wire.tokens import EndpointToken
 
-#: A browser shows 30 pictures a second; who looks in between gets what the last look gave.
+#: A page is drawn at most 30 times a second; reads in between return the last decoded message.
 _DECODE_PERIOD_NS = 10**9 // 30
-#: Messages that Zenoh keeps while the executor is busy; losses are counted all the same.
+#: Messages that are queued while the executor is busy; lost messages are counted.
 _DEPTH = 100
 _MOST_HISTORY_BYTES = 32_000_000
 
 
 class Record(NamedTuple):
-    """A message as it came."""
+    """Received message, not decoded."""
 
     number: int  #: from 1, for each topic
-    stamp_ns: int  #: when it was published, nanoseconds since the epoch; 0 if unknown
-    received_ns: int  #: when it came
+    stamp_ns: int  #: time of publishing, nanoseconds since the epoch; 0 if unknown
+    received_ns: int  #: time of arrival, nanoseconds since the epoch
     payload: bytes
 
     @property
     def time_ns(self) -> int:
-        """When it was published or, for a plain Zenoh program, came."""
+        """Time of publishing; time of arrival for messages of plain Zenoh programs."""
         return self.stamp_ns or self.received_ns
 
 
 class Feed:
-    """One topic, for all who watch it.
+    """Messages of one topic, shared by all its watches.
 
     Args:
         topic: Full name.
-        type_name: Full name of its type; None to take what the graph says, once it knows.
-        subscribe: Called with the feed when the first one wants its messages.
-        unsubscribe: Called when the last one does no more.
+        type_name: Full name of its type; None to take the type from the graph.
+        subscribe: Called with the feed when a watch is active.
+        unsubscribe: Called with the feed when no watch is active.
     """
 
     def __init__(
@@ -68,7 +67,7 @@ class Feed:
         self.problem = ""  #: why there are no messages, in a sentence
         self.subscription: Any = None
         self.decode: Callable[[bytes], Any] | None = None
-        self.meter = Meter()
+        self.meter = RateMeter()
         self.newest: Record | None = None
         self.count = 0
         self._lost_before = 0
@@ -81,21 +80,21 @@ class Feed:
         self._history: deque[Record] = deque(maxlen=0)
         self._history_bytes = 0
 
-    # -- who watches ---------------------------------------------------------------------------
+    # -- watches -------------------------------------------------------------------------------
 
     @property
     def is_wanted(self) -> bool:
-        """Whether anybody wants its messages now."""
-        # A copy, made in one step: other threads come and go meanwhile.
+        """Whether a watch is active."""
+        # An atomic copy: other threads change the set.
         return any(watch.is_active for watch in tuple(self._watches))
 
     @property
     def is_abandoned(self) -> bool:
-        """Whether nobody holds it."""
+        """Whether it has no watches."""
         return not self._watches
 
     def update(self, watch: Watch, *, is_held: bool) -> None:
-        """Note that a watch came, went, paused or goes on."""
+        """Add, change or remove a watch; subscribe or unsubscribe as needed."""
         with self._lock:
             (self._watches.add if is_held else self._watches.discard)(watch)
             keep = max((one.keep for one in self._watches), default=0)
@@ -129,12 +128,12 @@ class Feed:
 
     @property
     def lost(self) -> int:
-        """How many messages came faster than they could be taken."""
+        """The number of messages that were lost because they came too fast."""
         subscription = self.subscription
         return self._lost_before + (subscription.lost_count if subscription is not None else 0)
 
     def forget_subscription(self) -> Any:
-        """Return the subscription, which is to be destroyed, and be without one."""
+        """Return the subscription, for the caller to destroy, and forget it."""
         self._lost_before = self.lost
         subscription, self.subscription = self.subscription, None
         return subscription
@@ -153,29 +152,29 @@ class Feed:
             return self._decoded[1]
 
     def read(self, record: Record) -> Any:
-        """Return a kept message decoded; None if it is none of the type, which `problem` tells."""
+        """Return a kept message, decoded; None if decoding fails, with the reason in `problem`."""
         if self.decode is None:
             return None
         try:
             return self.decode(record.payload)
         except CodecError as error:
-            self.problem = f"a message cannot be read: {error}"
+            self.problem = f"a message cannot be decoded: {error}"
             return None
 
     def since(self, number: int) -> Sequence[Record]:
-        """Return the kept messages after a number, the oldest first."""
+        """Return the kept messages after a number, oldest first."""
         with self._lock:
             return [record for record in self._history if record.number > number]
 
 
 class Watch:
-    """One page's, or one curve's, look at a topic. All methods may be called from any thread.
+    """Watch of a topic for one page or curve. All methods may be called from any thread.
 
     Args:
-        feed: The topic, shared with all others who watch it.
-        keep: How many messages `since` can return.
-        is_active: Whether messages are wanted at once.
-        forget: Called after the last watch of the feed was released.
+        feed: The topic's messages, shared by all its watches.
+        keep: The number of messages that `since` can return.
+        is_active: Whether to receive messages at once.
+        forget: Called with the feed after a release.
     """
 
     def __init__(
@@ -195,58 +194,58 @@ class Watch:
 
     @property
     def type_name(self) -> str | None:
-        """The type's full name; None until anybody uses the topic."""
+        """The type's full name; None until a node uses the topic."""
         return self._feed.type_name
 
     @property
     def problem(self) -> str:
-        """Why nothing comes, or cannot be read, in a sentence; empty if all is well."""
+        """A sentence if messages do not come or cannot be decoded; otherwise empty."""
         return self._feed.problem
 
     @property
     def latest(self) -> Any:
-        """The newest message, decoded at most 30 times a second; None if none came yet."""
+        """The newest message, decoded at most 30 times a second; None before the first one."""
         return self._feed.latest()
 
     @property
     def newest(self) -> Record | None:
-        """The newest message as it came."""
+        """The newest message, not decoded."""
         return self._feed.newest
 
     @property
     def count(self) -> int:
-        """How many messages came since somebody began to watch; unchanged means: nothing new."""
+        """The number of messages since the topic's first watch; it is unchanged if none is new."""
         return self._feed.count
 
     @property
     def lost(self) -> int:
-        """How many came faster than they could be taken."""
+        """The number of messages that were lost because they came too fast."""
         return self._feed.lost
 
     @property
     def rate_hz(self) -> float:
-        """Messages a second, over the last five."""
+        """Messages a second, over the last 5 s."""
         return self._feed.meter.rates(time.time_ns())[0]
 
     @property
     def bytes_per_second(self) -> float:
-        """Bytes of payload a second, over the last five."""
+        """Bytes of payload a second, over the last 5 s."""
         return self._feed.meter.rates(time.time_ns())[1]
 
     def since(self, number: int) -> Sequence[Record]:
-        """Return the kept messages after a number (0: all), the oldest first; see `keep`."""
+        """Return the kept messages after a number (0: all), oldest first; see `keep`."""
         return self._feed.since(number)
 
     def read(self, record: Record) -> Any:
-        """Return a kept message decoded; None if it cannot be, which `problem` tells."""
+        """Return a kept message, decoded; None if decoding fails, with the reason in `problem`."""
         return self._feed.read(record)
 
     def pause(self) -> None:
-        """Want no messages for now; what came stays."""
+        """Receive no messages until `resume`; kept messages stay."""
         self._set(is_active=False)
 
     def resume(self) -> None:
-        """Want messages again."""
+        """Receive messages again."""
         self._set(is_active=True)
 
     def _set(self, *, is_active: bool) -> None:
@@ -255,7 +254,7 @@ class Watch:
             self._feed.update(self, is_held=True)
 
     def release(self) -> None:
-        """End; may be called twice."""
+        """End the watch; may be called twice."""
         if self._is_held:
             self._is_held = self.is_active = False
             self._feed.update(self, is_held=False)
@@ -268,21 +267,21 @@ class Watch:
         self.release()
 
 
-class NoTypeError(ZbotError):
-    """A type has no definition on this machine, and nobody tells it."""
+class UnknownTypeError(ZbotError):
+    """No definition of a type was found, neither on this machine nor from other nodes."""
 
     def __init__(self, type_name: str) -> None:
         self.type_name = type_name
         super().__init__(
-            f"the type {type_name} is unknown here: put its file into a package of your workspace"
+            f"no definition of {type_name} was found: put its file into a package of your workspace"
         )
 
 
 def profile_for(publishers: Sequence[EndpointToken]) -> QoSProfile:
-    """Return the profile to watch a topic with: it hears whatever its publishers offer.
+    """Return a QoS profile for a subscription that is compatible with all publishers.
 
-    Transient local if all are, so that a page which comes late still shows what a latched topic
-    holds.
+    It is transient local if all publishers are, so that a page shows the last message of a latched
+    topic.
     """
     is_latched = bool(publishers) and all(
         end.qos.durability is DurabilityPolicy.TRANSIENT_LOCAL for end in publishers

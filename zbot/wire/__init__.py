@@ -1,4 +1,4 @@
-"""The wire contract: how names, qualities and messages become Zenoh's keys and bytes.
+"""Wire format: Zenoh keys with names, liveliness tokens with QoS, and payloads with messages.
 
-Pure text and bytes, no Zenoh; `docs/wire.md` is its prose.
+The modules here use only text and bytes, not Zenoh. `docs/wire.md` describes the format.
 """

@@ -1,4 +1,4 @@
-"""The 33 bytes that travel beside every message: number, time and sender, laid out as in ROS 2."""
+"""Attachment of a message: 33 bytes with its number, time and sender, in rmw_zenoh's layout."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from typing import NamedTuple
 __all__ = ["GID_LENGTH", "LAYOUT", "Attachment", "pack", "unpack"]
 
 GID_LENGTH = 16
-# The lone byte is the gid's length: rmw_zenoh serialises an array of bytes with its length first.
+# The single byte is the gid's length, because rmw_zenoh writes an array's length before its bytes.
 LAYOUT = Struct("<qqB16s")
 
 
 class Attachment(NamedTuple):
-    """What a sender says about one message."""
+    """Metadata that a sender adds to one message."""
 
-    sequence_number: int  #: from 1, one more with each message of the same sender
-    source_ns: int  #: when it was sent, nanoseconds since the Unix epoch by the sender's clock
-    gid: bytes  #: the sending endpoint's 16 bytes
+    sequence_number: int  #: counts the sender's messages, from 1
+    source_ns: int  #: time of sending by the sender's clock, in nanoseconds since the Unix epoch
+    gid: bytes  #: the sending endpoint's id, 16 bytes
 
 
 def pack(sequence_number: int, source_ns: int, gid: bytes) -> bytes:
@@ -26,9 +26,9 @@ def pack(sequence_number: int, source_ns: int, gid: bytes) -> bytes:
 
 
 def unpack(data: bytes | bytearray | memoryview | None) -> Attachment | None:
-    """Return the facts of an attachment; None where it is absent or not ours.
+    """Return the attachment in `data`. Return None if `data` has another format.
 
-    Any Zenoh program may publish on a topic, so a foreign attachment is no error.
+    Any Zenoh program may publish on a topic, so an unknown attachment is not an error.
     """
     if data is None or len(data) != LAYOUT.size:
         return None

@@ -1,7 +1,8 @@
-"""ROS 2's own bytes, XCDR1: what `rclpy.serialization` makes and what raw subscriptions hand out.
+"""Codec for XCDR1, the serialization that `rclpy.serialization` and raw subscriptions use.
 
-Four bytes of header, then the fields one after the other, each number aligned to its own size as
-counted from behind the header. Rules and test vectors are those of Fast CDR.
+A message is a header of four bytes, followed by the fields in order. The position of each number,
+counted from the end of the header, is a multiple of the number's size. The rules and the test
+vectors come from Fast CDR.
 """
 
 from __future__ import annotations
@@ -28,16 +29,16 @@ __all__ = ["cdr_codec_for"]
 _LITTLE_ENDIAN = b"\x00\x01\x00\x00"
 _HEADER_LENGTH = 4
 _COUNT = {"<": Struct("<I"), ">": Struct(">I")}
-_UNIT_BYTES = 4  # of a wide character, as Fast CDR writes it
+_UNIT_BYTES = 4  # bytes that Fast CDR writes for one wide character
 
 
 class _MalformedError(Exception):
-    """The bytes are no message of the type; its text says why."""
+    """The bytes are not a message of the type. The error's text is the reason."""
 
 
 @dataclass(frozen=True, slots=True)
 class CdrCodec:
-    """How messages of one type become CDR, and CDR messages."""
+    """Functions that encode and decode the messages of one type."""
 
     type_name: str
     encode: Callable[[Any], bytes]
@@ -45,13 +46,14 @@ class CdrCodec:
 
 
 def cdr_codec_for(message_class: type[Any]) -> CdrCodec:
-    """Return the codec of a message class, made at the first call for it.
+    """Return the codec of a message class. It is made at the first call and then reused.
 
-    Its `encode` raises `CodecError` for a message of another class or with wrong values, its
-    `decode` for bytes that are none of the type; bytes after the message are ignored.
+    `encode` raises `CodecError` for a message of another class or with wrong values. `decode`
+    raises `CodecError` for bytes that are not a message of the type. It ignores additional bytes
+    after the message.
 
     Raises:
-        NotAMessageTypeError: The class is no message's.
+        NotAMessageTypeError: The class is not a message class.
     """
     codec = _codecs.get(message_class)
     if codec is None:
@@ -101,7 +103,7 @@ def _message_writer(message_class: type[Any]) -> Callable[[bytearray, Any], None
 
     def write(body: bytearray, message: Any) -> None:
         if not fields:
-            body.append(0)  # a structure without members has a byte nevertheless
+            body.append(0)  # a structure without members is one byte in CDR
         for name, write_field in fields:
             write_field(body, getattr(message, name))
 
@@ -178,11 +180,11 @@ def _write_wide_string(body: bytearray, text: str) -> None:
 
 
 class _Reader:
-    """Takes values from bytes, and never more than there are."""
+    """Cursor over the bytes of a message. It raises an error if a read goes beyond the end."""
 
     def __init__(self, data: bytes) -> None:
         if not is_cdr(data) or len(data) < _HEADER_LENGTH:
-            raise _MalformedError("it does not begin with the header of CDR")
+            raise _MalformedError("the bytes do not begin with a CDR header")
         self.order = "<" if data[1] else ">"
         self._body = memoryview(data)[_HEADER_LENGTH:]
         self._position = 0
@@ -198,7 +200,7 @@ class _Reader:
         return self._body[begin:end]
 
     def count(self, item_size: int) -> int:
-        """Return how many items follow, of which each takes at least `item_size` bytes."""
+        """Return the number of items that follow. Each item has at least `item_size` bytes."""
         self.align(4)
         count: int = _COUNT[self.order].unpack(self.take(4))[0]
         if count * item_size > len(self._body) - self._position:
@@ -273,7 +275,7 @@ def _scalar_reader(kind: FieldType) -> Callable[[_Reader], Any]:
 def _read_bool(reader: _Reader) -> bool:
     value = reader.take(1)[0]
     if value > 1:
-        raise _MalformedError(f"{value} is no bool")
+        raise _MalformedError(f"{value} is not a bool")
     return bool(value)
 
 

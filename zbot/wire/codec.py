@@ -1,7 +1,7 @@
-"""Messages to MessagePack and back: one generated pack and one unpack function for each type.
+"""Codec that converts messages to MessagePack and back, with generated code for each type.
 
-What arrives is checked in full. Any bytes give either a message whose every field is valid, or one
-`CodecError`; memory stays in proportion to the bytes that arrived.
+The decoder checks every field. For any bytes, it either returns a valid message or raises
+`CodecError`. Its memory use is proportional to the number of bytes.
 """
 
 from __future__ import annotations
@@ -16,12 +16,11 @@ from typing import TYPE_CHECKING, Any, Generic, Literal, NoReturn, TypeVar
 from zbot.errors import ExternalShutdownException
 from zbot.interfaces import get_interface, message_spec_of
 from zbot.interfaces.array_value import fixed_array
-from zbot.wire import check, generator
-from zbot.wire.check import Fault
+from zbot.wire import generator, value_check
 from zbot.wire.errors import CodecError
 from zbot.wire.generator import Layout, function_name, is_numeric_array
 from zbot.wire.keys import encoding
-from zbot.wire.lift import LARGE, lift_arrays
+from zbot.wire.large_arrays import LARGE, extract_arrays
 from zbot.wire.messagepack import (
     Bytes,
     UnreadableError,
@@ -31,6 +30,7 @@ from zbot.wire.messagepack import (
     pack,
     unpack,
 )
+from zbot.wire.value_check import Fault
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -48,15 +48,15 @@ _SOURCES = {
     "to_map": generator.to_map_source,
     "from_map": generator.from_map_source,
 }
-#: For each generated function, what it calls for the messages inside, and under which verb.
-_INSIDE: dict[str, tuple[str, _Nested]] = {
+#: For each generated function, the function for nested messages: its prefix in calls and its name.
+_NESTED_CALLS: dict[str, tuple[str, _Nested]] = {
     "encode": ("pack", "to_map"),
     "to_map": ("pack", "to_map"),
     "decode": ("unpack", "from_map"),
     "from_map": ("unpack", "from_map"),
 }
 _COMMON_NAMES: dict[str, Any] = {
-    **vars(check),
+    **vars(value_check),
     "pack": pack,
     "unpack": unpack,
     "bin_header": bin_header,
@@ -71,15 +71,16 @@ _COMMON_NAMES: dict[str, Any] = {
 
 
 class Codec(Generic[MessageT]):
-    """How messages of one type become bytes, and bytes messages.
+    """Encoder and decoder for messages of one type.
 
-    Each way's function is made when it is asked for: most processes use one way of a type only.
+    The encoder and the decoder are each generated at first use, because most processes need only
+    one of them for a type.
 
     Args:
         message_class: A message class or a dataclass.
 
     Raises:
-        NotAMessageTypeError: It is neither.
+        NotAMessageTypeError: The class is not a message class or a dataclass.
     """
 
     def __init__(self, message_class: type[MessageT]) -> None:
@@ -90,7 +91,7 @@ class Codec(Generic[MessageT]):
 
     @property
     def source(self) -> str:
-        """The generated functions, for a person to read."""
+        """Source of the generated functions, for debugging."""
         return "\n\n".join(
             write(self._spec, _layout(self._class))
             for write in (generator.encode_source, generator.decode_source)
@@ -98,14 +99,14 @@ class Codec(Generic[MessageT]):
 
     @cached_property
     def encode(self) -> Callable[[MessageT], bytes]:
-        """Return the bytes of a message; raises `CodecError` where a field cannot be sent."""
+        """Return the bytes of a message. Raise `CodecError` if a field cannot be sent."""
         names = {"ERRORS": _ERRORS, "explain": self._explain_encoding}
         return _function(self._class, "encode", names)
 
     @cached_property
     def decode(self) -> Callable[[Bytes], MessageT]:
-        """Return the message that bytes stand for; raises `CodecError` where they are none."""
-        names = {"ERRORS": Exception, "explain": self._explain_decoding}  # dataclasses raise any
+        """Return the message in bytes. Raise `CodecError` if the bytes are not valid."""
+        names = {"ERRORS": Exception, "explain": self._explain_decoding}  # a dataclass raises any
         arrays = {pack(f.name): f.name for f in self._spec.fields if is_numeric_array(f)}
         names |= {"LARGE": LARGE, "unpack_large": _unpack_large, "ARRAYS": arrays}
         return _function(self._class, "decode", names)
@@ -113,7 +114,7 @@ class Codec(Generic[MessageT]):
     def _explain_encoding(self, message: Any, error: Exception) -> NoReturn:
         path, reason = _path_and_reason(error)
         if not isinstance(message, self._class) and not isinstance(error, Fault):
-            reason = f"expected a {self.type_name}, not {check.kind(message)}"
+            reason = f"expected a {self.type_name}, not {value_check.kind(message)}"
         elif isinstance(error, UnicodeEncodeError):
             path = _path_of(error.object, _nested_function(self._class, "to_map")(message))
             reason = f"{error.object!r:.40} cannot be written as UTF-8"
@@ -121,7 +122,7 @@ class Codec(Generic[MessageT]):
 
     def _explain_decoding(self, error: Exception) -> NoReturn:
         if isinstance(error, ExternalShutdownException):
-            raise error  # a signal came meanwhile: that is not the message's fault
+            raise error  # a signal during decoding does not make the message invalid
         cause = None if isinstance(error, Fault) else error
         raise CodecError("decode", self.type_name, *_path_and_reason(error)) from cause
 
@@ -131,10 +132,10 @@ _nested_functions: dict[tuple[type, str], Callable[[Any], Any]] = {}
 
 
 def codec_for(message_class: type[MessageT]) -> Codec[MessageT]:
-    """Return the codec of a message class, made at the first call for it.
+    """Return the codec of a message class. It is made at the first call and then reused.
 
     Raises:
-        NotAMessageTypeError: The class is no message's.
+        NotAMessageTypeError: The class is not a message class.
     """
     codec = _codecs.get(message_class)
     if codec is None:
@@ -143,11 +144,11 @@ def codec_for(message_class: type[MessageT]) -> Codec[MessageT]:
 
 
 def _unpack_large(data: Bytes, arrays: dict[bytes, str]) -> Any:
-    lifted = lift_arrays(data, arrays)
-    if lifted is None:
+    extracted = extract_arrays(data, arrays)
+    if extracted is None:
         return unpack(data)
-    values = unpack(lifted[0])
-    values.update(lifted[1])
+    values = unpack(extracted[0])
+    values.update(extracted[1])
     return values
 
 
@@ -160,7 +161,7 @@ def _path_and_reason(error: Exception) -> tuple[str, str]:
 
 
 def _path_of(text: str, value: Any) -> str:
-    """Return where in a map a text stands."""
+    """Return the path of a text in a map. Return an empty string if the text is not there."""
     entries: Any = ()
     if isinstance(value, dict):
         entries = value.items()
@@ -181,7 +182,7 @@ def _layout(message_class: type[Any]) -> Layout:
 
 
 def _nested_function(message_class: type[Any], name: _Nested) -> Callable[[Any], Any]:
-    """Return the function for messages of a class that stand in others."""
+    """Return the function that converts messages of a class inside other messages."""
     function = _nested_functions.get((message_class, name))
     if function is None:
         function = _nested_functions[message_class, name] = _function(message_class, name, {})
@@ -191,10 +192,10 @@ def _nested_function(message_class: type[Any], name: _Nested) -> Callable[[Any],
 def _function(
     message_class: type[Any], name: _Nested | Literal["encode", "decode"], more: dict[str, Any]
 ) -> Callable[[Any], Any]:
-    """Return one of a type's generated functions, which uses some names more than all do."""
+    """Return one of a type's generated functions. `more` has more names that it uses."""
     spec = message_spec_of(message_class)
     source = _SOURCES[name](spec, _layout(message_class))
-    verb, nested = _INSIDE[name]
+    verb, nested = _NESTED_CALLS[name]
     names = _COMMON_NAMES | more | {"CLASS": message_class, "new": message_class.__new__}
     for field in spec.fields:
         names[f"KEY_{field.name}"] = pack(field.name)
@@ -207,7 +208,7 @@ def _function(
 
 
 def _dataclass_layout(message_class: type[Any]) -> Layout:
-    # The annotations say list or bytes where a generated message class has array.array.
+    # A dataclass has a list or bytes where a generated message class has an array.array.
     conversions = {}
     for name, hint in typing.get_type_hints(message_class).items():
         if hint is bytes:

@@ -1,7 +1,7 @@
-"""One way of writing keys, tokens and messages; the rest of zbot talks through it.
+"""Dialects of the wire format. A dialect defines the form of a session's keys, tokens and payloads.
 
-zbot has its own dialect. That of ROS 2 over Zenoh differs in the form of keys and tokens and in the
-codec only, and would be a second class with these methods.
+`NATIVE` is zbot's own dialect. `CLASSROOM` adds names that all domains of a classroom share. A
+dialect for rmw_zenoh would be another Python class with the same methods.
 """
 
 from __future__ import annotations
@@ -14,32 +14,32 @@ if TYPE_CHECKING:
     from zbot.wire.codec import Codec
     from zbot.wire.tokens import EndpointToken, NodeToken
 
-__all__ = ["IN_CLASS", "NATIVE", "Dialect", "other_type"]
+__all__ = ["CLASSROOM", "NATIVE", "Dialect", "type_mismatch"]
 
 MessageT = TypeVar("MessageT")
 
 
 class Dialect(Protocol):
-    """What a session needs to know about the wire."""
+    """Methods that a session needs from a wire format."""
 
     def topic_key(self, domain: int, name: str) -> str:
         """Return the key of a fully qualified topic or service name."""
         ...
 
     def parse_key(self, key: str) -> tuple[int, str] | None:
-        """Return domain and name of a key, or None if it is no topic's."""
+        """Return the domain and the name in a key. Return None if no topic has such a key."""
         ...
 
     def domain_of(self, domain: int, name: str) -> int:
-        """Return the domain that a topic or service of a node belongs to, usually the node's."""
+        """Return the domain of a topic or service. Usually this is the node's domain, `domain`."""
         ...
 
-    def tokens_keys(self, domain: int) -> tuple[str, ...]:
-        """Return the key expressions of every liveliness token that a domain's nodes should see."""
+    def token_selectors(self, domain: int) -> tuple[str, ...]:
+        """Return the key expressions of all liveliness tokens that a domain's nodes should see."""
         ...
 
     def parse_token(self, key: str) -> NodeToken | EndpointToken:
-        """Return what a token says, or raise TokenError."""
+        """Return the contents of a token. Raise `TokenError` if the token is not valid."""
         ...
 
     def encoding(self, type_name: str) -> str:
@@ -47,12 +47,12 @@ class Dialect(Protocol):
         ...
 
     def codec_for(self, message_class: type[MessageT]) -> Codec[MessageT]:
-        """Return what turns messages of a class into bytes and back."""
+        """Return the codec of a message class."""
         ...
 
 
-class _Native:
-    """zbot's own dialect: plain keys and MessagePack, readable by any Zenoh program."""
+class _NativeDialect:
+    """zbot's own dialect, with plain keys and MessagePack that any Zenoh program can read."""
 
     @staticmethod
     def topic_key(domain: int, name: str) -> str:
@@ -61,11 +61,11 @@ class _Native:
     parse_key = staticmethod(keys.parse_key)
 
     @staticmethod
-    def domain_of(domain: int, name: str) -> int:  # noqa: ARG004 - the shared one looks at it
+    def domain_of(domain: int, name: str) -> int:  # noqa: ARG004 - the classroom dialect uses it
         return domain
 
     @staticmethod
-    def tokens_keys(domain: int) -> tuple[str, ...]:
+    def token_selectors(domain: int) -> tuple[str, ...]:
         return (tokens.token_selector(domain),)
 
     parse_token = staticmethod(tokens.parse_token)
@@ -73,13 +73,13 @@ class _Native:
 
     @staticmethod
     def codec_for(message_class: type[MessageT]) -> Codec[MessageT]:
-        from zbot.wire.codec import codec_for  # noqa: PLC0415 - lists read no messages
+        from zbot.wire.codec import codec_for  # noqa: PLC0415 - commands that only list need no codec
 
         return codec_for(message_class)
 
 
-class _InClass(_Native):
-    """The same where domains are those of students, which have the names in `/class/` in common."""
+class _ClassroomDialect(_NativeDialect):
+    """Dialect of a classroom. Each student has a domain, and all share the names in `/class/`."""
 
     @staticmethod
     def topic_key(domain: int, name: str) -> str:
@@ -90,16 +90,16 @@ class _InClass(_Native):
         return keys.SHARED_DOMAIN if keys.is_shared(name) else domain
 
     @staticmethod
-    def tokens_keys(domain: int) -> tuple[str, ...]:
+    def token_selectors(domain: int) -> tuple[str, ...]:
         return (tokens.token_selector(domain), tokens.token_selector(keys.SHARED_DOMAIN))
 
 
-NATIVE: Dialect = _Native()
-IN_CLASS: Dialect = _InClass()
+NATIVE: Dialect = _NativeDialect()
+CLASSROOM: Dialect = _ClassroomDialect()
 
 
-def other_type(dialect: Dialect, encoding: object, expected: str) -> str:
-    """Return which other type an encoding names, in words; empty if it names this one or none."""
-    told, prefix = str(encoding), dialect.encoding("")
-    given = told.removeprefix(prefix) if told.startswith(prefix) else ""
+def type_mismatch(dialect: Dialect, encoding: object, expected: str) -> str:
+    """Return `it is A, not B` if an encoding has another type than `expected`. Else return ""."""
+    text, prefix = str(encoding), dialect.encoding("")
+    given = text.removeprefix(prefix) if text.startswith(prefix) else ""
     return "" if given in {"", expected} else f"it is {given}, not {expected}"

@@ -1,4 +1,4 @@
-"""What a server says instead of a response: the kind of error, and one sentence."""
+"""Error reply of a service: the kind of error and a message, in place of a response."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ ENCODING = "application/msgpack"
 
 
 def pack_error(error: BaseException) -> bytes:
-    """Return the payload for an exception: its class and its text, or twice the class."""
+    """Return the payload for an exception: its class name and its text, which is never empty."""
     kind = type(error).__name__
     return pack({"error": kind, "message": str(error) or kind})
 
 
 def unpack_error(data: Bytes) -> tuple[str, str]:
-    """Return kind and sentence; of bytes that another program wrote, whatever text they are."""
+    """Return the kind and the message of an error reply. Other bytes become the message."""
     try:
-        told: Any = unpack(data)
+        reply: Any = unpack(data)
     except UnreadableError:
-        told = None
-    if isinstance(told, dict) and isinstance(told.get("message"), str):
-        return str(told.get("error", "error")), told["message"]
+        reply = None
+    if isinstance(reply, dict) and isinstance(reply.get("message"), str):
+        return str(reply.get("error", "error")), reply["message"]
     return "error", bytes(data).decode(errors="replace")

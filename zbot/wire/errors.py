@@ -1,4 +1,4 @@
-"""Errors of bytes and tokens that cannot be read or written."""
+"""Errors of payloads and tokens that cannot be read or written."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from zbot.errors import ZbotError
 
 
 class TokenError(ZbotError, ValueError):
-    """A liveliness key is no token of a zbot node, e.g. because another program declared it."""
+    """A liveliness key is not a token of a zbot node, e.g. because another program made the key."""
 
     def __init__(self, key: str, reason: str) -> None:
         self.key, self.reason = key, reason
@@ -14,13 +14,14 @@ class TokenError(ZbotError, ValueError):
 
 
 class CodecError(ZbotError, ValueError):
-    """A message cannot become bytes, or bytes cannot become a message of the type expected.
+    """A message cannot be encoded, or bytes cannot be decoded as a message of the type.
 
     Attributes:
         action: `encode` or `decode`.
         type_name: The type, e.g. `sensor_msgs/msg/Image`.
-        field: Path of the field concerned, e.g. `header.stamp.sec`; empty if it is no single one.
-        reason: What is wrong.
+        field: Path of the wrong field, e.g. `header.stamp.sec`. It is empty if the error is not
+            about a single field.
+        reason: The problem.
     """
 
     def __init__(self, action: str, type_name: str, field: str, reason: str) -> None:

@@ -1,9 +1,9 @@
-"""Python source of a message type's pack and unpack functions.
+"""Generator of Python source for the codec functions of a message type.
 
-A type gets `encode(message)` and `decode(data)`. One that stands in another type gets
-`to_map(message)` and `from_map(values)`, which the other calls `pack_<type>` and `unpack_<type>`. A
-value that is plainly right is tested inline; any other goes to `zbot.wire.check`. Print
-`codec_for(T).source` to read what a type gets.
+A type has `encode(message)` and `decode(data)`. A type inside another type also has
+`to_map(message)` and `from_map(values)`. The source of the outer type calls these two functions
+`pack_<type>` and `unpack_<type>`. The source tests each value inline and passes a value that fails
+the test to `zbot.wire.value_check`. `codec_for(T).source` is the source for a type T.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from zbot.wire.messagepack import BIG_ENDIAN, ITEM_SIZE, map_header
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
 
-#: a generated function's lines, without indentation
+#: lines of a generated function, without indentation
 Lines = list[str]
 
 _ZERO: dict[str, object] = {"bool": False, "byte": b"\0", "float32": 0.0, "float64": 0.0}
@@ -26,48 +26,48 @@ _ZERO |= dict.fromkeys(INTEGER_RANGES, 0) | dict.fromkeys(("string", "wstring"),
 
 
 class Layout(NamedTuple):
-    """How a class holds its fields."""
+    """How a class stores its fields."""
 
-    prefix: str = "_"  #: what stands before a field's name in the attribute that holds it
-    keywords: bool = False  #: whether instances are made by the constructor, as dataclasses are
-    #: by field, the method that turns an array into what the class holds instead
+    prefix: str = "_"  #: prefix of a field's name in the attribute that stores it
+    keywords: bool = False  #: whether the constructor makes instances, as for dataclasses
+    #: for a field, the name of the array method that makes the stored value, e.g. `tolist`
     conversions: Mapping[str, str] = MappingProxyType({})
 
 
 def encode_source(spec: MessageSpec, layout: Layout) -> str:
-    """Return the source of `encode(message)`: a message's bytes."""
+    """Return the source of `encode(message)`, which returns a message's bytes."""
     has_arrays = any(map(is_numeric_array, spec.fields))
-    packed = _joined(spec.fields) if has_arrays else [f"return pack({_map(spec.fields)})"]
-    body = _guarded([*_reads(spec, layout), *packed], "explain(message, error)")
+    packed = _joined_parts(spec.fields) if has_arrays else [f"return pack({_map(spec.fields)})"]
+    body = _guarded([*_pack_lines(spec, layout), *packed], "explain(message, error)")
     return _function("encode(message)", body)
 
 
 def decode_source(spec: MessageSpec, layout: Layout) -> str:
-    """Return the source of `decode(data)`: the message that bytes stand for."""
+    """Return the source of `decode(data)`, which returns the message in some bytes."""
     unpacked = "values = unpack(data)"
     if any(map(is_numeric_array, spec.fields)):
         unpacked += " if len(data) < LARGE else unpack_large(data, ARRAYS)"
-    body = _guarded([unpacked, *_writes(spec, layout)], "explain(error)")
+    body = _guarded([unpacked, *_unpack_lines(spec, layout)], "explain(error)")
     return _function("decode(data)", body)
 
 
 def to_map_source(spec: MessageSpec, layout: Layout) -> str:
-    """Return the source of `to_map(message)`: the map that MessagePack is to write."""
-    return _function("to_map(message)", [*_reads(spec, layout), f"return {_map(spec.fields)}"])
+    """Return the source of `to_map(message)`, which returns the map for MessagePack."""
+    return _function("to_map(message)", [*_pack_lines(spec, layout), f"return {_map(spec.fields)}"])
 
 
 def from_map_source(spec: MessageSpec, layout: Layout) -> str:
-    """Return the source of `from_map(values)`: a message of what arrived."""
-    return _function("from_map(values)", _writes(spec, layout))
+    """Return the source of `from_map(values)`, which returns a message made from a map."""
+    return _function("from_map(values)", _unpack_lines(spec, layout))
 
 
 def is_numeric_array(field: Field) -> bool:
-    """Tell whether the field is an array of numbers, which is one binary or extension."""
+    """Return whether a field is an array of numbers. It is sent as one binary or extension."""
     return field.type.kind != "scalar" and bool(field.type.typecode)
 
 
 def function_name(verb: str, type_name: str) -> str:
-    """Return the name under which generated code calls a nested type's function."""
+    """Return the name of a nested type's function in generated code."""
     return f"{verb}_{type_name.replace('/', '_')}"
 
 
@@ -83,18 +83,18 @@ def _guarded(body: Iterable[str], explain: str) -> Lines:
     return ["try:", *_indent(body), "except ERRORS as error:", f"    {explain}"]
 
 
-def _reads(spec: MessageSpec, layout: Layout) -> Lines:
+def _pack_lines(spec: MessageSpec, layout: Layout) -> Lines:
     lines: Lines = []
     for field in spec.fields:
         lines.append(f"{field.name}_ = message.{layout.prefix}{field.name}")
-        lines += _read(field)
+        lines += _to_map_field(field)
     return lines
 
 
-def _writes(spec: MessageSpec, layout: Layout) -> Lines:
+def _unpack_lines(spec: MessageSpec, layout: Layout) -> Lines:
     lines = ["if type(values) is not dict:", "    raise wrong('', 'a map', values)"]
     for field in spec.fields:
-        lines += _write(field)
+        lines += _from_map_field(field)
         if is_numeric_array(field) and field.name in layout.conversions:
             lines.append(f"{field.name}_ = {field.name}_.{layout.conversions[field.name]}()")
     names = [field.name for field in spec.fields]
@@ -105,8 +105,8 @@ def _writes(spec: MessageSpec, layout: Layout) -> Lines:
     return [*lines, "return message"]
 
 
-def _read(field: Field) -> Lines:
-    """Lines that turn the field's variable from its Python value to what goes into the map."""
+def _to_map_field(field: Field) -> Lines:
+    """Return lines that convert the field's variable from its Python value to its map value."""
     kind, variable = field.type, f"{field.name}_"
     if kind.base == "byte":
         call = "octet" if kind.kind == "scalar" else "octets"
@@ -120,8 +120,8 @@ def _read(field: Field) -> Lines:
     return lines
 
 
-def _write(field: Field) -> Lines:
-    """Lines that turn what arrived into the field's Python value."""
+def _from_map_field(field: Field) -> Lines:
+    """Return lines that convert the field's received value to its Python value."""
     kind, variable = field.type, f"{field.name}_"
     get = f"{variable} = values.get({field.name!r}"
     if is_numeric_array(field):
@@ -166,7 +166,7 @@ def _quoted(field: Field) -> str:
 
 
 def _checked(field: Field) -> Lines:
-    """Lines that test the field's variable, and convert or refuse it where the test fails."""
+    """Return lines that test the field's variable, and convert or reject a value that fails."""
     kind, variable = field.type, f"{field.name}_"
     if kind.is_message and kind.kind == "scalar":
         return []
@@ -176,7 +176,7 @@ def _checked(field: Field) -> Lines:
 
 
 def _test(kind: FieldType, variable: str) -> tuple[str, str]:
-    """The condition under which a value needs a closer look, and the function that takes it."""
+    """Return the condition under which a value needs a check function, and that function's name."""
     if kind.kind != "scalar":
         return _array_test(kind, variable)
     if kind.base in INTEGER_RANGES:
@@ -219,7 +219,7 @@ def _arguments(field: Field) -> str:
 
 
 def _default(field: Field) -> str:
-    """The expression of what a field holds that the sender left out."""
+    """Return the expression for the value of a field that the sender left out."""
     kind = field.type
     if kind.is_message:
         return {"scalar": "EMPTY", "sequence": "[]", "array": f"[EMPTY] * {kind.size}"}[kind.kind]
@@ -247,20 +247,20 @@ def _wire_value(field: Field) -> str:
     return f"extension({ord(field.type.typecode)}, {variable})"
 
 
-def _joined(fields: Sequence[Field]) -> Lines:
-    """The bytes in pieces, numeric arrays as they are.
+def _joined_parts(fields: Sequence[Field]) -> Lines:
+    """Return lines that join the parts of the message's bytes. Each numeric array is one part.
 
-    So a large array is copied once, into the joined bytes, and not first into a map's value.
+    A large array is then copied only once, into the joined bytes.
     """
     parts = [repr(map_header(len(fields)))]
     for numeric, group in groupby(fields, key=is_numeric_array):
         members = list(group)
-        parts += _array_parts(members) if numeric else [_headless(members)]
+        parts += _array_parts(members) if numeric else [_entries_without_header(members)]
     return ["return b''.join((", *_indent(f"{part}," for part in parts), "))"]
 
 
-def _headless(fields: Sequence[Field]) -> str:
-    """The entries of a map without its header, which the parts before them have."""
+def _entries_without_header(fields: Sequence[Field]) -> str:
+    """Return the expression for the entries of a map without the map's header."""
     return f"pack({_map(fields)})[{len(map_header(len(fields)))}:]"
 
 

@@ -1,4 +1,4 @@
-"""Zenoh keys of topics and services, and the encoding that names a message's type."""
+"""Zenoh keys of topics and services, and Zenoh encodings that contain a message's type."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ __all__ = [
 ]
 
 ENCODING_PREFIX = "application/msgpack;"
-#: The space that the domains of a class have in common, and what stands for its domain in keys.
+#: Number of the domain for names that all domains of a classroom share, and its text in keys.
 SHARED_DOMAIN = 255
 SHARED_SPACE = "class"
 _MAX_DOMAIN_DIGITS = 3
 
 
 def topic_key(domain: int, name: str) -> str:
-    """Return the key of a fully qualified topic or service name: `/a/b` in domain 0 is `0/a/b`."""
+    """Return the key of a fully qualified name, e.g. `0/a/b` for the name `/a/b` in domain 0."""
     return f"{domain}{name}"
 
 
 def parse_key(key: str) -> tuple[int, str] | None:
-    """Return domain and fully qualified name of a key, or None if it is no topic's key."""
+    """Return the domain and the full name in a key. Return None if no topic can have the key."""
     domain, slash, name = key.partition("/")
     if not name or not is_number(domain) or len(domain) > _MAX_DOMAIN_DIGITS:
         return None
@@ -36,17 +36,17 @@ def parse_key(key: str) -> tuple[int, str] | None:
 
 
 def is_shared(name: str) -> bool:
-    """Return whether a class has a fully qualified name in common: `/class/...`."""
+    """Return whether all domains of a classroom share a full name, e.g. `/class/chat`."""
     return name.startswith(f"/{SHARED_SPACE}/")
 
 
 def domain_text(domain: int) -> str:
-    """Return what stands for a domain in keys and tokens."""
+    """Return the text of a domain in keys and tokens."""
     return SHARED_SPACE if domain == SHARED_DOMAIN else str(domain)
 
 
 def domain_selector(domain: int) -> str:
-    """Return the key expression of every topic and service of a domain."""
+    """Return the key expression of all topics and services of a domain."""
     return f"{domain}/**"
 
 
@@ -56,10 +56,10 @@ def encoding(type_name: str) -> str:
 
 
 def encoded_type(text: str) -> str | None:
-    """Return the type that an encoding names, or None if it is none of ours or names no type."""
+    """Return the type in an encoding. Return None if it is not zbot's encoding or has no type."""
     return text.removeprefix(ENCODING_PREFIX) or None if text.startswith(ENCODING_PREFIX) else None
 
 
 def is_number(text: str) -> bool:
-    """Tell whether a key's chunk is a plain decimal number, which `int()` alone does not check."""
+    """Return whether a key's chunk has only ASCII digits. `int()` would accept more forms."""
     return text.isascii() and text.isdigit()

@@ -1,9 +1,9 @@
-"""Large arrays taken straight out of MessagePack bytes, so that each is copied only once.
+"""Reader of large numeric arrays in MessagePack bytes. It copies each array only once.
 
-`msgpack.unpackb` copies a binary into `bytes`, from which it would be copied again into an array.
-Here the top level of the map is walked, arrays become `array.array` where they stand, and what is
-left, a small map, goes to msgpack. Nothing is trusted: where the bytes are not as expected the
-answer is None, and msgpack says what is wrong with them.
+`msgpack.unpackb` copies a binary into `bytes`, so the array would need a second copy. The reader
+here scans the top level of the map, copies each array into an `array.array`, and leaves the other
+entries as a small map for msgpack. If the bytes have an unexpected form, the reader returns None.
+Then msgpack reads all bytes and reports the error.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from zbot.wire.messagepack import Bytes, map_header, read_array
 if TYPE_CHECKING:
     from array import array
 
-#: bytes below which msgpack alone is faster
+#: size in bytes below which msgpack alone is faster
 LARGE = 1 << 16
-# A message with large arrays has few other values; one with many is not worth the walk.
+# A message with large arrays has few other values. For many values, the scan would be too slow.
 _MAX_STEPS = 500
 
-# Bytes after the tag of each fixed-size value; of the sized ones, how many bytes the size takes
-# and how many (an extension's code) follow it.
+# _FIXED: tags of values with a fixed size, and the number of bytes after the tag.
+# _SIZED: other tags, the length of the size in bytes, and the length of the extension code.
 _FIXED = dict.fromkeys([*range(0x80), *range(0xE0, 0x100), 0xC0, 0xC2, 0xC3], 0)
 _FIXED |= {0xCA: 4, 0xCB: 8, 0xCC: 1, 0xCD: 2, 0xCE: 4, 0xCF: 8, 0xD0: 1, 0xD1: 2, 0xD2: 4}
 _FIXED |= {0xD3: 8, 0xD4: 2, 0xD5: 3, 0xD6: 5, 0xD7: 9, 0xD8: 17}
@@ -31,17 +31,19 @@ _SIZED |= {0xD9: (1, 0), 0xDA: (2, 0), 0xDB: (4, 0)}
 _BIN32, _EXT32 = 0xC6, 0xC9
 
 
-def lift_arrays(data: Bytes, names: dict[bytes, str]) -> tuple[bytes, dict[str, array[Any]]] | None:
-    """Return the map without its large arrays, and these arrays by name.
+def extract_arrays(
+    data: Bytes, names: dict[bytes, str]
+) -> tuple[bytes, dict[str, array[Any]]] | None:
+    """Return the map's bytes without the large arrays, and a dictionary of the arrays by name.
 
     Args:
         data: A message's bytes.
-        names: Names of the fields that are numeric arrays, by their packed form.
+        names: Names of the fields that are numeric arrays. The keys are the packed names.
     """
     view = memoryview(data).cast("B")
     try:
         count, position = _map_header(view)
-        lifted: dict[str, array[Any]] = {}
+        arrays: dict[str, array[Any]] = {}
         kept: list[bytes | memoryview] = []
         for _ in range(count):
             key_end = _end(view, position)
@@ -51,17 +53,17 @@ def lift_arrays(data: Bytes, names: dict[bytes, str]) -> tuple[bytes, dict[str, 
             if name is None or values is None:
                 kept.append(view[position:end])
             else:
-                lifted[name] = values
+                arrays[name] = values
             position = end
-    except (_OddError, IndexError):
+    except (_UnexpectedBytesError, IndexError):
         return None
     if position != len(view):
         return None
-    return b"".join((map_header(len(kept)), *kept)), lifted
+    return b"".join((map_header(len(kept)), *kept)), arrays
 
 
-class _OddError(Exception):
-    """The bytes are not what a message with large arrays looks like."""
+class _UnexpectedBytesError(Exception):
+    """The bytes do not have the form of a message with large arrays."""
 
 
 def _map_header(view: memoryview) -> tuple[int, int]:
@@ -70,11 +72,11 @@ def _map_header(view: memoryview) -> tuple[int, int]:
         return tag & 0x0F, 1
     if tag == 0xDE:
         return int.from_bytes(view[1:3], "big"), 3
-    raise _OddError
+    raise _UnexpectedBytesError
 
 
 def _end(view: memoryview, position: int) -> int:
-    """Return where the value at a position ends."""
+    """Return the position after the value that begins at a position."""
     remaining = 1
     for _ in range(_MAX_STEPS):
         tag = view[position]
@@ -88,18 +90,18 @@ def _end(view: memoryview, position: int) -> int:
             position, remaining = position + 1, remaining + 2 * (tag & 0x0F)
         elif tag & 0xF0 == 0x90:
             position, remaining = position + 1, remaining + (tag & 0x0F)
-        else:  # a long list or map, or nothing at all
-            raise _OddError
+        else:  # a long list or map, or an invalid tag
+            raise _UnexpectedBytesError
         remaining -= 1
         if remaining == 0:
             if position > len(view):
-                raise _OddError
+                raise _UnexpectedBytesError
             return position
-    raise _OddError
+    raise _UnexpectedBytesError
 
 
 def _array(view: memoryview, start: int, end: int) -> array[Any] | None:
-    """Return the array between two positions if it is a large one that is well formed."""
+    """Return the array between two positions. Return None if it is not a large valid array."""
     tag = view[start]
     if tag == _BIN32:
         typecode, begin = "B", start + 5

@@ -1,7 +1,7 @@
-"""MessagePack itself: values to bytes and back, with numeric arrays as extensions.
+"""MessagePack encoder and decoder of plain values, with numeric arrays as extensions.
 
-An array of numbers is an extension whose code is the ASCII code of its `array` typecode and whose
-data are the elements, little-endian, in their standard size.
+The extension's code is the ASCII code of the array's typecode. The extension's data are the
+elements in little-endian order and in their standard size.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 Bytes = bytes | bytearray | memoryview
 
 BIG_ENDIAN = sys.byteorder == "big"
-#: bytes of one element, for each typecode of a numeric array
+#: size of one element in bytes, for each typecode of a numeric array
 ITEM_SIZE = {typecode: calcsize(f"={typecode}") for typecode in "bBhHiIqQfd"}
 
-# Any list may claim its length before its elements are seen, so a thousand nested claims would cost
-# memory that nothing stands for. Lists longer than this are counted first.
+# msgpack allocates a list from the length in its header. A thousand nested headers with wrong
+# lengths would allocate too much memory, so messages with longer lists are validated first.
 _SHORT_LIST = 1024
 _FIXED_EXT = {1: 0xD4, 2: 0xD5, 4: 0xD6, 8: 0xD7, 16: 0xD8}
 _REASONS: dict[type[Exception], str] = {
@@ -35,29 +35,29 @@ _REASONS: dict[type[Exception], str] = {
     msgpack.ExtraData: "more bytes follow the message",
 }
 
-# One packer serves every type and thread: pack() is a single call into C that keeps no state.
+# All types and threads share one packer, because pack() is a single call into C without state.
 pack: Callable[[Any], bytes] = msgpack.Packer(use_bin_type=True).pack
 _unpackb: Callable[..., Any] = msgpack.unpackb
 
 
 class UnreadableError(Exception):
-    """The bytes are no MessagePack, or more than a message can be."""
+    """The bytes are not valid MessagePack, or exceed its limits."""
 
 
 class Extension(NamedTuple):
-    """An extension that is no numeric array, so no field accepts it."""
+    """An extension that is not a numeric array. No field accepts such an extension."""
 
     code: int
     data: bytes
 
 
 def unpack(data: Bytes) -> Any:
-    """Return the value that bytes stand for; an array extension as `array.array`.
+    """Return the value in bytes. An array extension becomes an `array.array`.
 
-    Memory stays in proportion to the bytes that arrived.
+    The memory use is proportional to the number of bytes.
 
     Raises:
-        UnreadableError: They stand for none.
+        UnreadableError: The bytes are not valid.
     """
     try:
         return _unpackb(data, ext_hook=_read_ext, strict_map_key=True, max_array_len=_SHORT_LIST)
@@ -68,13 +68,13 @@ def unpack(data: Bytes) -> Any:
 
 
 def extension(code: int, values: array[Any]) -> Any:
-    """Return a numeric array as an extension to pack."""
-    # ExtType's own constructor checks its arguments once more, which takes longer than the rest.
+    """Return a numeric array as an extension for `pack`."""
+    # ExtType's constructor would check its arguments. This check takes longer than all the rest.
     return tuple.__new__(msgpack.ExtType, (code, values.tobytes()))
 
 
 def map_header(count: int) -> bytes:
-    """Return the header of a map with `count` entries, at most 65535."""
+    """Return the header of a map with `count` entries. A `count` above 65535 is not possible."""
     return bytes((0x80 | count,)) if count < 16 else b"\xde" + count.to_bytes(2, "big")
 
 
@@ -98,7 +98,7 @@ def ext_header(code: int, size: int) -> bytes:
 
 
 def read_array(typecode: str, data: bytes | memoryview) -> array[Any] | None:
-    """Return the array of an extension's data, or None if they are not whole elements of one."""
+    """Return the array in an extension's data. Return None if the typecode or the size is wrong."""
     if typecode not in ITEM_SIZE or len(data) % ITEM_SIZE[typecode]:
         return None
     values: array[Any] = array(typecode)
@@ -114,11 +114,11 @@ def _read_ext(code: int, data: bytes) -> Any:
 
 
 def _unpack_long(data: Bytes) -> Any:
-    """Unpack what has long lists, after walking through it once without making a single object."""
-    walker = msgpack.Unpacker(max_buffer_size=len(data), strict_map_key=True)
+    """Return the value in bytes with long lists. The bytes are validated first, without objects."""
+    validator = msgpack.Unpacker(max_buffer_size=len(data), strict_map_key=True)
     try:
-        walker.feed(data)
-        walker.skip()
+        validator.feed(data)
+        validator.skip()
         return _unpackb(data, ext_hook=_read_ext, strict_map_key=True)
     except (ValueError, TypeError, MemoryError, msgpack.OutOfData) as error:
         raise UnreadableError(_reason(error)) from error
@@ -128,4 +128,4 @@ def _reason(error: Exception) -> str:
     for kind, reason in _REASONS.items():
         if isinstance(error, kind):
             return reason
-    return f"this is no MessagePack: {error}"
+    return f"the bytes are not MessagePack: {error}"

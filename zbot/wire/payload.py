@@ -1,4 +1,4 @@
-"""Which format a message's bytes have."""
+"""Format of a payload: CDR or MessagePack."""
 
 from __future__ import annotations
 
@@ -6,5 +6,5 @@ __all__ = ["is_cdr"]
 
 
 def is_cdr(data: bytes) -> bool:
-    """Tell whether bytes begin as CDR does: MessagePack's maps never do."""
+    """Return whether bytes begin with a CDR header. A MessagePack map never has one."""
     return data[:1] == b"\x00" and data[1:2] in {b"\x00", b"\x01"}

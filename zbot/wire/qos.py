@@ -1,8 +1,8 @@
-"""A QoS profile as one chunk of a liveliness token, in rmw_zenoh's form.
+"""Text of a QoS profile as one chunk of a liveliness token, in rmw_zenoh's form.
 
     <reliability>:<durability>:<history>,<depth>:<deadline>:<lifespan>:<liveliness>,<lease>
 
-The three spans are `<seconds>,<nanoseconds>`. A component equal to its default is left empty.
+The three durations are `<seconds>,<nanoseconds>`. A component is empty if it has its default value.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from zbot.wire.keys import is_number
 
 __all__ = ["parse_qos", "qos_text"]
 
-DEFAULT_DEPTH = 42  # rmw_zenoh's, where a profile leaves the depth open
+DEFAULT_DEPTH = 42  # rmw_zenoh's depth for a profile without a depth
 _INFINITE_S, _INFINITE_NS = divmod(Infinite.nanoseconds, S_TO_NS)
-# rmw writes "as good as the partners allow" as one nanosecond less than infinite.
+# rmw writes "best available" as one nanosecond less than infinite.
 _BEST_AVAILABLE_NS = Infinite.nanoseconds - 1
 _SEPARATORS = 5
 
@@ -32,7 +32,7 @@ _PolicyT = TypeVar("_PolicyT", bound=QoSPolicyEnum)
 
 
 def qos_text(profile: QoSProfile) -> str:
-    """Return the profile's text, with everything that it leaves open resolved to the default."""
+    """Return the profile's text. Policies that the profile does not define get their defaults."""
     reliability = _policy_text(profile.reliability, ReliabilityPolicy.RELIABLE)
     durability = _policy_text(profile.durability, DurabilityPolicy.VOLATILE)
     history = _policy_text(profile.history, HistoryPolicy.KEEP_LAST)
@@ -46,9 +46,9 @@ def qos_text(profile: QoSProfile) -> str:
 
 
 def parse_qos(text: str) -> QoSProfile:
-    """Return the profile of a text; spans that never end are `Infinite`.
+    """Return the profile in a text. Durations without a limit become `Infinite`.
 
-    A policy's number that this version does not know becomes `UNKNOWN`.
+    An unknown number of a policy becomes `UNKNOWN`.
 
     Raises:
         ValueError: The text has another form.
@@ -80,7 +80,7 @@ def _span_text(span: Duration) -> str:
     if span.nanoseconds <= 0 or span.nanoseconds >= _BEST_AVAILABLE_NS:
         return ","
     seconds, rest = divmod(span.nanoseconds, S_TO_NS)
-    # Each half is left empty on its own where it equals infinite's half.
+    # Seconds are empty if Infinite has the same seconds. The same is true for nanoseconds.
     return f"{'' if seconds == _INFINITE_S else seconds},{'' if rest == _INFINITE_NS else rest}"
 
 
@@ -95,7 +95,7 @@ def _number(text: str, default: int) -> int:
     if not text:
         return default
     if not is_number(text) or len(text) > len(str(2**63)):
-        raise ValueError(f"QoS component {text!r} is no number")
+        raise ValueError(f"QoS component {text!r} is not a number")
     return int(text)
 
 

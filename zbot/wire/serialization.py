@@ -1,4 +1,4 @@
-"""Messages as bytes in ROS 2's own format, CDR, e.g. for files that other programs read."""
+"""Serialization of messages as CDR, ROS 2's format, e.g. for files that other programs read."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ MsgT = TypeVar("MsgT")
 
 
 def serialize_message(message: Any) -> bytes:
-    """Return a message's CDR: a header of 4 bytes, then its fields in little-endian.
+    """Return a message as CDR: a header of 4 bytes, then the fields in little-endian.
 
     Raises:
-        NotAMessageTypeError: It is no message.
+        NotAMessageTypeError: The object is not a message.
         CodecError: A field has a wrong value.
     """
     from zbot.wire.cdr import cdr_codec_for  # noqa: PLC0415 - few programs need it
@@ -27,11 +27,11 @@ def serialize_message(message: Any) -> bytes:
 
 
 def deserialize_message(serialized_message: bytes, message_type: type[MsgT]) -> MsgT:
-    """Return the message that CDR stands for; bytes after it are ignored.
+    """Return the message in CDR bytes. Additional bytes after the message are ignored.
 
     Raises:
-        NotAMessageTypeError: The class is no message's.
-        CodecError: The bytes are no message of the type.
+        NotAMessageTypeError: The class is not a message class.
+        CodecError: The bytes are not a message of the type.
     """
     from zbot.wire.cdr import cdr_codec_for  # noqa: PLC0415 - as above
 
@@ -39,5 +39,5 @@ def deserialize_message(serialized_message: bytes, message_type: type[MsgT]) -> 
 
 
 def raw_decoder(decode: Callable[[Any], Any]) -> Callable[[Any], bytes]:
-    """Return what turns a payload into CDR, given what turns it into a message."""
+    """Return a function that converts payloads to CDR. `decode` is the decoder of the payloads."""
     return lambda payload: serialize_message(decode(payload))

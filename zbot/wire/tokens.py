@@ -1,7 +1,7 @@
-"""Liveliness tokens: how nodes and their endpoints make themselves known.
+"""Liveliness tokens, with which nodes and their endpoints announce themselves.
 
-A token is a Zenoh key that exists as long as its session; everything that `zbot node list` and
-`zbot topic info` tell is read from such keys. The grammar is rmw_zenoh's:
+A token is a Zenoh key that exists as long as its session. `zbot node list` and `zbot topic info`
+read all their information from tokens. The grammar is rmw_zenoh's:
 
     @zbot/<domain>/<zid>/<nid>/<nid>/NN/<enclave>/<namespace>/<node>
     @zbot/<domain>/<zid>/<nid>/<eid>/<kind>/<enclave>/<namespace>/<node>/<name>/<type>/<hash>/<qos>
@@ -31,14 +31,14 @@ __all__ = [
     "token_selector",
 ]
 
-TOKEN_PREFIX = "@zbot"  # noqa: S105 - a key's first chunk, no secret
+TOKEN_PREFIX = "@zbot"  # noqa: S105 - a key's first chunk, not a secret
 _NODE_CHUNKS = 9
 _ENDPOINT_CHUNKS = 13
 _MAX_DIGITS = 10
 
 
 class EntityKind(str, Enum):
-    """What a token stands for."""
+    """Kind of the entity that a token announces."""
 
     NODE = "NN"
     PUBLISHER = "MP"
@@ -49,15 +49,15 @@ class EntityKind(str, Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class NodeToken:
-    """A node that is alive."""
+    """Token of a node."""
 
     domain: int
-    zid: str  #: id of the Zenoh session, as Zenoh prints it
+    zid: str  #: id of the Zenoh session, in the form in which Zenoh prints it
     nid: int  #: number of the node in its session
     namespace: str  #: absolute, `/` for the root
     node: str  #: base name
     enclave: str = "/"
-    key: str = ""  #: the token itself; made from the rest where it is not given
+    key: str = ""  #: the token's Zenoh key; made from the other fields if not given
 
     def __post_init__(self) -> None:
         if not self.key:
@@ -65,12 +65,12 @@ class NodeToken:
 
     @property
     def kind(self) -> EntityKind:
-        """What the token stands for."""
+        """The kind of entity."""
         return EntityKind.NODE
 
     @property
     def gid(self) -> bytes:
-        """The node's 16 bytes."""
+        """The node's id, 16 bytes."""
         return gid_of(self.key)
 
     def __eq__(self, other: object) -> bool:
@@ -82,21 +82,21 @@ class NodeToken:
 
 @dataclass(frozen=True, slots=True, kw_only=True, eq=False)
 class EndpointToken:
-    """A publisher, subscription, service or client of a node."""
+    """Token of a publisher, subscription, service or client."""
 
-    domain: int  #: `SHARED_DOMAIN` if all domains of a class have it in common
-    zid: str  #: id of the Zenoh session, as Zenoh prints it
+    domain: int  #: `SHARED_DOMAIN` if all domains of a classroom share the name
+    zid: str  #: id of the Zenoh session, in the form in which Zenoh prints it
     nid: int  #: number of the node in its session
     eid: int  #: number of the endpoint in its session
     kind: EntityKind
-    namespace: str  #: the node's, absolute
+    namespace: str  #: the node's absolute namespace
     node: str  #: the node's base name
-    name: str  #: topic or service, fully qualified
+    name: str  #: fully qualified name of the topic or service
     type_name: str  #: `std_msgs/msg/String`
     type_hash: str  #: `RIHS01_...`
     qos: QoSProfile
     enclave: str = "/"
-    key: str = ""  #: the token itself; made from the rest where it is not given
+    key: str = ""  #: the token's Zenoh key; made from the other fields if not given
 
     def __post_init__(self) -> None:
         if not self.key:
@@ -106,7 +106,7 @@ class EndpointToken:
 
     @property
     def gid(self) -> bytes:
-        """The endpoint's 16 bytes, which its messages carry in their attachment."""
+        """The endpoint's id, 16 bytes. The attachment of each of its messages has this id."""
         return gid_of(self.key)
 
     def __eq__(self, other: object) -> bool:
@@ -117,30 +117,30 @@ class EndpointToken:
 
 
 def token_selector(domain: int) -> str:
-    """Return the key expression of every token of a domain."""
+    """Return the key expression of all tokens of a domain."""
     return f"{TOKEN_PREFIX}/{domain_text(domain)}/**"
 
 
-# A graph asks for the same few gids again and again: with every message's info.
+# The graph needs a gid for the info of every message, and there are only a few different gids.
 @lru_cache(maxsize=4096)
 def gid_of(key: str) -> bytes:
-    """Return the 16 bytes that identify a token's owner: BLAKE2b of the token's text."""
-    import hashlib  # noqa: PLC0415 - 4 ms, and lists need no gids
+    """Return the 16 bytes that identify a token's owner: the BLAKE2b hash of the token's text."""
+    import hashlib  # noqa: PLC0415 - 4 ms, and commands that only list need no gids
 
     return hashlib.blake2b(key.encode(), digest_size=GID_LENGTH).digest()
 
 
 def parse_token(key: str) -> NodeToken | EndpointToken:
-    """Return what a liveliness key says; chunks that a later version adds are ignored.
+    """Return the token in a liveliness key. Chunks that a later version adds are ignored.
 
     Raises:
-        TokenError: The key is no token of ours.
+        TokenError: The key is not a token of zbot.
     """
     chunks = key.split("/")
     if chunks[0] != TOKEN_PREFIX:
         raise TokenError(key, f"it does not begin with {TOKEN_PREFIX}")
     if len(chunks) < _NODE_CHUNKS:
-        raise TokenError(key, f"it has {len(chunks)} chunks, at least {_NODE_CHUNKS} are needed")
+        raise TokenError(key, f"it has {len(chunks)} chunks and needs at least {_NODE_CHUNKS}")
     if "" in chunks or not key.isprintable():
         raise TokenError(key, "it has an empty chunk or a control character")
     if chunks[5] == EntityKind.NODE.value:
@@ -162,7 +162,7 @@ def _node_token(key: str, chunks: list[str]) -> NodeToken:
 
 def _endpoint_token(key: str, chunks: list[str]) -> EndpointToken:
     if len(chunks) < _ENDPOINT_CHUNKS:
-        reason = f"it has {len(chunks)} chunks, an endpoint needs {_ENDPOINT_CHUNKS}"
+        reason = f"it has {len(chunks)} chunks and an endpoint needs {_ENDPOINT_CHUNKS}"
         raise TokenError(key, reason)
     try:
         kind, qos = EntityKind(chunks[5]), parse_qos(chunks[12])
@@ -191,7 +191,7 @@ def _mangled_key(token: NodeToken | EndpointToken, eid: int, kind: EntityKind) -
     return f"{TOKEN_PREFIX}/{ids}/{names}"
 
 
-# "%" cannot occur in a ROS name, so "/" can hide behind it.
+# "/" separates chunks, so a field's "/" becomes "%", which cannot occur in a ROS name.
 def _mangle(field: str) -> str:
     return field.replace("/", "%")
 
@@ -206,5 +206,5 @@ def _domain(key: str, chunk: str) -> int:
 
 def _number(key: str, chunk: str) -> int:
     if not is_number(chunk) or len(chunk) > _MAX_DIGITS:
-        raise TokenError(key, f"{chunk!r} is no number")
+        raise TokenError(key, f"{chunk!r} is not a number")
     return int(chunk)

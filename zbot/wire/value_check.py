@@ -1,7 +1,7 @@
-"""What generated codecs call when a value is not plainly right: convert it, or say what is wrong.
+"""Checks and conversions of single values for the generated codecs.
 
-A generated function tests each value inline and comes here only where the test fails; so nothing
-below is on the fast path of a well-formed message.
+A generated codec tests each value inline. If this test fails, the codec calls a function of this
+module, which converts the value or raises `Fault`. So the speed of this module matters little.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from zbot.wire.messagepack import BIG_ENDIAN, ITEM_SIZE, Extension
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-#: stands for a field that the sender left out
+#: placeholder for a field that the sender left out
 MISSING: Any = object()
 
 
@@ -27,25 +27,25 @@ def _same_numbers(typecode: str) -> set[str]:
     return {code for code in family if calcsize(code) == ITEM_SIZE[typecode]}
 
 
-# The formats that a buffer of each typecode may have: numpy writes "l" where array writes "q".
+# Buffer formats that mean the same as each typecode, e.g. numpy writes "l" where array writes "q".
 _FORMATS = {typecode: _same_numbers(typecode) for typecode in ITEM_SIZE}
 
 
-class Fault(Exception):  # noqa: N818 - never leaves the codec, which turns it into a CodecError
-    """One field's value is wrong; the path grows on its way out of nested messages."""
+class Fault(Exception):  # noqa: N818 - internal: the codec turns it into a CodecError
+    """A field's value is wrong. Each enclosing message adds its own field's name to the path."""
 
     def __init__(self, field: str, reason: str) -> None:
         super().__init__(reason)
         self.path, self.reason = field, reason
 
     def inside(self, field: str) -> Fault:
-        """Return the same fault as seen from the message around it."""
+        """Return this fault with the enclosing message's field at the start of the path."""
         self.path = f"{field}.{self.path}" if self.path else field
         return self
 
 
 def kind(value: Any) -> str:
-    """Return what a value is, for a sentence: short, whatever its size."""
+    """Return a short description of a value for an error message."""
     if isinstance(value, Extension):
         return f"an extension with code {value.code}"
     text = repr(value) if isinstance(value, (bool, int, float, str, bytes, type(None))) else ""
@@ -54,12 +54,12 @@ def kind(value: Any) -> str:
 
 
 def wrong(field: str, expected: str, value: Any) -> Fault:
-    """Return the fault of a value that is something else than it must be."""
+    """Return the fault for a value of the wrong type."""
     return Fault(field, f"expected {expected}, not {kind(value)}")
 
 
 def message_fault(field: str, type_name: str, value: Any, error: Exception) -> Fault:
-    """Return the fault of a nested message as seen from the message around it."""
+    """Return the fault for a nested message. `error` is the error of the message's conversion."""
     if isinstance(error, Fault):
         return error.inside(field)
     return wrong(field, f"a {type_name}", value)
@@ -68,7 +68,7 @@ def message_fault(field: str, type_name: str, value: Any, error: Exception) -> F
 def items_fault(
     field: str, type_name: str, values: list[Any], convert: Callable[[Any], Any]
 ) -> Fault:
-    """Return the fault of the first message in a list that `convert` refuses."""
+    """Return the fault for the first message in a list that `convert` rejects."""
     for index, value in enumerate(values):
         try:
             convert(value)
@@ -78,14 +78,14 @@ def items_fault(
 
 
 def boolean(field: str, value: Any) -> bool:
-    """Return a bool's value; numpy's own bool counts."""
+    """Return a bool. A bool of numpy is converted."""
     if type(value).__name__ in {"bool_", "bool"}:
         return bool(value)
     raise wrong(field, "a bool", value)
 
 
 def integer(field: str, value: Any, low: int, high: int) -> int:
-    """Return an integer within its type's range."""
+    """Return an integer in the range of its type."""
     if isinstance(value, bool) or not hasattr(value, "__index__"):
         raise wrong(field, "an integer", value)
     number = int(value)
@@ -95,7 +95,7 @@ def integer(field: str, value: Any, low: int, high: int) -> int:
 
 
 def real(field: str, value: Any) -> float:
-    """Return a float; an integer is widened."""
+    """Return a float. An integer is converted."""
     if isinstance(value, bool) or not isinstance(value, (float, int)):
         raise wrong(field, "a number", value)
     try:
@@ -105,7 +105,7 @@ def real(field: str, value: Any) -> float:
 
 
 def real32(field: str, value: Any) -> float:
-    """Return a float that a float32 can hold, infinities and NaN among them."""
+    """Return a float that a float32 can hold. Infinities and NaN are allowed."""
     number = real(field, value)
     if math.isfinite(number) and abs(number) > FLOAT32_MAX:
         raise Fault(field, f"{number} is out of range for a float32")
@@ -113,7 +113,7 @@ def real32(field: str, value: Any) -> float:
 
 
 def text(field: str, value: Any, bound: int) -> str:
-    """Return a string of at most `bound` characters; a bound of 0 is none."""
+    """Return a string of at most `bound` characters. A `bound` of 0 means no bound."""
     if not isinstance(value, str):
         raise wrong(field, "a string", value)
     if bound and len(value) > bound:
@@ -122,21 +122,21 @@ def text(field: str, value: Any, bound: int) -> str:
 
 
 def octet(field: str, value: Any) -> int:
-    """Return the number of a `byte`, which Python holds as `bytes` of length 1."""
+    """Return a `byte` as a number. The Python value is `bytes` of length 1."""
     if isinstance(value, bytes) and len(value) == 1:
         return value[0]
     raise wrong(field, "one byte", value)
 
 
 def octet_from(field: str, value: Any) -> bytes:
-    """Return a received `byte`; one as bytes is accepted too."""
+    """Return a received `byte`. The sender may send it as a number or as `bytes` of length 1."""
     if isinstance(value, bytes):
         value = octet(field, value)
     return bytes((integer(field, value, 0, 255),))
 
 
 def length(field: str, count: int, size: int, *, fixed: bool) -> None:
-    """Refuse a sequence that has not the length its type asks for; a bound of 0 is none."""
+    """Check the length of a sequence. A `size` of 0 means no bound."""
     if fixed and count != size:
         raise Fault(field, f"{count} elements, exactly {size} are needed")
     if size and count > size:
@@ -144,7 +144,7 @@ def length(field: str, count: int, size: int, *, fixed: bool) -> None:
 
 
 def items(field: str, value: Any, size: int, *, fixed: bool) -> list[Any]:
-    """Return a list of the right length."""
+    """Return a list after checking its length."""
     if type(value) not in {list, tuple}:
         raise wrong(field, "a list", value)
     length(field, len(value), size, fixed=fixed)
@@ -168,13 +168,13 @@ def texts(field: str, value: Any, size: int, *, fixed: bool, bound: int) -> list
 
 
 def octets(field: str, value: Any, size: int, *, fixed: bool) -> bytes:
-    """Return a list of `byte` as one binary."""
+    """Return a list of `byte` values as one binary."""
     values = items(field, value, size, fixed=fixed)
     return bytes(octet(f"{field}[{index}]", item) for index, item in enumerate(values))
 
 
 def octets_from(field: str, value: Any, size: int, *, fixed: bool) -> list[bytes]:
-    """Return received `byte` elements: a binary, or a list."""
+    """Return received `byte` values. The sender may send them as a binary or a list."""
     if isinstance(value, bytes):
         length(field, len(value), size, fixed=fixed)
         return [bytes((number,)) for number in value]
@@ -183,7 +183,7 @@ def octets_from(field: str, value: Any, size: int, *, fixed: bool) -> list[bytes
 
 
 def numbers(field: str, value: Any, typecode: str, size: int, *, fixed: bool) -> array[Any]:
-    """Return a numeric array as the wire has it: of one typecode, little-endian, without gaps."""
+    """Return a numeric array in wire form: with its typecode, little-endian and contiguous."""
     try:
         view = memoryview(value)
     except TypeError:
@@ -195,7 +195,7 @@ def numbers(field: str, value: Any, typecode: str, size: int, *, fixed: bool) ->
 
 
 def numbers_from(field: str, value: Any, typecode: str, size: int, *, fixed: bool) -> array[Any]:
-    """Return received elements: an extension (already an array), a binary or a list."""
+    """Return received numbers. The sender may use an extension (an array), a binary or a list."""
     if isinstance(value, bytes) and typecode == "B":
         value = array("B", value)
     if not isinstance(value, array):

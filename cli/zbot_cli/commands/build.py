@@ -1,4 +1,4 @@
-"""`zbot build`: nothing is built; packages are checked for what would fail when they run."""
+"""`zbot build`: checks packages for errors that would show when they run; nothing is built."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ import typer
 
 from zbot.errors import ZbotError, close_matches
 from zbot.package import packages
+from zbot.package.finder import BUNDLED_NAMES
 from zbot.package.manifest import ManifestError, read_manifest
-from zbot.package.places import BUNDLED_NAMES
 from zbot.package.workspace import MANIFEST, package_folders, package_name
 from zbot_cli.input.many_values import ManyValuesCommand
 from zbot_cli.output.exit_status import Status
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 app = new_app("Check packages; nothing needs building", has_verbs=False)
 
-#: Options of colcon that concern what is not done here, by the number of words that follow them.
+#: Options of colcon without effect here, by the number of words that follow them: none, one, many.
 _FLAGS = frozenset({
     "--symlink-install", "--merge-install", "--continue-on-error", "--cmake-clean-cache",
     "--cmake-clean-first", "--cmake-force-configure", "--cmake-target-skip-unavailable",
@@ -56,7 +56,7 @@ class UnknownPackagesError(ZbotError):
 
 
 class DuplicatePackagesError(ZbotError):
-    """Several folders hold a package of the same name."""
+    """Several folders contain a package of the same name."""
 
     def __init__(self, found: dict[str, list[Path]]) -> None:
         self.found = found
@@ -68,7 +68,7 @@ class DuplicatePackagesError(ZbotError):
 
 
 class DependencyCycleError(ZbotError):
-    """Packages need each other in a circle."""
+    """Packages depend on each other in a circle."""
 
     def __init__(self, names: list[str]) -> None:
         self.names = names
@@ -82,11 +82,11 @@ class _BuildCommand(ManyValuesCommand):
     )  # fmt: skip
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Read the words, without those that only concern a real build."""
+        """Parse the words, without the options of colcon that have no effect here."""
         own = {text for parameter in self.params for text in parameter.opts}
         known = own | self.many | _FLAGS | _WITH_WORD | _WITH_WORDS
         kept: list[str] = []
-        skipped = 0.0  # how many of the next words belong to an option that changes nothing
+        skipped = 0.0  # how many of the next words belong to an option without effect
         for word in args:
             option = word.partition("=")[0]
             if word in known:
@@ -107,7 +107,7 @@ def build(
         list[str] | None, typer.Option("--packages-select", help="Only these packages")
     ] = None,
     up_to: Annotated[
-        list[str] | None, typer.Option("--packages-up-to", help="These, and what they need")
+        list[str] | None, typer.Option("--packages-up-to", help="These and their dependencies")
     ] = None,
     skip: Annotated[
         list[str] | None, typer.Option("--packages-skip", "--packages-ignore", help="Not these")
@@ -118,7 +118,7 @@ def build(
 ) -> int:
     """Check the packages of the workspace; nothing needs building.
 
-    Other options of colcon build are accepted, and change nothing.
+    Other options of colcon build are accepted and have no effect.
     """
     started = time.monotonic()
     folders = _by_name(list(package_folders(base_paths)))
@@ -133,7 +133,7 @@ def build(
             noisy.append(name)
     _summarize(len(chosen), failed, noisy, time.monotonic() - started)
     if not folders:
-        print("\nhint: a workspace has its packages in src", file=sys.stderr)
+        print("\nhint: put the packages of a workspace into its folder src", file=sys.stderr)
     return Status.ERROR if failed else Status.OK
 
 
@@ -165,13 +165,13 @@ def _chosen(
 def _needs(folder: Path, folders: Iterable[str]) -> list[str]:
     try:
         named = read_manifest(folder / MANIFEST).named()
-    except ManifestError:  # told when the package is checked
+    except ManifestError:  # reported when the package is checked
         return []
     return sorted(named.intersection(folders))
 
 
 def _in_order(needs: dict[str, list[str]], wanted: Iterable[str]) -> list[str]:
-    """Return packages after those that they need."""
+    """Return packages, each after the packages that it depends on."""
     done: list[str] = []
 
     def add(name: str, path: list[str]) -> None:

@@ -1,6 +1,6 @@
-"""`zbot complete`: what could come next on a command line; shells ask this with every Tab.
+"""`zbot complete`: prints the possible next words of a command line, for Tab in a shell.
 
-Options come from the commands themselves, names from the running domain, types from this machine.
+Options come from the commands, names from the running nodes, types from this machine.
 """
 
 from __future__ import annotations
@@ -13,16 +13,16 @@ from zbot_cli.output.exit_status import Status
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-#: An empty word as PowerShell has to write it, whose older versions lose one without quotes.
+#: Empty words as PowerShell passes them: its older versions drop an empty word without quotes.
 _EMPTY = ('""', "''")
 
 
 def complete(words: list[str], nouns: Iterable[str]) -> int:
-    """Print the candidates for the last word, one a line.
+    """Print the candidates for the last word, each on its own line.
 
     Args:
-        words: The words after `zbot`, the unfinished one last, behind an optional `--`.
-        nouns: The commands that exist.
+        words: The words after `zbot`: an optional `--`, finished words, and the unfinished word.
+        nouns: All nouns.
     """
     words = words[1:] if words[:1] == ["--"] else words
     unfinished = words[-1] if words else ""
@@ -31,7 +31,7 @@ def complete(words: list[str], nouns: Iterable[str]) -> int:
     try:
         found = _candidates(words[:-1], unfinished, nouns)
     except ZbotError:
-        found = []  # a shell can show no sentence in the middle of a word
+        found = []  # a shell cannot show an error message while the user types
     for candidate in sorted({one for one in found if one.startswith(unfinished)}):
         print(candidate)
     return Status.OK
@@ -48,7 +48,7 @@ def _candidates(done: Sequence[str], unfinished: str, nouns: Iterable[str]) -> I
         return _launch_files(done[1:])
     if done[0] not in nouns:
         return []
-    from zbot_cli.nouns import load, verbs  # noqa: PLC0415 - `zbot run` does without typer
+    from zbot_cli.nouns import load, verbs  # noqa: PLC0415 - not needed by `zbot run`
 
     command = load(done[0])
     known = verbs(command)
@@ -71,7 +71,7 @@ def _options(command: Any) -> list[str]:
 
 
 def _executables(done: Sequence[str]) -> Iterable[str]:
-    from zbot_cli.packages.executables import all_packages  # noqa: PLC0415 - only `run` asks
+    from zbot_cli.packages.executables import all_packages  # noqa: PLC0415 - needed only for `run`
 
     packages = [package for package in all_packages() if package.executables]
     if not done:
@@ -83,13 +83,13 @@ def _executables(done: Sequence[str]) -> Iterable[str]:
 
 def _launch_files(done: Sequence[str]) -> Iterable[str]:
     import zbot.compat  # noqa: F401, PLC0415 - launch files import ROS 2's names
-    from zbot_cli.packages.launch_file import candidates  # noqa: PLC0415 - only `launch` asks
+    from zbot_cli.packages.launch_file import candidates  # noqa: PLC0415 - needed only for `launch`
 
     return candidates([word for word in done if not word.startswith("-")])
 
 
 def _topics(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - only live names ask
+    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - needed only for live names
 
     names = [name for name, _ in snapshot().topics()]
     return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
@@ -104,7 +104,7 @@ def _nodes(_: Sequence[str], unfinished: str) -> Iterable[str]:
 
 
 def _managed_nodes(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - only live names ask
+    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - needed only for live names
     from zbot_cli.domain.managed_nodes import managed_nodes  # noqa: PLC0415 - as above
 
     names = managed_nodes(snapshot(), include_hidden=unfinished.lstrip("/").startswith("_"))
@@ -125,7 +125,7 @@ def _parameters(done: Sequence[str], _: str) -> Iterable[str]:
 
 
 def _parameter_to_set(done: Sequence[str], unfinished: str) -> Iterable[str]:
-    # NODE PARAM VALUE PARAM VALUE: only the reader knows a value.
+    # NODE PARAM VALUE PARAM VALUE: values cannot be completed.
     return _parameters(done, unfinished) if len(done) % 2 else []
 
 
@@ -137,7 +137,7 @@ def _topic_type(done: Sequence[str], unfinished: str) -> Iterable[str]:
 
 
 def _actions(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - only live names ask
+    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - needed only for live names
 
     names = [name for name, _ in snapshot().actions()]
     return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
@@ -151,13 +151,13 @@ def _action_type(done: Sequence[str], _: str) -> Iterable[str]:
 
 
 def _action_types(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot_cli.domain.types import all_types  # noqa: PLC0415 - only types ask
+    from zbot_cli.domain.types import all_types  # noqa: PLC0415 - needed only for types
 
     return (name for name in all_types() if "/action/" in name)
 
 
 def _goal(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot.interfaces import get_action  # noqa: PLC0415 - only `send_goal` asks
+    from zbot.interfaces import get_action  # noqa: PLC0415 - needed only for `send_goal`
     from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - as above
 
     try:
@@ -171,13 +171,13 @@ def _goal(done: Sequence[str], _: str) -> Iterable[str]:
 
 
 def _message_types(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot_cli.domain.types import all_messages  # noqa: PLC0415 - only types ask
+    from zbot_cli.domain.types import all_messages  # noqa: PLC0415 - needed only for types
 
     return all_messages()
 
 
 def _all_types(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot_cli.domain.types import all_types  # noqa: PLC0415 - only types ask
+    from zbot_cli.domain.types import all_types  # noqa: PLC0415 - needed only for types
 
     return all_types()
 
@@ -195,26 +195,26 @@ def _workspace_packages(_: Sequence[str], __: str) -> Iterable[str]:
 
 
 def _packages(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot.interfaces import packages  # noqa: PLC0415 - only types ask
+    from zbot.interfaces import packages  # noqa: PLC0415 - needed only for types
 
     return packages()
 
 
 def _prototype(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot.interfaces import get_message  # noqa: PLC0415 - only `pub` asks
-    from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - only `pub` asks
+    from zbot.interfaces import get_message  # noqa: PLC0415 - needed only for `pub`
+    from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - needed only for `pub`
 
     try:
         message = get_message(done[1])()
     except (ZbotError, IndexError):
         return []
-    import json  # noqa: PLC0415 - only `pub` asks
+    import json  # noqa: PLC0415 - needed only for `pub`
 
     return [f"'{json.dumps(json_value(message))}'"]
 
 
 def _services(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - only live names ask
+    from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - needed only for live names
 
     names = [name for name, _ in snapshot().services()]
     return names if unfinished.startswith("/") or not unfinished else [name[1:] for name in names]
@@ -228,13 +228,13 @@ def _service_type(done: Sequence[str], _: str) -> Iterable[str]:
 
 
 def _service_types(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot_cli.domain.types import all_types  # noqa: PLC0415 - only types ask
+    from zbot_cli.domain.types import all_types  # noqa: PLC0415 - needed only for types
 
     return (name for name in all_types() if "/srv/" in name)
 
 
 def _request(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot.interfaces import get_service  # noqa: PLC0415 - only `call` asks
+    from zbot.interfaces import get_service  # noqa: PLC0415 - needed only for `call`
     from zbot.interfaces.plain_value import json_value  # noqa: PLC0415 - as above
 
     try:
@@ -251,7 +251,7 @@ def _shells(_: Sequence[str], __: str) -> Iterable[str]:
     return ("bash", "zsh", "fish", "powershell")
 
 
-#: What the words of each verb can be, the last source serving all further words.
+#: Sources of candidates for the words after each verb; the last source also serves later words.
 _VALUES: dict[tuple[str, str], tuple[Any, ...]] = {
     ("action", "echo"): (_actions, _action_type),
     ("action", "find"): (_action_types,),

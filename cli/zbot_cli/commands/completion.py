@@ -1,4 +1,4 @@
-"""`zbot completion SHELL`: the script that lets a shell ask zbot what could come next."""
+"""`zbot completion SHELL`: prints the script with which a shell completes words of `zbot`."""
 
 from __future__ import annotations
 
@@ -58,12 +58,12 @@ _INSTALL = {
 def completion(
     shell: Annotated[str | None, typer.Argument(help="bash, zsh, fish or powershell")] = None,
 ) -> None:
-    """Print the script for a shell; without one, how to install it."""
+    """Print the completion script of a shell; without SHELL, how to install it."""
     if shell is None:
-        print("Complete zbot's words with Tab; once for your shell:\n")
+        print("To complete words of zbot with Tab, install the script of your shell:\n")
         for line in _INSTALL.values():
             print(f"    {line}")
         return
     if shell not in _SCRIPTS:
-        raise typer.BadParameter(f"no script for {shell!r}; there are {', '.join(_SCRIPTS)}")
+        raise typer.BadParameter(f"no script for {shell!r}; choose from {', '.join(_SCRIPTS)}")
     print(_SCRIPTS[shell], end="")

@@ -1,4 +1,4 @@
-"""`zbot daemon`: there is none, and lesson sheets may ask for it."""
+"""`zbot daemon`: says that zbot has no daemon, for lesson sheets that use `ros2 daemon`."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ _TEXT = "zbot has no daemon and needs none: every command sees the running nodes
 
 @app.command("status")
 def status() -> None:
-    """Say that there is none."""
+    """Say that zbot has no daemon."""
     print(_TEXT)
 
 
 @app.command("start")
 def start() -> None:
-    """Say that none is needed."""
+    """Say that no daemon has to be started."""
     print(_TEXT)
 
 
 @app.command("stop")
 def stop() -> None:
-    """Say that there is none to stop."""
+    """Say that no daemon has to be stopped."""
     print(_TEXT)

@@ -1,4 +1,4 @@
-"""`zbot doctor`: a line for everything that could be wrong, and what to do about it."""
+"""`zbot doctor`: checks this machine and the domain; prints a line for each check, with advice."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
     from zbot.context import Context
 
-app = new_app("Check what could be wrong", has_verbs=False)
+app = new_app("Check this machine and the domain for problems", has_verbs=False)
 
 _OLDEST_PYTHON = (3, 10)
 _CONNECT_TIMEOUT_S = 0.5
@@ -37,7 +37,7 @@ _LARGEST_CLOCK_STEP_S = 0.1
 
 @dataclass(frozen=True)
 class Finding:
-    """The outcome of one check; `advice` says what to do and is empty if all is well."""
+    """Result of one check; `advice` says what to do, and is empty if nothing is wrong."""
 
     check: str
     text: str
@@ -52,22 +52,22 @@ class Finding:
 @app.callback(invoke_without_command=True)
 def doctor(
     report: Annotated[
-        bool, typer.Option("-r", "--report", help="Show nodes, topics and processes too")
+        bool, typer.Option("-r", "--report", help="List nodes, topics and processes too")
     ] = False,
     report_failed: Annotated[
-        bool, typer.Option("-rf", "--report-failed", help="Show them if a check fails")
+        bool, typer.Option("-rf", "--report-failed", help="List them if a check fails")
     ] = False,
     include_warnings: Annotated[
-        bool, typer.Option("-iw", "--include-warnings", hidden=True, help="Accepted; they are")
+        bool, typer.Option("-iw", "--include-warnings", hidden=True, help="Accepted; no effect")
     ] = False,
     exclude_packages: Annotated[
-        bool, typer.Option("-ep", "--exclude-packages", hidden=True, help="Accepted; they are")
+        bool, typer.Option("-ep", "--exclude-packages", hidden=True, help="Accepted; no effect")
     ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """Check what could be wrong on this machine and in the domain."""
+    """Check this machine and the domain for problems."""
     findings = list(_local_findings())
-    with _looking() as context:
+    with _client_or_none() as context:
         graph = Snapshot(()) if context is None else snapshot_of(context)
         findings += _graph_findings(graph)
         is_wanted = report or (report_failed and not all(one.is_ok for one in findings))
@@ -102,12 +102,12 @@ def _print(findings: list[Finding], bad: int) -> None:
 
 
 @contextlib.contextmanager
-def _looking() -> Iterator[Context | None]:
+def _client_or_none() -> Iterator[Context | None]:
     try:
         with client() as context:
             yield context
     except ZbotError:
-        yield None  # a finding of its own says what is wrong
+        yield None  # the checks of the configuration report the error
 
 
 def _local_findings() -> Iterator[Finding]:
@@ -180,7 +180,7 @@ def _meeting_port() -> Finding:
         probe.settimeout(_CONNECT_TIMEOUT_S)
         if probe.connect_ex(("127.0.0.1", port)) != 0:
             return Finding("meeting port", f"{name} is free: no node is running in this domain")
-    with _looking() as context:
+    with _client_or_none() as context:
         if context is not None and not context.is_closed:
             return Finding("meeting port", f"{name} answers as zbot")
     advice = "end the program that uses it, or choose another domain: ZBOT_DOMAIN_ID=7"
@@ -188,10 +188,10 @@ def _meeting_port() -> Finding:
 
 
 def _clock() -> Finding:
-    begun, steady = time.time(), time.monotonic()
-    with socket.socket() as probe:  # something that takes a moment
+    started, steady = time.time(), time.monotonic()
+    with socket.socket() as probe:  # takes some time, in which the clock may jump
         probe.connect_ex(("127.0.0.1", 9))
-    step = (time.time() - begun) - (time.monotonic() - steady)
+    step = (time.time() - started) - (time.monotonic() - steady)
     if abs(step) > _LARGEST_CLOCK_STEP_S:
         return Finding(
             "clock",
@@ -202,18 +202,18 @@ def _clock() -> Finding:
 
 
 def _class() -> Finding:
-    from zbot.classroom.state import present_state  # noqa: PLC0415 - help is quick
+    from zbot.classroom.state import present_state  # noqa: PLC0415 - not needed by `--help`
 
     state = present_state()
     if state["role"] is None:
         return Finding("class", "this machine has joined nothing")
     where = f"{state['class'] or 'a hub'} as {state['role']}"
     if not state["hub"]:
-        advice = "its hub does not run: `zbot status` says how to start it"
+        advice = "the hub of this machine is not running: `zbot status` says how to start it"
         return Finding("class", f"joined {where}", advice)
     if state["role"] in {"student", "partner"} and not state["linked"]:
         other = f"{state['host']}:{state['port']}"
-        advice = f"nobody answers at {other}: are you in the same network as the teacher?"
+        advice = f"{other} does not answer: connect to the network of that machine"
         return Finding("class", f"joined {where}, not linked", advice)
     return Finding("class", f"joined {where}")
 
@@ -241,7 +241,7 @@ def _type_clashes(graph: Snapshot) -> Iterator[Finding]:
     for name, types in graph.topics():
         if len(types) > 1:
             who = sorted(set(full_names([*graph.publishers(name), *graph.subscriptions(name)])))
-            advice = f"let all use one type, or rename the topic; its nodes are {', '.join(who)}"
+            advice = f"use one type in all nodes, or rename the topic; nodes: {', '.join(who)}"
             yield Finding("topic types", f"{name} has {len(types)}: {', '.join(types)}", advice)
 
 
@@ -252,12 +252,12 @@ def _lonely_subscriptions(graph: Snapshot) -> Iterator[Finding]:
             continue
         guess = nearest(name, sorted(published))
         if guess is not None:
-            advice = f"is {guess} meant? It has a publisher"
-            yield Finding("topic names", f"nobody publishes {name}", advice)
+            advice = f"did you mean {guess}? It has a publisher"
+            yield Finding("topic names", f"{name} has no publisher", advice)
 
 
 def _report(context: Context, graph: Snapshot) -> Iterator[Finding]:
-    # A process has a second session while it holds the meeting port.
+    # A process that holds the meeting port has a second session.
     found = {(one.host, one.pid): one for one in processes(context.session).values()}
     for process in sorted(found.values(), key=lambda one: (one.host, one.pid)):
         yield Finding(

@@ -1,4 +1,4 @@
-"""`zbot graph`: who talks to whom, as text, JSON or a picture."""
+"""`zbot graph`: prints the nodes and their connections, as text, JSON or a picture."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ _Filter = "names or regular expressions, `-` before those to leave out"
 
 
 class PictureError(ZbotError, OSError):
-    """A picture cannot be written."""
+    """The file of a picture cannot be written."""
 
     def __init__(self, path: str, reason: str) -> None:
         self.path = path
-        super().__init__(f"cannot write {path}: {reason}; name a file in a folder that exists")
+        super().__init__(f"cannot write {path}: {reason}; choose a folder that exists")
 
 
 @app.callback(invoke_without_command=True)
@@ -49,7 +49,7 @@ def graph(
     params: Annotated[bool, typer.Option("--params", help="Show /parameter_events too")] = False,
     no_tf: Annotated[bool, typer.Option("--no-tf", help="Leave transforms out")] = False,
     no_dead_sinks: Annotated[
-        bool, typer.Option("--no-dead-sinks", help="Leave out what nobody subscribes to")
+        bool, typer.Option("--no-dead-sinks", help="Leave out topics without subscriptions")
     ] = False,
     no_leaf_topics: Annotated[
         bool, typer.Option("--no-leaf-topics", help="Leave out topics with one connection")
@@ -64,7 +64,7 @@ def graph(
             "--group-namespaces",
             min=0,
             max=_MAX_NAMESPACES,
-            help="How many levels of namespaces get frames in a picture",
+            help="Levels of namespaces that are framed in a picture",
         ),
     ] = 2,
     actions: Annotated[
@@ -77,11 +77,13 @@ def graph(
         bool,
         typer.Option("--group-images/--no-group-images", help="Show an image's forms as one box"),
     ] = True,
-    as_dot: Annotated[bool, typer.Option("--dot", help="Print Graphviz's language")] = False,
+    as_dot: Annotated[bool, typer.Option("--dot", help="Print DOT, for Graphviz")] = False,
     svg: Annotated[
         str, typer.Option("--svg", metavar="FILE", help="Write a picture; - prints it")
     ] = "",
-    watch: Annotated[bool, typer.Option("--watch", help="Do it again at each change")] = False,
+    watch: Annotated[
+        bool, typer.Option("--watch", help="Print or write it at each change")
+    ] = False,
     as_json: AsJson = False,
 ) -> None:
     """Show which nodes talk to each other."""
@@ -97,29 +99,29 @@ def graph(
         topics=topics,
     )
     for text in (nodes, topics):
-        compile_filter(text)  # a mistake is told before anything is waited for
+        compile_filter(text)  # reports an invalid filter before the command waits for nodes
     grouping = Grouping(namespaces, actions, tf, images)
 
-    def look(seen: Snapshot) -> GraphView:
+    def make_view(seen: Snapshot) -> GraphView:
         return view(seen, mode, filters, grouping)
 
-    show = _Shower(svg, as_dot=as_dot, as_json=as_json)
+    show = _Output(svg, as_dot=as_dot, as_json=as_json)
     if watch:
-        _watch(look, show)
+        _watch(make_view, show)
     else:
-        show(look(snapshot()))
+        show(make_view(snapshot()))
 
 
-class _Shower:
-    """Shows one view after the other."""
+class _Output:
+    """Output of views, one after the other, in the form that the options choose."""
 
     def __init__(self, svg: str, *, as_dot: bool, as_json: bool) -> None:
         self._svg, self._as_dot, self._as_json = svg, as_dot, as_json
         self._drawing: Drawing | None = None
 
     @property
-    def is_blank_between(self) -> bool:
-        """Whether an empty line tells one text from the next."""
+    def separates_by_blank_line(self) -> bool:
+        """Whether an empty line separates one view from the next."""
         return not (self._svg or self._as_json)
 
     def __call__(self, drawn: GraphView) -> None:
@@ -131,7 +133,7 @@ class _Shower:
             print(_dot(drawn) if self._as_dot else _text(drawn), flush=True)
 
     def _draw(self, drawn: GraphView) -> None:
-        from zbot.graph.diagram import draw  # noqa: PLC0415 - text does without
+        from zbot.graph.diagram import draw  # noqa: PLC0415 - not needed for text
 
         self._drawing = draw(drawn, self._drawing)
         if self._svg == "-":
@@ -142,7 +144,7 @@ class _Shower:
 
 
 def _write(path: str, text: str) -> None:
-    """Replace a file as a whole: who shows it while it changes never sees half a picture."""
+    """Replace a file in one step, so that a viewer never reads half a picture."""
     target = Path(path)
     half = target.with_name(f".{target.name}.{os.getpid()}")
     try:
@@ -154,21 +156,21 @@ def _write(path: str, text: str) -> None:
 
 
 def _dot(drawn: GraphView) -> str:
-    from zbot.graph.dot import dot  # noqa: PLC0415 - text does without
+    from zbot.graph.dot import dot  # noqa: PLC0415 - not needed for text
 
     return dot(drawn)
 
 
-def _watch(look: Callable[[Snapshot], GraphView], show: _Shower) -> None:
+def _watch(make_view: Callable[[Snapshot], GraphView], show: _Output) -> None:
     with client(wait=True) as context:
         context.graph.watch()
-        shown = look(context.graph.snapshot())
+        shown = make_view(context.graph.snapshot())
         show(shown)
         while True:
             before = shown
-            if context.graph.wait_for(lambda seen: look(seen) != before, _ONE_HOUR_S):  # noqa: B023
-                shown = look(context.graph.snapshot())
-                if show.is_blank_between:
+            if context.graph.wait_for(lambda seen: make_view(seen) != before, _ONE_HOUR_S):  # noqa: B023
+                shown = make_view(context.graph.snapshot())
+                if show.separates_by_blank_line:
                     print()
                 show(shown)
 

@@ -1,4 +1,4 @@
-"""`zbot hub`: a plain router, for machines that just want each other."""
+"""`zbot hub`: a router that links machines without a class."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ app = new_app("Link other machines to this one", has_verbs=False)
 def hub(
     listen: Annotated[
         list[str] | None,
-        typer.Option("--listen", help="ADDRESS[:PORT] to be reached at; 0.0.0.0:7447 by default"),
+        typer.Option("--listen", help="ADDRESS[:PORT] to listen on; 0.0.0.0:7447 by default"),
     ] = None,
     connect: Annotated[
-        list[str] | None, typer.Option("--connect", help="HOST[:PORT] of a hub to link with")
+        list[str] | None, typer.Option("--connect", help="HOST[:PORT] of another hub")
     ] = None,
     keystore: Annotated[
         Path | None, typer.Option("--keystore", help="Folder of this machine's certificate")
     ] = None,
 ) -> None:
-    """Link machines that `zbot join` this one, until Ctrl-C."""
-    from zbot.classroom.address import (  # noqa: PLC0415 - help is quick
+    """Link the machines that join this one, until Ctrl-C."""
+    from zbot.classroom.address import (  # noqa: PLC0415 - not needed by `--help`
         EVERYWHERE,
         own_addresses,
         parse_address,
@@ -52,11 +52,11 @@ def hub(
         link.settings,
     )
 
-    def tell() -> None:
+    def print_addresses() -> None:
         print(f"the hub listens on {', '.join(map(str, addresses))}; Ctrl-C ends it")
         for host in own_addresses()[:1]:
             port = addresses[0].port
             shown = host if port == parse_address(host).port else f"{host}:{port}"
             print(f"on the other machines: zbot join {shown}", flush=True)
 
-    serve("hub", lambda: settings, tell)
+    serve("hub", lambda: settings, print_addresses)

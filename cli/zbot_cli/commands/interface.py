@@ -1,4 +1,4 @@
-"""`zbot interface`: which types there are, and what is in them."""
+"""Verbs of `zbot interface`: list types and packages, and show definitions."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ OnlyActions = Annotated[bool, typer.Option("-a", "--only-actions", help="Only ac
 
 
 class InterfaceNameError(ZbotError):
-    """A short name stands for no type, or for several."""
+    """A name without three parts is the name of no type, or of several."""
 
     def __init__(self, name: str, found: list[str]) -> None:
         self.hint = type_hint(name, found, all_types()) if name else "write std_msgs/msg/String"
@@ -39,7 +39,7 @@ class InterfaceNameError(ZbotError):
 
 
 class PackageError(ZbotError):
-    """No package of that name has interfaces."""
+    """No package of that name has message, service or action types."""
 
     def __init__(self, package: str) -> None:
         guess = nearest(package, packages())
@@ -48,7 +48,7 @@ class PackageError(ZbotError):
 
 
 class InterfaceError(ZbotError):
-    """A package has no such interface."""
+    """A package has no type of that name."""
 
     def __init__(self, name: str) -> None:
         package, _, interface = name.partition("/")
@@ -131,10 +131,10 @@ def show(
         typer.Argument(metavar="TYPE", help="e.g. geometry_msgs/msg/Twist; - reads it from a pipe"),
     ],
     all_comments: Annotated[
-        bool, typer.Option("--all-comments", help="Comments of nested types too")
+        bool, typer.Option("--all-comments", help="Show comments of nested types too")
     ] = False,
     no_comments: Annotated[
-        bool, typer.Option("--no-comments", help="No comments and blank lines")
+        bool, typer.Option("--no-comments", help="Leave out comments and blank lines")
     ] = False,
     as_json: AsJson = False,
 ) -> None:
@@ -169,11 +169,11 @@ def _spec(word: str) -> InterfaceSpec:
 def proto(
     type_name: Annotated[str, typer.Argument(metavar="TYPE", help="e.g. geometry_msgs/msg/Twist")],
     no_quotes: Annotated[
-        bool, typer.Option("--no-quotes", help="Leave out the quotes around")
+        bool, typer.Option("--no-quotes", help="Leave out the quotes around the text")
     ] = False,
 ) -> None:
     """Print a type's default values as YAML."""
-    from zbot.interfaces.plain_value import plain  # noqa: PLC0415 - only this verb shows values
+    from zbot.interfaces.plain_value import plain  # noqa: PLC0415 - needed only by this verb
     from zbot.interfaces.yaml_text import dump  # noqa: PLC0415 - as above
 
     spec = _spec(type_name)

@@ -1,4 +1,4 @@
-"""`zbot join`: take part in a class, or in what another machine has."""
+"""`zbot join`: links this machine with a class or with another machine."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import typer
 
 from zbot_cli.output.listing import new_app
 
-app = new_app("Join a class, or another machine", has_verbs=False)
+app = new_app("Join a class or another machine", has_verbs=False)
 
 
 @app.command()
@@ -27,24 +27,24 @@ def join(
         Path | None, typer.Option("--keystore", help="Folder of this machine's certificate")
     ] = None,
 ) -> None:
-    """Join a class, or another machine that runs `zbot hub`."""
-    from zbot.classroom import student  # noqa: PLC0415 - help is quick
+    """Join a class or another machine that runs `zbot hub`."""
+    from zbot.classroom import student  # noqa: PLC0415 - not needed by `--help`
 
     joined = student.join(target, name=name, number=number, keystore=keystore, ask_pin=_ask_pin)
     if joined.in_class:
         print(f'joined "{joined.class_name}": {joined.name}, you are number {joined.number}')
-        print("restart nodes that run already; `zbot leave` ends it")
+        print("restart nodes that are already running; `zbot leave` leaves the class")
     else:
-        print(f"joined {joined.host}:{joined.port}; `zbot leave` ends it")
+        print(f"joined {joined.host}:{joined.port}; `zbot leave` leaves it")
 
 
 def _ask_pin(class_name: str) -> str | None:
-    """Return the PIN: from `$ZBOT_PIN`, else typed unseen, else a line of standard input."""
+    """Return the PIN from `$ZBOT_PIN`, else from a hidden prompt, else from a line of stdin."""
     given = os.environ.get("ZBOT_PIN")
     if given:
         return given.strip()
     if sys.stdin.isatty():
-        from getpass import getpass  # noqa: PLC0415 - only here
+        from getpass import getpass  # noqa: PLC0415 - needed only here
 
         return getpass(f'PIN of "{class_name}": ').strip()
     return sys.stdin.readline().strip() or None

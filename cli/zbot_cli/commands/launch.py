@@ -1,4 +1,4 @@
-"""`zbot launch`: start what a launch file describes, and stop it with Ctrl-C."""
+"""`zbot launch`: runs a launch file until its processes end, or until Ctrl-C."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ app = new_app("Run a launch file", has_verbs=False)
 
 
 class LaunchOptionError(ZbotError):
-    """Two options of `zbot launch` do not go together."""
+    """An option of `zbot launch` needs another one."""
 
 
 @app.command()
@@ -41,35 +41,40 @@ def launch(
         list[str],
         typer.Argument(
             metavar="[PACKAGE] FILE [NAME:=VALUE]...",
-            help="A launch file: in a package, a path, or the name of one that comes with zbot",
+            help="A launch file: a path, a file in a package, or the name of one of zbot's own",
             show_default=False,
         ),
     ],
     noninteractive: Annotated[
-        bool, typer.Option("-n", "--noninteractive", help="Give the processes no terminal to read")
+        bool, typer.Option("-n", "--noninteractive", help="Give the processes no terminal as input")
     ] = False,
     debug: Annotated[
-        bool, typer.Option("-d", "--debug", help="Show more of what happens, and tracebacks")
+        bool, typer.Option("-d", "--debug", help="Show debug messages and tracebacks")
     ] = False,
     print_description: Annotated[
         bool,
-        typer.Option("-p", "--print", "--print-description", help="Print what would be launched"),
+        typer.Option(
+            "-p", "--print", "--print-description", help="Print the description; launch nothing"
+        ),
     ] = False,
     show_args: Annotated[
         bool,
-        typer.Option("-s", "--show-args", "--show-arguments", help="Show the file's arguments"),
+        typer.Option(
+            "-s", "--show-args", "--show-arguments", help="Show the arguments of the file"
+        ),
     ] = False,
     show_all: Annotated[
         bool,
         typer.Option(
-            "-a", "--show-all-subprocesses-output", help="Show all output, whatever the file says"
+            "-a", "--show-all-subprocesses-output", help="Show all output of all processes"
         ),
     ] = False,
     prefix: Annotated[
         str, typer.Option("--launch-prefix", help="Command to put before every executable")
     ] = "",
     prefix_filter: Annotated[
-        str, typer.Option("--launch-prefix-filter", help="Regex: only before these executables")
+        str,
+        typer.Option("--launch-prefix-filter", help="REGEX of the executables that get the prefix"),
     ] = "",
 ) -> int:
     """Run a launch file."""
@@ -77,7 +82,7 @@ def launch(
         raise LaunchOptionError(
             "--launch-prefix must be specified if --launch-prefix-filter is provided"
         )
-    # This launch can run only its own descriptions: an installed ROS 2 has others.
+    # Launch files get zbot's `launch`, even if ROS 2's is installed: only its objects can be run.
     zbot.compat.install_names({"launch", "launch_ros", "launch_xml", "launch_yaml"})
     path, rest = launch_file.find(words)
     arguments = parse_arguments(rest)
@@ -95,9 +100,9 @@ def launch(
     service.context.launch_configurations |= {key: one for key, one in options.items() if one}
     source = AnyLaunchDescriptionSource(str(path))
     for text in _likely_typos(source, path, arguments):
-        service.context.journal.warning("launch", text)
+        service.context.writer.warning("launch", text)
     include = IncludeLaunchDescription(source, launch_arguments=arguments.items())
-    include.origin = None  # no line of a launch file has it
+    include.origin = None  # the command line, not a line of a launch file, includes it
     service.include_launch_description(LaunchDescription([include]))
     return service.run() or int(service.context.program_failed)
 
@@ -105,13 +110,13 @@ def launch(
 def _likely_typos(
     source: AnyLaunchDescriptionSource, path: Path, arguments: Iterable[str]
 ) -> Iterable[str]:
-    """Return a sentence for each argument that ros2 would silently ignore."""
+    """Yield a warning for each argument that is not declared but similar to one that is."""
     if not arguments:
         return
     try:
         description = source.try_get_launch_description_without_context()
     except ZbotError:
-        return  # the launch will tell
+        return  # the launch reports the error
     found = () if description is None else declared_arguments(description, path=str(path))
     known = {one.action.name for one in found}
     for name in set(arguments) - known:

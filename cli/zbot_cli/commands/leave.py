@@ -1,16 +1,16 @@
-"""`zbot leave`: be alone again."""
+"""`zbot leave`: ends the link that `zbot join` made."""
 
 from __future__ import annotations
 
 from zbot_cli.output.listing import new_app
 
-app = new_app("Leave what this machine has joined", has_verbs=False)
+app = new_app("Leave the class or machine joined before", has_verbs=False)
 
 
 @app.command()
 def leave() -> None:
-    """Leave what this machine has joined."""
-    from zbot.classroom import student  # noqa: PLC0415 - help is quick
+    """Leave the class or machine joined before."""
+    from zbot.classroom import student  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.errors import NotJoinedError  # noqa: PLC0415 - as above
 
     left = student.leave()

@@ -1,4 +1,4 @@
-"""`zbot lifecycle`: which nodes are managed, where each is in its life, and leading it on."""
+"""Verbs of `zbot lifecycle`: list managed nodes, show their states, and change them."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ import typer
 
 from zbot_cli.domain.client import hidden_node, snapshot
 from zbot_cli.domain.managed_nodes import ManagedNodes, NodeSilentError, managed_nodes
+from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import (
     NO_DAEMON,
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 
     from lifecycle_msgs.msg import State, TransitionDescription
 
-app = new_app("Lead managed nodes through their lives")
+app = new_app("Look at managed nodes, change their states")
 
 NodeName = Annotated[str, typer.Argument(help="Name of the node, e.g. /lc_talker")]
 
@@ -39,6 +40,7 @@ def _managed(timeout: float) -> Iterator[ManagedNodes]:
 
 
 @app.command("nodes")
+@with_option_groups
 def nodes(
     show_all: Annotated[
         bool, typer.Option("-a", "--all", "--include-hidden-nodes", help="Show hidden nodes too")
@@ -55,8 +57,9 @@ def nodes(
 
 
 @app.command("get")
+@with_option_groups
 def get(
-    node_name: Annotated[str | None, typer.Argument(help="Every managed node if left out")] = None,
+    node_name: Annotated[str | None, typer.Argument(help="All managed nodes if left out")] = None,
     as_json: AsJson = False,
     search: NodeSearch = VISIBLE_NODES,
 ) -> None:
@@ -88,10 +91,11 @@ def _plain(state: State) -> dict[str, Any]:
 
 
 @app.command("list")
+@with_option_groups
 def list_transitions(
     node_name: NodeName,
     show_all: Annotated[
-        bool, typer.Option("-a", "--all", help="Also those that are not possible now")
+        bool, typer.Option("-a", "--all", help="Include transitions not possible now")
     ] = False,
     as_json: AsJson = False,
     search: NodeSearch = VISIBLE_NODES,
@@ -117,12 +121,13 @@ def _plain_transition(one: TransitionDescription) -> dict[str, Any]:
 
 
 @app.command("set")
+@with_option_groups
 def set_state(
     node_name: NodeName,
     transition: Annotated[str, typer.Argument(help="Label or number, e.g. configure or 1")],
     search: NodeSearch = VISIBLE_NODES,
 ) -> None:
-    """Make a transition of a node."""
+    """Change the state of a node."""
     with _managed(search.timeout) as remote:
         remote.change(remote.find(node_name), transition)
     print("Transitioning successful")

@@ -1,4 +1,4 @@
-"""`zbot node`: which nodes there are, and what each has."""
+"""Verbs of `zbot node`: list nodes, show their endpoints, and end them."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from zbot.graph.snapshot import full_names
 from zbot.names import fully_qualified, is_hidden, nearest
 from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import client, full_name, snapshot, snapshot_of
+from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.listing import NO_DAEMON, AsJson, DaemonOptions, new_app, print_json
 
 if TYPE_CHECKING:
@@ -21,12 +22,12 @@ if TYPE_CHECKING:
 
 app = new_app("Look at nodes")
 
-#: ros2 does not show that nodes tell of their types either.
+#: Service types that `info` leaves out, as ros2 does: nodes describe their types with these.
 _TYPE_DESCRIPTION = "type_description_interfaces/srv/GetTypeDescription"
 
 
 class UnknownNodeNameError(ZbotError):
-    """No node of that name is there; the hint says what may have been meant."""
+    """No node of that name is running; the hint names a similar one."""
 
     def __init__(self, name: str, known: list[str]) -> None:
         self.name = name
@@ -36,10 +37,11 @@ class UnknownNodeNameError(ZbotError):
 
 
 class NodeKillError(ZbotError):
-    """A node cannot be ended from here."""
+    """The process of a node cannot be ended."""
 
 
 @app.command("list")
+@with_option_groups
 def list_nodes(
     show_all: Annotated[bool, typer.Option("-a", "--all", help="Show hidden nodes too")] = False,
     count: Annotated[
@@ -76,6 +78,7 @@ def _warn_of_duplicates(names: list[str]) -> None:
 
 
 @app.command("info")
+@with_option_groups
 def info(
     node_name: Annotated[str, typer.Argument(help="Name of the node, e.g. /talker")],
     include_hidden: Annotated[
@@ -129,7 +132,9 @@ def _groups(graph: Snapshot, node: str, *, include_hidden: bool) -> dict[str, Na
 @app.command("kill")
 def kill(
     node_name: Annotated[str, typer.Argument(help="Name of the node, e.g. /talker")],
-    force: Annotated[bool, typer.Option("-f", "--force", help="Do not let it clean up")] = False,
+    force: Annotated[
+        bool, typer.Option("-f", "--force", help="Kill it without letting it clean up")
+    ] = False,
 ) -> None:
     """End the process that a node runs in."""
     name = full_name(node_name)
@@ -144,25 +149,25 @@ def kill(
 
 
 def _processes(context: object) -> dict[str, Process]:
-    from zbot.graph.snapshot import processes  # noqa: PLC0415 - only this verb asks for it
+    from zbot.graph.snapshot import processes  # noqa: PLC0415 - needed only for this verb
 
     return processes(context.session)  # type: ignore[attr-defined]
 
 
 def _end(name: str, process: Process | None, *, force: bool) -> None:
-    import os  # noqa: PLC0415 - only this verb signals
-    import signal  # noqa: PLC0415 - only this verb signals
-    import socket  # noqa: PLC0415 - only this verb signals
+    import os  # noqa: PLC0415 - needed only by this verb
+    import signal  # noqa: PLC0415 - needed only by this verb
+    import socket  # noqa: PLC0415 - needed only by this verb
 
     if process is None:
-        raise NodeKillError(f"the process of {name} does not tell who it is")
+        raise NodeKillError(f"the process of {name} does not publish its pid; end it there")
     if process.host != socket.gethostname():
-        raise NodeKillError(f"{name} runs on {process.host} (pid {process.pid}): end it there")
+        raise NodeKillError(f"{name} runs on {process.host} (pid {process.pid}); end it there")
     number = signal.SIGKILL if force and hasattr(signal, "SIGKILL") else signal.SIGTERM
     try:
         os.kill(process.pid, number)
     except ProcessLookupError:
-        raise NodeKillError(f"the process {process.pid} of {name} has gone already") from None
+        raise NodeKillError(f"the process {process.pid} of {name} has already ended") from None
     except PermissionError:
         raise NodeKillError(
             f"the process {process.pid} of {name} belongs to another user"

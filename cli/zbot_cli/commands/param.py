@@ -1,4 +1,4 @@
-"""`zbot param`: what nodes can be told, and telling them."""
+"""Verbs of `zbot param`: list, get, set, delete, describe, dump and load parameters."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from zbot.parameters.parameter import NoParametersError, Parameter
 from zbot_cli.domain.client import hidden_node
 from zbot_cli.domain.parameters import ANSWER_TIMEOUT_S, ParameterNotSetError, RemoteParameters
 from zbot_cli.input.many_values import ManyValuesCommand
+from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.exit_status import Status
 from zbot_cli.output.listing import VISIBLE_NODES, AsJson, NodeSearch, new_app, print_json
 from zbot_cli.output.parameter_text import (
@@ -34,11 +35,11 @@ app = new_app("Look at parameters and set them")
 
 NodeAndNames = Annotated[
     list[str],
-    typer.Argument(metavar="[NODE] PARAM...", help="Every node that has them if NODE is left out"),
+    typer.Argument(metavar="[NODE] PARAM...", help="All nodes that have them if NODE is left out"),
 ]
 
 
-# How a change is told, and how that it was refused.
+# Texts for a change that a node accepts, and for one that it rejects.
 _SINGLE = ("Set parameter successful", "Setting parameter failed")
 _ATOMIC = ("Set parameters atomically successful", "Setting parameters atomically failed")
 _DELETED = ("Deleted parameter successfully", "Deleting parameter failed")
@@ -51,7 +52,7 @@ class ListCommand(ManyValuesCommand):
 
 
 class ParameterFilterError(ZbotError):
-    """A filter is no regular expression."""
+    """A filter is not a regular expression."""
 
 
 @contextmanager
@@ -73,13 +74,14 @@ def _end(failures: int) -> None:
 
 
 @app.command("list", cls=ListCommand)
+@with_option_groups
 def list_parameters(
     node_name: Annotated[str | None, typer.Argument(help="Only this node")] = None,
     pattern: Annotated[
-        str | None, typer.Option("--filter", help="Only names that begin with this REGEX")
+        str | None, typer.Option("--filter", help="Only names whose beginning matches REGEX")
     ] = None,
     prefixes: Annotated[
-        list[str] | None, typer.Option("--param-prefixes", help="Only these groups")
+        list[str] | None, typer.Option("--param-prefixes", help="Only names below these prefixes")
     ] = None,
     show_types: Annotated[bool, typer.Option("--param-type", help="Add the types")] = False,
     service_timeout: Annotated[
@@ -116,7 +118,7 @@ def _compiled(pattern: str | None) -> re.Pattern[str]:
     try:
         return re.compile(pattern or "")
     except re.error as error:
-        raise ParameterFilterError(f"--filter is no regular expression: {error}") from error
+        raise ParameterFilterError(f"--filter is not a regular expression: {error}") from error
 
 
 def _print_names(typed: dict[str, dict[str, Any]], *, as_json: bool, is_one: bool) -> None:
@@ -138,9 +140,10 @@ def _print_names(typed: dict[str, dict[str, Any]], *, as_json: bool, is_one: boo
 
 
 @app.command("get")
+@with_option_groups
 def get(
     words: NodeAndNames,
-    hide_type: Annotated[bool, typer.Option("--hide-type", help="Print the value alone")] = False,
+    hide_type: Annotated[bool, typer.Option("--hide-type", help="Print only the value")] = False,
     as_json: AsJson = False,
     search: NodeSearch = VISIBLE_NODES,
 ) -> None:
@@ -162,7 +165,7 @@ def get(
 
 @contextmanager
 def _heading(node: str, *, is_shown: bool) -> Iterator[str]:
-    """Print a node's name if it was not given; yield what stands before each line below it."""
+    """Print a node's name if it was not given; yield the indentation of the lines below it."""
     if is_shown:
         print(f"{node}:")
     yield "  " if is_shown else ""
@@ -171,7 +174,7 @@ def _heading(node: str, *, is_shown: bool) -> Iterator[str]:
 def _targets(
     remote: RemoteParameters, words: Sequence[str], *, include_hidden: bool
 ) -> tuple[list[str], list[str]]:
-    """Return nodes and parameters of `NODE PARAM...`, or of `PARAM` for each node that has it."""
+    """Return nodes and parameters of `NODE PARAM...`; without NODE, all nodes that have them."""
     if len(words) > 1:
         return [remote.find(words[0])], list(words[1:])
     return _nodes_with(remote, words, include_hidden=include_hidden), list(words)
@@ -180,7 +183,7 @@ def _targets(
 def _nodes_with(
     remote: RemoteParameters, names: Sequence[str], *, include_hidden: bool
 ) -> list[str]:
-    """Return the nodes that have all of some parameters."""
+    """Return the nodes that have all of these parameters."""
     nodes = remote.nodes(include_hidden=include_hidden)
     answers = remote.ask_all(nodes, "ListParameters", lambda request, _: request())
     for error in answers.errors.values():
@@ -196,23 +199,24 @@ def _nodes_with(
 
 
 @app.command("set", context_settings={"ignore_unknown_options": True})
+@with_option_groups
 def set_parameters(
     words: Annotated[
         list[str],
         typer.Argument(
-            metavar="[NODE] PARAM VALUE...", help="Every node that has them if NODE is left out"
+            metavar="[NODE] PARAM VALUE...", help="All nodes that have them if NODE is left out"
         ),
     ],
     atomic: Annotated[bool, typer.Option("--atomic", help="Set all of them or none")] = False,
     search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """Set parameters."""
-    _refuse_options(words)
+    _reject_options(words)
     has_node = len(words) % 2 == 1
     if len(words) < 2:
         raise typer.BadParameter("needs the name of a parameter and its value")
-    if words[0].startswith("/") and not has_node:  # no parameter's name begins like this
-        raise typer.BadParameter(f"needs name/value pairs: {words[-1]} has no value")
+    if words[0].startswith("/") and not has_node:  # no name of a parameter begins with a slash
+        raise typer.BadParameter(f"give each name a value: {words[-1]} has none")
     pairs = words[1:] if has_node else words
     values = dict(zip(pairs[::2], pairs[1::2], strict=True))
     messages = [message_of(name, text) for name, text in values.items()]
@@ -235,8 +239,8 @@ def set_parameters(
     _end(failures)
 
 
-def _refuse_options(words: Sequence[str]) -> None:
-    # Any word with a dash may be a value, for -5 is one.
+def _reject_options(words: Sequence[str]) -> None:
+    # Only known options are rejected: -5 begins with a dash and is a value.
     for word in words:
         if word.startswith("--"):
             raise typer.BadParameter(f"there is no option {word}")
@@ -253,17 +257,18 @@ def _send(
 
 
 def _report(label: str, result: Any, success: str, failure: str) -> bool:
-    """Print how one setting went; return whether it failed."""
+    """Print the result for one parameter; return whether it failed."""
     if result.successful:
         print(f"{label}{success}" + (f": {result.reason}" if result.reason else ""))
         return False
     _fail(f"{label}{failure}: {result.reason}")
     if result.reason.startswith("Wrong parameter type, expected 'string' "):
-        _fail("\nhint: quote a text twice that looks like something else: \"'5'\"")
+        _fail("\nhint: put a text that looks like a number into two kinds of quotes: \"'5'\"")
     return True
 
 
 @app.command("delete")
+@with_option_groups
 def delete(
     words: NodeAndNames,
     search: NodeSearch = VISIBLE_NODES,
@@ -286,12 +291,13 @@ def delete(
 
 
 @app.command("describe")
+@with_option_groups
 def describe(
     words: NodeAndNames,
     as_json: AsJson = False,
     search: NodeSearch = VISIBLE_NODES,
 ) -> None:
-    """Show what parameters take and are for."""
+    """Show types, descriptions and limits of parameters."""
     with _remote(search.timeout) as remote:
         nodes, names = _targets(remote, words, include_hidden=search.include_hidden)
         found = {node: remote.descriptors(node, names) for node in nodes}
@@ -306,9 +312,10 @@ def describe(
 
 
 @app.command("dump")
+@with_option_groups
 def dump(
     node_name: Annotated[
-        str | None, typer.Argument(help="Name of the node; all if left out")
+        str | None, typer.Argument(help="Name of the node; all nodes if left out")
     ] = None,
     as_json: AsJson = False,
     search: NodeSearch = VISIBLE_NODES,
@@ -325,15 +332,14 @@ def dump(
 
 
 @app.command("load")
+@with_option_groups
 def load(
     words: Annotated[
         list[str],
-        typer.Argument(
-            metavar="[NODE] FILE", help="Every node that FILE names if NODE is left out"
-        ),
+        typer.Argument(metavar="[NODE] FILE", help="All nodes that FILE names if NODE is left out"),
     ],
     no_use_wildcard: Annotated[
-        bool, typer.Option("--no-use-wildcard", help="Leave out what a file has for `/**`")
+        bool, typer.Option("--no-use-wildcard", help="Leave out values that the file has for `/**`")
     ] = False,
     search: NodeSearch = VISIBLE_NODES,
 ) -> None:
@@ -363,7 +369,7 @@ def load(
 
 
 def _load(remote: RemoteParameters, node: str, values: dict[str, Any], indent: str) -> int:
-    """Set what a file has for one node; return how many of it the node does not have now."""
+    """Set the values of a file for one node; return how many of them the node does not have now."""
     parameters = remote.typed(node, values)
     results = _send(remote, node, [one.to_parameter_msg() for one in parameters])
     refused = []
@@ -373,6 +379,6 @@ def _load(remote: RemoteParameters, node: str, values: dict[str, Any], indent: s
         else:
             _fail(f"{indent}Set parameter {parameter.name} failed: {result.reason}")
             refused.append(parameter)
-    # What is read-only cannot be set, but a dump has it, and its value is the one that is wanted.
+    # A dump contains read-only parameters too. They cannot be set, but may have that value already.
     present = remote.values_or_none(node, [one.name for one in refused])
     return sum(present.get(one.name) != one.value for one in refused)

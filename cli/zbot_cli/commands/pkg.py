@@ -1,4 +1,4 @@
-"""`zbot pkg`: which packages there are, what is in them, and new ones."""
+"""Verbs of `zbot pkg`: list packages and their executables, and create packages."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import typer
 
 from zbot.errors import ZbotError, close_matches
 from zbot.package import PackageNotFoundError, package_prefix, package_share, packages
-from zbot.package.places import find_package
+from zbot.package.finder import find_package
 from zbot.package.workspace import MANIFEST
 from zbot_cli.commands.run import PackageNotFoundError as UnknownPackageError
 from zbot_cli.input.many_values import ManyValuesCommand
@@ -24,7 +24,7 @@ from zbot_cli.packages.executables import Executable, all_packages, program_file
 if TYPE_CHECKING:
     from xml.etree.ElementTree import Element
 
-app = new_app("Find packages, and create them")
+app = new_app("Find and create packages")
 
 PackageName = Annotated[str, typer.Argument(help="Name of the package")]
 
@@ -55,7 +55,7 @@ class TagNotFoundError(ZbotError):
 
 
 class BuildType(str, Enum):
-    """How ROS 2 would build a package."""
+    """Build types of ROS 2."""
 
     AMENT_PYTHON = "ament_python"
     AMENT_CMAKE = "ament_cmake"
@@ -70,28 +70,31 @@ class _CreateCommand(ManyValuesCommand):
 def create_package(
     package_name: Annotated[str, typer.Argument(help="Name of the new package")] = "",
     package_format: Annotated[
-        int, typer.Option("--package-format", "--package_format", min=2, max=3, help="Of the xml")
+        int,
+        typer.Option(
+            "--package-format", "--package_format", min=2, max=3, help="Format of package.xml"
+        ),
     ] = 3,
     description: Annotated[
-        str, typer.Option("--description", help="What it is")
+        str, typer.Option("--description", help="What the package is for")
     ] = "TODO: Package description",
     license_name: Annotated[
-        str, typer.Option("--license", help="An SPDX identifier; '?' lists those with a text")
+        str, typer.Option("--license", help="SPDX identifier; '?' lists those whose text zbot has")
     ] = "TODO: License declaration",
     destination_directory: Annotated[
         str, typer.Option("--destination-directory", help="Folder to create it in")
     ] = ".",
     build_type: Annotated[
-        BuildType, typer.Option("--build-type", help="How ROS 2 would build it")
+        BuildType, typer.Option("--build-type", help="Build type of ROS 2")
     ] = BuildType.AMENT_PYTHON,
     dependencies: Annotated[
-        list[str] | None, typer.Option("--dependencies", help="Packages that it uses")
+        list[str] | None, typer.Option("--dependencies", help="Packages that it depends on")
     ] = None,
     maintainer_email: Annotated[
-        str, typer.Option("--maintainer-email", help="Whom to write to")
+        str, typer.Option("--maintainer-email", help="E-mail address of the maintainer")
     ] = "",
     maintainer_name: Annotated[
-        str, typer.Option("--maintainer-name", help="Who looks after it")
+        str, typer.Option("--maintainer-name", help="Name of the maintainer")
     ] = "",
     node_name: Annotated[str, typer.Option("--node-name", help="Add a program")] = "",
     library_name: Annotated[str, typer.Option("--library-name", help="Add a library")] = "",
@@ -120,7 +123,7 @@ def create_package(
     if license_name not in known_licenses():
         _warn_of_license(license_name)
     if plan.node and build_type is not BuildType.AMENT_PYTHON:
-        print("\nhint: C++ needs ROS 2's compiler; zbot runs Python programs", file=sys.stderr)
+        print("\nhint: a C++ package needs ROS 2; zbot runs Python programs only", file=sys.stderr)
 
 
 def _distinct(node: str, library: str) -> str:
@@ -157,10 +160,10 @@ def list_packages(as_json: AsJson = False) -> None:
 @app.command("executables")
 def list_executables(
     package_name: Annotated[str, typer.Argument(help="Only those of this package")] = "",
-    full_path: Annotated[bool, typer.Option("--full-path", help="Print files instead")] = False,
+    full_path: Annotated[bool, typer.Option("--full-path", help="Print paths of files")] = False,
     as_json: AsJson = False,
 ) -> None:
-    """List what packages can run."""
+    """List the executables of packages."""
     found = _executables(package_name)
     if as_json:
         rows = [(one.package, one.name, program_file(one)) for one in found]
@@ -178,7 +181,7 @@ def _executables(name: str) -> list[Executable]:
         inside = executables.installed_package(name)
         if not inside:
             raise UnknownPackageError(name, sorted({one.name for one in everywhere}))
-    # The first package of a name hides the others.
+    # If several packages have one name, the first is used.
     first = {package.name: package for package in reversed(inside)}
     return sorted(one for package in first.values() for one in package.executables)
 
@@ -202,7 +205,7 @@ def xml(
     tag: Annotated[str, typer.Option("-t", "--tag", help="Print only the text of this tag")] = "",
 ) -> None:
     """Print a package's manifest, or one tag."""
-    from zbot.package.manifest import read_tree  # noqa: PLC0415 - only this verb
+    from zbot.package.manifest import read_tree  # noqa: PLC0415 - needed only by this verb
 
     package = find_package(package_name)
     if package is None:
@@ -224,7 +227,7 @@ def xml(
 def _text(path: Path, root: Element) -> str:
     try:
         return path.read_text(encoding="utf-8")
-    except UnicodeDecodeError:  # its first line says which encoding it has
-        from xml.etree.ElementTree import tostring  # noqa: PLC0415 - few files do
+    except UnicodeDecodeError:  # the first line of the file names its encoding
+        from xml.etree.ElementTree import tostring  # noqa: PLC0415 - needed by few files
 
         return tostring(root, encoding="unicode")

@@ -20,7 +20,7 @@ def plot(
         list[str] | None, typer.Argument(help="Topics and fields: /turtle1/pose.x")
     ] = None,
     terminal: Annotated[
-        bool, typer.Option("--terminal", "-t", help="Draw here instead of in a browser")
+        bool, typer.Option("--terminal", "-t", help="Draw in the terminal, not in a browser")
     ] = False,
     window: Annotated[
         float, typer.Option("--window", "-w", min=0.1, help="With --terminal: seconds to show")
@@ -28,8 +28,10 @@ def plot(
     duration: Annotated[
         float | None, typer.Option("--duration", help="With --terminal: seconds until the end")
     ] = None,
-    port: Annotated[int, typer.Option("--port", help="Of the page, or the next free one")] = 8080,
-    no_browser: Annotated[bool, typer.Option("--no-browser", help="Open no browser")] = False,
+    port: Annotated[
+        int, typer.Option("--port", help="Port of the page, or the next free one")
+    ] = 8080,
+    no_browser: Annotated[bool, typer.Option("--no-browser", help="Do not open a browser")] = False,
 ) -> None:
     """Plot numeric fields of topics."""
     if terminal:

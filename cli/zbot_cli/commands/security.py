@@ -1,4 +1,4 @@
-"""`zbot security`: certificates for the machines that may be linked, in the words of ros2."""
+"""Verbs of `zbot security`: make, list and check the certificates of machines, named as in ros2."""
 
 from __future__ import annotations
 
@@ -19,41 +19,41 @@ if TYPE_CHECKING:
 
     Verb = Callable[..., None]
 
-app = new_app("Make certificates for machines that trust each other")
+app = new_app("Make certificates for machines")
 
 Root = Annotated[Path, typer.Argument(metavar="ROOT", help="Folder of the keystore")]
-Name = Annotated[str, typer.Argument(metavar="NAME", help="Of the machine, such as /ana")]
+Name = Annotated[str, typer.Argument(metavar="NAME", help="Name of the machine, e.g. /ana")]
 Policy = Annotated[Path, typer.Argument(help="Policy file of ROS 2")]
 Addresses = Annotated[
     list[str] | None,
-    typer.Option("--host", "--ip", help="Address at which others join it; may be repeated"),
+    typer.Option("--host", "--ip", help="Address of the machine for others; may be repeated"),
 ]
-Days = Annotated[int | None, typer.Option("--days", help="How long it is valid")]
-Renew = Annotated[bool, typer.Option("--renew", help="Replace the key and certificate there are")]
+Days = Annotated[int | None, typer.Option("--days", help="Days until it expires")]
+Renew = Annotated[bool, typer.Option("--renew", help="Replace the existing key and certificate")]
 
 
 class NoKeystoreNamedError(SetupError, ValueError):
-    """No keystore was given."""
+    """The command line names no keystore."""
 
     def __init__(self) -> None:
         super().__init__(
-            "which keystore? Name it with -k ROOT, or set ROS_SECURITY_KEYSTORE to its folder"
+            "no keystore is named: use -k ROOT, or set ROS_SECURITY_KEYSTORE to its folder"
         )
 
 
 class NoPoliciesError(SetupError, NotImplementedError):
-    """ROS 2's permission files are asked for."""
+    """A verb needs ROS 2's permission files, which zbot does not have."""
 
     def __init__(self, verb: str) -> None:
         self.verb = verb
         self.hint = "`zbot class start --pin` keeps students out of each other's domains"
         super().__init__(
-            f"{verb}: zbot has no permission files; who may say what is up to the class"
+            f"{verb}: zbot has no permission files; the class decides who may publish what"
         )
 
 
 def _both_spellings(name: str, **options: Any) -> Callable[[Verb], Verb]:
-    """Register a verb as ros2 spells it, and with dashes as other tools do."""
+    """Register a verb under the name of ros2, and under a hidden name with dashes."""
 
     def register(verb: Verb) -> Verb:
         app.command(name, **options)(verb)
@@ -64,15 +64,15 @@ def _both_spellings(name: str, **options: Any) -> Callable[[Verb], Verb]:
 
 
 def _validity(days: int | None) -> Validity | None:
-    from zbot.security.certificate import Validity  # noqa: PLC0415 - help is quick
+    from zbot.security.certificate import Validity  # noqa: PLC0415 - not needed by `--help`
 
     return None if days is None else Validity.days(days)
 
 
 @_both_spellings("create_keystore")
 def create_keystore(root: Root, days: Days = None) -> None:
-    """Create a keystore with a new authority."""
-    from zbot.security.keystore import Keystore  # noqa: PLC0415 - help is quick
+    """Create a keystore with a new certificate authority."""
+    from zbot.security.keystore import Keystore  # noqa: PLC0415 - not needed by `--help`
 
     Keystore.create(root, _validity(days))
     print(f"created keystore {root}; keep {root / 'private'} on this machine")
@@ -82,27 +82,29 @@ def create_keystore(root: Root, days: Days = None) -> None:
 def create_enclave(
     root: Root, name: Name, addresses: Addresses = None, days: Days = None, renew: Renew = False
 ) -> None:
-    """Make a certificate for a machine."""
-    from zbot.security.keystore import Keystore  # noqa: PLC0415 - help is quick
+    """Make the key and certificate of a machine."""
+    from zbot.security.keystore import Keystore  # noqa: PLC0415 - not needed by `--help`
 
     made = Keystore(root).issue(name, addresses or (), _validity(days), renew=renew)
-    _tell(made)
+    _print_created(made)
 
 
 app.command("create_certificate", hidden=True)(create_enclave)
 app.command("create-certificate", hidden=True)(create_enclave)
 
 
-def _tell(made: Identity) -> None:
-    said = made.check()
-    role = f"others join it at {', '.join(said.addresses)}" if said.is_server else "it joins others"
-    print(f"created {made.folder}: /{said.name} until {said.until:%Y-%m-%d}, {role}")
+def _print_created(made: Identity) -> None:
+    facts = made.check()
+    role = (
+        f"others join it at {', '.join(facts.addresses)}" if facts.is_server else "it joins others"
+    )
+    print(f"created {made.folder}: /{facts.name} until {facts.until:%Y-%m-%d}, {role}")
 
 
 @_both_spellings("list_enclaves")
 def list_enclaves(root: Root, as_json: AsJson = False) -> None:
     """List the machines of a keystore."""
-    from zbot.security.keystore import Keystore  # noqa: PLC0415 - help is quick
+    from zbot.security.keystore import Keystore  # noqa: PLC0415 - not needed by `--help`
 
     names = Keystore(root).enclaves()
     if as_json:
@@ -114,28 +116,28 @@ def list_enclaves(root: Root, as_json: AsJson = False) -> None:
 
 @_both_spellings("check_certificate")
 def check_certificate(
-    folder: Annotated[Path, typer.Argument(metavar="DIR", help="As given to --keystore")],
+    folder: Annotated[Path, typer.Argument(metavar="DIR", help="Folder given to --keystore")],
     as_json: AsJson = False,
 ) -> None:
-    """Check a certificate as other machines will."""
-    from zbot.security.keystore import identity  # noqa: PLC0415 - help is quick
+    """Check a certificate as other machines do."""
+    from zbot.security.keystore import identity  # noqa: PLC0415 - not needed by `--help`
 
-    said = identity(folder).check()
+    facts = identity(folder).check()
     if as_json:
-        print_json(_document(said))
+        print_json(_document(facts))
         return
-    print(f"name: {said.name}")
-    print(f"valid: {said.since:%Y-%m-%d %H:%M} to {said.until:%Y-%m-%d %H:%M} UTC")
-    print(f"others join it at: {', '.join(said.addresses) or 'nowhere, it only joins'}")
+    print(f"name: {facts.name}")
+    print(f"valid: {facts.since:%Y-%m-%d %H:%M} to {facts.until:%Y-%m-%d %H:%M} UTC")
+    print(f"others join it at: {', '.join(facts.addresses) or 'none, it joins others'}")
 
 
-def _document(said: Facts) -> dict[str, Any]:
+def _document(facts: Facts) -> dict[str, Any]:
     return {
-        "name": said.name,
-        "since": said.since.isoformat(),
-        "until": said.until.isoformat(),
-        "addresses": list(said.addresses),
-        "is_server": said.is_server,
+        "name": facts.name,
+        "since": facts.since.isoformat(),
+        "until": facts.until.isoformat(),
+        "addresses": list(facts.addresses),
+        "is_server": facts.is_server,
     }
 
 
@@ -153,10 +155,11 @@ def generate_artifacts(
         list[str] | None, typer.Option("-e", "--enclaves", help="Names of machines")
     ] = None,
     policy_files: Annotated[
-        list[Path] | None, typer.Option("-p", "--policy-files", hidden=True, help="Not needed")
+        list[Path] | None,
+        typer.Option("-p", "--policy-files", hidden=True, help="Accepted; no effect"),
     ] = None,
 ) -> None:
-    """Make the keystore and certificates that are missing."""
+    """Make the missing keystore and certificates."""
     from zbot.security.keystore import Keystore, enclave_name, is_keystore  # noqa: PLC0415 - as above
 
     if policy_files:
@@ -169,7 +172,7 @@ def generate_artifacts(
     store = Keystore(root)
     for name in wanted:
         if f"/{name}" not in store.enclaves():
-            _tell(store.issue(name))
+            _print_created(store.issue(name))
 
 
 @_both_spellings("create_permission", hidden=True)

@@ -1,4 +1,4 @@
-"""`zbot status`: what this machine has joined, and whether it is linked."""
+"""`zbot status`: shows the class or machine joined, and whether this machine is linked to it."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ from typing import Any
 
 from zbot_cli.output.listing import AsJson, new_app, print_json
 
-app = new_app("Show what this machine has joined", has_verbs=False)
+app = new_app("Show the class or machine joined", has_verbs=False)
 
 
 @app.command()
 def status(as_json: AsJson = False) -> None:
-    """Show what this machine has joined, and whether it is linked."""
-    from zbot.classroom.state import present_state  # noqa: PLC0415 - help is quick
+    """Show the class or machine joined, and whether this machine is linked."""
+    from zbot.classroom.state import present_state  # noqa: PLC0415 - not needed by `--help`
 
     state = present_state()
     print_json(state) if as_json else print("\n".join(_lines(state)))
@@ -24,10 +24,10 @@ def _lines(state: dict[str, Any]) -> list[str]:
     lines = [_role(state)]
     if not state["hub"]:
         again = "zbot class start" if state["role"] == "teacher" else "zbot join"
-        lines.append(f"its hub does not run (was it switched off?): `{again}` starts it again")
+        lines.append(f"the hub of this machine is not running: `{again}` starts it again")
     elif state["role"] in {"student", "partner"}:
         where = f"{state['host']}:{state['port']}"
-        reason = state["problem"] or f"{where} does not answer now"
+        reason = state["problem"] or f"{where} does not answer"
         lines.append("linked" if state["linked"] else f"not linked: {reason}")
     return lines + [f"the teacher said: {text}" for text in state["notices"]]
 

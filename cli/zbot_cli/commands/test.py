@@ -1,4 +1,4 @@
-"""`zbot test`: launch files with test cases, and folders of tests."""
+"""`zbot test`: runs launch files with test cases, and other tests with pytest."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from zbot_cli.output.listing import new_app
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-app = new_app("Run tests, with launch files beside them", has_verbs=False)
+app = new_app("Run tests and launch tests", has_verbs=False)
 
 _PLUGIN = "zbot.compat.pytest_plugin"
 
 
 class NoTestsError(ZbotError):
-    """There is nothing to test."""
+    """A path to test does not exist."""
 
     def __init__(self, path: Path) -> None:
         self.path = path
@@ -33,7 +33,7 @@ class NoTestsError(ZbotError):
 
 
 class NoPytestError(ZbotError):
-    """Folders of tests are run by pytest, which is not installed."""
+    """Some tests need pytest, which is not installed."""
 
     def __init__(self) -> None:
         self.hint = "pip install pytest"
@@ -52,15 +52,15 @@ def run_tests(
 ) -> int:
     """Run tests.
 
-    A file with generate_test_description() is launched, and its test cases run beside it. All else
-    is pytest's; what stands behind -- is handed to it.
+    A file with generate_test_description() is launched, and its test cases run at the same time.
+    All other tests are run by pytest; options after -- are passed to it.
 
     Examples:
       zbot test test/test_talker_listener_launch.py
       zbot test src/my_package -- -k talker
     """
     given = list(words or ())
-    # pytest's own words begin with the first option, for typer has taken the -- away.
+    # The options of pytest begin with the first word with a dash: typer removes the `--`.
     end = next((place for place, word in enumerate(given) if word.startswith("-")), len(given))
     given, options = given[:end], given[end:]
     paths = [Path(word) for word in given if ":=" not in word]
@@ -78,7 +78,7 @@ def run_tests(
 
 
 def _is_launch(path: Path) -> bool:
-    """Return whether a file describes a launch for unittest's cases, as `launch_test` runs them."""
+    """Return whether a file is a launch test with unittest cases, as `launch_test` runs them."""
     if not path.is_file():
         return False
     text = path.read_text(encoding="utf-8", errors="replace")

@@ -1,4 +1,4 @@
-"""`zbot web`: the live page of the running system, in a browser."""
+"""`zbot web`: serves the page that shows the running system in a browser."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ app = new_app("Show the running system in a browser", has_verbs=False)
 
 
 class NoWebExtraError(ZbotError):
-    """The page needs packages that are not installed."""
+    """The packages that the page needs are not installed."""
 
     def __init__(self, missing: str) -> None:
         self.missing = missing
@@ -22,11 +22,15 @@ class NoWebExtraError(ZbotError):
 
 @app.command()
 def web(
-    panel: Annotated[str, typer.Argument(help="Which panel to open first, e.g. topics")] = "",
-    host: Annotated[str, typer.Option("--host", help="What to listen on")] = "127.0.0.1",
-    port: Annotated[int, typer.Option("--port", help="Where, or at the next free port")] = 8080,
-    no_browser: Annotated[bool, typer.Option("--no-browser", help="Open no browser")] = False,
-    read_only: Annotated[bool, typer.Option("--read-only", help="Look, change nothing")] = False,
+    panel: Annotated[str, typer.Argument(help="Panel to open first, e.g. topics")] = "",
+    host: Annotated[str, typer.Option("--host", help="Address to listen on")] = "127.0.0.1",
+    port: Annotated[
+        int, typer.Option("--port", help="Port to listen on, or the next free one")
+    ] = 8080,
+    no_browser: Annotated[bool, typer.Option("--no-browser", help="Do not open a browser")] = False,
+    read_only: Annotated[
+        bool, typer.Option("--read-only", help="Allow no changes from the page")
+    ] = False,
 ) -> None:
     """Show the running system in a browser."""
     serve_page(
@@ -46,12 +50,12 @@ def serve_page(
     open_browser: bool = True,
     read_only: bool = False,
 ) -> None:
-    """Serve the page until Ctrl-C, opened at a path.
+    """Serve the page until Ctrl-C, and open it in a browser at a path.
 
     Raises:
-        NoWebExtraError: The extra is not installed.
+        NoWebExtraError: The extra `web` is not installed.
     """
-    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - `--help` does without
+    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - not needed by `--help`
 
     check_extra()
     from zbot.web.browser import has_desktop  # noqa: PLC0415 - as above
@@ -68,7 +72,7 @@ def serve_page(
 
 
 def check_extra() -> None:
-    """Refuse to begin without the packages of the extra `web`.
+    """Check that the packages of the extra `web` are installed.
 
     Raises:
         NoWebExtraError: One is not installed.

@@ -1,1 +1,1 @@
-"""Domain of the running nodes: the command's client, and what it asks them."""
+"""Access of the command to the nodes of its domain: the graph, parameters, states and types."""

@@ -1,4 +1,4 @@
-"""Actions and their types, as users name them and as the graph knows them."""
+"""Actions and their types: from words of the command line, and from the graph."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 class InvalidActionTypeError(ZbotError):
-    """A word names no action type."""
+    """A word is not the name of an action type."""
 
     def __init__(self, word: str, hint: str) -> None:
         self.word, self.hint = word, hint
@@ -21,7 +21,7 @@ class InvalidActionTypeError(ZbotError):
 
 
 class UnknownActionError(ZbotError):
-    """Nobody serves an action of that name, nor is a client of it."""
+    """No action of that name has a server or a client."""
 
     def __init__(self, name: str, graph: Snapshot) -> None:
         self.name = name
@@ -30,7 +30,7 @@ class UnknownActionError(ZbotError):
 
 
 class SeveralActionTypesError(ZbotError):
-    """An action has more than one type, and none was named."""
+    """An action has more than one type, and the command line names none."""
 
     def __init__(self, name: str, types: list[str]) -> None:
         self.name, self.types = name, types
@@ -39,7 +39,7 @@ class SeveralActionTypesError(ZbotError):
 
 
 def suggestion(name: str, graph: Snapshot) -> str | None:
-    """Return a question that names the action which may have been meant."""
+    """Return a hint with the action whose name is most similar; `None` if there is none."""
     guess = nearest(name, [known for known, _ in graph.actions()])
     return f"did you mean {guess}?" if guess else None
 
@@ -48,7 +48,7 @@ def resolve_action_type(word: str) -> str:
     """Return the full name of an action type.
 
     Raises:
-        InvalidActionTypeError: There is none of that name, or several of a short one.
+        InvalidActionTypeError: No type has this name, or several types have this short name.
     """
     found = [name for name in find_types(word) if _is_action(name)]
     if len(found) != 1:
@@ -61,12 +61,12 @@ def _is_action(name: str) -> bool:
 
 
 def action_class(type_name: str) -> type[Any]:
-    """Return an action class; what this machine does not know, the nodes that use it tell.
+    """Return an action class; a definition missing on this machine is asked from the nodes.
 
     Raises:
-        InvalidActionTypeError: There is no definition of the type.
+        InvalidActionTypeError: Neither this machine nor a node has a definition of the type.
     """
-    from zbot.interfaces import get_action  # noqa: PLC0415 - lists do without
+    from zbot.interfaces import get_action  # noqa: PLC0415 - not needed by `list`
 
     try:
         return get_action(type_name)
@@ -78,10 +78,10 @@ def action_class(type_name: str) -> type[Any]:
 
 
 def only_action_type(graph: Snapshot, name: str) -> str | None:
-    """Return the type of an action, `None` if nobody uses it.
+    """Return the type of an action, `None` if it has no server and no client.
 
     Raises:
-        SeveralActionTypesError: It has several.
+        SeveralActionTypesError: It has more than one type.
     """
     types = dict(graph.actions()).get(name)
     if types is not None and len(types) > 1:

@@ -1,4 +1,4 @@
-"""How a command looks at the domain: as a client of its meeting point, for as long as it takes."""
+"""Session of a command in its domain: a Zenoh client of the meeting point."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ if TYPE_CHECKING:
 
 @contextlib.contextmanager
 def client(*, wait: bool = False) -> Iterator[Context]:
-    """Yield a context that sees the domain; its session is closed at the end.
+    """Yield a context in the domain; its session is closed at the end.
 
     Args:
-        wait: Stay even if nobody is there yet, so that nodes which come later are seen.
+        wait: Keep the session open even if no node is running, so that later nodes are found.
     """
     if discovery_range() is DiscoveryRange.OFF:
         print(
@@ -41,12 +41,12 @@ def client(*, wait: bool = False) -> Iterator[Context]:
 
 
 def snapshot_of(context: Context) -> Snapshot:
-    """Return the graph, empty if nobody is there."""
+    """Return the graph; it is empty if no node is running."""
     return Snapshot(()) if context.is_closed else context.graph.snapshot()
 
 
 def snapshot() -> Snapshot:
-    """Look once."""
+    """Return the graph of the domain at this moment."""
     with client() as context:
         return snapshot_of(context)
 
@@ -55,16 +55,16 @@ def snapshot() -> Snapshot:
 def hidden_node(
     verb: str, name: str | None = None, *, use_sim_time: bool = False, survives_ctrl_c: bool = False
 ) -> Iterator[Node]:
-    """Yield a node for a command that publishes or listens; hidden unless it is given a name.
+    """Yield a node for a command that publishes or subscribes; it is hidden unless it has a name.
 
     Args:
-        verb: What the command does; part of the hidden name.
+        verb: Verb of the command; part of the hidden name.
         name: A visible name.
         use_sim_time: Whether the node follows `/clock`.
-        survives_ctrl_c: Whether Ctrl-C leaves it open, for a command that has to tidy up.
+        survives_ctrl_c: Whether Ctrl-C leaves the node open, for a command that must clean up.
     """
-    from zbot.node.node import Node  # noqa: PLC0415 - lists do without
-    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - lists do without
+    from zbot.node.node import Node  # noqa: PLC0415 - not needed by `list`
+    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - not needed by `list`
 
     install(SignalHandlerOptions.SIGTERM if survives_ctrl_c else SignalHandlerOptions.ALL)
     with client(wait=True) as context:

@@ -1,4 +1,4 @@
-"""Asking managed nodes for their state, and changing it."""
+"""Managed nodes of the domain: their states and transitions, over their services."""
 
 from __future__ import annotations
 
@@ -22,31 +22,31 @@ if TYPE_CHECKING:
 
     from lifecycle_msgs.msg import State, TransitionDescription
 
-ANSWER_TIMEOUT_S = 5.0  #: for everything but the work of a transition's callback
+ANSWER_TIMEOUT_S = 5.0  #: for each answer, except during the callback of a transition
 _GET_STATE = "lifecycle_msgs/srv/GetState"
 
 
 class NodeNotFoundError(ZbotError):
-    """No managed node of that name came in time; the hint says what may have been meant."""
+    """No managed node of that name appeared in time; the hint names similar ones."""
 
     def __init__(self, name: str, graph: Snapshot) -> None:
         self.name = name
         known = managed_nodes(graph, include_hidden=True)
         guess = nearest(name, known)
         if any(_name(node.namespace, node.node) == name for node in graph.nodes):
-            self.hint = f"{name} is there, but it is no managed node"
+            self.hint = f"{name} is running, but it is not a managed node"
         elif guess:
-            self.hint = f"there is no {name}; did you mean {guess}?"
+            self.hint = f"no node {name} is running; did you mean {guess}?"
         else:
             others = ", ".join(known)
-            self.hint = f"there is no {name}; " + (
+            self.hint = f"no node {name} is running; " + (
                 f"managed nodes are {others}" if others else "no managed node is running"
             )
         super().__init__("Node not found")
 
 
 class NodeSilentError(ZbotError):
-    """A managed node does not answer, or ended before it did."""
+    """A managed node does not answer, or ended before it answered."""
 
     def __init__(self, node: str, reason: object) -> None:
         self.node, self.reason = node, reason
@@ -54,7 +54,7 @@ class NodeSilentError(ZbotError):
 
 
 class UnknownTransitionError(ZbotError):
-    """A node's present state has no such transition."""
+    """The transition is not possible in the node's present state."""
 
     def __init__(self, wanted: str, possible: Sequence[TransitionDescription]) -> None:
         self.wanted = wanted
@@ -66,11 +66,11 @@ class UnknownTransitionError(ZbotError):
 
 
 class TransitionFailedError(ZbotError):
-    """A node's callback did not succeed, or its state changed meanwhile."""
+    """The callback of the transition failed, or the state changed meanwhile."""
 
     def __init__(self, node: str, state: State) -> None:
         self.node, self.state = node, state
-        self.hint = f"{node} is {state.label} now; its log may tell why"
+        self.hint = f"{node} is {state.label} now; see its log for the reason"
         super().__init__("Transitioning failed")
 
 
@@ -92,11 +92,11 @@ def _name(namespace: str, node: str) -> str:
 
 
 class ManagedNodes:
-    """The managed nodes of the domain, as a node of the command line sees them.
+    """Client of the managed nodes of the domain.
 
     Args:
         node: Sends the requests.
-        timeout_s: Seconds to wait for a node that is not there yet.
+        timeout_s: Seconds to wait for a node that is not running yet.
     """
 
     def __init__(self, node: Node, timeout_s: float) -> None:
@@ -104,14 +104,14 @@ class ManagedNodes:
         self._timeout_s = timeout_s
 
     def all(self, *, include_hidden: bool) -> list[str]:
-        """Return the full names of those that are running."""
+        """Return the full names of the running managed nodes."""
         return managed_nodes(self._node.context.graph.snapshot(), include_hidden=include_hidden)
 
     def find(self, name: str) -> str:
-        """Return a node's full name once it is there.
+        """Return a node's full name as soon as it is running.
 
         Raises:
-            NodeNotFoundError: It does not come in time.
+            NodeNotFoundError: The node does not appear in time.
         """
         full = full_name(name)
         graph = self._node.context.graph
@@ -122,7 +122,7 @@ class ManagedNodes:
         return full
 
     def states(self, nodes: Iterable[str]) -> dict[str, State | NodeSilentError]:
-        """Ask nodes at the same time for their states; errors stand in the place of answers."""
+        """Return the states of nodes, asked at the same time; an error for each without answer."""
         pending = {}
         states: dict[str, State | NodeSilentError] = {}
         for name in nodes:
@@ -136,7 +136,7 @@ class ManagedNodes:
         return states
 
     def state(self, name: str) -> State:
-        """Ask a node for its state.
+        """Return the state of a node.
 
         Raises:
             NodeSilentError: It does not answer.
@@ -147,7 +147,7 @@ class ManagedNodes:
         return answer
 
     def transitions(self, name: str, *, show_all: bool) -> list[TransitionDescription]:
-        """Ask a node which transitions are possible now, or which there are at all.
+        """Return the transitions that are possible now, or all transitions of the node.
 
         Raises:
             NodeSilentError: It does not answer.
@@ -159,12 +159,12 @@ class ManagedNodes:
         return found
 
     def change(self, name: str, wanted: str) -> None:
-        """Make a transition, given by label or number; its callback may take as long as it takes.
+        """Make a transition, given by label or number; the node's callback has no time limit.
 
         Raises:
-            UnknownTransitionError: It is not possible now.
-            TransitionFailedError: The node did not make it.
-            NodeSilentError: The node does not answer, or ended before it did.
+            UnknownTransitionError: The transition is not possible now.
+            TransitionFailedError: The state did not change.
+            NodeSilentError: The node does not answer, or ended before it answered.
         """
         possible = self.transitions(name, show_all=False)
         for one in possible:

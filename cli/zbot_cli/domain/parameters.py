@@ -1,4 +1,4 @@
-"""Asking the nodes of the domain about their parameters, several of them at once."""
+"""Client of the parameter services of the domain's nodes, which asks several nodes at once."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from zbot.errors import ZbotError
 from zbot.graph.snapshot import full_names
 from zbot.interfaces import get_service
 from zbot.names import fully_qualified, is_hidden, nearest
-from zbot.parameters.parameter import Parameter, guessed, parameter_value_to_python
+from zbot.parameters.parameter import Parameter, infer_parameter, parameter_value_to_python
 from zbot_cli.domain.client import full_name
 
 if TYPE_CHECKING:
@@ -19,23 +19,23 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
     from zbot.node.node import Node
 
-ANSWER_TIMEOUT_S = 5.0  #: for each answer; that of ros2
+ANSWER_TIMEOUT_S = 5.0  #: for each answer, as in ros2
 
 
 class NodeNotFoundError(ZbotError):
-    """No node of that name came in time; the hint says what may have been meant."""
+    """No node of that name appeared in time; the hint names similar ones."""
 
     def __init__(self, name: str, known: Sequence[str]) -> None:
         self.name = name
         guess = nearest(name, known)
-        self.hint = f"there is no {name}; " + (
+        self.hint = f"no node {name} is running; " + (
             f"did you mean {guess}?" if guess else _others(known)
         )
         super().__init__("Node not found")
 
 
 class NoParameterServicesError(ZbotError):
-    """A node does not offer its parameters, or nobody answers there."""
+    """A node has no parameter services, or they do not answer."""
 
     def __init__(self, node: str, hint: str) -> None:
         self.node, self.hint = node, hint
@@ -45,7 +45,7 @@ class NoParameterServicesError(ZbotError):
 
 
 class ParameterNotSetError(ZbotError):
-    """A node, or any node, has no parameter of that name."""
+    """The node has no parameter of that name; without a node: no node of the domain has it."""
 
     def __init__(self, node: str | None, name: str, known: Sequence[str]) -> None:
         self.node, self.name = node, name
@@ -56,23 +56,23 @@ class ParameterNotSetError(ZbotError):
 
 
 def _others(known: Sequence[str]) -> str:
-    return f"there are {', '.join(known)}" if known else "no node is running"
+    return f"running nodes are {', '.join(known)}" if known else "no node is running"
 
 
 @dataclass(slots=True)
 class Answers:
-    """What several nodes said, and what went wrong with the others."""
+    """Answers of several nodes, and the errors of the others."""
 
     found: dict[str, Any] = field(default_factory=dict)
     errors: dict[str, ZbotError] = field(default_factory=dict)
 
 
 class RemoteParameters:
-    """The parameters of other nodes, as a node of the command line sees them.
+    """Client of the parameters of other nodes.
 
     Args:
         node: Sends the requests.
-        timeout_s: Seconds to wait for a node that is not there yet.
+        timeout_s: Seconds to wait for a node that is not running yet.
         answer_timeout_s: Seconds to wait for each answer.
     """
 
@@ -84,10 +84,10 @@ class RemoteParameters:
         self._answer_timeout_s = answer_timeout_s
 
     def find(self, name: str) -> str:
-        """Return a node's full name once it is there.
+        """Return a node's full name as soon as it is running.
 
         Raises:
-            NodeNotFoundError: It does not come in time.
+            NodeNotFoundError: The node does not appear in time.
         """
         full = full_name(name)
         if not self._node.wait_for_node(full, self._timeout_s):
@@ -95,7 +95,7 @@ class RemoteParameters:
         return full
 
     def nodes(self, *, include_hidden: bool) -> list[str]:
-        """Return the nodes that offer their parameters."""
+        """Return the nodes that have parameter services."""
         graph = self._snapshot()
         services = {name for name, _ in graph.services()}
         found = full_names(graph.nodes) if include_hidden else visible_nodes(graph)
@@ -107,12 +107,12 @@ class RemoteParameters:
     def ask_all(
         self, nodes: Iterable[str], service: str, make: Callable[[type[Any], str], Any]
     ) -> Answers:
-        """Ask nodes at the same time, and return what each answered.
+        """Return the answers of nodes, all asked at the same time.
 
         Args:
             nodes: Their full names.
             service: The type of the service, e.g. `GetParameters`.
-            make: Makes a request for a node from the request's class.
+            make: Called with the request's class and a node's name; returns the request.
         """
         answers = Answers()
         pending = {}
@@ -142,11 +142,11 @@ class RemoteParameters:
         return client.call_async(request)
 
     def ask(self, node: str, service: str, **fields: Any) -> Any:
-        """Ask one node, and return its response.
+        """Return the response of one node.
 
         Raises:
-            NoParameterServicesError: It does not offer the service, or does not answer in time.
-            ServiceError: It ended before it answered, or a callback of it failed.
+            NoParameterServicesError: The node has no such service, or does not answer in time.
+            ServiceError: The node ended before it answered, or one of its callbacks failed.
         """
         answers = self.ask_all([node], service, lambda request, _: request(**fields))
         for error in answers.errors.values():
@@ -158,7 +158,7 @@ class RemoteParameters:
         return sorted(self.ask(node, "ListParameters").result.names)
 
     def values(self, node: str, names: Sequence[str]) -> dict[str, Parameter[Any]]:
-        """Return parameters of a node; one that was declared by its type alone has no value.
+        """Return parameters of a node; a parameter declared with only a type has no value.
 
         Raises:
             ParameterNotSetError: The node has none of that name.
@@ -176,7 +176,7 @@ class RemoteParameters:
         """Return the names if the node has them all.
 
         Raises:
-            ParameterNotSetError: It lacks one.
+            ParameterNotSetError: The node lacks one of them.
         """
         known = self.names(node)
         for name in names:
@@ -185,7 +185,7 @@ class RemoteParameters:
         return names
 
     def values_or_none(self, node: str, names: Sequence[str]) -> dict[str, Any]:
-        """Return the values of those of some parameters that the node has."""
+        """Return the values of parameters; parameters that the node lacks are left out."""
         known = set(self.names(node)) if names else set()
         found = self.values(node, [name for name in names if name in known]) if known else {}
         return {name: parameter.value for name, parameter in found.items()}
@@ -202,19 +202,19 @@ class RemoteParameters:
         return answer
 
     def types(self, node: str, names: Sequence[str]) -> dict[str, Parameter.Type]:
-        """Return the declared types of parameters that the node has."""
+        """Return the declared types of parameters of the node."""
         answer = self.ask(node, "DescribeParameters", names=list(names)).descriptors
         return {one.name: Parameter.Type(one.type) for one in answer}
 
     def typed(self, node: str, values: dict[str, Any]) -> list[Parameter[Any]]:
-        """Return values of a file as parameters; YAML has no bytes, so they are integers there."""
+        """Return values of a file as parameters; the file has lists of integers for bytes."""
         lists = [name for name, one in values.items() if is_octets(one)]
         known = set(self.names(node)) if lists else set()
         types = self.types(node, [name for name in lists if name in known]) if known else {}
         return [
             Parameter(name, Parameter.Type.BYTE_ARRAY, [bytes([one]) for one in value])
             if types.get(name) is Parameter.Type.BYTE_ARRAY
-            else guessed(name, value)
+            else infer_parameter(name, value)
             for name, value in values.items()
         ]
 
@@ -226,7 +226,7 @@ def visible_nodes(graph: Snapshot) -> list[str]:
 
 
 def is_octets(value: Any) -> bool:
-    """Tell whether a value may mean bytes: a list of integers from 0 to 255."""
+    """Return whether a value may be bytes: a list of integers from 0 to 255."""
     return isinstance(value, list) and all(
         isinstance(one, int) and not isinstance(one, bool) and 0 <= one < 256 for one in value
     )

@@ -1,4 +1,4 @@
-"""Waiting between two messages, which Ctrl-C cuts short."""
+"""Pause between two messages, which ends early at Ctrl-C."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ if TYPE_CHECKING:
 
 
 class Pause:
-    """Waits that a context's end cuts short."""
+    """Waiter for a point in time, which also returns when its context ends."""
 
     def __init__(self, context: Context) -> None:
         self._context = context
-        self._end = BinarySemaphore()  # a signal handler sets it: an Event could wait for itself
+        self._end = BinarySemaphore()  # set by a signal handler, in which an Event could deadlock
         context.add_waker(self._end.set)
 
     def until(self, time_s: float) -> None:
-        """Wait until the monotonic clock shows a time."""
+        """Wait until `time.monotonic()` reaches `time_s`, or the context ends."""
         while self._context.ok() and (left := time_s - time.monotonic()) > 0:
             self._end.wait(left)

@@ -1,4 +1,4 @@
-"""Services and their types, as users name them and as the graph knows them."""
+"""Services and their types: from words of the command line, and from the graph."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from zbot_cli.domain.types import all_types, find_types, learn, type_hint
 if TYPE_CHECKING:
     from zbot.graph.snapshot import NamesAndTypes, Snapshot
 
-#: The types of what every node serves about itself; lists leave these services out, which would
-#: bury those that a lesson is about.
+#: Types of the services that every node has. Lists leave these services out, so that the services
+#: of the user's own programs are easy to find.
 NODE_SERVICE_TYPES = frozenset(
     {
         "rcl_interfaces/srv/DescribeParameters",
@@ -28,7 +28,7 @@ NODE_SERVICE_TYPES = frozenset(
 
 
 class InvalidServiceTypeError(ZbotError):
-    """A word names no service type."""
+    """A word is not the name of a service type."""
 
     def __init__(self, word: str, hint: str, *, is_known: bool = False) -> None:
         self.word, self.hint = word, hint
@@ -37,7 +37,7 @@ class InvalidServiceTypeError(ZbotError):
 
 
 class UnknownServiceError(ZbotError):
-    """Nobody serves a service of that name, nor is a client of it."""
+    """No service of that name has a server or a client."""
 
     def __init__(self, name: str, graph: Snapshot) -> None:
         self.name = name
@@ -46,7 +46,7 @@ class UnknownServiceError(ZbotError):
 
 
 class SeveralServiceTypesError(ZbotError):
-    """A service has more than one type, and none was named."""
+    """A service has more than one type, and the command line names none."""
 
     def __init__(self, name: str, types: list[str]) -> None:
         self.name, self.types = name, types
@@ -55,30 +55,30 @@ class SeveralServiceTypesError(ZbotError):
 
 
 class OtherServiceTypeError(ZbotError):
-    """The servers of a service have another type than the one that was named."""
+    """The servers of a service have another type than the command line names."""
 
     def __init__(self, name: str, wanted: str, types: list[str]) -> None:
         self.name, self.wanted, self.types = name, wanted, types
-        self.hint = "leave the type out: the graph knows it"
+        self.hint = "leave the type out, and it is taken from the server"
         super().__init__(f"Service '{name}' has the type {', '.join(types)}, not {wanted}")
 
 
 def suggestion(name: str, graph: Snapshot) -> str | None:
-    """Return a question that names the service which may have been meant."""
+    """Return a hint with the service whose name is most similar; `None` if there is none."""
     guess = nearest(name, [known for known, _ in graph.services()])
     return f"did you mean {guess}?" if guess else None
 
 
 def known_services(graph: Snapshot) -> NamesAndTypes:
-    """Return every service that somebody serves or is a client of, with its types."""
+    """Return all services that have a server or a client, with their types."""
     return graph.names_and_types(EntityKind.SERVICE, EntityKind.CLIENT)
 
 
 def served_type(graph: Snapshot, name: str) -> str | None:
-    """Return the type of a service, `None` if nobody serves it.
+    """Return the type of a service, `None` if it has no server.
 
     Raises:
-        SeveralServiceTypesError: It has several.
+        SeveralServiceTypesError: It has more than one type.
     """
     types = dict(graph.services()).get(name)
     if types is not None and len(types) > 1:
@@ -87,7 +87,7 @@ def served_type(graph: Snapshot, name: str) -> str | None:
 
 
 def check_served(graph: Snapshot, name: str, type_name: str) -> None:
-    """Check that nobody serves a service with another type only: a call would never succeed.
+    """Check that a server of the service has this type, if it has servers: no other could answer.
 
     Raises:
         OtherServiceTypeError: All servers have another type.
@@ -101,7 +101,7 @@ def resolve_service_type(word: str) -> str:
     """Return the full name of a service type.
 
     Raises:
-        InvalidServiceTypeError: There is none of that name, or several of a short one.
+        InvalidServiceTypeError: No type has this name, or several types have this short name.
     """
     found = find_types(word)
     services = list(filter(_is_service, found))
@@ -116,12 +116,12 @@ def _is_service(name: str) -> bool:
 
 
 def service_class(type_name: str) -> type[Any]:
-    """Return a service class; what this machine does not know, the nodes that use it tell.
+    """Return a service class; a definition missing on this machine is asked from the nodes.
 
     Raises:
-        InvalidServiceTypeError: There is no definition of the type.
+        InvalidServiceTypeError: Neither this machine nor a node has a definition of the type.
     """
-    from zbot.interfaces import get_interface  # noqa: PLC0415 - lists do without
+    from zbot.interfaces import get_interface  # noqa: PLC0415 - not needed by `list`
 
     try:
         return get_interface(type_name)

@@ -1,4 +1,4 @@
-"""The type of a topic: what the graph knows, waited for when nobody is there yet."""
+"""Types of topics, from the graph; a command can wait until a topic has one."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class SeveralTypesError(ZbotError):
-    """A topic has more than one type, and none was named."""
+    """A topic has more than one type, and the command line names none."""
 
     def __init__(self, name: str, types: list[str]) -> None:
         self.name, self.types = name, types
@@ -25,7 +25,7 @@ class SeveralTypesError(ZbotError):
 
 
 class UndefinedTypeError(ZbotError):
-    """A topic's type has no definition on this machine."""
+    """The definition of a topic's type was found neither on this machine nor in a node."""
 
     def __init__(self, type_name: str) -> None:
         self.type_name = type_name
@@ -34,10 +34,10 @@ class UndefinedTypeError(ZbotError):
 
 
 def only_type(graph: Snapshot, name: str) -> str | None:
-    """Return the type of a topic, `None` if nobody uses the topic.
+    """Return the type of a topic, `None` if it has no publisher and no subscription.
 
     Raises:
-        SeveralTypesError: It has several.
+        SeveralTypesError: It has more than one type.
     """
     types = dict(graph.topics()).get(name)
     if types is None:
@@ -48,19 +48,19 @@ def only_type(graph: Snapshot, name: str) -> str | None:
 
 
 def wait_for_type(node: Node, name: str) -> str:
-    """Return the type of a topic, waiting until somebody uses it; a note on stderr says so."""
+    """Return the type of a topic as soon as the topic exists; print a note before waiting."""
     graph = node.context.graph
     found = only_type(graph.snapshot(), name)
     if found is None:
-        tell_waiting(graph.snapshot(), name)
+        print_waiting(graph.snapshot(), name)
         while found is None and node.context.ok():
             graph.wait_for(lambda snapshot: only_type(snapshot, name) is not None, 0.5)
             found = only_type(graph.snapshot(), name)
     return found or ""
 
 
-def tell_waiting(graph: Snapshot, name: str) -> None:
-    """Say on stderr that nobody uses a topic yet."""
+def print_waiting(graph: Snapshot, name: str) -> None:
+    """Print on stderr that the command waits for a topic, with the most similar name if any."""
     known = [topic for topic, _ in graph.topics()]
     guess = nearest(name, known)
     hint = f"; did you mean {guess}?" if guess else ""
@@ -68,12 +68,12 @@ def tell_waiting(graph: Snapshot, name: str) -> None:
 
 
 def message_class(type_name: str) -> type[Any]:
-    """Return a message class; what this machine does not know, the nodes that use it tell.
+    """Return a message class; a definition missing on this machine is asked from the nodes.
 
     Raises:
-        UndefinedTypeError: There is no definition of the type.
+        UndefinedTypeError: Neither this machine nor a node has a definition of the type.
     """
-    from zbot.interfaces import get_message  # noqa: PLC0415 - lists do without
+    from zbot.interfaces import get_message  # noqa: PLC0415 - not needed by `list`
 
     try:
         return get_message(type_name)

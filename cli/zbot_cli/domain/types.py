@@ -1,4 +1,4 @@
-"""Types as users write them: `std_msgs/msg/String`, `std_msgs/String`, `std_msgs.msg.String`."""
+"""Type names on the command line: `std_msgs/msg/String`, `std_msgs/String`, `String`."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class InvalidTypeError(ZbotError):
-    """A word names no message type."""
+    """A word is not the name of a message type."""
 
     def __init__(self, word: str, hint: str) -> None:
         self.word, self.hint = word, hint
@@ -23,7 +23,7 @@ class InvalidTypeError(ZbotError):
 
 
 def looks_like_type(word: str) -> bool:
-    """Return whether a word on the command line is meant as a type rather than as values."""
+    """Return whether a word on the command line is the name of a type, not a value."""
     return (
         bool(word)
         and all(part.isidentifier() for part in word.replace("/", ".").split("."))
@@ -35,7 +35,7 @@ def resolve_message_type(word: str) -> str:
     """Return the full name of a message type.
 
     Raises:
-        InvalidTypeError: There is none of that name, or several of a short one.
+        InvalidTypeError: No type has this name, or several types have this short name.
     """
     found = [name for name in find_types(word) if "/msg/" in name]
     if len(found) != 1:
@@ -44,9 +44,9 @@ def resolve_message_type(word: str) -> str:
 
 
 def find_types(word: str) -> list[str]:
-    """Return the full names of all types that a word may stand for.
+    """Return the full names of all types that match a word, first those on this machine.
 
-    What this machine does not know, the nodes that use it are asked for.
+    If this machine has no such type, the nodes are asked for its definition.
     """
     if "/" in word or "." in word:
         names = _full_names(word)
@@ -56,10 +56,10 @@ def find_types(word: str) -> list[str]:
 
 
 def learn(name: str) -> bool:
-    """Ask the nodes that use a type for its definition; return whether it is known now.
+    """Ask the nodes that use a type for its definition; return whether one had it.
 
     Raises:
-        InterfaceConflictError: A type inside it has another definition here.
+        InterfaceConflictError: This machine has another definition of a nested type.
     """
     from zbot.node.remote_types import learn_type  # noqa: PLC0415 - only for types of other machines
     from zbot_cli.domain.client import client  # noqa: PLC0415 - as above
@@ -73,7 +73,7 @@ def learn(name: str) -> bool:
 def _used_types() -> list[str]:
     from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - only for types of other machines
 
-    # An action is seen by its parts, like pkg/action/Name_SendGoal.
+    # The graph shows the services and topics of an action, such as pkg/action/Name_SendGoal.
     return sorted({end.type_name.partition("_SendGoal")[0] for end in snapshot().endpoints})
 
 
@@ -93,18 +93,18 @@ def _exists(name: str) -> bool:
 
 
 def all_types() -> Iterator[str]:
-    """Yield the full name of every type on this machine."""
+    """Yield the full names of all types on this machine."""
     for package in interfaces.packages():
         yield from interfaces.interface_names(package)
 
 
 def all_messages() -> Iterator[str]:
-    """Yield the full name of every message type on this machine."""
+    """Yield the full names of all message types on this machine."""
     return (name for name in all_types() if "/msg/" in name)
 
 
 def type_hint(word: str, found: list[str], known: Iterator[str]) -> str:
-    """Return what to do about a word that names no type, or that names several."""
+    """Return the hint for a word that is the name of no type, or of several."""
     if found:
         return f"there are several: {', '.join(found)}"
     names = list(known)
@@ -114,7 +114,7 @@ def type_hint(word: str, found: list[str], known: Iterator[str]) -> str:
 
 
 def _short_guess(word: str, names: list[str]) -> str | None:
-    """Return a type whose last part is like that of the word, in whichever package."""
+    """Return a type of any package whose last part is similar to that of the word."""
     last = word.replace(".", "/").rpartition("/")[2]
     by_last = {name.rpartition("/")[2].lower(): name for name in reversed(names)}
     guess = nearest(last.lower(), by_last) if last == word else None

@@ -1,1 +1,1 @@
-"""Input: options, types and values as they are typed."""
+"""Input of the command line: options, types and message values."""

@@ -1,7 +1,7 @@
-"""Names of another domain: `/17/temperature` is `/temperature` of student 17.
+"""Names in other domains: `/17/temperature` is `/temperature` in domain 17, that of student 17.
 
-No name of ROS 2 has a part that begins with a digit, so nothing else can be meant. `/17` alone
-stands for the whole domain: `zbot topic list /17`.
+`/17` alone selects the domain: `zbot topic list /17`. No part of a ROS 2 name begins with a digit,
+so these names cannot be confused with others.
 """
 
 from __future__ import annotations
@@ -13,34 +13,34 @@ from zbot.errors import ZbotError
 
 NOUNS = frozenset({"action", "graph", "lifecycle", "node", "param", "service", "topic"})
 
-_NAME = re.compile(r"/([0-9]+)(/.*)?", re.ASCII | re.DOTALL)
-# What follows the first name here is a value, which may look like anything.
-_TAKING_VALUES = frozenset({"call", "pub", "send_goal", "set"})
+_DOMAIN_NAME = re.compile(r"/([0-9]+)(/.*)?", re.ASCII | re.DOTALL)
+# Verbs whose words after the first name are values: a value may look like a domain name.
+_VERBS_WITH_VALUES = frozenset({"call", "pub", "send_goal", "set"})
 
 
 class SeveralDomainsError(ZbotError):
-    """Names of two domains stand in one command."""
+    """A command line contains names of two domains."""
 
     def __init__(self, first: str, second: str) -> None:
         super().__init__(
-            f"one command looks at one domain, not at {first} and {second}: use one for each"
+            f"one command works in one domain, not in {first} and {second}: run it once for each"
         )
 
 
-def enter_domain(words: list[str]) -> list[str]:
-    """Switch this process to the domain that a name names; return the words without it.
+def select_domain(words: list[str]) -> list[str]:
+    """Set the domain of this process to that of a name; return the words without the domain.
 
     Args:
-        words: A noun, its verb, and what follows.
+        words: A noun, its verb, and their arguments.
 
     Raises:
-        SeveralDomainsError: Names of two domains stand there.
+        SeveralDomainsError: The words contain names of two domains.
     """
-    only_first = len(words) > 1 and words[1] in _TAKING_VALUES
+    only_first = len(words) > 1 and words[1] in _VERBS_WITH_VALUES
     domain: str | None = None
     kept: list[str] = []
     for word in words:
-        match = None if only_first and domain is not None else _NAME.fullmatch(word)
+        match = None if only_first and domain is not None else _DOMAIN_NAME.fullmatch(word)
         if match is None:
             kept.append(word)
             continue

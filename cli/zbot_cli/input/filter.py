@@ -1,7 +1,7 @@
-"""Filters on the command line: Python expressions about `m`, of which only harmless ones are taken.
+"""Filter of messages: a Python expression about the message `m`, limited to harmless operations.
 
-The expression is checked node by node against a list of what is allowed and then walked, never
-handed to `eval`: a lesson sheet's command line must not be able to do anything else.
+Each node of the expression's syntax tree is checked against a list of allowed nodes, and then
+evaluated here, not with `eval`: a command line copied from a lesson sheet cannot do anything else.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ _COMPARE: dict[type[ast.AST], Callable[[Any, Any], bool]] = {
 
 
 def _rounded(number: Any) -> Any:
-    # Without a number of digits: from one of -10**9 it would not come back.
+    # The number of digits is not an argument: with -10**9, `round` would not return.
     return round(number)
 
 
@@ -59,7 +59,7 @@ _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "min": min,
     "round": _rounded,
 }
-# None of them makes a text that is longer than what it is given.
+# None of them returns a text longer than its arguments.
 _TEXT_METHODS = frozenset(
     (
         *("lower", "upper", "strip", "lstrip", "rstrip"),
@@ -71,7 +71,7 @@ _CALLABLE = ", ".join(_FUNCTIONS) + " and methods of texts such as startswith()"
 
 
 class FilterError(ZbotError):
-    """A filter expression is not understood, or does not fit the message."""
+    """A filter expression is invalid, or does not fit the message type."""
 
     def __init__(self, expression: str, reason: str) -> None:
         self.expression, self.reason = expression, reason
@@ -80,13 +80,13 @@ class FilterError(ZbotError):
 
 
 class Filter:
-    """An expression about `m` that is true of some messages.
+    """Filter that accepts the messages for which an expression is true.
 
     Args:
         expression: The expression, e.g. `m.linear.x > 0.5`.
 
     Raises:
-        FilterError: It is no expression, or does more than compare and reckon.
+        FilterError: `expression` is invalid, or uses more than comparisons and arithmetic.
     """
 
     def __init__(self, expression: str) -> None:
@@ -100,7 +100,7 @@ class Filter:
         self._body = tree.body
 
     def accepts(self, message: Any) -> bool:
-        """Return whether the expression is true of a message, or of a part of one.
+        """Return whether the expression is true for a message or for one field of it.
 
         Raises:
             FilterError: The expression does not fit the message.
@@ -111,14 +111,14 @@ class Filter:
             raise FilterError(self._expression, str(exc)) from None
 
     def check(self, message_type: type[Any], subject: Callable[[Any], Any]) -> None:
-        """Refuse an expression that fits no message of a type, before one has come.
+        """Check that the expression fits a message type, before the first message arrives.
 
         Args:
             message_type: Message class.
-            subject: What is `m` of a message.
+            subject: Returns `m` for a message: the message or one of its fields.
 
         Raises:
-            FilterError: It names a field that does not exist, or compares what cannot be compared.
+            FilterError: A field does not exist, or values of these types cannot be compared.
         """
         with contextlib.suppress(FieldPathError, LookupError, ArithmeticError, ValueError):
             try:
@@ -132,12 +132,12 @@ def _check(expression: str, tree: ast.Expression) -> None:
     if len(nodes) > _MOST_NODES:
         raise FilterError(expression, "it is too long")
     for node in nodes:
-        fault = _fault(node)
-        if fault is not None:
-            raise FilterError(expression, fault)
+        problem = _problem(node)
+        if problem is not None:
+            raise FilterError(expression, problem)
 
 
-def _fault(node: ast.AST) -> str | None:
+def _problem(node: ast.AST) -> str | None:
     if isinstance(node, ast.Attribute):
         return f"{node.attr} is private" if node.attr.startswith("_") else None
     if isinstance(node, ast.Name):
@@ -213,9 +213,9 @@ def _ask_text(text: Any, method: str, arguments: list[Any]) -> Any:
 
 
 def _reckon(op: ast.operator, left: Any, right: Any) -> Any:
-    # Numbers only: "x" * 10**9 would take the machine down.
+    # Numbers only: "x" * 10**9 would fill the memory of the machine.
     if not (isinstance(left, Real) and isinstance(right, Real)):
-        raise TypeError("only numbers can be reckoned with")
+        raise TypeError("arithmetic is for numbers only")
     return _BINARY[type(op)](left, right)
 
 

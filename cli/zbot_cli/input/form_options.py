@@ -1,4 +1,4 @@
-"""How messages are to be printed, on the command line of everything that echoes them."""
+"""Options of the verbs that print messages: the form in which they are printed."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class FormOptions:
-    """What the options said; each field is one."""
+    """Group of options for the form of messages."""
 
     csv: Annotated[bool, typer.Option("--csv", help="Print fields separated by commas")] = False
-    full_length: Annotated[bool, typer.Option("-f", "--full-length", help="Show everything")] = (
+    full_length: Annotated[bool, typer.Option("-f", "--full-length", help="Shorten nothing")] = (
         False
     )
     truncate_length: Annotated[
@@ -33,8 +33,8 @@ class FormOptions:
     ] = False
 
     def form(self, *, as_json: bool, **more: Any) -> Form:
-        """Return the form of the messages; `more` are fields of it that not every verb has."""
-        from zbot_cli.output.message_text import Form  # noqa: PLC0415 - lists do without
+        """Return the form of messages; `more` holds fields of `Form` that are not in this group."""
+        from zbot_cli.output.message_text import Form  # noqa: PLC0415 - not needed by `list`
 
         return Form(
             csv=self.csv,

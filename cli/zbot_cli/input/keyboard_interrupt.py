@@ -1,51 +1,53 @@
-"""What Ctrl-C does while nobody can handle it: before a command has begun, and after its end."""
+"""Handlers of Ctrl-C for the time before a command starts and after it ends."""
 
 from __future__ import annotations
 
 import sys
 
-TYPE_CHECKING = False  # to import typing takes 10 ms, in which Ctrl-C would print a traceback
+TYPE_CHECKING = False  # importing typing takes 10 ms, during which Ctrl-C prints a traceback
 if TYPE_CHECKING:
     import signal
     from types import TracebackType
 else:
-    import _signal as signal  # its heart: the module itself imports for 5 ms
+    import _signal as signal  # the C module: importing `signal` itself takes 5 ms
 
-_MOMENT_S = 0.005
+_RAISE_AGAIN_AFTER_S = 0.005
 
 
-def end_at_once() -> None:
-    """Let Ctrl-C end the process without a word.
+def end_process_on_ctrl_c() -> None:
+    """Let Ctrl-C end the process without output; Python would print a traceback during imports.
 
-    Python would print a traceback of whatever is being imported. Main thread only; a parent that
-    had it ignored, as nohup has, is obeyed.
+    Main thread only. SIGINT stays ignored if the parent process ignores it, as nohup does.
     """
     if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
 
 
-def raise_exception() -> None:
+def raise_on_ctrl_c() -> None:
     """Let Ctrl-C raise `KeyboardInterrupt` again; main thread only.
 
-    Nothing is told of one that nobody catches: it may come just after a command's end. One that
-    comes where Python drops exceptions, as in what ends an import, is raised again in a moment.
+    A `KeyboardInterrupt` that is not caught prints nothing, because it may come just after the end
+    of a command. If Python drops one, for example in a callback of an import, SIGINT is raised
+    again after 5 ms.
     """
     if signal.getsignal(signal.SIGINT) == signal.SIG_DFL:
-        sys.excepthook, sys.unraisablehook = _tell, _repeat
+        sys.excepthook, sys.unraisablehook = _print_unless_interrupt, _raise_again
         signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
-def _tell(kind: type[BaseException], value: BaseException, trace: TracebackType | None) -> None:
+def _print_unless_interrupt(
+    kind: type[BaseException], value: BaseException, trace: TracebackType | None
+) -> None:
     if not issubclass(kind, KeyboardInterrupt):
         sys.__excepthook__(kind, value, trace)
 
 
-def _repeat(dropped: sys.UnraisableHookArgs) -> None:
+def _raise_again(dropped: sys.UnraisableHookArgs) -> None:
     if not issubclass(dropped.exc_type, KeyboardInterrupt):
         sys.__unraisablehook__(dropped)
         return
-    import threading  # noqa: PLC0415 - most commands do without
+    import threading  # noqa: PLC0415 - seldom used
 
-    again = threading.Timer(_MOMENT_S, signal.raise_signal, [signal.SIGINT])
+    again = threading.Timer(_RAISE_AGAIN_AFTER_S, signal.raise_signal, [signal.SIGINT])
     again.daemon = True
     again.start()

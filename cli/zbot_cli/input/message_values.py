@@ -1,4 +1,4 @@
-"""Values on the command line: YAML, JSON or `linear.x=2` words become a message."""
+"""Message values on the command line: YAML, JSON, or words like `linear.x=2`."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _LONGEST_SHOWN_LINE = 200
 
 
 class ValuesError(ZbotError):
-    """The values on a command line are no YAML, or no dictionary."""
+    """The values on a command line are not YAML, or not a dictionary."""
 
     def __init__(self, text: str, hint: str | None = None) -> None:
         self.hint = hint
@@ -43,59 +43,60 @@ class PopulateError(ZbotError):
 
 @dataclass(frozen=True)
 class Word:
-    """A value that is neither a list nor a dictionary."""
+    """Scalar: a value that is neither a list nor a dictionary."""
 
-    text: str  #: as it was written: `yes`, `1.0`
-    value: Any  #: what YAML makes of that: True, 1.0
+    text: str  #: as the user wrote it: `yes`, `1.0`
+    value: Any  #: as YAML reads it: True, 1.0
 
     def __str__(self) -> str:
         return self.text
 
 
 class _Key(str):
-    """The name of a field, and where it stands."""
+    """Name of a field, with its line and column in the text."""
 
     __slots__ = ("place",)
     place: str
 
 
-#: What a text says, before it is known which message it is for.
+#: Values of a text, independent of a message type.
 Tree = Union[Word, "list[Tree]", "dict[str, Tree]"]
 
 
 class Template:
-    """Makes messages of one type with the values of a command line.
+    """Maker of messages of one type from the values of a command line.
 
-    What does not fit is told at once, before anybody is waited for.
+    Values that do not fit are reported by the constructor, before the command waits for nodes.
 
     Args:
         message_type: Message class.
-        words: YAML (of which JSON is a part), or words like `linear.x=2 angular.z=1.8`; none at
-            all leaves every field at its default.
+        words: YAML (which includes JSON), or words like `linear.x=2 angular.z=1.8`. Without words,
+            all fields keep their defaults.
 
     Raises:
-        ValuesError: The words are no dictionary in YAML.
+        ValuesError: The words are not a dictionary in YAML.
         PopulateError: A field does not exist, or a value does not fit it.
     """
 
     def __init__(self, message_type: type[Any], words: str | Sequence[str]) -> None:
         self._type = message_type
         self._values = parse(words)
-        #: Whether each message has to be made anew, because it holds the time.
+        #: Whether each message must be made again, because it contains the current time.
         self.is_stamped = False
-        self.make(self._notice)
+        self.make(self._note_time_use)
 
     def make(self, now_ns: Callable[[], int]) -> Any:
         """Return a message.
 
         Args:
-            now_ns: What `header: auto` and `stamp: now` stand for, nanoseconds since the epoch.
+            now_ns: Returns the time for `header: auto` and `stamp: now`, in nanoseconds since the
+                epoch.
         """
         message = self._type()
         _fill(message, self._values, now_ns, "")
         return message
 
-    def _notice(self) -> int:
+    def _note_time_use(self) -> int:
         self.is_stamped = True
         return 0
 
@@ -109,10 +110,10 @@ def split_documents(text: str) -> list[str]:
 
 
 def parse(words: str | Sequence[str]) -> dict[str, Tree]:
-    """Return the dictionary that a text, or the words of a command line, stand for.
+    """Return the dictionary that a text or the words of a command line contain.
 
     Raises:
-        ValuesError: They stand for something else, or for nothing.
+        ValuesError: They contain no dictionary.
     """
     words = [words] if isinstance(words, str) else list(words)
     if len(words) == 1 and all(map(_ASSIGNMENT.match, words[0].split())):
@@ -189,7 +190,7 @@ def _assigned(text: str) -> Tree:
         node = yaml_text.compose(text)
         if node is None:
             return Word("", None)
-        # A collection in brackets; without them, `data=a: b` is a text whose quotes a shell took.
+        # A collection needs brackets: `data=a: b` is a text, whose quotes the shell removed.
         if not isinstance(node, yaml_text.CollectionNode) or node.flow_style:
             return _tree(node, text)
     except yaml_text.YAMLError:
@@ -198,19 +199,19 @@ def _assigned(text: str) -> Tree:
 
 
 def _syntax_error(text: str, exc: yaml_text.YAMLError) -> ValuesError:
-    problem = getattr(exc, "problem", None) or "it is no YAML"
+    problem = getattr(exc, "problem", None) or "it is not YAML"
     place = _place(text, getattr(exc, "problem_mark", None))
     hint = 'write it like "{linear: {x: 2.0}}", with a blank after each colon'
-    return ValuesError(f"The values are no YAML: {problem}{place}", hint)
+    return ValuesError(f"The values are not YAML: {problem}{place}", hint)
 
 
 def _place(text: str, mark: Any) -> str:
-    """Return where something is, and its line with a mark below it."""
+    """Return the line and column of a mark, and that line of the text with `^` below the column."""
     if mark is None:
         return ""
     lines = text.splitlines() or [""]
     line, column = mark.line, mark.column
-    if line >= len(lines):  # YAML counts the end of a text as a line of its own
+    if line >= len(lines):  # YAML counts the end of a text as one more line
         line, column = len(lines) - 1, len(lines[-1])
     place = f" (line {line + 1}, column {column + 1})"
     if len(lines[line]) > _LONGEST_SHOWN_LINE:
@@ -281,7 +282,7 @@ def _list(kind: FieldType, value: Tree, now_ns: Callable[[], int], path: str) ->
 
 
 def _octets(kind: FieldType, value: Word, path: str) -> list[Any] | bytes:
-    """Return the bytes that base64 stands for, as `zbot topic echo --json` prints it."""
+    """Return the bytes of a base64 text, which `zbot topic echo --json` prints."""
     try:
         octets = base64.b64decode(value.text, validate=True)
     except (binascii.Error, ValueError):
@@ -319,7 +320,7 @@ def _shown(value: Tree) -> str:
 
 def _scalar(kind: FieldType, word: Word, path: str) -> Any:
     if kind.is_string:
-        # As it was written: YAML takes 12:30 for the number 750, and `no` for False.
+        # The text itself: YAML reads 12:30 as the number 750, and `no` as False.
         return "" if word.value is None else word.text
     if kind.base == "bool":
         if isinstance(word.value, (bool, int)) and word.value in {0, 1}:

@@ -1,4 +1,11 @@
-"""Options that verbs share: a dataclass whose fields are options, taken as one parameter."""
+"""Option groups that verbs share: dataclasses whose fields are options of the command line.
+
+A verb takes a group as one parameter, whose default is an instance of the dataclass:
+
+    @app.command("list")
+    @with_option_groups
+    def list_topics(as_json: AsJson = False, daemon: DaemonOptions = NO_DAEMON) -> None: ...
+"""
 
 from __future__ import annotations
 
@@ -10,33 +17,50 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    import typer
 
-def spread(verb: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a verb for typer whose groups are options, each group's in the place it has.
 
-    A group is a parameter whose default is an instance of a dataclass; the fields of the dataclass
-    are annotated and have defaults, as the parameters of verbs do.
+def noun_option(ctx: typer.Context, name: str) -> bool:
+    """Return a flag given before the verb, as in `zbot topic --include-hidden-topics list`."""
+    return ctx.parent is not None and bool(ctx.parent.params[name])
+
+
+class with_option_groups:  # noqa: N801 - a decorator
+    """Verb with one parameter for each field of its option groups, as typer needs them.
+
+    typer reads `__signature__`. The signature is built at that moment, because it takes a
+    millisecond and a command line runs only one of the verbs in a module.
     """
-    signature = inspect.signature(verb, eval_str=True)
-    groups: dict[str, Any] = {}
-    parameters: list[inspect.Parameter] = []
-    for name, parameter in signature.parameters.items():
-        if is_dataclass(parameter.default):
-            groups[name] = type(parameter.default)
-            parameters += _options_of(groups[name])
-        else:
-            parameters.append(parameter)
-    if not groups:
-        return verb
 
-    @functools.wraps(verb)
-    def run(**words: Any) -> Any:
-        for name, group in groups.items():
-            words[name] = group(**{one.name: words.pop(one.name) for one in _options_of(group)})
-        return verb(**words)
+    def __init__(self, verb: Callable[..., None]) -> None:
+        self._verb = verb
+        functools.update_wrapper(self, verb)
+        self.__annotations__ = verb.__annotations__
 
-    run.__signature__ = signature.replace(parameters=parameters)  # type: ignore[attr-defined]
-    return run
+    @functools.cached_property
+    def _parameters(self) -> dict[str, inspect.Parameter]:
+        return dict(inspect.signature(self._verb, eval_str=True).parameters)
+
+    @functools.cached_property
+    def __signature__(self) -> inspect.Signature:
+        parameters: list[inspect.Parameter] = []
+        for parameter in self._parameters.values():
+            group = _group_of(parameter)
+            parameters += [parameter] if group is None else _options_of(group)
+        return inspect.Signature(parameters)
+
+    def __call__(self, **values: Any) -> None:
+        """Run the verb; the values of options that belong to a group become that group."""
+        for name, parameter in self._parameters.items():
+            group = _group_of(parameter)
+            if group is not None:
+                options = {option.name: values.pop(option.name) for option in _options_of(group)}
+                values[name] = group(**options)
+        self._verb(**values)
+
+
+def _group_of(parameter: inspect.Parameter) -> Any:
+    return type(parameter.default) if is_dataclass(parameter.default) else None
 
 
 @functools.cache

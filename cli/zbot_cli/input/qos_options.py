@@ -1,4 +1,4 @@
-"""Quality of service on the command line, and as text."""
+"""Options for quality of service, and QoS profiles as text."""
 
 from __future__ import annotations
 
@@ -33,10 +33,12 @@ def _option(words: str, text: str) -> Any:
 
 
 @dataclass(frozen=True)
-class Choice:
-    """What the options said; `None` where they said nothing. Each field is an option."""
+class QosOptions:
+    """Group of the `--qos-...` options; `None` for those that are not given."""
 
-    profile: Annotated[str | None, _option("profile", "A preset to begin with")] = None
+    profile: Annotated[str | None, _option("profile", "Preset that the other options change")] = (
+        None
+    )
     depth: Annotated[int | None, _option("depth", "Messages to keep")] = None
     history: Annotated[str | None, _option("history", "keep_last or keep_all")] = None
     reliability: Annotated[str | None, _option("reliability", "reliable or best_effort")] = None
@@ -47,14 +49,14 @@ class Choice:
     ] = None
 
     def to_publish(self) -> QoSProfile:
-        """Return the profile to publish with: the default one, changed by the options."""
+        """Return the profile for a publisher: the default profile, changed by the options."""
         return self._build(self._preset("default"))
 
     def to_subscribe(self, publishers: list[EndpointToken]) -> QoSProfile:
-        """Return the profile to listen with.
+        """Return the profile for a subscription.
 
-        What no option says follows the publishers: reliable if all are, and transient local if all
-        are, so that a late `echo` still shows what a latched topic holds.
+        Policies without an option follow the publishers: reliable if all publishers are, and
+        transient local if all are, so that `echo` also shows messages published before it started.
         """
         profile = self._preset("sensor_data")
         if publishers and self.profile is None:
@@ -69,7 +71,7 @@ class Choice:
         name = self.profile or default
         keys = QoSPresetProfiles.short_keys()
         if name not in {*keys, "best_available", "unknown"}:
-            raise typer.BadParameter(f"no profile {name!r}; there are {', '.join(sorted(keys))}")
+            raise typer.BadParameter(f"no profile {name!r}; choose from {', '.join(sorted(keys))}")
         found = QoSPresetProfiles.get_from_short_key(name if name in keys else default)
         return QoSProfile(
             history=found.history,
@@ -96,7 +98,7 @@ class Choice:
         return profile
 
 
-NOT_TOLD: Final = Choice()
+DEFAULT_QOS: Final = QosOptions()
 
 
 def _policy(name: str, policy: Any, word: str) -> Any:
@@ -107,7 +109,7 @@ def _policy(name: str, policy: Any, word: str) -> Any:
 
 
 def profile_lines(qos: QoSProfile) -> list[str]:
-    """Return a profile as `zbot topic info -v` shows it, indented by two."""
+    """Return the lines of a profile in `zbot topic info -v`, indented by two spaces."""
     depth = f" ({qos.depth})" if qos.history is HistoryPolicy.KEEP_LAST else ""
     return [
         f"  Reliability: {qos.reliability.name}",

@@ -1,4 +1,4 @@
-"""Curves as text: a canvas of braille characters, eight dots each, with axes around it."""
+"""Plot of curves as text: a canvas of braille characters with eight dots each, and axes."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
-#: Dots of a character: U+2800 and the sum of the bits of those that are set, by column and row.
+#: Bits of the dots of a braille character, by column and row: U+2800 plus the bits of its dots.
 _BLANK = 0x2800
 _BITS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
-#: Colours of the curves, as terminals number them: blue, orange, green, purple, red, cyan.
+#: Colours of the curves, as numbers of a terminal's 256: blue, orange, green, purple, red, cyan.
 _COLOURS = (33, 208, 35, 141, 197, 44)
 _SMALLEST_WIDTH, _SMALLEST_HEIGHT = 10, 3
 _ROWS_A_TICK = 3
@@ -24,18 +24,18 @@ Point = tuple[float, float]
 
 @dataclass(frozen=True)
 class Curve:
-    """What is drawn: a name, and points in the order of time."""
+    """Curve: a name, and points in the order of time."""
 
     name: str
     points: Sequence[Point]  #: seconds, value
 
 
 class Canvas:
-    """Characters of 2 x 4 dots.
+    """Canvas of characters with 2 x 4 dots each.
 
     Args:
-        width: In characters.
-        height: In characters.
+        width: Width in characters.
+        height: Height in characters.
     """
 
     def __init__(self, width: int, height: int) -> None:
@@ -44,14 +44,14 @@ class Canvas:
         self._owners = [[-1] * width for _ in range(height)]
 
     def dot(self, x: int, y: int, owner: int) -> None:
-        """Set a dot, counted from the upper left; nothing happens outside."""
+        """Set a dot, counted from the upper left; a dot outside of the canvas is ignored."""
         column, row = x // 2, y // 4
         if 0 <= column < self.width and 0 <= row < self.height:
             self._cells[row][column] |= _BITS[x % 2][y % 4]
             self._owners[row][column] = owner
 
     def line(self, start: tuple[int, int], end: tuple[int, int], owner: int) -> None:
-        """Set the dots from one place to another."""
+        """Set the dots of a straight line."""
         (x, y), (to_x, to_y) = start, end
         steps = max(abs(to_x - x), abs(to_y - y), 1)
         for step in range(steps + 1):
@@ -59,13 +59,13 @@ class Canvas:
             self.dot(round(x + (to_x - x) * part), round(y + (to_y - y) * part), owner)
 
     def rows(self, *, coloured: bool) -> Iterator[str]:
-        """Yield the rows as text; a character has the colour of whoever drew in it last."""
+        """Yield the rows as text; a character has the colour of the curve drawn last in it."""
         for cells, owners in zip(self._cells, self._owners, strict=True):
             marks = [chr(_BLANK + bits) if bits else " " for bits in cells]
             if not coloured:
                 yield "".join(marks)
                 continue
-            # Neighbours of one colour are one piece: a terminal over SSH gets a third of the bytes.
+            # One colour sequence for neighbours of one colour: a third of the bytes over SSH.
             runs = groupby(zip(owners, marks, strict=True), key=lambda pair: pair[0])
             yield "".join(_coloured("".join(mark for _, mark in run), owner) for owner, run in runs)
 
@@ -75,7 +75,7 @@ def _coloured(text: str, owner: int) -> str:
 
 
 def ticks(low: float, high: float, most: int) -> list[float]:
-    """Return round numbers between two, at most so many and at least one apart from each other."""
+    """Return at most `most` round numbers between two numbers."""
     if not high > low or most < 1:
         return [low]
     rough = (high - low) / most
@@ -87,7 +87,7 @@ def ticks(low: float, high: float, most: int) -> list[float]:
 
 
 def span(values: Iterable[float]) -> tuple[float, float]:
-    """Return the range of an axis for some values: a little more than they need, never nothing."""
+    """Return the range of an axis: the values' range and a margin; its length is never 0."""
     finite = [value for value in values if math.isfinite(value)]
     if not finite:
         return -1.0, 1.0
@@ -108,9 +108,9 @@ def draw(
     """Return a plot as lines of text.
 
     Args:
-        curves: What to draw; points outside of the time are left out.
-        width: Of everything, in characters.
-        height: Of everything, in lines.
+        curves: The curves; points outside of the times are left out.
+        width: Width of the plot with its axes, in characters.
+        height: Height of the plot with its axes and legend, in lines.
         from_s: Time at the left edge.
         to_s: Time at the right edge.
         coloured: Whether to tell the curves apart by colour.
@@ -147,7 +147,7 @@ def _trace(
 
 
 def _labels(low: float, high: float, rows: int) -> dict[int, str]:
-    """Return what stands left of the rows that have a number."""
+    """Return the numbers on the vertical axis, by row."""
     marks = ticks(low, high, max(rows // _ROWS_A_TICK, 1))
     found = {round((high - mark) / (high - low) * (rows - 1)): f"{mark:.6g}" for mark in marks}
     return {row: text for row, text in found.items() if 0 <= row < rows}

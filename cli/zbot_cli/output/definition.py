@@ -1,4 +1,4 @@
-"""A definition as `ros2 interface show` prints it: nested types' fields below each field."""
+"""Definition of a type as `ros2 interface show` prints it, with the fields of nested types."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 def definition(
     spec: InterfaceSpec, *, comments: bool = True, nested_comments: bool = False
 ) -> Iterator[str]:
-    """Yield the lines of a definition, those of nested types one TAB deeper for each level.
+    """Yield the lines of a definition; each level of nested types is indented by one more TAB.
 
     Args:
-        spec: What to show.
+        spec: The definition.
         comments: Keep the comments and blank lines of the definition itself.
-        nested_comments: Keep those of nested types too.
+        nested_comments: Keep the comments and blank lines of nested types.
     """
     yield from _lines(spec, "", comments=comments, nested_comments=comments and nested_comments)
 

@@ -6,10 +6,10 @@ from enum import IntEnum
 
 
 class Status(IntEnum):
-    """What a shell script can tell from how `zbot` ended."""
+    """Exit code of `zbot`, for shell scripts."""
 
     OK = 0
     ERROR = 1  #: something failed or was not found; a sentence on stderr says what
-    USAGE = 2  #: the command line makes no sense
-    INTERRUPTED = 130  #: Ctrl-C, as shells count it: 128 + SIGINT
-    TERMINATED = 143  #: SIGTERM, counted likewise
+    USAGE = 2  #: the command line is invalid
+    INTERRUPTED = 130  #: Ctrl-C: 128 + SIGINT, as in shells
+    TERMINATED = 143  #: 128 + SIGTERM

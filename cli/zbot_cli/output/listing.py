@@ -1,4 +1,4 @@
-"""What every listing shares: options of ros2 that need nothing here, and output as JSON."""
+"""Options and output that listings share: ros2's options for its daemon, and JSON."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class DaemonOptions:
-    """What ros2 asks of its daemon: accepted, and without effect on what only looks once."""
+    """Group of ros2's options for its daemon; verbs that create a node use `--use-sim-time`."""
 
     spin_time: Annotated[
-        float, typer.Option("--spin-time", hidden=True, help="Accepted; not needed")
+        float, typer.Option("--spin-time", hidden=True, help="Accepted; no effect")
     ] = 0.5
     use_sim_time: Annotated[
         bool, typer.Option("-s", "--use-sim-time", hidden=True, help="Follow /clock")
     ] = False
     no_daemon: Annotated[
-        bool, typer.Option("--no-daemon", hidden=True, help="Accepted; there is none")
+        bool, typer.Option("--no-daemon", hidden=True, help="Accepted; no effect")
     ] = False
 
 
 @dataclass(frozen=True)
 class NodeSearch(DaemonOptions):
-    """Which nodes a verb asks, and how long it waits for them."""
+    """Group of options for the nodes that a verb asks, and the time that it waits for them."""
 
     include_hidden: Annotated[
         bool, typer.Option("--include-hidden-nodes", help="Consider hidden nodes too")
@@ -42,15 +42,12 @@ class NodeSearch(DaemonOptions):
 NO_DAEMON: Final = DaemonOptions()
 VISIBLE_NODES: Final = NodeSearch()
 
-AsJson = Annotated[bool, typer.Option("--json", help="Print JSON instead")]
+AsJson = Annotated[bool, typer.Option("--json", help="Print JSON")]
 ShowTypes = Annotated[bool, typer.Option("-t", "--show-types", help="Add the types")]
 
 
 def new_app(text: str, *, has_verbs: bool = True) -> typer.Typer:
-    """Return the app of a noun, whose verbs may take groups of options (see `option_groups`).
-
-    Help is plain: rich takes longer to import than most verbs take.
-    """
+    """Return the typer app of a noun; without rich, whose import takes longer than most verbs."""
     return typer.Typer(
         help=text,
         no_args_is_help=has_verbs,
@@ -67,7 +64,7 @@ def print_json(value: Any) -> None:
 
 
 def print_names(names: Sequence[str], *, count: bool, as_json: bool) -> None:
-    """Print names one on a line, as JSON, or just their number."""
+    """Print names one per line, as JSON, or only their number."""
     if count:
         print(len(names))
     elif as_json:
@@ -85,14 +82,14 @@ def print_entries(
     count: bool,
     as_json: bool,
 ) -> None:
-    """Print names as a listing shows them, with their types if it shall.
+    """Print names as a listing, with their types if requested.
 
     Args:
         entries: Names and types.
-        facts: Returns what JSON tells of a name and its types.
-        show_types: Whether each name is followed by its types.
-        count: Whether only the number is wanted.
-        as_json: Whether JSON is.
+        facts: Returns the JSON value for a name and its types.
+        show_types: Print the types after each name.
+        count: Print only the number of names.
+        as_json: Print JSON.
     """
     if as_json and not count:
         print_json([facts(name, types) for name, types in entries])

@@ -1,4 +1,4 @@
-"""Messages as text: YAML as `ros2 topic echo` prints it, CSV, JSON, or one field."""
+"""Formatter of messages: YAML as `ros2 topic echo` prints it, CSV, JSON, or one field."""
 
 from __future__ import annotations
 
@@ -7,18 +7,25 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from zbot.interfaces.field_path import FieldPath, is_message
-from zbot.interfaces.plain_value import Shortening, items_of, json_value, leaves, plain, shown_item
+from zbot.interfaces.plain_value import (
+    Shortening,
+    csv_values,
+    items_of,
+    json_value,
+    plain,
+    shown_item,
+)
 from zbot.interfaces.yaml_text import Flow, dump
 
 if TYPE_CHECKING:
-    from zbot.node.subscription import MessageInfo
+    from zbot.node.message_info import MessageInfo
 
 SEPARATOR = "---\n"
 
 
 @dataclass(frozen=True)
 class Form(Shortening):
-    """How messages are shown; `length` is `None` for everything."""
+    """Form in which messages are printed; `length` is `None` to shorten nothing."""
 
     length: int | None = 128
     csv: bool = False
@@ -32,14 +39,14 @@ class Form(Shortening):
 
 
 class Formatter:
-    """Turns messages into text, each ending with a newline.
+    """Formatter of messages; each text ends with a newline.
 
     Args:
-        form: How they are to look.
-        with_topic: Whether they come from several topics and have to say from which.
+        form: The form of the texts.
+        with_topic: Whether each text names its topic, because there are several.
 
     Raises:
-        FieldPathError: A field of the form is no path.
+        FieldPathError: A field of the form is not a valid path.
     """
 
     def __init__(self, form: Form, *, with_topic: bool = False) -> None:
@@ -48,26 +55,26 @@ class Formatter:
         self._paths = [FieldPath(text) for text in form.fields]
 
     def check(self, message_type: type[Any]) -> None:
-        """Refuse fields that no message of a type has.
+        """Check that messages of a type have the fields of the form.
 
         Raises:
-            FieldPathError: There is one.
+            FieldPathError: They lack a field.
         """
         if not self._form.raw:
             for path in self._paths:
                 path.check(message_type)
 
     def subject(self, message: Any) -> Any:
-        """Return what a filter calls `m`: the message, or the one field that is shown."""
+        """Return `m` for a filter: the message, or its field if only one field is printed."""
         return self._paths[0].select(message) if len(self._paths) == 1 else message
 
     def text(self, topic: str, message: Any, info: MessageInfo) -> str:
         """Return a message as text.
 
         Args:
-            topic: The topic that it came from.
+            topic: The topic of the message.
             message: The message; its bytes if the form is raw.
-            info: When it was sent and received.
+            info: Times at which it was sent and received.
         """
         form = self._form
         if form.json and not form.raw:
@@ -103,7 +110,7 @@ def _value_text(form: Form, value: Any) -> str:
     items = items_of(value)
     if items and is_message(items[0]):
         return dump([plain(item, form) for item in items])
-    # What was asked for by name is shown whole, and on one line.
+    # A field that was selected by name is not shortened, and is printed on one line.
     return dump(Flow(shown_item(item, None) for item in items))
 
 
@@ -123,4 +130,4 @@ def _csv_line(form: Form, value: Any, info: MessageInfo) -> str:
             info["publication_sequence_number"],
             info["reception_sequence_number"],
         )
-    return ",".join((*map(str, head), *leaves(value, form))) + "\n"
+    return ",".join((*map(str, head), *csv_values(value, form))) + "\n"

@@ -1,4 +1,4 @@
-"""Parameters as `zbot param` shows them, and as a file has them."""
+"""Parameters as text: as `zbot param` prints them, and as a parameter file."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
 
 
 def message_of(name: str, text: str) -> Any:
-    """Return a parameter's message, its type guessed from the text of its value."""
+    """Return a parameter's message, with a type that follows from the text of the value."""
     from rcl_interfaces.msg import Parameter as Message  # noqa: PLC0415 - made at first import
 
     return Message(name=name, value=get_parameter_value(text))
 
 
 def shown(parameter: Parameter[Any], *, hide_type: bool) -> str:
-    """Return a value with its type in front, as ros2 writes it."""
+    """Return a value after its type, as ros2 prints it."""
     kind = parameter.type_
     if kind is Parameter.Type.NOT_SET:
         return "Parameter not set."
@@ -32,7 +32,7 @@ def shown(parameter: Parameter[Any], *, hide_type: bool) -> str:
 
 
 def plain_values(found: Mapping[str, Parameter[Any]]) -> dict[str, Any]:
-    """Return values that JSON and YAML have: bytes as integers."""
+    """Return values for JSON and YAML, with bytes as integers."""
     return {name: _plain(parameter) for name, parameter in found.items()}
 
 
@@ -46,7 +46,7 @@ def _plain(parameter: Parameter[Any]) -> Any:
 
 
 def description(descriptor: Any) -> dict[str, Any]:
-    """Return what a descriptor's message says, without what it leaves open."""
+    """Return the fields of a descriptor that are set."""
     limits = (*descriptor.integer_range, *descriptor.floating_point_range)
     facts = {
         "name": descriptor.name,
@@ -62,7 +62,7 @@ def description(descriptor: Any) -> dict[str, Any]:
 
 
 def description_lines(descriptor: Any) -> Iterator[str]:
-    """Yield a descriptor's lines, as ros2 writes them."""
+    """Yield a descriptor's lines, as ros2 prints them."""
     yield f"Parameter name: {descriptor.name}"
     yield f"  Type: {Parameter.Type(descriptor.type).text}"
     if descriptor.description:
@@ -83,7 +83,7 @@ def description_lines(descriptor: Any) -> Iterator[str]:
 
 
 def file_text(values: Mapping[str, Mapping[str, Parameter[Any]]]) -> str:
-    """Return a parameter file of some nodes' values; what has no value is left out."""
+    """Return a parameter file with values of nodes; parameters without a value are left out."""
     return yaml_text.dump(
         {
             node: {
@@ -101,7 +101,7 @@ def file_text(values: Mapping[str, Mapping[str, Parameter[Any]]]) -> str:
 
 
 def _safe(value: Any) -> Any:
-    """Return a value so that it is read back as what it is: `1e3` is a text only in quotes."""
+    """Return a value that YAML reads back with the same type: the text `1e3` needs quotes."""
     if isinstance(value, list):
         return [_safe(one) for one in value]
     if not isinstance(value, str):
@@ -114,7 +114,7 @@ def _safe(value: Any) -> Any:
 
 
 def _tree(values: dict[str, Any]) -> dict[str, Any]:
-    """Return dotted names as nested groups; beside a value of the same name, with their dots."""
+    """Return dotted names as nested groups; a name stays dotted if its prefix has a value too."""
     tree: dict[str, Any] = {}
     for name, value in values.items():
         *groups, last = name.split(PARAMETER_SEPARATOR_STRING)
@@ -137,7 +137,7 @@ def _sorted(tree: dict[str, Any]) -> Iterator[tuple[str, Any]]:
 def values_for(
     content: Sequence[tuple[str, dict[str, Any]]], node: str, *, use_wildcards: bool
 ) -> dict[str, Any]:
-    """Return what a file has for a node; what its own name says wins over `/**` and the like."""
+    """Return a file's values for a node; those under the node's own name override wildcards."""
     groups = [
         (pattern, values)
         for pattern, values in content

@@ -1,4 +1,4 @@
-"""How an error looks on the screen."""
+"""Report of an error on stderr."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def report(error: ZbotError) -> Status:
-    """Print an error as ros2 does, its bare sentence, and below it what to do about it."""
+    """Print an error's message as ros2 does, without a prefix, and below it the hint."""
     print(error, file=sys.stderr)
     hint = getattr(error, "hint", None)
     if hint:

@@ -1,4 +1,4 @@
-"""Events of services as text: the name of the step stands in place of its number."""
+"""Service events as text, with the name of the event type instead of its number."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _NAMES = {step.value: step.name for step in Step}
 
 
 def event_json(event: Any) -> dict[str, Any]:
-    """Return an event for JSON."""
+    """Return an event as a value for JSON."""
     return _named(json_value(event))
 
 

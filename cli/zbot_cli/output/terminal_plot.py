@@ -1,4 +1,4 @@
-"""`zbot plot --terminal`: curves that are drawn where the command was typed."""
+"""Plot of `zbot plot --terminal`, drawn in the terminal."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from zbot.web.watch import Watch
 
 _FRAME_S = 0.1
-#: Into a file or a pipe, which keep every picture.
+#: Seconds between two pictures in a file or a pipe, where all pictures are kept.
 _PIPED_FRAME_S = 1.0
 _MOST_POINTS = 20_000
 _HOME, _CLEAR_LINE, _CLEAR_BELOW = "\033[H", "\033[K", "\033[J"
@@ -34,13 +34,13 @@ class _Watcher:
 
 
 class TerminalPlot:
-    """Draws curves until Ctrl-C, or for a time.
+    """Plot that is drawn until Ctrl-C, or for a time.
 
     Args:
         system: The running system.
-        names: Topics and fields of them; a topic without a field stands for all its numbers.
-        window_s: How much time the plot shows.
-        duration_s: When to end; None for never.
+        names: Topics or fields of topics; a topic stands for all its numeric fields.
+        window_s: Seconds that the plot shows.
+        duration_s: Seconds until the end; `None` for no end.
     """
 
     def __init__(
@@ -51,7 +51,7 @@ class TerminalPlot:
         window_s: float,
         duration_s: float | None,
     ) -> None:
-        from zbot.web.curve import Curves  # noqa: PLC0415 - `zbot plot --help` does without
+        from zbot.web.curve import Curves  # noqa: PLC0415 - not needed by `zbot plot --help`
 
         self._curves: Curves = Curves(_Watcher(system))
         for topic, field in names:
@@ -63,7 +63,7 @@ class TerminalPlot:
         self._is_terminal = sys.stdout.isatty()
 
     def run(self) -> None:
-        """Draw until Ctrl-C or the end of the time."""
+        """Draw until Ctrl-C or the end of the duration."""
         if not self._is_terminal:
             self._loop(_PIPED_FRAME_S)
             return
@@ -71,17 +71,17 @@ class TerminalPlot:
         try:
             self._loop(_FRAME_S)
         finally:
-            # What was seen last stays readable behind the prompt.
+            # The last picture stays readable above the prompt.
             print(_LEAVE + "\n".join(self._lines()))
 
     def _loop(self, frame_s: float) -> None:
         pause = threading.Event()
         while self._duration_s is None or time.time() - self._began_s < self._duration_s:
             pause.wait(frame_s)
-            self._take()
+            self._read_new_points()
             self._show()
 
-    def _take(self) -> None:
+    def _read_new_points(self) -> None:
         for name, flat in self._curves.take().items():
             points = self._points.setdefault(name, deque(maxlen=_MOST_POINTS))
             points.extend(zip(flat[::2], flat[1::2], strict=True))

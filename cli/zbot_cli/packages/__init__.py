@@ -1,1 +1,1 @@
-"""Packages of ROS 2 on disk: finding what they can run, creating and checking them."""
+"""Packages of ROS 2 on disk: their executables, creation and checks."""

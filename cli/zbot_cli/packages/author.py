@@ -1,4 +1,4 @@
-"""Who is at the keyboard, as far as git or the system knows."""
+"""Name and e-mail address of the user, from git or the system."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ import subprocess
 
 
 def full_name() -> str:
-    """Return the name that git commits under, else the login name."""
+    """Return the name in git's configuration, else the login name."""
     return _git("user.name") or _login_name()
 
 
 def email_address(name: str) -> str:
-    """Return the address that git commits under, else one that asks to be replaced."""
+    """Return the address in git's configuration, else a placeholder at `todo.todo`."""
     return _git("user.email") or f"{re.sub(r'[^a-z0-9]+', '.', name.lower()).strip('.')}@todo.todo"
 
 
 def _login_name() -> str:
-    import getpass  # noqa: PLC0415 - git knows most people
+    import getpass  # noqa: PLC0415 - needed only without a name in git
 
     try:
         return getpass.getuser()

@@ -1,4 +1,4 @@
-"""Writes new packages, telling each step as ROS 2 does."""
+"""Writer of new packages, which prints each step as `ros2 pkg create` does."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class PackageNameError(ZbotError):
 
 
 class PackageExistsError(ZbotError):
-    """There is something in the place of the new package."""
+    """The folder of the new package already exists."""
 
     def __init__(self, folder: str) -> None:
         self.folder = folder
@@ -46,7 +46,7 @@ class PackageExistsError(ZbotError):
 
 
 class ReservedNameError(ZbotError):
-    """The tests of a package are in a folder of that name."""
+    """A Python package cannot be named `test`: that is the folder of its tests."""
 
     def __init__(self) -> None:
         super().__init__(
@@ -65,7 +65,7 @@ class FolderError(ZbotError):
 
 @dataclass(frozen=True)
 class Plan:
-    """What a new package is to be."""
+    """Plan of a new package: its names, texts and files."""
 
     name: str
     destination: str
@@ -80,7 +80,7 @@ class Plan:
     library: str
 
     def lines(self) -> Iterator[str]:
-        """Yield what is told before anything is written."""
+        """Yield the lines that are printed before files are written."""
         yield "going to create a new package"
         yield f"package name: {self.name}"
         yield f"destination directory: {Path(self.destination).absolute()}"
@@ -98,7 +98,7 @@ class Plan:
 
 
 def known_licenses() -> list[str]:
-    """Return the identifiers of the licences whose texts are at hand."""
+    """Return the SPDX identifiers of the licences whose texts zbot has."""
     folder = files("zbot_cli.packages") / "licenses"
     return sorted(entry.name.removesuffix(".txt") for entry in folder.iterdir())
 
@@ -107,10 +107,10 @@ def create(plan: Plan) -> None:
     """Write a package.
 
     Raises:
-        PackageNameError: One of its names would not work.
-        ReservedNameError: So would the package's.
-        PackageExistsError: Something has its place.
-        FolderError: It cannot be written.
+        PackageNameError: The name of the package, node or library is invalid.
+        ReservedNameError: The package is named `test`.
+        PackageExistsError: Its folder already exists.
+        FolderError: A file cannot be written.
     """
     _check(plan)
     print(*plan.lines(), sep="\n")
@@ -133,7 +133,7 @@ def _check(plan: Plan) -> None:
 
 
 def _shown(folder: str, *names: str) -> str:
-    """Return a path as ros2 shows it: with the `.` that Path would leave out."""
+    """Return a path as ros2 prints it, with a leading `.`, which Path would remove."""
     return "/".join((folder.rstrip("/\\") or "/", *names)).replace("//", "/")
 
 

@@ -1,4 +1,4 @@
-"""What `zbot run` can run: packages of the workspace, bundled nodes, installed packages."""
+"""Executables that `zbot run` finds: in the workspace, bundled with zbot, and installed."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BUNDLED = "zbot_nodes"
 _PROJECT = "zbot"
 _COMMAND = "zbot_cli."
 _DEMO_NODES = frozenset({"add_two_ints_client", "add_two_ints_server", "listener", "talker"})
-#: Names of packages that also stand for nodes that zbot bundles; the empty set: for all of them.
+#: Names of ROS 2 packages, with the bundled nodes that each contains; an empty set means all.
 _ALIASES: dict[str, frozenset[str]] = {
     "action_tutorials_cpp": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
     "action_tutorials_py": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
@@ -30,18 +30,18 @@ _ALIASES: dict[str, frozenset[str]] = {
     "tf2_ros": frozenset({"static_transform_publisher", "tf2_echo"}),
     "turtlesim": frozenset({"draw_square", "mimic", "turtle_teleop_key", "turtlesim_node"}),
 }
-#: Bundled nodes under a second name: a package's own name stands for the node that it is about.
+#: Short names of bundled nodes.
 _NICKNAMES = {"turtlesim": "turtlesim_node"}
 
 
 @dataclass(frozen=True, order=True)
 class Executable:
-    """Something that can be run."""
+    """Program of a package."""
 
     package: str
     name: str
     target: str  #: `module:function`, or the path of a file
-    folders: tuple[str, ...] = ()  #: have to be on Python's path for the module to be found
+    folders: tuple[str, ...] = ()  #: folders on Python's path in which the module is found
 
 
 def is_file(target: str) -> bool:
@@ -51,26 +51,26 @@ def is_file(target: str) -> bool:
 
 @dataclass(frozen=True)
 class Package:
-    """A package that may have executables."""
+    """Package with its executables, possibly none."""
 
     name: str
     executables: tuple[Executable, ...] = ()
-    folder: Path | None = None  #: where its sources are; None if it is installed
-    fault: str = ""  #: why its executables are not known
-    compiled: frozenset[str] = frozenset()  #: the C++ programs that it has too
+    folder: Path | None = None  #: folder of the sources; `None` for an installed package
+    fault: str = ""  #: reason why its executables are unknown
+    compiled: frozenset[str] = frozenset()  #: its C++ programs, which zbot cannot run
 
     def has_module(self, name: str) -> bool:
-        """Return whether it has a module of that name, which setup.py does not mention."""
+        """Return whether the sources have a module of that name, declared in setup.py or not."""
         return self.folder is not None and (self.folder / self.name / f"{name}.py").is_file()
 
 
 def all_packages() -> list[Package]:
-    """Return every package that has executables, those of the workspace first."""
+    """Return all packages with executables, those of the workspace first."""
     return [*workspace_packages(), *bundled_packages(), *installed_packages()]
 
 
 def workspace_packages() -> list[Package]:
-    """Return the packages around the current folder, or below those of `$ZBOT_WORKSPACE`."""
+    """Return the packages of the current folder's workspace, or of `$ZBOT_WORKSPACE`."""
     folders = list(package_folders())
     paths = tuple(dict.fromkeys(path for folder in folders for path in import_paths(folder)))
     return [_of_sources(folder, paths) for folder in folders]
@@ -86,7 +86,7 @@ def import_paths(folder: Path) -> list[str]:
 def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
     name = package_name(folder)
     own = import_paths(folder)
-    # As after sourcing a ROS 2 workspace: every package can import every other.
+    # Every package can import every other, as in a ROS 2 workspace that is sourced.
     folders = (*own, *(path for path in paths if path not in own))
     try:
         scripts, files = declared_scripts(folder), program_files(folder)
@@ -95,7 +95,7 @@ def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
     declared = [
         Executable(name, one, target, folders)
         for one, target in scripts.items()
-        if not target.startswith(_COMMAND)  # in zbot's own sources
+        if not target.startswith(_COMMAND)  # the `zbot` command itself, in zbot's own sources
     ]
     installed = [Executable(name, one, str(path), folders) for one, path in files.items()]
     compiled = frozenset(read_cmake(folder).compiled)
@@ -103,7 +103,7 @@ def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
 
 
 def program_files(folder: Path) -> dict[str, Path]:
-    """Return the Python files that build files install as programs, and those in `scripts`.
+    """Return the Python files that setup.py or CMakeLists.txt install as programs, and `scripts`.
 
     Raises:
         SetupFileError: The package's setup.py cannot be read.
@@ -118,7 +118,7 @@ def program_files(folder: Path) -> dict[str, Path]:
 
 
 def _data_programs(folder: Path) -> dict[str, Path]:
-    """Return the files that a setup.py puts where ROS 2 looks for programs."""
+    """Return the files that setup.py installs into `lib/<package>`, where ROS 2 has programs."""
     if "lib/" not in read_text(folder / "setup.py"):
         return {}
     place = PurePosixPath("lib", package_name(folder))
@@ -132,13 +132,13 @@ def _is_python(path: Path) -> bool:
     try:
         with path.open("rb") as file:
             first = file.readline(200)
-    except OSError:  # running it will tell
+    except OSError:  # `zbot run` reports the error
         return False
     return first.startswith(b"#!") and b"python" in first
 
 
 def program_file(executable: Executable) -> str:
-    """Return the file that a program is in; its `module:function` if none can be found."""
+    """Return the file of a program, or its `module:function` if the file is not found."""
     if is_file(executable.target):
         return executable.target
     module = executable.target.partition(":")[0].strip()
@@ -146,7 +146,7 @@ def program_file(executable: Executable) -> str:
 
 
 def module_file(module: str, folders: tuple[str, ...]) -> Path | None:
-    """Return the file of a module in folders, or installed; nothing is imported for it."""
+    """Return the file of a module in folders or installed, without importing anything."""
     spec = PathFinder.find_spec(module.partition(".")[0], [*folders, *sys.path])
     origin = spec.origin if spec is not None else None
     for name in module.split(".")[1:]:
@@ -156,7 +156,7 @@ def module_file(module: str, folders: tuple[str, ...]) -> Path | None:
 
 
 def bundled_packages() -> list[Package]:
-    """Return the nodes that come with zbot, under each package name that they go by."""
+    """Return the packages of the bundled nodes: zbot's own and ROS 2's names for them."""
     spec = importlib.util.find_spec(BUNDLED)
     folders = (spec and spec.submodule_search_locations) or ()
     modules = sorted(path.stem for folder in folders for path in Path(folder).glob("[a-z]*.py"))
@@ -170,8 +170,8 @@ def bundled_packages() -> list[Package]:
 
 
 def installed_packages() -> list[Package]:
-    """Return installed packages that declare nodes; zbot's own are among the bundled ones."""
-    from importlib.metadata import entry_points  # noqa: PLC0415 - 40 ms; bundled nodes need it not
+    """Return installed packages that declare nodes, without zbot, whose nodes are bundled."""
+    from importlib.metadata import entry_points  # noqa: PLC0415 - 40 ms, not needed by bundled nodes
 
     found: dict[str, list[Executable]] = {}
     for point in entry_points(group=GROUP):
@@ -183,7 +183,7 @@ def installed_packages() -> list[Package]:
 
 
 def installed_package(name: str) -> list[Package]:
-    """Return the package that is installed under a name, with its commands; or nothing."""
+    """Return the installed package of a name with its commands; an empty list if there is none."""
     from importlib.metadata import PackageNotFoundError, distribution  # noqa: PLC0415 - as above
 
     try:

@@ -1,4 +1,4 @@
-"""Which launch file a command line means."""
+"""Launch file of a command line: its path, and candidates for completion."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from zbot.errors import close_matches
 from zbot.launch.errors import LaunchFileNotFoundError
 from zbot.package import PackageNotFoundError, package_share, packages
-from zbot.package.view import files_below
+from zbot.package.symlink_install import files_below
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
@@ -20,9 +20,9 @@ _MARKS = (".launch.", "_launch.")
 
 
 def find(words: Sequence[str]) -> tuple[Path, list[str]]:
-    """Return the launch file that a command line begins with, and the words that are its own.
+    """Return the launch file that a command line begins with, and its arguments.
 
-    That is a path, a package and a file in it, or the name of a file that comes with zbot.
+    The command line has a path, a package and a file in it, or the name of one of zbot's own.
 
     Raises:
         LaunchFileNotFoundError: There is no such file, or there are several.
@@ -40,10 +40,10 @@ def find(words: Sequence[str]) -> tuple[Path, list[str]]:
 
 
 def in_package(package: str, name: str) -> Path:
-    """Return the launch file of that name in what a package shares.
+    """Return the launch file of that name in the share folder of a package.
 
     Raises:
-        LaunchFileNotFoundError: There is none, or there are several.
+        LaunchFileNotFoundError: The package has none or several of that name.
         PackageNotFoundError: There is no such package.
     """
     share = package_share(package)
@@ -74,16 +74,16 @@ def launch_files(package: str) -> list[Path]:
 
 
 def stem(path: Path) -> str:
-    """Return the name of a launch file without what makes it one: `temperature`."""
+    """Return the name of a launch file without its suffixes, e.g. `temperature`."""
     name = path.name.removesuffix(path.suffix)
     return name.removesuffix(".launch").removesuffix("_launch")
 
 
 def candidates(done: Sequence[str]) -> Iterable[str]:
-    """Return what could come next after words of a command line.
+    """Return the possible next words of a command line.
 
     Raises:
-        ZbotError: A word is no package, or its launch file makes no sense.
+        ZbotError: There is no such package, or the launch file is invalid.
     """
     if not done:
         return [*(stem(path) for path in launch_files(_BUNDLED)), *packages()]
@@ -114,7 +114,7 @@ def _not_found(word: str) -> LaunchFileNotFoundError:
         inside = [path.name for path in launch_files(word)]
     except PackageNotFoundError:
         known = [stem(path) for path in launch_files(_BUNDLED)]
-        text = f"'{word}' is no path, no package and no launch file that comes with zbot"
+        text = f"'{word}' is not a path, a package or the name of a launch file of zbot"
         hint = _guess(word, known) or f"zbot has {', '.join(known)}"
         return LaunchFileNotFoundError(text, hint)
     hint = f"it has {', '.join(inside) or 'none'}"

@@ -1,6 +1,6 @@
-"""The files of a new package, as ROS 2's own `pkg create` lays them out.
+"""Templates of the files of a new package, arranged as `ros2 pkg create` arranges them.
 
-Tutorials tell which line of which file to change: those lines are as tutorials show them.
+Tutorials say which lines of these files to change: those lines are as tutorials show them.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ if __name__ == '__main__':
     main()
 """)
 
-#: A linter of ROS 2 by the name of its test; where it is not installed, the test is skipped.
+#: Test that runs a linter of ROS 2; it is skipped if the linter is not installed.
 LINT_TEST = Template("""\
 import pytest
 

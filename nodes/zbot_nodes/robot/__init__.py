@@ -1,1 +1,1 @@
-"""What the nodes of the simulated robot share: its world, and how it says where it is."""
+"""World and pose of the simulated robot, which its nodes share."""

@@ -1,4 +1,4 @@
-"""Where the robot is, and how messages say it."""
+"""Pose of the robot, and its conversion from and to messages."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from geometry_msgs.msg import Quaternion
 if TYPE_CHECKING:
     from nav_msgs.msg import Odometry
 
-#: The topic by which simulated sensors learn where the robot is. A real sensor needs no telling;
-#: its name begins with `_`, so that lists and graphs do not show it.
+#: Topic with the true pose, for the simulated sensors. A real sensor does not need it, so it is
+#: hidden from lists and graphs: its last part begins with `_`.
 TRUTH = "_ground_truth"
 
 
 class Pose(NamedTuple):
-    """A place on the floor and a heading."""
+    """Position on the floor and heading."""
 
     x: float = 0.0  #: metres
     y: float = 0.0  #: metres
@@ -30,15 +30,15 @@ def pose_of(msg: Odometry) -> Pose:
 
 
 def to_quaternion(yaw: float) -> Quaternion:
-    """Return a turn about the vertical axis as a quaternion."""
+    """Return a rotation about the vertical axis as a quaternion."""
     return Quaternion(z=math.sin(yaw / 2), w=math.cos(yaw / 2))
 
 
 def to_yaw(q: Quaternion) -> float:
-    """Return the part of a turn that is about the vertical axis, from -pi to pi."""
+    """Return the rotation about the vertical axis of a quaternion, from -pi to pi."""
     return math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z))
 
 
 def turn_to(angle: float) -> float:
-    """Return the same direction as an angle from -pi to pi: the shorter way to turn."""
+    """Return an angle as the equal angle from -pi to pi: the shorter way to turn."""
     return math.atan2(math.sin(angle), math.cos(angle))

@@ -1,4 +1,4 @@
-"""The small world of the simulated robot: a room with two boxes in it.
+"""World of the simulated robot: a room with two boxes in it.
 
   y
  2.5 +-----------------------------+
@@ -20,7 +20,7 @@ from typing import NamedTuple
 
 
 class Box(NamedTuple):
-    """A rectangle from one corner to the opposite one, in metres."""
+    """Rectangle between two opposite corners, in metres."""
 
     left: float
     bottom: float
@@ -28,7 +28,7 @@ class Box(NamedTuple):
     top: float
 
     def holds(self, x: float, y: float, margin: float = 0.0) -> bool:
-        """Return whether a point is in the box, or less than `margin` beside it."""
+        """Return whether a point is in the box, or less than `margin` metres outside."""
         return (
             self.left - margin < x < self.right + margin
             and self.bottom - margin < y < self.top + margin
@@ -41,13 +41,13 @@ ROBOT_RADIUS_M = 0.2
 
 
 def is_free(x: float, y: float) -> bool:
-    """Return whether the robot has room there, with its middle at (x, y)."""
+    """Return whether the robot fits with its centre at (x, y)."""
     inside = ROOM.holds(x, y, margin=-ROBOT_RADIUS_M)
     return inside and not any(box.holds(x, y, margin=ROBOT_RADIUS_M) for box in OBSTACLES)
 
 
 def distance(x: float, y: float, angle: float) -> float:
-    """Return how far it is from (x, y) to the first wall in a direction.
+    """Return the distance from (x, y) to the first wall in a direction.
 
     Args:
         x: Metres.
@@ -55,12 +55,12 @@ def distance(x: float, y: float, angle: float) -> float:
         angle: Radians, counter-clockwise from the x axis.
 
     Returns:
-        Metres; infinity from outside the room if no wall is in that direction.
+        Metres; infinity if no wall is in that direction, seen from outside of the room.
     """
     cos, sin = math.cos(angle), math.sin(angle)
     nearest = math.inf
     for box in (ROOM, *OBSTACLES):
-        if abs(cos) > 1e-9:  # else the ray runs along these two walls
+        if abs(cos) > 1e-9:  # otherwise the ray is parallel to these two walls
             for wall_x in (box.left, box.right):
                 t = (wall_x - x) / cos
                 if 0 < t < nearest and box.bottom <= y + t * sin <= box.top:

@@ -1,1 +1,1 @@
-"""The turtle simulator: its world, what turtles draw, and the keyboard."""
+"""Parts of the turtle simulator: its world, the drawing of the turtles, and the keyboard."""

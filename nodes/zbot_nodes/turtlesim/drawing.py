@@ -1,4 +1,4 @@
-"""What turtles have drawn: lines for whoever shows them, and pixels for the colour sensor."""
+"""Drawing of the turtles: lines for pages that show it, and pixels for the colour sensor."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from typing import NamedTuple
 from zbot_nodes.turtlesim.picture import png
 
 WIDTH = HEIGHT = 500  #: pixels
-_UNTOUCHED = (255, 255, 255, 0)  # the colour sensor sees white there, a page what is behind
-_MOST_LINES = 2000  # half a minute of a turtle; whoever asks less often gets the picture
+_UNTOUCHED = (255, 255, 255, 0)  # white for the colour sensor, transparent for a page
+_MOST_LINES = 2000  # half a minute of a turtle; a page that asks less often gets the picture
 
 
 class Pen(NamedTuple):
-    """How a turtle draws."""
+    """Pen of a turtle."""
 
     r: int = 179
     g: int = 184
@@ -24,7 +24,7 @@ class Pen(NamedTuple):
 
 
 class Line(NamedTuple):
-    """A straight line, in pixels from the upper left corner."""
+    """Straight line, in pixels from the upper left corner."""
 
     x0: float
     y0: float
@@ -34,11 +34,11 @@ class Line(NamedTuple):
 
 
 class Drawing:
-    """A sheet of 500 x 500 pixels, and the lines that were drawn on it of late."""
+    """Drawing of 500 x 500 pixels, with its most recent lines."""
 
     def __init__(self) -> None:
         self.lines: deque[Line] = deque(maxlen=_MOST_LINES)
-        self.until = 0  #: how many lines, and times that the sheet was wiped
+        self.until = 0  #: number of lines that were drawn and of times that the drawing was cleared
         self._pixels = bytearray()
         self.clear()
 
@@ -49,10 +49,10 @@ class Drawing:
         self._pixels[:] = bytes(_UNTOUCHED) * (WIDTH * HEIGHT)
 
     def add(self, line: Line) -> None:
-        """Draw a line: square ends, hard edges; what lies outside the sheet is lost."""
+        """Draw a line with square ends and without antialiasing; pixels outside are ignored."""
         self.lines.append(line)
         self.until += 1
-        # A square of the pen's width on each pixel of the way: that is what square caps look like.
+        # Square ends: a square of the pen's width is drawn on each pixel of the line.
         steps = max(1, round(max(abs(line.x1 - line.x0), abs(line.y1 - line.y0))))
         for step in range(steps + 1):
             share = step / steps
@@ -63,10 +63,10 @@ class Drawing:
             )
 
     def since(self, until: int) -> list[Line] | None:
-        """Return the lines that were added after `until` had a value.
+        """Return the lines that were added since `self.until` had this value.
 
         Returns:
-            The lines, or `None` if they do not tell all: the sheet was wiped, or they are too many.
+            The lines; `None` if the drawing was cleared since, or if there are too many lines.
         """
         first = self.until - len(self.lines)
         if not first <= until <= self.until:
@@ -74,7 +74,7 @@ class Drawing:
         return list(itertools.islice(self.lines, until - first, None))
 
     def picture(self) -> bytes:
-        """Return everything that was drawn as a PNG file, transparent where nobody drew."""
+        """Return the drawing as a PNG file, transparent where nothing was drawn."""
         return png(WIDTH, HEIGHT, self._pixels)
 
     def _stamp(self, x: int, y: int, pen: Pen) -> None:
@@ -89,7 +89,7 @@ class Drawing:
             self._pixels[begin : begin + len(row)] = row
 
     def colour_at(self, x: float, y: float) -> tuple[int, int, int]:
-        """Return red, green and blue of the pixel nearest to a point, white where nobody drew."""
+        """Return red, green and blue of the pixel at a point; white where nothing was drawn."""
         column = min(max(round(x), 0), WIDTH - 1)
         row = min(max(round(y), 0), HEIGHT - 1)
         begin = (row * WIDTH + column) * 4

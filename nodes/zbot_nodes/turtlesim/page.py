@@ -1,4 +1,4 @@
-"""Showing the turtles to whoever started them, in the browser."""
+"""Page of the turtle simulator, opened in the browser of the user who started it."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 from urllib.parse import quote
 
-from zbot.web.announcement import running_page
 from zbot.web.browser import has_desktop, open_page
-from zbot.web.companion import Companion, is_installed
+from zbot.web.page_discovery import running_page
+from zbot.web.page_process import PageProcess, is_installed
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -22,9 +22,9 @@ _HOW_TO_GET = "The turtles can be seen in a browser: pip install 'zbot[web]'"
 
 @contextmanager
 def shown(node: zbot.Node) -> Iterator[None]:
-    """Show a simulator in the browser meanwhile, unless nobody is there or wants to see it.
+    """Show a simulator in the browser during the `with` block, if a user is at the terminal.
 
-    A page of this machine that shows the domain already is used; otherwise one is served. The
+    A page of this machine that already shows the domain is used; otherwise one is served. The
     option `--no-browser` and `$ZBOT_NO_BROWSER` prevent it.
     """
     if NO_BROWSER in sys.argv or not has_desktop():
@@ -40,5 +40,5 @@ def shown(node: zbot.Node) -> Iterator[None]:
         open_page(address + path)
         yield
         return
-    with Companion(path):
+    with PageProcess(path):
         yield

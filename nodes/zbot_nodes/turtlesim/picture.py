@@ -1,4 +1,4 @@
-"""Pixels as a PNG file, for pages."""
+"""Encoder of PNG files, for the page."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _FASTEST = 1
 
 
 def png(width: int, height: int, rgba: bytes | bytearray) -> bytes:
-    """Return rows of red, green, blue and opacity, from the top, as a PNG file."""
+    """Return pixels (red, green, blue and opacity, row by row from the top) as a PNG file."""
     size = width * 4
     rows = b"".join(b"\0" + rgba[row * size : (row + 1) * size] for row in range(height))
     header = struct.pack(">IIBBBBB", width, height, 8, _RGBA, 0, 0, 0)

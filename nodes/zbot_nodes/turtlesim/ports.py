@@ -1,4 +1,4 @@
-"""What one turtle has in the graph: its topics, services and action."""
+"""Entities of one turtle: its topics, services and action."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ class TurtlePorts:
     """The topics, services and the action of one turtle.
 
     Args:
-        node: Has them; also its parameter `holonomic` counts.
-        world: Where the turtle is.
+        node: The node that has the entities, and the parameter `holonomic`.
+        world: The world of the turtle.
         turtle: The turtle.
     """
 
@@ -47,20 +47,20 @@ class TurtlePorts:
         )
 
     def drive(self, command: Twist) -> None:
-        """Take a velocity; sideways only if turtles are holonomic."""
+        """Set the turtle's velocity; sideways only if turtles are holonomic."""
         is_holonomic = self.node.get_parameter("holonomic").value
         sideways = command.linear.y if is_holonomic else None
         self.world.command(self.turtle.name, command.linear.x, command.angular.z, sideways)
 
     def set_pen(self, request: SetPen.Request, response: SetPen.Response) -> SetPen.Response:
-        """Change what the turtle draws with."""
+        """Change the turtle's pen."""
         self.turtle.set_pen(request.r, request.g, request.b, request.width, request.off)
         return response
 
     def teleport_to(
         self, request: TeleportAbsolute.Request, response: TeleportAbsolute.Response
     ) -> TeleportAbsolute.Response:
-        """Jump to a place."""
+        """Jump to a position."""
         self.turtle.teleport_to(request.x, request.y, request.theta)
         return response
 
@@ -72,7 +72,7 @@ class TurtlePorts:
         return response
 
     async def rotate(self, goal_handle: Any) -> RotateAbsolute.Result:
-        """Turn to a heading, tick by tick."""
+        """Turn to a heading; one step at each tick."""
         ended: zbot.Future[RotateAbsolute.Result] = zbot.Future()
         endings = {
             RotationState.SUCCEEDED: goal_handle.succeed,
@@ -84,17 +84,19 @@ class TurtlePorts:
             endings[state]()
             ended.set_result(RotateAbsolute.Result(delta=delta))
 
-        def tell(remaining: float) -> None:
+        def send_feedback(remaining: float) -> None:
             goal_handle.publish_feedback(RotateAbsolute.Feedback(remaining=remaining))
 
         theta = goal_handle.request.theta
-        rotation = Rotation(theta, tell, end, lambda: bool(goal_handle.is_cancel_requested))
+        rotation = Rotation(
+            theta, send_feedback, end, lambda: bool(goal_handle.is_cancel_requested)
+        )
         self.world.rotate(self.turtle.name, rotation)
         result = await ended
         return result if result is not None else RotateAbsolute.Result()
 
     def publish(self) -> None:
-        """Tell where the turtle is and what colour is below it."""
+        """Publish the turtle's pose and the colour below it."""
         turtle = self.turtle
         self.pose.publish(
             Pose(
@@ -109,7 +111,7 @@ class TurtlePorts:
         self.color.publish(Color(r=r, g=g, b=b))
 
     def destroy(self) -> None:
-        """Take everything back."""
+        """Destroy the entities."""
         self.rotate_absolute.destroy()
         for service in self.services:
             self.node.destroy_service(service)

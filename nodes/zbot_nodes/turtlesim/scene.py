@@ -1,4 +1,4 @@
-"""What a page shows of a turtlesim, told to whoever asks."""
+"""Service for pages that show a turtlesim."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ if TYPE_CHECKING:
 
     from zbot_msgs.srv import TurtleScene
 
-#: The service's name; below the node's own, and hidden as the last part begins with `_`.
+#: Name of the service, below the node's name; hidden, because its last part begins with `_`.
 SCENE = "~/_scene"
 
 
 class Scene:
-    """Answers a page's requests, each with what is new since the one before.
+    """Server of the scene: each response has the changes since the page's request before.
 
     Args:
-        world: What is to be seen.
+        world: The world to show.
     """
 
     def __init__(self, world: TurtleWorld) -> None:
@@ -29,10 +29,10 @@ class Scene:
         self._run = secrets.randbits(32)
         self.background = Color()
 
-    def tell(
+    def fill_response(
         self, request: TurtleScene.Request, response: TurtleScene.Response
     ) -> TurtleScene.Response:
-        """Fill in an answer."""
+        """Fill in a response."""
         drawing = self._world.drawing
         lines = drawing.since(request.until) if request.run == self._run else None
         if lines is None:

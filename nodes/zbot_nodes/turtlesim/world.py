@@ -1,7 +1,7 @@
-"""The turtles' world: a square in which time advances in ticks. No clock, no messages, no window.
+"""World of the turtles: a square in which time advances by ticks, without clock and messages.
 
-The numbers and the order of things are those of ROS 2's turtlesim, so that what a tutorial prints
-comes out here too. Inside, y points down as in a picture; outside it points up.
+Constants and order of operations are those of ROS 2's turtlesim, so that the output is the same as
+in tutorials. In this module y points down, as in a picture; in messages it points up.
 """
 
 from __future__ import annotations
@@ -15,17 +15,17 @@ from struct import pack, unpack
 
 from zbot_nodes.turtlesim.drawing import HEIGHT, Drawing, Line, Pen
 
-TICK_S = 0.016  #: seconds of the world a tick
+TICK_S = 0.016  #: seconds of one tick
 PIXELS_PER_METRE = 45.0
-#: Metres a side; a 32-bit float in turtlesim, and its error can be seen in what is printed.
+#: Metres of one side; a 32-bit float in turtlesim, whose rounding error is visible in its output.
 SIZE: float = unpack("f", pack("f", (HEIGHT - 1) / PIXELS_PER_METRE))[0]
 
-_PI = 3.14159265  # as turtlesim has it
+_PI = 3.14159265  # the value in turtlesim
 _COMMAND_LASTS_S = 1.0
 _TURN_SPEED = 1.0  # rad/s towards the heading of a rotation goal
 _CLOSE_ENOUGH = 0.02  # rad
 
-#: Takes `info`, `warning` or `error`, and a sentence.
+#: Function that logs: takes `info`, `warning` or `error`, and a text.
 Log = Callable[[str, str], None]
 
 
@@ -35,7 +35,7 @@ def normal(angle: float) -> float:
 
 
 class RotationState(Enum):
-    """What became of a rotation."""
+    """End state of a rotation."""
 
     ACTIVE = "active"
     SUCCEEDED = "succeeded"
@@ -45,18 +45,20 @@ class RotationState(Enum):
 
 @dataclass
 class Rotation:
-    """A turtle's goal to turn to a heading."""
+    """Goal of a turtle: to turn to a heading."""
 
-    theta: float  #: rad, as asked for
-    on_progress: Callable[[float], None] = lambda _: None  #: gets the rad that are left
-    on_end: Callable[[RotationState, float], None] = lambda *_: None  #: and the rad turned back
+    theta: float  #: heading in rad, as requested
+    on_progress: Callable[[float], None] = lambda _: None  #: gets the remaining angle, rad
+    on_end: Callable[[RotationState, float], None] = lambda *_: (
+        None
+    )  #: gets `start` minus the heading, rad
     is_cancel_requested: Callable[[], bool] = lambda: False
-    start: float = 0.0  #: heading when it began
+    start: float = 0.0  #: heading at the start, rad
 
 
 @dataclass
 class Turtle:
-    """One turtle. Lengths in metres, angles in rad, y downwards."""
+    """Turtle; lengths in metres, angles in rad, y downwards."""
 
     name: str
     x: float
@@ -72,23 +74,23 @@ class Turtle:
 
     @property
     def y_up(self) -> float:
-        """Metres from the lower edge."""
+        """Distance from the lower edge in metres."""
         return SIZE - self.y
 
     @property
     def speed(self) -> float:
-        """m/s, never negative."""
+        """Speed in m/s, never negative."""
         return math.hypot(self.forward, self.sideways)
 
     def command(self, forward: float, turn: float, sideways: float | None = None) -> None:
-        """Take a velocity, which lasts 1 s; `sideways` keeps its value where it is `None`."""
+        """Set a velocity, which lasts 1 s; `None` keeps the present value of `sideways`."""
         self.forward, self.turn = forward, turn
         if sideways is not None:
             self.sideways = sideways
         self._since_command_s = 0.0
 
     def teleport_to(self, x: float, y_up: float, heading: float) -> None:
-        """Be elsewhere at the next tick."""
+        """Jump to a pose at the next tick."""
 
         def go() -> None:
             self.x, self.y, self.heading = x, max(0.0, SIZE - y_up), heading
@@ -96,7 +98,7 @@ class Turtle:
         self._teleports.append(go)
 
     def teleport_by(self, linear: float, angular: float) -> None:
-        """Turn, then jump ahead, at the next tick."""
+        """Turn and then jump ahead at the next tick."""
 
         def go() -> None:
             self.heading += angular
@@ -106,12 +108,12 @@ class Turtle:
         self._teleports.append(go)
 
     def set_pen(self, r: int, g: int, b: int, width: int, off: int) -> None:
-        """Put the pen down with a colour and a width in pixels (0 is 1), or lift it."""
+        """Put the pen down with a colour and a width in pixels (0 means 1), or lift it."""
         lifted = self.pen._replace(is_down=False)
         self.pen = lifted if off else Pen(r, g, b, width or 1)
 
     def rotate(self, rotation: Rotation, log: Log) -> None:
-        """Begin to turn to a heading; a goal that it still has is aborted."""
+        """Begin to turn to a heading; a previous goal that has not ended is aborted."""
         if self.rotation is not None:
             log(
                 "warning",
@@ -122,7 +124,7 @@ class Turtle:
         self.rotation = rotation
 
     def end_rotation(self, state: RotationState) -> None:
-        """Tell how the present goal ended, and forget it."""
+        """Report the end of the present goal, and remove it."""
         rotation, self.rotation = self.rotation, None
         if rotation is not None:
             rotation.on_end(state, normal(rotation.start - self.heading))
@@ -186,10 +188,10 @@ class Turtle:
 
 
 class TurtleWorld:
-    """Every turtle, and what they have drawn.
+    """World with all turtles and their drawing.
 
     Args:
-        log: Told what a user should read.
+        log: Logs texts for the user.
     """
 
     def __init__(self, log: Log = lambda _level, _text: None) -> None:
@@ -217,7 +219,7 @@ class TurtleWorld:
         return turtle
 
     def kill(self, name: str) -> None:
-        """Remove a turtle; an unknown name is only told."""
+        """Remove a turtle; an unknown name is only logged."""
         turtle = self.turtles.pop(name, None)
         if turtle is None:
             self._log("error", f"Tried to kill turtle [{name}], which does not exist")
@@ -225,12 +227,12 @@ class TurtleWorld:
             turtle.end_rotation(RotationState.ABORTED)
 
     def clear(self) -> None:
-        """Wipe out what was drawn; the turtles stay."""
+        """Clear the drawing; the turtles stay."""
         self._log("info", "Clearing turtlesim.")
         self.drawing.clear()
 
     def reset(self) -> None:
-        """Begin anew with one turtle."""
+        """Start again with one turtle."""
         self._log("info", "Resetting turtlesim.")
         for turtle in self.turtles.values():
             turtle.end_rotation(RotationState.ABORTED)
@@ -250,7 +252,7 @@ class TurtleWorld:
     def command(
         self, name: str, forward: float, turn: float, sideways: float | None = None
     ) -> None:
-        """Give a turtle a velocity; a rotation goal that it has is aborted.
+        """Set a turtle's velocity; its rotation goal is aborted.
 
         Raises:
             KeyError: There is no such turtle.
@@ -262,11 +264,11 @@ class TurtleWorld:
         turtle.command(forward, turn, sideways)
 
     def colour_under(self, turtle: Turtle) -> tuple[int, int, int]:
-        """Return red, green and blue of what was drawn where a turtle stands."""
+        """Return red, green and blue of the drawing below a turtle."""
         return self.drawing.colour_at(turtle.x * PIXELS_PER_METRE, turtle.y * PIXELS_PER_METRE)
 
     def tick(self) -> bool:
-        """Advance by 16 ms; the very first tick only begins. Return whether time advanced."""
+        """Advance by 16 ms, except at the first tick; return whether time advanced."""
         if not self._has_begun:
             self._has_begun = True
             return False

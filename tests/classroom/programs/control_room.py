@@ -15,13 +15,17 @@ import argparse
 import contextlib
 import json
 import time
+from typing import TYPE_CHECKING
 
 import zbot
 from zbot import HistoryPolicy, QoSProfile, ReliabilityPolicy
-from zbot.node.qos_events import QoSMessageLostInfo, SubscriptionEventCallbacks
+from zbot.node.event_callbacks import SubscriptionEventCallbacks
 
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
+
+if TYPE_CHECKING:
+    from zbot.node.qos_events import QoSMessageLostInfo
 
 NOTHING_LOST = QoSProfile(history=HistoryPolicy.KEEP_ALL, reliability=ReliabilityPolicy.RELIABLE)
 

@@ -1,4 +1,4 @@
-"""An action server and its client, in two contexts."""
+"""Fixtures with an action server and its client in two contexts."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def accept_cancel(_: Goal) -> CancelResponse:
 
 
 class Pair:
-    """A server and a client, each in a context of its own, spinning in threads."""
+    """Server and client, each in a context of its own, spinning in threads."""
 
     def __init__(self, make_context: MakeContext, spin: Spin) -> None:
         self.server_node = zbot.Node("server", context=make_context())
@@ -97,8 +97,8 @@ def status_of(response: Any) -> GoalState:
     return GoalState(response.status)
 
 
-async def a_turn(goal: Goal) -> None:
-    """Let others run, and go on a little later."""
+async def pause(goal: Goal) -> None:
+    """Wait 10 ms while other callbacks run."""
     later: zbot.Future[None] = zbot.Future()
     node = goal._action_server._node
     timer = node.create_timer(0.01, lambda: later.set_result(None))

@@ -1,4 +1,4 @@
-"""How goals end: well, badly, canceled, or with their server."""
+"""Tests of the ends of goals: succeeded, aborted, canceled, or failed with their server."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from tests.conftest import allowed, wait_until
 from tests.integration.actions.conftest import (
     Goal,
     Pair,
-    a_turn,
     accept_cancel,
     compute,
     done,
     goal_id,
+    pause,
     status_of,
 )
 from zbot.action import (
@@ -66,7 +66,7 @@ def test_an_exception_aborts_the_goal_and_is_reported_from_the_users_line(
     assert status_of(pair.client.send_goal(Fibonacci.Goal(order=1))) is GoalState.SUCCEEDED
 
 
-def test_a_goal_that_is_left_without_an_end_is_aborted(pair: Pair, logged: list[Record]) -> None:
+def test_a_goal_without_a_final_state_is_aborted(pair: Pair, logged: list[Record]) -> None:
     pair.begin(lambda _: Fibonacci.Result(sequence=[3]))
     response = pair.client.send_goal(Fibonacci.Goal())
     assert status_of(response) is GoalState.ABORTED
@@ -74,11 +74,11 @@ def test_a_goal_that_is_left_without_an_end_is_aborted(pair: Pair, logged: list[
     assert any("Goal state not set, assuming aborted" in record.message for record in logged)
 
 
-def test_a_missing_result_is_told_and_an_empty_one_sent(pair: Pair, logged: list[Record]) -> None:
+def test_a_missing_result_is_logged_and_sent_empty(pair: Pair, logged: list[Record]) -> None:
     pair.begin(lambda goal: goal.succeed())
     response = pair.client.send_goal(Fibonacci.Goal())
     assert status_of(response) is GoalState.SUCCEEDED
-    assert any("does it end with `return result`?" in record.message for record in logged)
+    assert any("end the callback with `return result`" in record.message for record in logged)
 
 
 def test_a_result_of_another_type_aborts(pair: Pair, logged: list[Record]) -> None:
@@ -88,21 +88,21 @@ def test_a_result_of_another_type_aborts(pair: Pair, logged: list[Record]) -> No
     assert any(expected in record.message for record in logged)
 
 
-def test_an_end_with_a_result_is_told_at_once(pair: Pair) -> None:
+def test_a_final_state_with_a_result_is_sent_at_once(pair: Pair) -> None:
     release = threading.Event()
 
     def linger(goal: Goal) -> None:
         goal.succeed(Fibonacci.Result(sequence=[5]))
         release.wait(10)
 
-    pair.begin(linger, threads=2)  # one for those who ask meanwhile
+    pair.begin(linger, threads=2)  # the second one serves result requests
     try:
         assert list(done(pair.send().get_result_async()).result.sequence) == [5]
     finally:
         release.set()
 
 
-def test_what_a_state_does_not_allow_raises(pair: Pair) -> None:
+def test_an_impossible_transition_raises(pair: Pair) -> None:
     refused: list[str] = []
 
     def execute(goal: Goal) -> Fibonacci.Result:
@@ -123,7 +123,7 @@ def test_what_a_state_does_not_allow_raises(pair: Pair) -> None:
     ]
 
 
-def test_results_expire_and_leave_nothing_behind(pair: Pair) -> None:
+def test_results_expire_and_free_their_memory(pair: Pair) -> None:
     kept: list[Goal] = []
 
     def execute(goal: Goal) -> Fibonacci.Result:
@@ -136,12 +136,12 @@ def test_results_expire_and_leave_nothing_behind(pair: Pair) -> None:
     assert wait_until(lambda: kept[0].status == GoalState.UNKNOWN)
     assert not kept[0].is_active
     assert status_of(handle.get_result()) is GoalState.UNKNOWN
-    kept[0].publish_feedback(Fibonacci.Feedback())  # nobody is there; nothing happens
+    kept[0].publish_feedback(Fibonacci.Feedback())  # without a client: no effect
     kept[0].succeed()
 
 
 @pytest.mark.parametrize(("timeout", "state"), [(-1, "SUCCEEDED"), (0, "UNKNOWN")])
-def test_a_result_is_kept_for_ever_or_not_at_all(pair: Pair, timeout: int, state: str) -> None:
+def test_a_result_can_be_kept_for_ever_or_not_at_all(pair: Pair, timeout: int, state: str) -> None:
     pair.begin(compute, result_timeout=timeout)
     handle = pair.send(1)
     kept = GoalState[state]
@@ -154,7 +154,7 @@ def test_a_result_is_kept_for_ever_or_not_at_all(pair: Pair, timeout: int, state
 async def until_canceled(goal: Goal) -> Fibonacci.Result:
     while not goal.is_cancel_requested:
         goal.publish_feedback(Fibonacci.Feedback(sequence=[goal.request.order]))
-        await a_turn(goal)
+        await pause(goal)
     goal.canceled()
     return Fibonacci.Result(sequence=[goal.request.order])
 
@@ -193,7 +193,7 @@ def test_no_goal_is_canceled_unless_the_server_has_a_callback(pair: Pair) -> Non
     assert status_of(done(handle.get_result_async())) is GoalState.SUCCEEDED
 
 
-def test_a_goal_may_end_while_the_server_decides_about_canceling_it(pair: Pair) -> None:
+def test_a_goal_may_end_during_the_decision_to_cancel_it(pair: Pair) -> None:
     waiting: list[Goal] = []
 
     def decide(goal: Goal) -> CancelResponse:
@@ -211,7 +211,7 @@ def test_a_goal_may_end_while_the_server_decides_about_canceling_it(pair: Pair) 
     assert list(handle.cancel_goal().goals_canceling) == []
 
 
-def test_a_goal_that_was_never_executed_can_be_canceled(pair: Pair) -> None:
+def test_a_goal_can_be_canceled_before_its_execution(pair: Pair) -> None:
     waiting: list[Goal] = []
     pair.begin(compute, handle_accepted_callback=waiting.append, cancel_callback=accept_cancel)
     handle = pair.send()
@@ -222,7 +222,7 @@ def test_a_goal_that_was_never_executed_can_be_canceled(pair: Pair) -> None:
     assert status_of(done(result)) is GoalState.CANCELED
 
 
-def test_a_goal_that_is_to_be_canceled_is_executed_so_that_it_can_end_itself(pair: Pair) -> None:
+def test_a_canceling_goal_is_executed_and_ends_itself(pair: Pair) -> None:
     waiting: list[Goal] = []
     pair.begin(
         until_canceled, handle_accepted_callback=waiting.append, cancel_callback=accept_cancel
@@ -234,7 +234,7 @@ def test_a_goal_that_is_to_be_canceled_is_executed_so_that_it_can_end_itself(pai
     assert list(done(handle.get_result_async()).result.sequence) == [4]
 
 
-def test_goals_are_canceled_all_or_until_a_time_or_one(pair: Pair) -> None:
+def test_cancel_requests_name_one_goal_a_time_or_all_goals(pair: Pair) -> None:
     pair.begin(until_canceled, cancel_callback=accept_cancel)
     handles = [pair.send(number, goal_uuid=goal_id(number)) for number in range(6)]
     assert cancel(pair, goal_id=goal_id(9)) == (2, [])
@@ -247,11 +247,11 @@ def test_goals_are_canceled_all_or_until_a_time_or_one(pair: Pair) -> None:
         assert status_of(done(handle.get_result_async())) is GoalState.CANCELED
 
 
-# -- servers that go ---------------------------------------------------------------------------
+# -- servers that end ---------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("how", ["server", "node", "context"])
-def test_a_server_that_goes_while_it_executes_fails_the_result(pair: Pair, how: str) -> None:
+def test_a_result_fails_when_its_server_is_destroyed(pair: Pair, how: str) -> None:
     async def wait(_: Goal) -> None:
         await zbot.Future()
 
@@ -270,8 +270,8 @@ def test_a_server_that_goes_while_it_executes_fails_the_result(pair: Pair, how: 
     pair.serving.executor.shutdown(5)
 
 
-def test_a_server_ends_at_once_beside_a_client_that_follows_it(make_context: MakeContext) -> None:
-    # Half of these took ten seconds while a function of ours ran in Zenoh's thread for timers.
+def test_a_server_ends_at_once_beside_a_client_in_its_process(make_context: MakeContext) -> None:
+    # Half of these took ten seconds while zbot ran a function in Zenoh's thread for timers.
     nodes = [zbot.Node(name, context=make_context()) for name in ("server", "client")]
     for turn in range(8):
         name = f"fibonacci_{turn}"
@@ -304,7 +304,7 @@ with zbot.init():
 """
 
 
-def test_a_server_that_is_killed_fails_its_goals_and_the_next_one_takes_over(
+def test_a_killed_server_fails_its_goals_and_another_takes_over(
     make_context: MakeContext, spin: Spin, start: Callable[..., Program]
 ) -> None:
     node = zbot.Node("client", context=make_context())

@@ -1,4 +1,4 @@
-"""Goals, feedback and results, one and many at once."""
+"""Tests of goals, feedback and results, of one goal and of many goals together."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from tests.conftest import wait_until
 from tests.integration.actions.conftest import (
     Goal,
     Pair,
-    a_turn,
     compute,
     done,
+    pause,
     sequence,
     status_of,
 )
@@ -46,7 +46,9 @@ if TYPE_CHECKING:
 def test_a_goal_gives_feedback_and_a_result(pair: Pair) -> None:
     pair.begin(compute)
     heard: list[list[int]] = []
-    handle = pair.send(5, feedback_callback=lambda told: heard.append(list(told.feedback.sequence)))
+    handle = pair.send(
+        5, feedback_callback=lambda message: heard.append(list(message.feedback.sequence))
+    )
     assert handle.accepted
     response = done(handle.get_result_async())
     assert status_of(response) is GoalState.SUCCEEDED
@@ -62,7 +64,7 @@ def test_send_goal_waits_for_the_end(pair: Pair) -> None:
     assert status_of(response) is GoalState.SUCCEEDED
 
 
-def test_a_result_can_be_asked_for_by_many_and_after_the_end(pair: Pair) -> None:
+def test_a_result_can_be_requested_several_times_and_after_the_end(pair: Pair) -> None:
     ended = threading.Event()
 
     async def wait(goal: Goal) -> Fibonacci.Result:
@@ -81,14 +83,14 @@ def test_a_result_can_be_asked_for_by_many_and_after_the_end(pair: Pair) -> None
     assert list(handle.get_result().result.sequence) == [7]
 
 
-def test_a_goal_has_the_id_that_it_was_given_and_only_one_of_them_is_accepted(pair: Pair) -> None:
+def test_a_goal_has_its_given_id_and_a_second_one_is_rejected(pair: Pair) -> None:
     pair.begin(compute)
     mine = UUID(uuid=list(range(16)))
     assert pair.send(goal_uuid=mine).goal_id == mine
     assert not pair.send(goal_uuid=mine).accepted
 
 
-def test_the_stamp_is_the_time_of_acceptance_by_the_servers_clock(pair: Pair) -> None:
+def test_the_stamp_is_the_acceptance_time_of_the_servers_clock(pair: Pair) -> None:
     pair.begin(compute)
     before = pair.server_node.get_clock().now()
     stamp = zbot.Time.from_msg(pair.send().stamp)
@@ -124,7 +126,7 @@ def test_done_callbacks_run_in_the_executor_and_may_be_coroutines(pair: Pair) ->
     assert threads != [threading.get_ident()]
 
 
-def test_a_server_can_ask_another_action_while_it_executes(pair: Pair) -> None:
+def test_a_server_can_send_a_goal_to_another_action(pair: Pair) -> None:
     inner = ActionServer(pair.server_node, Fibonacci, "inner", compute)
     asking = ActionClient[Any, Any, Any](pair.server_node, Fibonacci, "inner")
 
@@ -188,7 +190,7 @@ def test_callbacks_may_be_coroutines(pair: Pair) -> None:
     assert status_of(done(handle.get_result_async())) is GoalState.CANCELED
 
 
-def test_a_goal_callback_without_an_answer_rejects_and_says_so(
+def test_a_goal_callback_without_a_result_rejects_and_logs(
     pair: Pair, logged: list[Record]
 ) -> None:
     pair.begin(compute, goal_callback=lambda _: None)
@@ -214,8 +216,8 @@ def test_an_accepted_goal_may_be_executed_later_and_by_another_callback(pair: Pa
     assert list(done(result).result.sequence) == [99]
 
 
-def test_the_client_hears_of_acceptance_before_the_server_goes_on(pair: Pair) -> None:
-    """Its answer is sent before `handle_accepted_callback` runs, which may take its time."""
+def test_the_client_receives_the_acceptance_before_the_callback_runs(pair: Pair) -> None:
+    """The response is sent before `handle_accepted_callback` runs, which may be slow."""
     release = threading.Event()
     pair.begin(compute, handle_accepted_callback=lambda goal: (release.wait(5), goal.execute()))
     handle = pair.send(1)
@@ -246,7 +248,7 @@ def test_callbacks_can_be_replaced(pair: Pair) -> None:
 # -- several goals -----------------------------------------------------------------------------
 
 
-def test_a_new_goal_can_preempt_the_one_before(pair: Pair) -> None:
+def test_a_new_goal_can_preempt_the_previous_one(pair: Pair) -> None:
     lock = threading.Lock()
     present: list[Goal] = []
 
@@ -259,7 +261,7 @@ def test_a_new_goal_can_preempt_the_one_before(pair: Pair) -> None:
 
     async def execute(goal: Goal) -> Fibonacci.Result:
         while goal.is_active and goal.request.order:
-            await a_turn(goal)
+            await pause(goal)
         if goal.is_active:
             goal.succeed()
         return Fibonacci.Result(sequence=[goal.request.order])
@@ -270,7 +272,7 @@ def test_a_new_goal_can_preempt_the_one_before(pair: Pair) -> None:
     assert states == ["ABORTED", "ABORTED", "SUCCEEDED"]
 
 
-def test_blocking_callbacks_run_beside_each_other_in_threads(pair: Pair) -> None:
+def test_blocking_callbacks_run_in_parallel_threads(pair: Pair) -> None:
     barrier = threading.Barrier(3)
 
     def meet(goal: Goal) -> Fibonacci.Result:
@@ -284,14 +286,14 @@ def test_blocking_callbacks_run_beside_each_other_in_threads(pair: Pair) -> None
     assert [list(done(one).result.sequence) for one in results] == [[0], [1], [2]]
 
 
-def test_feedback_reaches_the_goal_that_it_is_about(pair: Pair) -> None:
+def test_feedback_reaches_its_own_goal(pair: Pair) -> None:
     pair.begin(compute)
     heard: dict[int, list[int]] = {order: [] for order in (3, 5, 7)}
     handles = [
         pair.send(
             order,
-            feedback_callback=lambda told, order=order: heard[order].append(
-                len(told.feedback.sequence)
+            feedback_callback=lambda message, order=order: heard[order].append(
+                len(message.feedback.sequence)
             ),
         )
         for order in heard
@@ -301,7 +303,7 @@ def test_feedback_reaches_the_goal_that_it_is_about(pair: Pair) -> None:
     assert heard == {order: list(range(3, order + 2)) for order in heard}
 
 
-def test_two_clients_hear_only_of_their_own_goals(pair: Pair) -> None:
+def test_two_clients_receive_only_their_own_goals_events(pair: Pair) -> None:
     pair.begin(compute)
     other = ActionClient[Any, Any, Any](pair.client_node, Fibonacci, "fibonacci")
     heard: list[str] = []
@@ -312,11 +314,11 @@ def test_two_clients_hear_only_of_their_own_goals(pair: Pair) -> None:
     assert sorted(heard) == ["one", "two"]
 
 
-def _note(heard: set[int], told: Any) -> None:
-    heard.add(told.feedback.sequence[0])
+def _note(heard: set[int], message: Any) -> None:
+    heard.add(message.feedback.sequence[0])
 
 
-def test_fifty_goals_with_cancels_each_get_their_own_answer(pair: Pair) -> None:
+def test_fifty_goals_with_cancels_each_get_their_own_result(pair: Pair) -> None:
     stops: dict[bytes, zbot.Future[None]] = {}
 
     def stop(goal: Goal) -> CancelResponse:
@@ -356,7 +358,7 @@ def test_fifty_goals_with_cancels_each_get_their_own_answer(pair: Pair) -> None:
             expected = GoalState.CANCELED if order % 2 else GoalState.SUCCEEDED
             assert status_of(response) is expected
         assert heard == set(range(50))
-        # Nothing is left of them, neither here nor, once results have expired, there.
+        # The client keeps nothing of them, and the server nothing after their results expired.
         assert wait_until(lambda: not pair.client._goals)
         assert wait_until(lambda: not pair.server._goal_handles)
     assert not pair.server._ended

@@ -1,4 +1,4 @@
-"""What others see of an action, and what is wrong at once."""
+"""Tests of an action in the graph, and of mistakes that raise at once."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
 # -- status ------------------------------------------------------------------------------------
 
 
-def test_the_status_topic_tells_latecomers_where_each_goal_stands(pair: Pair) -> None:
+def test_the_status_topic_gives_late_subscribers_the_state_of_each_goal(pair: Pair) -> None:
     waiting: list[Goal] = []
     pair.begin(compute, handle_accepted_callback=waiting.append)
     handle = pair.send(2, goal_uuid=goal_id(7))
@@ -50,8 +50,8 @@ def test_the_status_topic_tells_latecomers_where_each_goal_stands(pair: Pair) ->
     pair.client_node.create_subscription(
         GoalStatusArray,
         "/fibonacci/_action/status",
-        lambda told: seen.append(
-            [(int(one.goal_info.goal_id.uuid[15]), one.status) for one in told.status_list]
+        lambda status: seen.append(
+            [(int(one.goal_info.goal_id.uuid[15]), one.status) for one in status.status_list]
         ),
         zbot.QoSProfile(depth=1, durability=zbot.DurabilityPolicy.TRANSIENT_LOCAL),
     )
@@ -61,16 +61,16 @@ def test_the_status_topic_tells_latecomers_where_each_goal_stands(pair: Pair) ->
     assert wait_until(lambda: handle.status == GoalState.SUCCEEDED)
 
 
-def test_a_client_forgets_goals_whose_handle_nobody_keeps(pair: Pair) -> None:
+def test_a_client_forgets_goals_without_a_handle(pair: Pair) -> None:
     pair.begin(compute, result_timeout=0.05)
     pair.send(1)
     assert pair.client._goals
     assert wait_until(lambda: not pair.server._goal_handles)
-    pair.send(1)  # whose status tells that the one before is forgotten
+    pair.send(1)  # its status proves that the previous goal was forgotten
     assert wait_until(lambda: len(pair.client._goals) <= 1)
 
 
-def test_services_of_an_action_can_be_watched(pair: Pair) -> None:
+def test_services_of_an_action_can_be_introspected(pair: Pair) -> None:
     pair.begin(compute)
     seen: list[int] = []
     pair.client_node.create_subscription(
@@ -89,14 +89,14 @@ def test_services_of_an_action_can_be_watched(pair: Pair) -> None:
 # -- mistakes ----------------------------------------------------------------------------------
 
 
-def test_types_are_checked_where_the_mistake_is_made(pair: Pair) -> None:
+def test_types_are_checked_in_the_callers_line(pair: Pair) -> None:
     pair.begin(compute)
     with pytest.raises(ActionMessageError, match="takes a example_interfaces/action/Fibonacci_G"):
         pair.client.send_goal_async(Fibonacci.Result())
     with pytest.raises(TypeError):
         pair.client.send_goal(5)
     for kind in (ActionServer, ActionClient):
-        with pytest.raises(NotAnActionTypeError, match="String is no action type"):
+        with pytest.raises(NotAnActionTypeError, match="String is not an action type"):
             kind(pair.client_node, String, "x", *([compute] if kind is ActionServer else []))
     with pytest.raises(InvalidServiceNameError):
         ActionClient(pair.client_node, Fibonacci, "no name")
@@ -110,7 +110,7 @@ def test_feedback_of_another_type_aborts(pair: Pair, logged: list[Record]) -> No
     )
 
 
-def test_what_a_decision_raises_reaches_the_client_and_ends_spin(pair: Pair) -> None:
+def test_an_exception_of_a_goal_callback_reaches_the_client_and_ends_spin(pair: Pair) -> None:
     def decide(_: Fibonacci.Goal) -> GoalResponse:
         raise ValueError("no such order")
 
@@ -120,16 +120,14 @@ def test_what_a_decision_raises_reaches_the_client_and_ends_spin(pair: Pair) -> 
     assert wait_until(lambda: isinstance(pair.serving.error, ValueError))
 
 
-def lonely(make_context: MakeContext, spin: Spin) -> ActionClient[Any, Any, Any]:
-    node = zbot.Node("lonely", context=make_context())
+def client_without_server(make_context: MakeContext, spin: Spin) -> ActionClient[Any, Any, Any]:
+    node = zbot.Node("client_without_server", context=make_context())
     spin(node)
     return ActionClient[Any, Any, Any](node, Fibonacci, "fibonacci")
 
 
-def test_a_goal_waits_for_a_server_that_is_just_starting(
-    make_context: MakeContext, spin: Spin
-) -> None:
-    client = lonely(make_context, spin)
+def test_a_goal_waits_for_a_starting_server(make_context: MakeContext, spin: Spin) -> None:
+    client = client_without_server(make_context, spin)
     sent = client.send_goal_async(Fibonacci.Goal(order=3))
     assert wait_until(lambda: bool(client._timers))
     late = zbot.Node("late", context=make_context())
@@ -138,10 +136,8 @@ def test_a_goal_waits_for_a_server_that_is_just_starting(
     assert done(sent).accepted
 
 
-def test_a_goal_that_waits_is_forgotten_with_its_client(
-    make_context: MakeContext, spin: Spin
-) -> None:
-    client = lonely(make_context, spin)
+def test_a_waiting_goal_ends_with_its_client(make_context: MakeContext, spin: Spin) -> None:
+    client = client_without_server(make_context, spin)
     client.send_goal_async(Fibonacci.Goal())
     assert wait_until(lambda: bool(client._timers))
     client.destroy()
@@ -149,11 +145,11 @@ def test_a_goal_that_waits_is_forgotten_with_its_client(
     assert not client._goals
 
 
-def test_without_a_server_a_goal_fails_soon(
+def test_a_goal_without_a_server_fails_soon(
     make_context: MakeContext, spin: Spin, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("zbot.action.client._PATIENCE_S", 0.1)
-    client = lonely(make_context, spin)
+    monkeypatch.setattr("zbot.action.client._SERVER_TIMEOUT_S", 0.1)
+    client = client_without_server(make_context, spin)
     assert not client.server_is_ready()
     assert not client.wait_for_server(0.05)
     with pytest.raises(ServiceError, match="no server is running"):
@@ -209,7 +205,7 @@ def test_the_graph_knows_servers_and_clients(pair: Pair) -> None:
         get_action_server_names_and_types_by_node(node, "nobody", "/")
 
 
-def test_what_is_destroyed_leaves_the_graph(pair: Pair) -> None:
+def test_destroyed_servers_and_clients_leave_the_graph(pair: Pair) -> None:
     pair.begin(compute)
     pair.server.destroy()
     pair.client.destroy()

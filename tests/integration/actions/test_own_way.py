@@ -1,4 +1,4 @@
-"""Servers whose programs reach the accepted goals in a way of their own."""
+"""Tests of servers without an execute callback, whose programs handle accepted goals."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 RESULT = Fibonacci.Result(sequence=[7])
 
 
-class Lone:
-    """A server without an execute callback, and its client, spun by the test's own thread."""
+class UnspunServer:
+    """Server without an execute callback, and its client, spun by the test's own thread."""
 
     def __init__(self, context: zbot.Context, accept: Any) -> None:
-        self.node = zbot.Node("lone", context=context)
+        self.node = zbot.Node("unspun", context=context)
         self.executor = zbot.SingleThreadedExecutor(context=context)
         self.executor.add_node(self.node)
         ActionServer[Any, Any, Any](
@@ -38,46 +38,46 @@ class Lone:
         return self.sending.call_async(Fibonacci.Impl.SendGoalService.Request())
 
 
-def test_a_goal_is_handed_over_before_spinning_for_its_answer_ends(
+def test_the_accepted_callback_runs_before_spinning_for_the_response_ends(
     make_context: MakeContext,
 ) -> None:
     accepted: list[Goal] = []
-    lone = Lone(make_context(), accepted.append)
-    future = lone.send()
-    lone.executor.spin_until_future_complete(future, 5)
+    unspun = UnspunServer(make_context(), accepted.append)
+    future = unspun.send()
+    unspun.executor.spin_until_future_complete(future, 5)
     assert done(future).accepted
     assert [goal.state for goal in accepted] == [GoalState.ACCEPTED]
 
 
-def test_beside_other_threads_too(make_context: MakeContext) -> None:
+def test_the_accepted_callback_runs_first_with_several_threads(make_context: MakeContext) -> None:
     accepted: list[Goal] = []
 
     def accept(goal: Goal) -> None:
-        threading.Event().wait(0.1)  # the thread that spins would be faster by far
+        threading.Event().wait(0.1)  # longer than the response needs to the spinning thread
         accepted.append(goal)
 
-    lone = Lone(make_context(), accept)
-    executor = zbot.MultiThreadedExecutor(2, context=lone.node.context)
-    executor.add_node(lone.node)
-    future = lone.send()
+    unspun = UnspunServer(make_context(), accept)
+    executor = zbot.MultiThreadedExecutor(2, context=unspun.node.context)
+    executor.add_node(unspun.node)
+    future = unspun.send()
     executor.spin_until_future_complete(future, 5)
     assert done(future).accepted
     assert len(accepted) == 1
 
 
-def test_what_taking_over_raises_is_the_servers_mistake(make_context: MakeContext) -> None:
+def test_an_exception_of_the_accepted_callback_ends_spin(make_context: MakeContext) -> None:
     def accept(_: Goal) -> None:
         raise ValueError("no place for it")
 
-    lone = Lone(make_context(), accept)
-    future = lone.send()
+    unspun = UnspunServer(make_context(), accept)
+    future = unspun.send()
     with pytest.raises(ValueError, match="no place for it"):
-        lone.executor.spin_until_future_complete(future, 5)
+        unspun.executor.spin_until_future_complete(future, 5)
     assert done(future).accepted
 
 
 @pytest.mark.parametrize("begin", ["executing", "execute"])
-def test_a_goal_can_be_reached_without_a_callback(pair: Pair, begin: str) -> None:
+def test_a_goal_can_be_executed_without_an_execute_callback(pair: Pair, begin: str) -> None:
     accepted: list[Goal] = []
 
     async def accept(goal: Goal) -> None:
@@ -95,13 +95,13 @@ def test_a_goal_can_be_reached_without_a_callback(pair: Pair, begin: str) -> Non
     assert response.result == RESULT
 
 
-def test_nobody_would_reach_the_goals(make_context: MakeContext) -> None:
+def test_a_server_without_any_callback_is_refused(make_context: MakeContext) -> None:
     node = zbot.Node("idle", context=make_context())
     with pytest.raises(ExecuteCallbackError, match="None is not callable"):
         ActionServer[Any, Any, Any](node, Fibonacci, "fibonacci")
 
 
-def test_servers_and_clients_tell_what_they_are_made_of(make_context: MakeContext) -> None:
+def test_servers_and_clients_count_their_entities(make_context: MakeContext) -> None:
     node = zbot.Node("counted", context=make_context())
     server = ActionServer[Any, Any, Any](node, Fibonacci, "fibonacci", compute)
     client = ActionClient[Any, Any, Any](node, Fibonacci, "fibonacci")

@@ -1,4 +1,4 @@
-"""An executor with a node, of either kind."""
+"""Fixtures with a node and an executor, single-threaded or multi-threaded."""
 
 from __future__ import annotations
 
@@ -58,15 +58,15 @@ def complete(executor: zbot.Executor, future: zbot.Future[Any], timeout_sec: flo
     return future.result()
 
 
-def settle(executor: zbot.Executor) -> None:
-    """Run what is ready until nothing is."""
+def run_ready_callbacks(executor: zbot.Executor) -> None:
+    """Run ready callbacks until none is left."""
     marker: zbot.Future[bool] = zbot.Future()
     executor.create_task(lambda: executor.create_task(marker.set_result, True))
     complete(executor, marker)
 
 
 class Overlap:
-    """Counts how many callbacks are inside at once."""
+    """Counter of callbacks that run at the same time."""
 
     def __init__(self, expected: int) -> None:
         self.most = self._inside = self.calls = 0

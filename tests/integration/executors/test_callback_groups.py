@@ -1,4 +1,4 @@
-"""What may run beside what."""
+"""Tests of callbacks that may or may not run at the same time."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 
 import zbot
 from tests.conftest import allowed, wait_until
-from tests.integration.executors.conftest import Overlap, settle
+from tests.integration.executors.conftest import Overlap, run_ready_callbacks
 
 from std_msgs.msg import Int64
 
@@ -49,8 +49,8 @@ def test_a_nodes_callbacks_are_exclusive_by_default(
     assert overlap.most == 1
 
 
-class Queue:
-    """Holds a group by a coroutine while guards of two nodes wait for it, in this order."""
+class HeldGroup:
+    """Callback group that a coroutine holds while guard conditions of two nodes wait in order."""
 
     def __init__(self, node: zbot.Node, group: zbot.CallbackGroup, executor: zbot.Executor) -> None:
         self.node, self.group, self.executor = node, group, executor
@@ -62,40 +62,42 @@ class Queue:
             await self.free
 
         node.create_guard_condition(hold, group).trigger()
-        settle(executor)
+        run_ready_callbacks(executor)
 
     def wait_as(self, name: str, node: zbot.Node) -> None:
         node.create_guard_condition(lambda: self.ran.append(name), self.group).trigger()
 
 
-def test_who_leaves_lets_those_behind_it_in(node: zbot.Node, executor: zbot.Executor) -> None:
-    queue = Queue(node, zbot.MutuallyExclusiveCallbackGroup(), executor)
-    executor.add_node(queue.other)
-    queue.wait_as("one that leaves", queue.other)
-    queue.wait_as("the next", node)
-    settle(executor)
-    queue.free.set_result(None)
-    executor.spin_once(0)  # the coroutine's end, which sends for the one that leaves
-    executor.remove_node(queue.other)
-    settle(executor)
-    assert wait_until(lambda: "the next" in queue.ran)
-
-
-def test_who_belongs_to_an_idle_executor_lets_those_behind_it_in(
+def test_a_removed_entity_lets_the_next_one_in_the_queue_run(
     node: zbot.Node, executor: zbot.Executor
 ) -> None:
-    queue = Queue(node, zbot.MutuallyExclusiveCallbackGroup(), executor)
+    held = HeldGroup(node, zbot.MutuallyExclusiveCallbackGroup(), executor)
+    executor.add_node(held.other)
+    held.wait_as("removed", held.other)
+    held.wait_as("the next", node)
+    run_ready_callbacks(executor)
+    held.free.set_result(None)
+    executor.spin_once(0)  # the coroutine ends and wakes the first in the held
+    executor.remove_node(held.other)
+    run_ready_callbacks(executor)
+    assert wait_until(lambda: "the next" in held.ran)
+
+
+def test_an_entity_of_an_idle_executor_lets_the_next_one_in_the_queue_run(
+    node: zbot.Node, executor: zbot.Executor
+) -> None:
+    held = HeldGroup(node, zbot.MutuallyExclusiveCallbackGroup(), executor)
     with zbot.SingleThreadedExecutor(context=node.context) as idle:
-        idle.add_node(queue.other)
-        queue.wait_as("of the idle one", queue.other)
+        idle.add_node(held.other)
+        held.wait_as("idle", held.other)
         idle.spin_once(0)
-        queue.wait_as("the next", node)
-        settle(executor)
-        queue.free.set_result(None)
-        settle(executor)
-        assert wait_until(lambda: queue.ran == ["the next"])
+        held.wait_as("the next", node)
+        run_ready_callbacks(executor)
+        held.free.set_result(None)
+        run_ready_callbacks(executor)
+        assert wait_until(lambda: held.ran == ["the next"])
         idle.spin_once(1)
-        assert queue.ran == ["the next", "of the idle one"]
+        assert held.ran == ["the next", "idle"]
 
 
 def test_callbacks_of_two_groups_overlap(
@@ -157,7 +159,7 @@ def test_one_thread_runs_one_callback_at_a_time(node: zbot.Node, spin: Spin) -> 
         assert overlap.most == 1
 
 
-def test_blocked_threads_do_not_hold_up_spin_once(
+def test_blocked_threads_do_not_delay_spin_once(
     node: zbot.Node, multi: zbot.MultiThreadedExecutor
 ) -> None:
     gate = threading.Event()
@@ -174,7 +176,7 @@ def test_blocked_threads_do_not_hold_up_spin_once(
 
 
 class Gate(zbot.CallbackGroup):
-    """A program's own group, which tells nobody who waited."""
+    """Callback group of a program, which does not return the waiting entities."""
 
     is_open = False
 

@@ -1,4 +1,4 @@
-"""Work that waits, and work that other threads ask for."""
+"""Tests of coroutines, tasks, futures and guard conditions."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from tests.integration.executors.conftest import complete, settle
+from tests.integration.executors.conftest import complete, run_ready_callbacks
 
 from std_msgs.msg import Int64
 
@@ -55,7 +55,7 @@ def test_an_async_callback_keeps_its_group_until_it_ends(
 
     node.create_guard_condition(ask).trigger()
     node.create_guard_condition(lambda: order.append("other")).trigger()
-    settle(executor)
+    run_ready_callbacks(executor)
     assert wait_until(lambda: order == ["begin"])
     answer.set_result(None)
     finished: zbot.Future[bool] = zbot.Future()
@@ -91,7 +91,7 @@ def test_async_callbacks_of_a_reentrant_group_interleave(
     assert sorted(ended) == [0, 1, 2]
 
 
-def test_a_task_returns_what_its_coroutine_does(executor: zbot.Executor) -> None:
+def test_a_task_has_the_result_of_its_coroutine(executor: zbot.Executor) -> None:
     async def inner(number: int) -> int:
         return number + 1
 
@@ -104,7 +104,7 @@ def test_a_task_returns_what_its_coroutine_does(executor: zbot.Executor) -> None
     assert complete(executor, executor.create_task(inner(1))) == 2
 
 
-def test_a_coroutine_that_waits_costs_nothing_until_its_future_is_there(
+def test_a_waiting_coroutine_is_not_resumed_before_its_future_is_done(
     node: zbot.Node, executor: zbot.Executor
 ) -> None:
     class Answer(zbot.Future[None]):
@@ -134,9 +134,9 @@ def test_done_callbacks_run_in_the_executor(single: zbot.Executor) -> None:
     other.start()
     other.join()
     assert threads == []
-    settle(single)
+    run_ready_callbacks(single)
     future.add_done_callback(lambda _: threads.append(threading.current_thread()))
-    settle(single)
+    run_ready_callbacks(single)
     assert threads == [threading.current_thread()] * 2
 
 
@@ -150,7 +150,7 @@ def test_a_task_that_raises_ends_spinning_as_in_rclpy(executor: zbot.Executor) -
     assert isinstance(task.exception(), LookupError)
 
 
-def test_an_await_raises_what_the_future_holds(executor: zbot.Executor) -> None:
+def test_an_await_raises_the_exception_of_its_future(executor: zbot.Executor) -> None:
     future: zbot.Future[None] = zbot.Future()
 
     async def ask() -> str:
@@ -161,12 +161,12 @@ def test_an_await_raises_what_the_future_holds(executor: zbot.Executor) -> None:
         return "nothing"
 
     task = executor.create_task(ask)
-    settle(executor)
+    run_ready_callbacks(executor)
     future.set_exception(LookupError("remote"))
     assert complete(executor, task) == "remote"
 
 
-def test_a_cancelled_task_goes_no_further(executor: zbot.Executor) -> None:
+def test_a_cancelled_task_stops(executor: zbot.Executor) -> None:
     future: zbot.Future[None] = zbot.Future()
     steps: list[str] = []
 
@@ -176,11 +176,11 @@ def test_a_cancelled_task_goes_no_further(executor: zbot.Executor) -> None:
         steps.append("end")
 
     task = executor.create_task(work)
-    settle(executor)
+    run_ready_callbacks(executor)
     assert wait_until(lambda: steps == ["begin"] and not task.executing())
     task.cancel()
     future.set_result(None)
-    settle(executor)
+    run_ready_callbacks(executor)
     assert steps == ["begin"]
     assert task.cancelled()
 
@@ -193,20 +193,20 @@ def test_a_guard_runs_once_for_many_triggers(node: zbot.Node, executor: zbot.Exe
     guard = node.create_guard_condition(lambda: calls.append(1))
     for _ in range(10):
         guard.trigger()
-    settle(executor)
+    run_ready_callbacks(executor)
     assert wait_until(lambda: calls == [1])
     guard.trigger()
-    settle(executor)
+    run_ready_callbacks(executor)
     assert wait_until(lambda: calls == [1, 1])
 
 
-def test_a_destroyed_guard_is_silent(node: zbot.Node, executor: zbot.Executor) -> None:
+def test_a_destroyed_guard_runs_no_callback(node: zbot.Node, executor: zbot.Executor) -> None:
     calls: list[int] = []
     guard = node.create_guard_condition(lambda: calls.append(1))
     guard.trigger()
     assert node.destroy_guard_condition(guard)
     guard.trigger()
-    settle(executor)
+    run_ready_callbacks(executor)
     assert calls == []
 
 

@@ -1,4 +1,4 @@
-"""Callbacks that raise, and executors that are shut down."""
+"""Tests of callbacks that raise and of executors that are shut down."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from tests.integration.executors.conftest import settle
+from tests.integration.executors.conftest import run_ready_callbacks
 from zbot.errors import NotInitializedError
 from zbot.executor.errors import ShutdownError
 
@@ -32,7 +32,7 @@ BOTH = [zbot.SingleThreadedExecutor, zbot.MultiThreadedExecutor]
 
 
 @pytest.mark.parametrize("is_async", [False, True])
-def test_an_exception_of_a_callback_leaves_spin_and_the_next_spin_works(
+def test_an_exception_of_a_callback_ends_spin_and_the_next_spin_works(
     node: zbot.Node, executor: zbot.Executor, is_async: bool
 ) -> None:
     def fail() -> None:
@@ -45,7 +45,7 @@ def test_an_exception_of_a_callback_leaves_spin_and_the_next_spin_works(
     node.create_guard_condition(fail_async if is_async else fail).trigger()
     with pytest.raises(LookupError, match="in a callback"):
         executor.spin()
-    # The group must be free again, for another executor too.
+    # The group must be free again, also for another executor.
     with zbot.SingleThreadedExecutor(context=node.context) as second:
         second.add_node(node)
         node.create_guard_condition(lambda: calls.append(1)).trigger()
@@ -53,7 +53,7 @@ def test_an_exception_of_a_callback_leaves_spin_and_the_next_spin_works(
     assert calls == [1]
 
 
-def test_an_exception_after_an_await_leaves_spin(node: zbot.Node, executor: zbot.Executor) -> None:
+def test_an_exception_after_an_await_ends_spin(node: zbot.Node, executor: zbot.Executor) -> None:
     future: zbot.Future[None] = zbot.Future()
 
     async def fail() -> None:
@@ -61,7 +61,7 @@ def test_an_exception_after_an_await_leaves_spin(node: zbot.Node, executor: zbot
         raise LookupError("after an await")
 
     node.create_guard_condition(fail).trigger()
-    settle(executor)
+    run_ready_callbacks(executor)
     future.set_result(None)
     with pytest.raises(LookupError, match="after an await"):
         executor.spin()

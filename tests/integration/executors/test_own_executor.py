@@ -1,4 +1,4 @@
-"""Executors of a program's own, in the form of rclpy's example of one with priorities."""
+"""Tests of executors that a program derives, as rclpy's example with priorities does."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from zbot.time import TimeoutObject
 
 
 class PriorityExecutor(Executor):
-    """Gives the callbacks of some nodes threads of their own."""
+    """Executor that runs the callbacks of some nodes in threads of their own."""
 
     def __init__(self, context: zbot.Context) -> None:
         super().__init__(context=context)
@@ -39,7 +39,7 @@ class PriorityExecutor(Executor):
         return super().shutdown(timeout_sec)
 
 
-def test_each_node_runs_where_its_executor_wants_it(context: zbot.Context) -> None:
+def test_each_node_runs_in_the_thread_that_its_executor_selects(context: zbot.Context) -> None:
     threads: dict[str, list[str]] = {"hurried": [], "idler": []}
     executor = PriorityExecutor(context)
     for name, seen in threads.items():
@@ -58,7 +58,7 @@ def test_each_node_runs_where_its_executor_wants_it(context: zbot.Context) -> No
     assert {name.split("_")[0] for name in threads["idler"]} == {"patient"}
 
 
-def test_a_callback_runs_when_its_task_is_called_and_not_before(
+def test_a_callback_runs_only_when_its_task_is_called(
     context: zbot.Context, node: zbot.Node
 ) -> None:
     runs: list[int] = []
@@ -75,7 +75,7 @@ def test_a_callback_runs_when_its_task_is_called_and_not_before(
         assert task.done()
 
 
-def test_what_a_callback_raises_is_its_tasks(context: zbot.Context, node: zbot.Node) -> None:
+def test_an_exception_of_a_callback_is_in_its_task(context: zbot.Context, node: zbot.Node) -> None:
     def fail() -> None:
         raise LookupError("mine")
 
@@ -87,7 +87,7 @@ def test_what_a_callback_raises_is_its_tasks(context: zbot.Context, node: zbot.N
         assert isinstance(task.exception(), LookupError)
 
 
-def test_waiting_ends_for_each_reason_with_its_exception(context: zbot.Context) -> None:
+def test_each_end_of_the_wait_raises_its_own_exception(context: zbot.Context) -> None:
     with Executor(context=context) as executor:
         with pytest.raises(TimeoutError):
             executor.wait_for_ready_callbacks(timeout_sec=0.0)
@@ -100,7 +100,7 @@ def test_waiting_ends_for_each_reason_with_its_exception(context: zbot.Context) 
         executor.wait_for_ready_callbacks()
 
 
-def test_await_or_execute_takes_functions_and_coroutines(context: zbot.Context) -> None:
+def test_await_or_execute_accepts_functions_and_coroutines(context: zbot.Context) -> None:
     async def later(value: int) -> int:
         return value + 1
 
@@ -110,12 +110,12 @@ def test_await_or_execute_takes_functions_and_coroutines(context: zbot.Context) 
         results.append(await await_or_execute(later, 1))
         results.append(await await_or_execute(abs, -5))
 
-    executor = zbot.executor.executor.SingleThreadedExecutor(context=context)
+    executor = zbot.SingleThreadedExecutor(context=context)
     executor.spin_until_future_complete(executor.create_task(both), timeout_sec=5)
     assert results == [2, 5]
 
 
-def test_an_executor_of_another_make_is_not_told_that_its_node_ends(context: zbot.Context) -> None:
+def test_a_foreign_executor_is_not_called_when_its_node_is_destroyed(context: zbot.Context) -> None:
     stranger = Mock(**{"add_node.return_value": True})
     node = zbot.Node("guest", context=context)
     node.executor = stranger
@@ -124,7 +124,7 @@ def test_an_executor_of_another_make_is_not_told_that_its_node_ends(context: zbo
     stranger.remove_node.assert_not_called()
 
 
-def test_ready_callbacks_come_one_by_one_from_a_generator(context: zbot.Context) -> None:
+def test_ready_callbacks_are_yielded_one_by_one(context: zbot.Context) -> None:
     calls: list[int] = []
     node = zbot.Node("counter", context=context)
     with Executor(context=context) as executor:

@@ -1,4 +1,4 @@
-"""Waitables made of what stands for the classes of rclpy's C extension."""
+"""Tests of waitables made of zbot's equivalents for the classes of rclpy's C extension."""
 
 from __future__ import annotations
 
@@ -52,8 +52,8 @@ def test_a_request_and_its_response_are_taken(node: zbot.Node) -> None:
     request, header = service.service_take_request(AddTwoInts.Request)
     service.service_send_response(AddTwoInts.Response(sum=request.a + request.b), header)
     assert ready("client", client)
-    told, response = client.take_response(AddTwoInts.Response)
-    assert (told.sequence_number, response.sum) == (number, 3)
+    header, response = client.take_response(AddTwoInts.Response)
+    assert (header.sequence_number, response.sum) == (number, 3)
 
 
 def test_a_timers_call_is_taken_once(node: zbot.Node) -> None:
@@ -74,7 +74,7 @@ def test_a_guard_condition_is_triggered_by_its_handle(node: zbot.Node) -> None:
     assert ready("guard_condition", guard)
 
 
-def test_an_executor_leaves_them_alone_and_the_nodes_end_ends_them(
+def test_raw_entities_are_not_executed_and_end_with_their_node(
     node: zbot.Node, single: zbot.SingleThreadedExecutor
 ) -> None:
     subscription = raw.Subscription(node.handle, String, "words", QOS)

@@ -1,4 +1,4 @@
-"""When callbacks run, and whose."""
+"""Tests of spinning and of the nodes of an executor."""
 
 from __future__ import annotations
 
@@ -41,17 +41,13 @@ def test_spin_once_runs_one_callback(node: zbot.Node, single: zbot.Executor) -> 
 
 
 @pytest.mark.parametrize("timeout", [0, 0.02])
-def test_spin_once_returns_when_nothing_comes_in_time(
-    executor: zbot.Executor, timeout: float
-) -> None:
+def test_spin_once_returns_at_its_timeout(executor: zbot.Executor, timeout: float) -> None:
     begin = time.monotonic()
     executor.spin_once(timeout_sec=timeout)
     assert timeout <= time.monotonic() - begin < timeout + allowed(0.5)
 
 
-def test_spin_once_without_waiting_runs_what_is_ready(
-    node: zbot.Node, single: zbot.Executor
-) -> None:
+def test_spin_once_with_timeout_zero_runs_callbacks(node: zbot.Node, single: zbot.Executor) -> None:
     calls: list[int] = []
     node.create_guard_condition(lambda: calls.append(1)).trigger()
     single.spin_once(timeout_sec=0)
@@ -83,7 +79,7 @@ def test_spinning_until_a_future_wakes_when_another_thread_completes_it(
     assert complete(executor, future) == "late"
 
 
-def test_spinning_until_a_future_gives_up_in_time(executor: zbot.Executor) -> None:
+def test_spinning_until_a_future_ends_at_the_timeout(executor: zbot.Executor) -> None:
     future: zbot.Future[str] = zbot.Future()
     begin = time.monotonic()
     executor.spin_until_future_complete(future, timeout_sec=0.02)
@@ -91,9 +87,7 @@ def test_spinning_until_a_future_gives_up_in_time(executor: zbot.Executor) -> No
     assert not future.done()
 
 
-def test_spinning_until_a_future_with_no_time_still_runs_what_is_ready(
-    single: zbot.Executor,
-) -> None:
+def test_spinning_until_a_future_with_timeout_zero_runs_callbacks(single: zbot.Executor) -> None:
     task = single.create_task(lambda: 7)
     single.spin_until_future_complete(task, timeout_sec=0)
     assert task.result() == 7
@@ -116,7 +110,7 @@ def test_a_callback_cannot_spin_its_executor_for_ever(
     single.spin_once(timeout_sec=0)
 
 
-def test_others_run_while_a_callback_spins_its_executor(
+def test_other_callbacks_run_while_a_callback_spins_its_executor(
     node: zbot.Node, single: zbot.Executor
 ) -> None:
     calls: list[str] = []
@@ -136,7 +130,7 @@ def test_others_run_while_a_callback_spins_its_executor(
     assert calls == ["outer", "other", "end"]
 
 
-def test_a_callback_that_spins_its_executor_begins_again_only_when_it_ended(
+def test_a_callback_that_spins_its_executor_is_not_entered_again(
     node: zbot.Node, single: zbot.Executor
 ) -> None:
     depths: list[int] = []
@@ -179,7 +173,7 @@ def test_a_callback_waits_for_a_future_by_spinning_its_own_node(
     assert node.executor is executor
 
 
-def test_a_future_is_waited_for_beside_a_thread_that_spins(node: zbot.Node, spin: Spin) -> None:
+def test_a_future_can_be_waited_for_beside_a_spinning_thread(node: zbot.Node, spin: Spin) -> None:
     spinner = spin(node)
     assert wait_until(lambda: spinner.executor.is_spinning)
     done: zbot.Future[int] = zbot.Future()
@@ -190,14 +184,14 @@ def test_a_future_is_waited_for_beside_a_thread_that_spins(node: zbot.Node, spin
     assert node.executor is spinner.executor
 
 
-def test_spinning_a_node_once_gives_it_back(node: zbot.Node, executor: zbot.Executor) -> None:
+def test_spin_once_returns_a_node_to_its_executor(node: zbot.Node, executor: zbot.Executor) -> None:
     zbot.spin_once(node, timeout_sec=0)
     assert node.executor is executor
 
 
 def test_two_threads_cannot_spin_one_executor(node: zbot.Node, spin: Spin) -> None:
     spinner = spin(node)
-    assert wait_until(spinner.executor._spinning.locked)
+    assert wait_until(spinner.executor._spin_lock.locked)
     with pytest.raises(RuntimeError, match="already spinning"):
         spinner.executor.spin()
 
@@ -215,9 +209,7 @@ def test_another_executor_may_spin_inside_a_callback(
     assert calls == ["inner"]
 
 
-def test_an_executor_of_your_own_decides_where_callbacks_run(
-    context: zbot.Context, node: zbot.Node
-) -> None:
+def test_a_derived_executor_selects_the_thread(context: zbot.Context, node: zbot.Node) -> None:
     class Deferring(zbot.Executor):
         def spin_once(self, timeout_sec: float | None = None) -> None:
             handler, entity, owner = self.wait_for_ready_callbacks(timeout_sec=timeout_sec)
@@ -275,9 +267,7 @@ def test_setting_a_nodes_executor_moves_it(
     assert node.executor is None
 
 
-def test_work_that_came_while_a_node_had_no_executor_is_kept(
-    node: zbot.Node, single: zbot.Executor
-) -> None:
+def test_work_of_a_node_without_an_executor_is_kept(node: zbot.Node, single: zbot.Executor) -> None:
     calls: list[int] = []
     guard = node.create_guard_condition(lambda: calls.append(1))
     single.remove_node(node)
@@ -304,7 +294,7 @@ def test_a_node_removed_in_its_own_timer_runs_no_more(
     assert calls == [1]
 
 
-def test_removing_a_node_never_loses_the_posts_of_others(
+def test_removing_a_node_loses_no_work_of_other_nodes(
     context: zbot.Context, node: zbot.Node, single: zbot.Executor, spin: Spin
 ) -> None:
     calls: list[int] = []
@@ -321,7 +311,7 @@ def test_removing_a_node_never_loses_the_posts_of_others(
     assert spinner.error is None
 
 
-def test_spin_once_of_the_module_leaves_nothing_behind(
+def test_spin_once_of_the_module_leaves_no_executor_and_no_work(
     context: zbot.Context, node: zbot.Node
 ) -> None:
     node.create_timer(100.0, lambda: None)
@@ -330,7 +320,7 @@ def test_spin_once_of_the_module_leaves_nothing_behind(
     assert node.executor is None
     executor = zbot.get_global_executor(context)
     assert len(executor._ready) == 0
-    assert executor._agenda.earliest_ns() is None
+    assert executor._timers.earliest_ns() is None
 
 
 def test_nodes_share_an_executor_fairly(context: zbot.Context, single: zbot.Executor) -> None:

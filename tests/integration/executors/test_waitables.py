@@ -1,4 +1,4 @@
-"""Work of a program's own kind, and waiting without an executor."""
+"""Tests of waitables of a program and of wait sets without an executor."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from unittest.mock import Mock
 import pytest
 
 import zbot
-from tests.integration.executors.conftest import complete, settle
+from tests.integration.executors.conftest import complete, run_ready_callbacks
 from zbot.errors import InvalidHandleError
 from zbot.executor.guard_condition import GuardCondition
 from zbot.executor.wait_set import WaitSet
@@ -23,29 +23,29 @@ if TYPE_CHECKING:
     MakeContext = Callable[[], zbot.Context]
 
 
-class Bell(Waitable[str]):
-    """Rings when its guard condition was triggered, or when somebody pulls."""
+class TriggeredWaitable(Waitable[str]):
+    """Waitable that runs after a trigger of its guard condition or a call of the test."""
 
     def __init__(self, group: zbot.CallbackGroup | None = None) -> None:
         super().__init__(group or zbot.ReentrantCallbackGroup())
         self.guard = GuardCondition()
-        self.pulled = False
-        self.rung: zbot.Future[str] = zbot.Future()
+        self.is_due = False
+        self.result: zbot.Future[str] = zbot.Future()
         self._index = -1
 
     def add_to_wait_set(self, wait_set: WaitSet) -> None:
         self._index = wait_set.add_guard_condition(self.guard.handle)
 
     def is_ready(self, wait_set: WaitSet) -> bool:
-        self.pulled = self.pulled or wait_set.is_ready("guard_condition", self._index)
-        return self.pulled
+        self.is_due = self.is_due or wait_set.is_ready("guard_condition", self._index)
+        return self.is_due
 
     def take_data(self) -> str:
-        self.pulled = False
-        return "ding"
+        self.is_due = False
+        return "executed"
 
     async def execute(self, taken_data: str) -> None:
-        self.rung.set_result(taken_data)
+        self.result.set_result(taken_data)
 
     def get_num_entities(self) -> NumberOfEntities:
         return NumberOfEntities(num_guard_conditions=1)
@@ -54,44 +54,44 @@ class Bell(Waitable[str]):
 def test_a_trigger_in_its_wait_set_wakes_a_waitable(
     node: zbot.Node, executor: zbot.Executor
 ) -> None:
-    bell = Bell()
+    bell = TriggeredWaitable()
     node.add_waitable(bell)
-    settle(executor)
+    run_ready_callbacks(executor)
     bell.guard.trigger()
-    assert complete(executor, bell.rung) == "ding"
+    assert complete(executor, bell.result) == "executed"
 
 
-def test_a_woken_executor_asks_its_waitables(node: zbot.Node, executor: zbot.Executor) -> None:
-    bell = Bell()
+def test_a_woken_executor_checks_its_waitables(node: zbot.Node, executor: zbot.Executor) -> None:
+    bell = TriggeredWaitable()
     node.add_waitable(bell)
-    settle(executor)
-    bell.pulled = True
+    run_ready_callbacks(executor)
+    bell.is_due = True
     executor.wake()
-    assert complete(executor, bell.rung) == "ding"
+    assert complete(executor, bell.result) == "executed"
 
 
 def test_a_waitable_runs_again_and_again(
     node: zbot.Node, single: zbot.SingleThreadedExecutor
 ) -> None:
-    bell = Bell()
+    bell = TriggeredWaitable()
     node.add_waitable(bell)
     for _ in range(3):
-        bell.rung = zbot.Future()
+        bell.result = zbot.Future()
         bell.guard.trigger()
-        assert complete(single, bell.rung) == "ding"
+        assert complete(single, bell.result) == "executed"
 
 
-def test_a_removed_waitable_is_not_asked(
+def test_a_removed_waitable_never_runs(
     node: zbot.Node, single: zbot.SingleThreadedExecutor
 ) -> None:
-    bell = Bell()
+    bell = TriggeredWaitable()
     node.add_waitable(bell)
     assert list(node.waitables) == [bell]
     node.remove_waitable(bell)
     bell.guard.trigger()
     single.wake()
-    settle(single)
-    assert not bell.rung.done()
+    run_ready_callbacks(single)
+    assert not bell.result.done()
     assert list(node.waitables) == []
 
 
@@ -105,14 +105,14 @@ def test_a_waitable_waits_for_its_group(
         await gate
 
     node.create_guard_condition(hold, group).trigger()
-    settle(single)
-    bell = Bell(group)
+    run_ready_callbacks(single)
+    bell = TriggeredWaitable(group)
     node.add_waitable(bell)
     bell.guard.trigger()
-    settle(single)
-    assert not bell.rung.done()
+    run_ready_callbacks(single)
+    assert not bell.result.done()
     gate.set_result(None)
-    assert complete(single, bell.rung) == "ding"
+    assert complete(single, bell.result) == "executed"
 
 
 def test_numbers_of_entities_add_up() -> None:
@@ -141,7 +141,7 @@ def test_a_wait_set_waits_for_a_message(node: zbot.Node) -> None:
     assert subscription.handle.take_message() is None
 
 
-def test_a_wait_set_gives_up_at_its_time(node: zbot.Node) -> None:
+def test_a_wait_set_ends_at_its_timeout(node: zbot.Node) -> None:
     guard = node.create_guard_condition(lambda: None)
     wait_set = WaitSet()
     wait_set.add_guard_condition(guard.handle)
@@ -157,7 +157,7 @@ def test_a_wait_set_wakes_for_a_timer(node: zbot.Node) -> None:
     assert wait_set.is_ready("timer", index)
 
 
-def test_a_trigger_is_used_up_by_the_wait(node: zbot.Node) -> None:
+def test_a_trigger_ends_one_wait_only(node: zbot.Node) -> None:
     guard = node.create_guard_condition(lambda: None)
     wait_set = WaitSet()
     index = wait_set.add_guard_condition(guard.handle)
@@ -168,7 +168,7 @@ def test_a_trigger_is_used_up_by_the_wait(node: zbot.Node) -> None:
     assert not wait_set.is_ready("guard_condition", index)
 
 
-def test_a_destroyed_node_cannot_be_held(make_context: MakeContext) -> None:
+def test_the_handle_of_a_destroyed_node_is_invalid(make_context: MakeContext) -> None:
     node = zbot.Node("gone", context=make_context())
     with node.handle, node.context.handle:
         pass
@@ -177,7 +177,7 @@ def test_a_destroyed_node_cannot_be_held(make_context: MakeContext) -> None:
         pass
 
 
-def test_an_executor_of_another_make_can_be_set(node: zbot.Node) -> None:
+def test_a_foreign_executor_can_be_set(node: zbot.Node) -> None:
     other = Mock()
     node.executor = other
     assert node.executor is other

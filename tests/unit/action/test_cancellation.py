@@ -1,4 +1,4 @@
-"""Which goals a cancel request means."""
+"""Goals that a cancel request selects."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ GOALS = [
         ("nobody", 0, [], ERROR_UNKNOWN_GOAL_ID),
     ],
 )
-def test_a_request_means_one_goal_or_all_until_a_time(
+def test_a_request_selects_one_goal_or_all_until_a_time(
     name: str, stamp_ns: int, chosen: list[str], code: int
 ) -> None:
     goals, found = CancelQuery(Goal(name, 0, GoalState.UNKNOWN).key, stamp_ns).choose(GOALS)

@@ -1,4 +1,4 @@
-"""The states of a goal, against the table of the action design document."""
+"""States of a goal, compared with the table of the action design document."""
 
 from __future__ import annotations
 
@@ -31,9 +31,7 @@ DOCUMENTED = {
 
 @pytest.mark.parametrize("state", GoalState)
 @pytest.mark.parametrize("event", GoalEvent)
-def test_every_event_leads_where_the_table_says_or_is_refused(
-    state: GoalState, event: GoalEvent
-) -> None:
+def test_every_event_follows_the_table_or_is_refused(state: GoalState, event: GoalEvent) -> None:
     expected = DOCUMENTED.get((state.name, event.name))
     if expected is None:
         with pytest.raises(GoalTransitionError, match=state.name) as refused:
@@ -44,7 +42,7 @@ def test_every_event_leads_where_the_table_says_or_is_refused(
 
 
 @pytest.mark.parametrize("state", GoalState)
-def test_a_state_knows_its_events(state: GoalState) -> None:
+def test_a_state_has_its_events(state: GoalState) -> None:
     events = {event.name for event in events_of(state)}
     assert events == {event for known, event in DOCUMENTED if known == state.name}
     assert state.is_cancelable == ("CANCEL_GOAL" in events)
@@ -84,14 +82,14 @@ def test_states_have_the_numbers_of_goal_status() -> None:
         ),
     ],
 )
-def test_a_refusal_says_what_is_possible(state: GoalState, event: GoalEvent, text: str) -> None:
+def test_an_error_lists_the_possible_steps(state: GoalState, event: GoalEvent, text: str) -> None:
     with pytest.raises(GoalTransitionError) as refused:
         next_state(state, event)
     assert str(refused.value) == text
 
 
 class GoalLife(RuleBasedStateMachine):
-    """Any sequence of events: what is refused changes nothing, and the end is the end."""
+    """Any sequence of events: a refused event changes nothing, and no event follows the end."""
 
     def __init__(self) -> None:
         super().__init__()

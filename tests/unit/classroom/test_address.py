@@ -38,7 +38,7 @@ def test_addresses_are_read(text: str, host: str, port: int) -> None:
         "[::1",
     ],
 )
-def test_what_is_no_address_is_refused(text: str) -> None:
+def test_an_invalid_address_is_refused(text: str) -> None:
     with pytest.raises(AddressError):
         parse_address(text)
 

@@ -14,12 +14,12 @@ Document = dict[str, Any]
 
 
 class Class:
-    """A class with a door, and a way to pass it."""
+    """Class and a client that joins it."""
 
     def __init__(self, pin: str = "") -> None:
         self.register = Register({3: "Ana"})
         self.changed: list[int] = []
-        self.door = AdmissionService(
+        self.admission = AdmissionService(
             "Robots",
             pin,
             self.register,
@@ -27,83 +27,86 @@ class Class:
             changed=self.changed.append,
         )
 
-    def knock(self, wish: AdmissionRequest, pin: str = "") -> Document:
-        guest = PinClient(Secret(pin))
-        challenge = self.door.answer({"op": "enrol", **guest.hello()})
-        sealed = self.door.answer({"op": "claim", **guest.claim(challenge, asdict(wish))})
-        return sealed if "refused" in sealed else guest.opened(sealed)
+    def request_admission(self, request: AdmissionRequest, pin: str = "") -> Document:
+        client = PinClient(Secret(pin))
+        challenge = self.admission.answer({"op": "enrol", **client.hello()})
+        sealed = self.admission.answer({"op": "claim", **client.claim(challenge, asdict(request))})
+        return sealed if "refused" in sealed else client.opened(sealed)
 
 
-def test_whoever_asks_is_told_what_class_it_is() -> None:
-    answer = Class("1234").door.answer({"op": "hello"})
+def test_hello_returns_the_class_name() -> None:
+    answer = Class("1234").admission.answer({"op": "hello"})
     assert (answer["class"], answer["pin"]) == ("Robots", True)
-    assert not Class().door.answer({"op": "hello"})["pin"]
+    assert not Class().admission.answer({"op": "hello"})["pin"]
 
 
-def test_a_laptop_gets_a_number_and_what_goes_with_it() -> None:
+def test_a_laptop_gets_a_number_and_its_credentials() -> None:
     lesson = Class("1234")
-    given = lesson.knock(AdmissionRequest("m1", "laptop", "Cem", 17), "1234")
+    given = lesson.request_admission(AdmissionRequest("m1", "laptop", "Cem", 17), "1234")
     assert given["number"] == 17
     assert given["name"] == "Cem"
     assert given["secret"] == "s17"
     assert lesson.changed == [17]
 
 
-def test_a_wrong_pin_is_refused_and_nothing_is_claimed() -> None:
+def test_a_wrong_pin_is_refused_and_claims_no_number() -> None:
     lesson = Class("1234")
-    assert lesson.knock(AdmissionRequest("m1", "laptop"), "1111")["refused"] == "pin"
+    assert lesson.request_admission(AdmissionRequest("m1", "laptop"), "1111")["refused"] == "pin"
     assert not lesson.register.students
 
 
 def test_a_taken_number_is_refused_with_the_holders_name() -> None:
     lesson = Class()
-    lesson.knock(AdmissionRequest("m1", "laptop", "Cem", 17))
-    answer = lesson.knock(AdmissionRequest("m2", "laptop", "Eve", 17))
+    lesson.request_admission(AdmissionRequest("m1", "laptop", "Cem", 17))
+    answer = lesson.request_admission(AdmissionRequest("m2", "laptop", "Eve", 17))
     assert answer["refused"] == "taken"
     assert "Cem" in answer["sentence"]
 
 
 def test_a_number_out_of_range_is_refused() -> None:
     assert (
-        "from 1 to 232" in Class().knock(AdmissionRequest("m1", "laptop", number=999))["sentence"]
+        "from 1 to 232"
+        in Class().request_admission(AdmissionRequest("m1", "laptop", number=999))["sentence"]
     )
 
 
 def test_a_claim_cannot_be_used_twice() -> None:
     lesson = Class()
-    guest = PinClient(Secret(""))
-    challenge = lesson.door.answer({"op": "enrol", **guest.hello()})
-    claim = {"op": "claim", **guest.claim(challenge, asdict(AdmissionRequest("m1", "laptop")))}
-    guest.opened(lesson.door.answer(claim))
-    assert "refused" in lesson.door.answer(claim)
+    client = PinClient(Secret(""))
+    challenge = lesson.admission.answer({"op": "enrol", **client.hello()})
+    claim = {"op": "claim", **client.claim(challenge, asdict(AdmissionRequest("m1", "laptop")))}
+    client.opened(lesson.admission.answer(claim))
+    assert "refused" in lesson.admission.answer(claim)
 
 
-def test_what_was_claimed_is_bound_to_the_proof() -> None:
+def test_a_claim_is_bound_to_its_proof() -> None:
     lesson = Class()
-    guest = PinClient(Secret(""))
-    challenge = lesson.door.answer({"op": "enrol", **guest.hello()})
-    claim = guest.claim(challenge, asdict(AdmissionRequest("m1", "laptop", number=17)))
+    client = PinClient(Secret(""))
+    challenge = lesson.admission.answer({"op": "enrol", **client.hello()})
+    claim = client.claim(challenge, asdict(AdmissionRequest("m1", "laptop", number=17)))
     claim["claim"] = claim["claim"].replace("7", "8") if "7" in claim["claim"] else "00"
-    assert "refused" in lesson.door.answer({"op": "claim", **claim})
+    assert "refused" in lesson.admission.answer({"op": "claim", **claim})
 
 
-def test_only_the_holder_gives_a_number_back() -> None:
+def test_only_the_holder_can_return_a_number() -> None:
     lesson = Class()
-    given = lesson.knock(AdmissionRequest("m1", "laptop", number=17))
+    given = lesson.request_admission(AdmissionRequest("m1", "laptop", number=17))
     stolen = {"op": "release", "number": 17, "proof": release_proof("guess")}
-    assert lesson.door.answer(stolen) == {"released": False}
+    assert lesson.admission.answer(stolen) == {"released": False}
     assert 17 in lesson.register.students
     honest = {"op": "release", "number": 17, "proof": release_proof(given["claim"])}
-    assert lesson.door.answer(honest) == {"released": True}
-    assert lesson.door.answer(honest) == {"released": False}
+    assert lesson.admission.answer(honest) == {"released": True}
+    assert lesson.admission.answer(honest) == {"released": False}
 
 
-def test_guessing_is_slowed_down() -> None:
+def test_guesses_are_delayed() -> None:
     lesson = Class("1234")
     answers = []
     for number in range(20):
         try:
-            answers.append(lesson.knock(AdmissionRequest("m", "laptop"), f"{number:04}"))
+            answers.append(
+                lesson.request_admission(AdmissionRequest("m", "laptop"), f"{number:04}")
+            )
         except PinError as error:
             answers.append({"refused": type(error).__name__})
     kinds = [answer["refused"] for answer in answers]
@@ -126,14 +129,14 @@ def test_guessing_is_slowed_down() -> None:
         {"op": "list"},
     ],
 )
-def test_nonsense_is_answered_and_changes_nothing(question: Document) -> None:
+def test_an_invalid_request_is_answered_and_changes_nothing(question: Document) -> None:
     lesson = Class()
-    answer = lesson.door.answer(question)
+    answer = lesson.admission.answer(question)
     assert answer.get("refused") or answer.get("released") is False
     assert not lesson.register.students
 
 
-def test_a_wish_is_read_with_care() -> None:
+def test_an_invalid_request_is_sanitized() -> None:
     read = AdmissionRequest.of(
         {"machine": "x" * 1000, "host": "\x1b[1m", "name": 7, "number": "17"}
     )

@@ -55,7 +55,7 @@ def problems(text: str, rate_hz: float = 1.0) -> list[str]:
         "publishes std_msgs/String on /student_id at = 1.0 Hz",
     ],
 )
-def test_good_work_has_no_problem(text: str) -> None:
+def test_a_correct_program_has_no_problem(text: str) -> None:
     assert problems(text) == []
 
 
@@ -88,21 +88,21 @@ def test_good_work_has_no_problem(text: str) -> None:
         ("runs talkr", "/talkr does not run; is /talker meant?"),
     ],
 )
-def test_a_mistake_is_named_with_what_was_probably_meant(text: str, problem: str) -> None:
+def test_a_mistake_is_named_with_the_probable_intention(text: str, problem: str) -> None:
     assert problems(text) == [problem]
 
 
-def test_a_timer_that_is_a_little_late_still_counts() -> None:
+def test_a_slightly_low_rate_is_accepted() -> None:
     assert problems("publishes std_msgs/String on /student_id at >= 1 Hz", rate_hz=0.98) == []
     assert problems("publishes std_msgs/String on /student_id at >= 1 Hz", rate_hz=0.9) != []
 
 
-def test_a_silent_publisher_is_said_to_be_silent() -> None:
+def test_a_publisher_without_messages_is_reported() -> None:
     text = "publishes std_msgs/String on /student_id at >= 1 Hz"
-    assert problems(text, rate_hz=0) == ["/student_id has a publisher, and no message came"]
+    assert problems(text, rate_hz=0) == ["/student_id has a publisher, but no message arrived"]
 
 
-def test_what_is_expected_is_read() -> None:
+def test_expectations_are_parsed() -> None:
     assert parse_expectations("publishes std_msgs/String on student_id at >= 2.5 Hz") == [
         Expectation(EntityKind.PUBLISHER, "/student_id", STRING, ">=", 2.5)
     ]
@@ -112,15 +112,15 @@ def test_what_is_expected_is_read() -> None:
     ("text", "reason"),
     [
         ("publish std_msgs/String on /x", "did you mean 'publishes'"),
-        ("says hello", "has to begin with publishes, subscribes, serves or runs"),
+        ("says hello", "must begin with publishes, subscribes, serves or runs"),
         ("publishes std_msgs/String", "`on /name` is missing"),
-        ("publishes std_msgs/String on /x at fast", "should be like `at >= 1 Hz`"),
-        ("publishes String on /x", "'String' is no type"),
+        ("publishes std_msgs/String on /x at fast", "must be like `at >= 1 Hz`"),
+        ("publishes String on /x", "'String' is not a type"),
         ("publishes std_msgs/String on /1x", "must not start with a"),
-        ("subscribes std_msgs/String on /x at >= 1 Hz", "only what is published has a rate"),
-        ("", "has to begin with"),
+        ("subscribes std_msgs/String on /x at >= 1 Hz", "only `publishes` can have a rate"),
+        ("", "must begin with"),
     ],
 )
-def test_what_is_not_understood_says_why(text: str, reason: str) -> None:
+def test_an_invalid_expectation_is_refused_with_the_reason(text: str, reason: str) -> None:
     with pytest.raises(ExpectationError, match=reason):
         parse_expectations(text)

@@ -24,7 +24,7 @@ def register() -> Register:
     return Register({3: "Ana", 5: "Ben"})
 
 
-def test_numbers_are_given_out_from_one_up_around_those_of_the_list(register: Register) -> None:
+def test_numbers_begin_at_one_and_skip_those_of_the_list(register: Register) -> None:
     given = [register.claim(None, None, f"laptop{k}", "host").number for k in range(4)]
     assert given == [1, 2, 4, 6]
 
@@ -37,7 +37,7 @@ def test_a_number_of_the_list_gets_its_name(register: Register) -> None:
     assert register.claim(5, None, "laptop", "host").name == "Ben"
 
 
-def test_a_number_of_the_list_is_kept_for_its_name(register: Register) -> None:
+def test_a_number_of_the_list_is_reserved_for_its_name(register: Register) -> None:
     with pytest.raises(TakenError, match="taken by Ana"):
         register.claim(3, "Eve", "laptop", "host")
 
@@ -48,13 +48,13 @@ def test_a_taken_number_is_refused_with_its_holders_name(register: Register) -> 
         register.claim(17, "Eve", "second", "host")
 
 
-def test_a_laptop_that_comes_back_has_its_number_again(register: Register) -> None:
+def test_a_laptop_that_returns_keeps_its_number(register: Register) -> None:
     first = register.claim(None, "Cem", "laptop", "host")
     assert register.claim(None, "Cem", "laptop", "host").number == first.number
     assert len(register.students) == 1
 
 
-def test_a_laptop_that_changes_its_number_gives_the_old_one_back(register: Register) -> None:
+def test_a_laptop_that_changes_its_number_frees_the_old_one(register: Register) -> None:
     register.claim(17, "Cem", "laptop", "host")
     register.claim(18, "Cem", "laptop", "host")
     assert list(register.students) == [18]
@@ -76,7 +76,7 @@ def test_numbers_are_domains(register: Register, number: int) -> None:
         register.claim(number, None, "laptop", "host")
 
 
-def test_the_last_number_is_given_out_and_then_no_more() -> None:
+def test_a_claim_after_the_last_number_is_refused() -> None:
     register = Register()
     numbers = [register.claim(None, None, f"laptop{k}", "host").number for k in range(232)]
     assert sorted(numbers) == list(range(1, 233))
@@ -96,7 +96,7 @@ def test_the_last_number_is_given_out_and_then_no_more() -> None:
         ("<b>Ana</b>", "<b>Ana</b>"),
     ],
 )
-def test_names_are_one_line_that_moves_no_cursor(name: str, shown: str) -> None:
+def test_names_are_one_line_without_control_characters(name: str, shown: str) -> None:
     assert clean_name(name) == shown
 
 
@@ -106,24 +106,24 @@ def test_a_list_of_students_is_read(tmp_path: Path) -> None:
     assert load_roster(path) == {17: "Ana Müller", 18: "Ben"}
 
 
-def test_a_list_may_have_semicolons_and_no_heading() -> None:
+def test_a_list_may_have_semicolons_and_no_header() -> None:
     assert read_roster('1;"Ana"\n2;Ben\n') == {1: "Ana", 2: "Ben"}
 
 
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        ("1,Ana\n1,Ben", "line 2 .* number 1 is there twice"),
-        ("1,Ana\nBen,2", "line 2 .* 'Ben' is no number"),
-        ("0,Ana", "line 1 .* '0' is no number"),
-        ("1,Ana\n233,Ben", "'233' is no number from 1 to 232"),
+        ("1,Ana\n1,Ben", "line 2 .* number 1 appears twice"),
+        ("1,Ana\nBen,2", "line 2 .* 'Ben' is not a number"),
+        ("0,Ana", "line 1 .* '0' is not a number"),
+        ("1,Ana\n233,Ben", "'233' is not a number from 1 to 232"),
     ],
 )
-def test_a_wrong_list_says_which_line(text: str, reason: str) -> None:
+def test_an_invalid_list_is_refused_with_the_line(text: str, reason: str) -> None:
     with pytest.raises(RosterError, match=reason):
         read_roster(text)
 
 
-def test_a_list_that_is_not_there_says_so(tmp_path: Path) -> None:
+def test_a_missing_list_is_refused(tmp_path: Path) -> None:
     with pytest.raises(RosterError, match="No such file"):
         load_roster(tmp_path / "nowhere.csv")

@@ -7,7 +7,7 @@ import pytest
 from zbot_cli.output.braille import Canvas, Curve, draw, span, ticks
 
 
-def test_dots_are_where_braille_has_them() -> None:
+def test_dots_have_the_positions_of_braille() -> None:
     canvas = Canvas(1, 1)
     for x, y, text in [(0, 0, "⠁"), (1, 3, "⢁"), (0, 3, "⣁"), (1, 0, "⣉")]:
         canvas.dot(x, y, 0)
@@ -48,7 +48,7 @@ def sine(count: int = 200) -> Curve:
 
 
 @pytest.mark.parametrize(("width", "height"), [(80, 24), (40, 12), (200, 60)])
-def test_plot_fills_its_place_and_no_more(width: int, height: int) -> None:
+def test_plot_has_exactly_the_given_size(width: int, height: int) -> None:
     lines = draw([sine()], width=width, height=height, from_s=0, to_s=10)
     assert len(lines) == height
     assert max(map(len, lines)) == width
@@ -67,17 +67,17 @@ def test_sine_goes_up_and_down() -> None:
     assert max(means) > 12
 
 
-def test_small_place_still_has_a_plot() -> None:
+def test_small_size_has_a_plot() -> None:
     assert len(draw([sine()], width=1, height=1, from_s=0, to_s=10)) >= 3
 
 
-def test_values_that_are_no_numbers_leave_a_gap() -> None:
+def test_nan_leaves_a_gap() -> None:
     curve = Curve("/x.y", [(0, 0.0), (1, math.nan), (2, math.inf), (3, 1.0)])
     lines = draw([curve], width=60, height=12, from_s=0, to_s=4)
     assert sum(mark > "⠀" and mark <= "⣿" for line in lines for mark in line) == 2
 
 
-def test_colours_tell_curves_apart() -> None:
+def test_curves_have_different_colours() -> None:
     lines = draw([sine(), Curve("/b.y", [])], width=60, height=12, from_s=0, to_s=9, coloured=True)
     assert "\033[38;5;33m" in lines[0]
     assert "\033[38;5;208m" in lines[1]

@@ -16,7 +16,7 @@ class Entity:
     pass
 
 
-def test_a_reentrant_group_lets_everything_begin() -> None:
+def test_a_reentrant_group_allows_every_callback() -> None:
     group, entity = ReentrantCallbackGroup(), Entity()
     for _ in range(3):
         assert group.can_execute(entity)
@@ -24,7 +24,7 @@ def test_a_reentrant_group_lets_everything_begin() -> None:
     assert group.ending_execution(entity) == []
 
 
-def test_an_exclusive_group_lets_one_begin_and_names_who_waits_in_turn() -> None:
+def test_an_exclusive_group_allows_one_callback_and_returns_waiting_ones_in_order() -> None:
     group, first, second, third = MutuallyExclusiveCallbackGroup(), Entity(), Entity(), Entity()
     assert group.beginning_execution(first)
     assert not group.can_execute(second)
@@ -40,7 +40,7 @@ def test_an_exclusive_group_lets_one_begin_and_names_who_waits_in_turn() -> None
     assert group.dismiss() == []
 
 
-def test_only_one_of_many_threads_enters_an_exclusive_group() -> None:
+def test_only_one_of_many_threads_reserves_an_exclusive_group() -> None:
     group, barrier = MutuallyExclusiveCallbackGroup(), threading.Barrier(8)
     entered: list[bool] = []
 
@@ -67,7 +67,7 @@ def test_a_group_knows_its_entities_and_keeps_none_alive(kind: type[CallbackGrou
     assert len(group._entities) == 0
 
 
-def test_the_base_class_decides_nothing() -> None:
+def test_the_methods_of_the_base_class_are_not_implemented() -> None:
     for method in ("can_execute", "beginning_execution", "ending_execution"):
         with pytest.raises(NotImplementedError):
             getattr(CallbackGroup(), method)(Entity())

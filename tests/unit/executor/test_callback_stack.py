@@ -1,10 +1,10 @@
-"""What waits for the end of a callback."""
+"""Functions that are called at the end of a callback."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, cast
 
-from zbot.executor.callback_stack import CallbackStack, callbacks, current_executor
+from zbot.executor.callback_stack import CallbackStack, current_executor, running_callbacks
 
 if TYPE_CHECKING:
     from zbot.executor.executor import Executor
@@ -13,7 +13,7 @@ OUTER, INNER = cast("Any", "outer"), cast("Any", "inner")
 EXECUTOR = cast("Executor", object())
 
 
-def test_each_callback_ends_with_what_was_asked_in_it() -> None:
+def test_a_function_is_called_when_its_callback_ends() -> None:
     told: list[str] = []
     stack = CallbackStack()
     stack.stack.append((EXECUTOR, OUTER))
@@ -27,9 +27,9 @@ def test_each_callback_ends_with_what_was_asked_in_it() -> None:
     assert told == ["inner", "outer"]
 
 
-def test_outside_of_callbacks_there_is_no_executor() -> None:
+def test_code_outside_of_callbacks_has_no_executor() -> None:
     assert current_executor() is None
-    callbacks.stack.append((EXECUTOR, OUTER))
+    running_callbacks.stack.append((EXECUTOR, OUTER))
     assert current_executor() is EXECUTOR
-    callbacks.pop()
+    running_callbacks.pop()
     assert current_executor() is None

@@ -25,19 +25,19 @@ def ros_time(nanoseconds: int) -> Time:
 
 
 class FakeContext:
-    """A context without a session, which tells when somebody sleeps on it."""
+    """Context without a session, with an event for the begin of a sleep."""
 
     def __init__(self) -> None:
         self.is_ok = True
         self.wakers: list[Callable[[], None]] = []
-        self.somebody_sleeps = threading.Event()
+        self.is_sleeping = threading.Event()
 
     def ok(self) -> bool:
         return self.is_ok
 
     def add_waker(self, waker: Callable[[], None]) -> None:
         self.wakers.append(waker)
-        self.somebody_sleeps.set()
+        self.is_sleeping.set()
 
     def remove_waker(self, waker: Callable[[], None]) -> None:
         self.wakers.remove(waker)
@@ -62,13 +62,13 @@ def simulated() -> ROSClock:
 
 
 class Sleeper:
-    """Sleeps in a thread of its own."""
+    """Sleeps in a separate thread."""
 
     def __init__(self, clock: Clock, until: Time, context: FakeContext) -> None:
         self.result: bool | None = None
         self._thread = threading.Thread(target=self._sleep, args=(clock, until, context))
         self._thread.start()
-        assert context.somebody_sleeps.wait(5)
+        assert context.is_sleeping.wait(5)
 
     def _sleep(self, clock: Clock, until: Time, context: FakeContext) -> None:
         self.result = clock.sleep_until(until, context)
@@ -90,7 +90,9 @@ class Sleeper:
     ("clock_type", "now_ns"),
     [(SYSTEM, time.time_ns), (STEADY, time.monotonic_ns), (ROS, time.time_ns)],
 )
-def test_now_is_the_time_of_the_type(clock_type: ClockType, now_ns: Callable[[], int]) -> None:
+def test_now_is_the_time_of_the_clock_type(
+    clock_type: ClockType, now_ns: Callable[[], int]
+) -> None:
     before = now_ns()
     now = Clock(clock_type=clock_type).now()
     assert before <= now.nanoseconds <= now_ns()
@@ -122,7 +124,7 @@ def test_ros_clock_has_no_other_type() -> None:
 # -- simulated time ------------------------------------------------------------------------------
 
 
-def test_simulated_time_shows_only_while_active() -> None:
+def test_now_is_simulated_only_while_simulated_time_is_active() -> None:
     clock = ROSClock()
     clock.set_ros_time_override(ros_time(5))
     assert not clock.ros_time_is_active
@@ -139,7 +141,7 @@ def test_override_must_be_a_time(simulated: ROSClock) -> None:
         simulated.set_ros_time_override(5)  # type: ignore[arg-type]
 
 
-def test_time_changes_are_told_with_the_new_time(simulated: ROSClock) -> None:
+def test_time_change_callbacks_see_the_new_time(simulated: ROSClock) -> None:
     seen: list[int] = []
     handle = simulated.on_time_change(lambda: seen.append(simulated.now().nanoseconds))
     for nanoseconds in (150, 150, 120):
@@ -153,7 +155,7 @@ def test_time_changes_are_told_with_the_new_time(simulated: ROSClock) -> None:
     assert len(seen) == 4
 
 
-def test_time_set_while_inactive_is_not_told() -> None:
+def test_time_set_while_inactive_calls_no_callback() -> None:
     clock, told = ROSClock(), list[str]()
     clock.on_time_change(lambda: told.append("change"))
     clock.set_ros_time_override(ros_time(5))
@@ -180,7 +182,7 @@ BACKWARD = (ClockChange.ROS_TIME_NO_CHANGE, -10)
         (None, None, True, [ON, OFF]),
     ],
 )
-def test_jumps_are_told_by_their_threshold(
+def test_jump_callbacks_are_called_from_their_threshold_on(
     forward_ns: int | None,
     backward_ns: int | None,
     on_clock_change: bool,
@@ -222,7 +224,7 @@ def test_jump_handle_ends_with_its_block(simulated: ROSClock) -> None:
     assert len(told) == 1
 
 
-def test_exception_of_a_jump_callback_reaches_who_sets_the_time(simulated: ROSClock) -> None:
+def test_exception_of_a_jump_callback_is_raised_where_the_time_is_set(simulated: ROSClock) -> None:
     def fail(_: TimeJump) -> None:
         raise KeyError("boom")
 
@@ -322,9 +324,7 @@ def test_shutdown_ends_a_sleep_on_simulated_time(context: FakeContext, simulated
     assert sleeper.wake() is False
 
 
-def test_simulated_sleep_ends_when_time_gets_there(
-    context: FakeContext, simulated: ROSClock
-) -> None:
+def test_simulated_sleep_ends_at_its_time(context: FakeContext, simulated: ROSClock) -> None:
     sleeper = Sleeper(simulated, ros_time(200), context)
     for nanoseconds in (199, 5, 150):
         simulated.set_ros_time_override(ros_time(nanoseconds))
@@ -346,7 +346,7 @@ def test_activated_simulation_ends_a_sleep(context: FakeContext) -> None:
     assert sleeper.wake() is False
 
 
-def test_simulation_that_comes_and_goes_ends_a_sleep(context: FakeContext) -> None:
+def test_simulation_switched_on_and_off_ends_a_sleep(context: FakeContext) -> None:
     clock = ROSClock()
     sleeper = Sleeper(clock, clock.now() + FAR, context)
     clock.set_ros_time_is_active(True)
@@ -364,7 +364,7 @@ def test_sleep_needs_a_time(context: FakeContext) -> None:
         Clock().sleep_until(2.0, context)  # type: ignore[arg-type]
 
 
-def test_sleep_needs_a_living_context(context: FakeContext) -> None:
+def test_sleep_needs_a_context_that_is_not_shut_down(context: FakeContext) -> None:
     context.shutdown()
     with pytest.raises(NotInitializedError):
         Clock().sleep_for(FAR, context)
@@ -372,7 +372,7 @@ def test_sleep_needs_a_living_context(context: FakeContext) -> None:
 
 @pytest.fixture
 def alarm() -> Iterator[Callable[[Callable[[], None]], None]]:
-    """Return a function that makes a signal's handler call something 20 ms later."""
+    """Return a function that lets a signal handler call a given function 20 ms later."""
     before = signal.getsignal(signal.SIGALRM)
 
     def set_alarm(action: Callable[[], None]) -> None:
@@ -408,7 +408,7 @@ def test_exception_of_a_signal_handler_ends_a_sleep(
     assert context.wakers == []
 
 
-def test_rclpys_own_name_switches_simulated_time_too() -> None:
+def test_rclpys_private_name_switches_simulated_time() -> None:
     clock = ROSClock()
     clock._set_ros_time_is_active(True)
     assert clock.ros_time_is_active

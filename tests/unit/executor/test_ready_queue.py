@@ -38,7 +38,7 @@ def test_nothing_is_posted_while_detached_and_everything_when_attached_again() -
     assert posts == guards
 
 
-def test_a_new_entity_is_asked_at_once() -> None:
+def test_a_new_entity_is_posted_at_once() -> None:
     ready_queue, posts = ReadyQueue(), list[Any]()
     ready_queue.attach("executor", posts.append)
     assert posts == []

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class Queue:
-    """Stands in for an executor: runs what is scheduled when told to."""
+    """Executor that runs its scheduled tasks only when the test calls for it."""
 
     def __init__(self) -> None:
         self.tasks: list[Task[Any]] = []
@@ -64,7 +64,7 @@ def cancelled() -> Future[Any]:
         (cancelled, False, True, True),
     ],
 )
-def test_a_future_tells_its_state(
+def test_a_future_has_the_state_of_its_end(
     make: Callable[[], Future[Any]], *, done: bool, was_cancelled: bool, over: bool
 ) -> None:
     future = make()
@@ -131,7 +131,7 @@ def test_done_callbacks_run_once_with_the_future(end: Callable[[Future[Any]], No
     assert calls == [future, future]
 
 
-def test_a_done_callback_can_be_taken_back() -> None:
+def test_a_done_callback_can_be_removed() -> None:
     future, calls = pending(), list[Any]()
     future.add_done_callback(calls.append)
     assert future.remove_done_callback(calls.append)
@@ -165,7 +165,7 @@ def test_a_task_runs_a_function_with_its_arguments() -> None:
     assert Task(dict, (), {"a": 1}).done() is False
 
 
-def test_a_task_keeps_what_its_function_raises() -> None:
+def test_a_task_keeps_the_exception_of_its_function() -> None:
     task: Task[None] = Task(lambda: 1 / 0)
     task()
     assert isinstance(task.exception(), ZeroDivisionError)
@@ -181,7 +181,7 @@ def test_an_interrupt_passes_through_a_task() -> None:
     assert task.done()
 
 
-def test_a_coroutine_goes_on_when_what_it_awaits_is_there() -> None:
+def test_a_coroutine_continues_when_the_awaited_future_is_done() -> None:
     queue, future, steps = Queue(), pending(), list[Any]()
 
     async def work() -> str:
@@ -199,7 +199,7 @@ def test_a_coroutine_goes_on_when_what_it_awaits_is_there() -> None:
     assert task.result() == "end"
 
 
-def test_awaiting_what_is_done_does_not_pause() -> None:
+def test_awaiting_a_done_future_does_not_pause() -> None:
     queue = Queue()
 
     async def work() -> list[Any]:
@@ -256,14 +256,14 @@ def test_asyncio_and_a_task_inside_its_loop_await_the_same_future() -> None:
     assert asyncio.run(completed_meanwhile(Queue())) == (7, 7)
 
 
-def test_a_step_may_run_a_loop_of_asyncio_of_its_own() -> None:
+def test_a_step_may_run_an_asyncio_loop() -> None:
     queue = Queue()
     task = queue.create_task(lambda: asyncio.run(completed_meanwhile(Queue())))
     queue.run()
     assert task.result() == (7, 7)
 
 
-def test_a_done_callback_that_raises_is_not_the_completing_threads_concern() -> None:
+def test_an_error_of_a_done_callback_does_not_reach_the_completing_thread() -> None:
     future: Future[int] = Future()
     later: list[int] = []
     future.add_done_callback(lambda _: 1 / 0)

@@ -23,6 +23,6 @@ def test_times_are_nanoseconds_of_one_kind_of_clock() -> None:
         ({"actual_call_time": -1}, NegativeTimeError),
     ],
 )
-def test_what_is_no_time_is_refused(arguments: Any, error: type[Exception]) -> None:
+def test_a_wrong_time_is_refused(arguments: Any, error: type[Exception]) -> None:
     with pytest.raises(error):
         TimerInfo(**arguments)

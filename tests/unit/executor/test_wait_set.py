@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class LateTimer:
-    """Is due since long, and ready at the third look: as one whose moment comes between two."""
+    """Timer that is due for a long time, and ready only when it is asked for the third time."""
 
     due_ns = 0
 
@@ -24,7 +24,7 @@ class LateTimer:
         return next(self._looks)
 
 
-def test_a_timer_may_become_due_while_it_is_looked_at() -> None:
+def test_a_timer_may_become_due_during_a_wait() -> None:
     timer: Any = LateTimer()
     waiting = WaitSet()
     index = waiting.add_timer(Handle(timer))

@@ -1,4 +1,4 @@
-"""The picture of the graph as SVG, and for Graphviz."""
+"""Tests of the graph's picture as SVG and of its DOT text for Graphviz."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def test_names_are_text() -> None:
     assert texts == ["/listener", "/talker", "/chatter", "/count"]
 
 
-def test_what_others_announce_is_never_markup() -> None:
+def test_names_from_other_programs_are_escaped() -> None:
     evil = '<script>alert("1")</script>&\'x'
     tokens = (node(evil), publishes(evil, "/" + evil, evil), subscribes(evil, "/" + evil, "y"))
     for mode in Mode:
@@ -80,7 +80,7 @@ def test_long_names_take_two_lines() -> None:
     assert lines_of("/" + "x" * 80) == ["/" + "x" * 80]
 
 
-def test_what_looks_wrong_is_red_and_says_why() -> None:
+def test_problems_are_red_and_in_the_title() -> None:
     tokens = (*TALKING.tokens, node("lost"), subscribes("lost", "/chater"))
     root = parsed(draw(view(Snapshot(tokens))).svg())
     [wrong] = [one for one in root.iter(SVG + "g") if one.get("class") == "item topic wrong"]
@@ -91,7 +91,7 @@ def test_what_looks_wrong_is_red_and_says_why() -> None:
     ]
 
 
-def test_only_the_ends_that_cannot_hear_are_red() -> None:
+def test_only_edges_without_messages_are_red() -> None:
     tokens = (*TALKING.tokens, node("lost"), subscribes("lost", "/chatter", "std_msgs/msg/Int32"))
     drawn = view(Snapshot(tokens))
     wrong = [edge for edge in drawn.edges if edge.is_wrong]
@@ -100,14 +100,14 @@ def test_only_the_ends_that_cannot_hear_are_red() -> None:
     assert [(edge.start, edge.end) for edge in wrong] == [("/talker", "/lost")]
 
 
-def test_labels_stand_beside_edges() -> None:
+def test_labels_are_beside_edges() -> None:
     drawing = draw(view(TALKING))
     edge = drawing.view.edges[0]
     assert ">9.9 Hz</text>" in drawing.svg({edge: "9.9 Hz"})
     assert "Hz" not in drawing.svg()
 
 
-def test_a_new_node_leaves_the_picture_in_place() -> None:
+def test_a_new_node_does_not_move_the_others() -> None:
     before = draw(view(TALKING))
     tokens = (*TALKING.tokens, node("late"), subscribes("late", "/chatter"))
     after = draw(view(Snapshot(tokens)), before)
@@ -116,7 +116,7 @@ def test_a_new_node_leaves_the_picture_in_place() -> None:
         assert after.layout.places[key].y == pytest.approx(place.y, abs=1.0)
 
 
-def test_other_frames_make_another_picture() -> None:
+def test_other_frames_cause_a_new_layout() -> None:
     tokens = (node("a"), publishes("a", "/robot/scan"), publishes("a", "/robot/odom"))
     framed = draw(view(Snapshot(tokens)))
     plain = draw(view(Snapshot(tokens), grouping=Grouping(namespaces=0)), framed)
@@ -124,11 +124,11 @@ def test_other_frames_make_another_picture() -> None:
     assert not plain.layout.frames
 
 
-def test_nothing_running_is_said() -> None:
+def test_an_empty_graph_has_a_text() -> None:
     assert "no node is running" in draw(view(Snapshot(()))).svg()
 
 
-def test_the_style_knows_light_and_dark() -> None:
+def test_the_style_has_light_and_dark_colours() -> None:
     assert "prefers-color-scheme: dark" in style()
     assert "var(" not in style()  # programs that show SVG files know no variables
 
@@ -149,7 +149,7 @@ def crowd(nodes: int = 50, topics: int = 150) -> Snapshot:
     return Snapshot(tuple(tokens))
 
 
-def test_a_large_graph_is_drawn_at_once() -> None:
+def test_a_large_graph_is_drawn_quickly() -> None:
     begin = time.process_time()
     drawing = draw(view(crowd()))
     drawing.svg()

@@ -8,7 +8,7 @@ from zbot.qos import QoSProfile
 TEXT = "RIHS01_df668c740482bbd48fb39d76a70dfd4bd59db1288021743503259e948f6b1a18"
 
 
-def test_a_hash_is_the_text_it_was_read_from() -> None:
+def test_a_hash_is_parsed_and_printed() -> None:
     parsed = TypeHash.parse(TEXT)
     assert (parsed.version, len(parsed.value), str(parsed)) == (1, 32, TEXT)
     assert parsed == TypeHash(1, parsed.value)
@@ -20,7 +20,7 @@ def test_a_misspelt_field_is_refused() -> None:
             thing.vale = b""  # type: ignore[union-attr]  # pyright: ignore[reportAttributeAccessIssue]
 
 
-def test_what_is_no_hash_is_invalid() -> None:
+def test_other_texts_are_invalid_hashes() -> None:
     assert {str(TypeHash.parse(text)) for text in ("", "RIHS01_xy", "RIHS01_00")} == {"INVALID"}
     assert str(TypeHash()) == "INVALID"
 
@@ -47,5 +47,5 @@ def test_an_endpoint_prints_as_topic_info_does() -> None:
     assert "  History (Depth): KEEP_LAST (7)" in lines
 
 
-def test_nothing_known_is_said_too() -> None:
+def test_default_endpoint_info_can_be_printed() -> None:
     assert "Endpoint type: INVALID" in str(TopicEndpointInfo())

@@ -1,4 +1,4 @@
-"""Layered layouts, by what must be true of each of them."""
+"""Tests of properties that every layered layout has."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from zbot.graph.layout import Item, Layout, Link, lay_out
-from zbot.graph.layout.place import settle
+from zbot.graph.layout.coordinates import separate
 
 Graph = tuple[list[Item], list[Link]]
 
@@ -73,13 +73,13 @@ def check(items: list[Item], links: list[Link], layout: Layout) -> None:
 
 @settings(max_examples=150)
 @given(graphs())
-def test_nothing_lies_on_anything_else(graph: Graph) -> None:
+def test_items_do_not_overlap(graph: Graph) -> None:
     check(*graph, lay_out(*graph))
 
 
 @settings(max_examples=100)
 @given(graphs(), graphs())
-def test_nothing_lies_on_anything_else_after_a_change(before: Graph, after: Graph) -> None:
+def test_items_do_not_overlap_after_a_change(before: Graph, after: Graph) -> None:
     check(*after, lay_out(*after, lay_out(*before)))
 
 
@@ -109,11 +109,11 @@ def test_equal_graphs_get_equal_layouts(graph: Graph) -> None:
 
 @settings(max_examples=100)
 @given(graphs())
-def test_what_does_not_change_stays_in_its_column(graph: Graph) -> None:
+def test_unchanged_items_stay_in_their_columns(graph: Graph) -> None:
     first = lay_out(*graph)
     again = lay_out(*graph, first)
     if again.crossings > first.crossings:
-        return  # a link that passes may take another way, and then needs room
+        return  # a passing link may take another path and then needs space
     for key, place in lay_out(*graph, again).places.items():
         assert (place.x, place.layer) == (again.places[key].x, again.places[key].layer)
 
@@ -126,7 +126,7 @@ def test_links_point_right(order: list[int]) -> None:
     assert not any(route.is_backward for route in layout.routes)
 
 
-def test_one_link_of_a_circle_points_left() -> None:
+def test_one_link_of_a_cycle_points_left() -> None:
     items, links = chain("a", "b", "c")
     layout = lay_out(items, [*links, Link("c", "a")])
     assert [route.is_backward for route in layout.routes] == [False, False, True]
@@ -137,13 +137,13 @@ def test_a_chain_is_straight() -> None:
     assert len({place.y for place in layout.places.values()}) == 1
 
 
-def test_no_needless_crossing() -> None:
+def test_links_have_no_needless_crossing() -> None:
     items = [item(key) for key in "abcxyz"]
     layout = lay_out(items, [Link("a", "z"), Link("b", "x"), Link("c", "y"), Link("a", "y")])
     assert layout.crossings == 0
 
 
-def test_a_new_item_leaves_the_others_where_they_are() -> None:
+def test_a_new_item_does_not_move_the_others() -> None:
     items, links = chain("a", "b", "c")
     before = lay_out(items, links)
     after = lay_out([*items, item("d")], [*links, Link("b", "d")], before)
@@ -152,7 +152,7 @@ def test_a_new_item_leaves_the_others_where_they_are() -> None:
         assert after.places[key].y == pytest.approx(before.places[key].y, abs=1.0)
 
 
-def test_what_comes_before_goes_to_the_left_of_what_is_there() -> None:
+def test_a_new_source_is_placed_to_the_left() -> None:
     items, links = chain("b", "c")
     before = lay_out(items, links)
     after = lay_out([*items, item("a")], [*links, Link("a", "b")], before)
@@ -160,14 +160,14 @@ def test_what_comes_before_goes_to_the_left_of_what_is_there() -> None:
     assert after.places["a"].right < after.places["b"].left
 
 
-def test_what_is_left_stays_when_something_goes() -> None:
+def test_remaining_items_stay_when_one_is_removed() -> None:
     items, links = chain("a", "b", "c", "d")
     before = lay_out(items, links)
     after = lay_out([one for one in items if one.key != "b"], links[2:], before)
     assert {key: after.places[key] for key in "acd"} == {key: before.places[key] for key in "acd"}
 
 
-def test_a_tangle_is_laid_out_anew() -> None:
+def test_too_many_crossings_cause_a_new_layout() -> None:
     left, right = [f"l{n}" for n in range(6)], [f"r{n}" for n in range(6)]
     items = [item(key) for key in left + right]
     before = lay_out(items, [Link(a, b) for a, b in zip(left, right, strict=True)])
@@ -175,7 +175,7 @@ def test_a_tangle_is_laid_out_anew() -> None:
     assert lay_out(items, links, before).crossings == 0
 
 
-def test_labels_have_room_of_their_own() -> None:
+def test_labels_do_not_overlap() -> None:
     items = [item("a"), item("b")]
     layout = lay_out(items, [Link("a", "b", 120), Link("a", "b", 90), Link("b", "a", 60)])
     spots = [
@@ -189,17 +189,17 @@ def test_labels_have_room_of_their_own() -> None:
         assert not overlaps(one, other)
 
 
-def test_what_does_not_hang_together_fills_the_screen() -> None:
+def test_separate_components_fill_the_screen() -> None:
     layout = lay_out([item(f"i{number}") for number in range(60)], [])
     left, top, right, bottom = layout.bounds
     assert 0.8 < (right - left) / (bottom - top) < 4
 
 
-def test_nothing_is_laid_out_too() -> None:
+def test_an_empty_graph_has_an_empty_layout() -> None:
     assert lay_out([], []).bounds == (0, 0, 0, 0)
 
 
-def test_settle_moves_what_matters_least() -> None:
-    assert settle([0, 0], [1000, 1], [10]) == pytest.approx([0, 10], abs=0.02)
-    assert settle([0, 0], [1, 1], [10]) == pytest.approx([-5, 5])
-    assert settle([0, 50], [1, 1], [10]) == [0, 50]
+def test_separate_moves_the_smallest_weights_most() -> None:
+    assert separate([0, 0], [1000, 1], [10]) == pytest.approx([0, 10], abs=0.02)
+    assert separate([0, 0], [1, 1], [10]) == pytest.approx([-5, 5])
+    assert separate([0, 50], [1, 1], [10]) == [0, 50]

@@ -70,7 +70,7 @@ def test_all_shows_each_topic_with_its_arrows() -> None:
     )
 
 
-def test_active_shows_only_topics_that_carry_messages() -> None:
+def test_active_shows_only_topics_with_publishers_and_subscriptions() -> None:
     assert names(Mode.ACTIVE) == ["/chatter"]
 
 
@@ -86,7 +86,7 @@ def test_filters_leave_topics_out() -> None:
     assert names(filters=Filters(leaf_topics=True)) == ["/chatter"]
 
 
-def test_hidden_nodes_take_their_topics_with_them() -> None:
+def test_topics_of_hidden_nodes_are_hidden() -> None:
     snapshot = Snapshot((node("_zbot_cli_echo_1"), subscribes("_zbot_cli_echo_1", "/chatter")))
     assert view(snapshot) == view(Snapshot(()))
     assert view(snapshot, filters=Filters(hidden=False)).nodes == ("/_zbot_cli_echo_1",)
@@ -106,22 +106,22 @@ def test_filters_include_and_leave_out_as_in_rqt_graph() -> None:
     assert left("-/talker") == ["/listener", "/talker_2"]
     assert left("-/talk.* , -/nobody") == ["/listener"]
     assert left("/talk.*,-/talker_2") == ["/talker"]
-    assert left("alker.*") == []  # from the beginning, as rqt_graph has it
+    assert left("alker.*") == []  # expressions match from the start, as in rqt_graph
 
 
-def test_a_filter_that_is_no_expression_is_refused() -> None:
+def test_an_invalid_filter_is_refused() -> None:
     with pytest.raises(InvalidFilterError, match=r"invalid filter '/a\('"):
         view(TALKING, filters=Filters(topics="/x,-/a("))
 
 
-def test_topics_are_judged_with_all_their_nodes() -> None:
+def test_problems_are_found_with_all_nodes_of_a_topic() -> None:
     drawn = view(TALKING, Mode.ACTIVE, Filters(nodes="/talker", leaf_topics=True))
     assert drawn.nodes == ("/talker",)
     assert drawn.edges == (Edge("/talker", "/chatter", is_publishing=True),)
     assert not view(TALKING, filters=Filters(nodes="/nobody")).topics
 
 
-def test_what_is_left_out_is_known() -> None:
+def test_left_out_names_are_listed() -> None:
     assert view(TALKING).left_out == ("/rosout",)
     assert view(TALKING, filters=Filters(nodes="-/talker")).left_out == (
         "/count",
@@ -136,7 +136,7 @@ def test_debug_leaves_tools_out_but_no_student_s_node() -> None:
     assert len(view(snapshot, filters=Filters(debug=False)).nodes) == 4
 
 
-def test_transforms_are_one_box_or_two_or_none() -> None:
+def test_transforms_are_one_box_two_boxes_or_hidden() -> None:
     tokens = (
         node("base"),
         node("map"),
@@ -175,7 +175,7 @@ def test_an_action_is_a_box_between_clients_and_servers() -> None:
     [box] = view(Snapshot(served)).boxes
     assert (box.key, box.types) == ("a:/go", ("a/action/Go",))
     assert (box.publishers, box.subscriptions) == (("/client",), ("/server",))
-    assert all(edge.is_both_ways for edge in view(Snapshot(served)).edges)
+    assert {edge.is_both_ways for edge in view(Snapshot(served)).edges} == {True}
 
 
 def test_a_misspelt_action_is_marked() -> None:
@@ -212,14 +212,14 @@ def test_a_misspelt_topic_is_marked() -> None:
     assert boxes["/chatter"].guess is None
 
 
-def test_problems_are_told_in_every_mode() -> None:
+def test_problems_are_listed_in_every_mode() -> None:
     snapshot = Snapshot((*TALKING.tokens, node("lost"), subscribes("lost", "/chater")))
     for mode in Mode:
         assert view(snapshot, mode).problems == ("nobody publishes /chater: is /chatter meant?",)
     assert not view(snapshot, filters=Filters(nodes="-/lost")).problems
 
 
-def test_dot_tells_a_topic_from_a_node_of_the_same_name() -> None:
+def test_dot_has_different_keys_for_a_topic_and_a_node_of_the_same_name() -> None:
     drawn = view(Snapshot((node("ping"), publishes("ping", "/ping"), subscribes("ping", "/ping"))))
     text = dot(drawn)
     assert '"n:/ping" -> "t:/ping";' in text

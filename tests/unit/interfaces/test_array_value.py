@@ -36,7 +36,7 @@ def test_a_fixed_array_can_be_written_to() -> None:
     assert values.tolist() == [2.0]
 
 
-def test_defaults_are_made_anew() -> None:
+def test_defaults_are_new_objects() -> None:
     make = fixed_default("i", 2, (1, 2))
     make()[0] = 9
     assert make().tolist() == [1, 2]

@@ -19,7 +19,7 @@ from zbot.interfaces.parser import parse_message
 
 
 def define(text: str) -> type[Any]:
-    """A message class of the fields in a text; messages inside it are zbot's own."""
+    """Return a message class with the fields of a text; nested messages are zbot's."""
     spec = parse_message("demo_msgs/msg/Demo", text)
     return make_message(
         spec, {f.name: get_interface(f.type.base) for f in spec.fields if f.type.is_message}
@@ -138,12 +138,12 @@ def test_an_unknown_field_is_refused_with_the_near_one() -> None:
 
 
 @pytest.mark.parametrize("check_fields", [True, False])
-def test_fields_are_checked_whatever_the_constructor_is_told(check_fields: bool) -> None:
+def test_fields_are_checked_for_any_value_of_check_fields(check_fields: bool) -> None:
     cls: Any = get_message("std_msgs/msg/String")
     message = cls(data="x", check_fields=check_fields)
     assert message == cls(data="x")
     for wrong in ({"data": 1}, {"dta": "x"}):
-        with pytest.raises(AssertionError):  # as ROS 2's own classes raise
+        with pytest.raises(AssertionError):  # ROS 2's own classes raise the same
             cls(check_fields=check_fields, **wrong)
     assert define("int32 check_fields")(check_fields=3).check_fields == 3
 
@@ -182,7 +182,7 @@ def test_messages_are_not_hashable() -> None:
     [copy.deepcopy, lambda message: pickle.loads(pickle.dumps(message))],
     ids=["deepcopy", "pickle"],
 )
-def test_a_duplicate_is_equal_and_apart(duplicate: Any) -> None:
+def test_a_duplicate_is_equal_and_independent(duplicate: Any) -> None:
     message: Any = get_message("sensor_msgs/msg/CameraInfo")(d=[1, 2], distortion_model="plumb_bob")
     twin = duplicate(message)
     assert twin == message
@@ -195,14 +195,14 @@ def test_a_duplicate_is_equal_and_apart(duplicate: Any) -> None:
     assert message.k[0] == 0.0
 
 
-def test_copy_shares_what_is_inside() -> None:
+def test_copy_shares_nested_messages() -> None:
     message: Any = get_message("geometry_msgs/msg/Twist")()
     twin = copy.copy(message)
     assert twin == message
     assert twin.linear is message.linear
 
 
-def test_a_derived_class_is_copied_as_itself() -> None:
+def test_a_copy_of_a_derived_class_has_its_class() -> None:
     base: Any = get_message("std_msgs/msg/String")
 
     class Named(base):  # type: ignore[misc]
@@ -266,7 +266,7 @@ def test_a_default_is_a_constant_like_its_field(line: str) -> None:
     assert cls.X__DEFAULT is not cls().x
 
 
-def test_constants_cannot_hide_what_the_library_needs() -> None:
+def test_constants_with_reserved_names_are_refused() -> None:
     cls = define("int32 SPEC=1\nint32 TYPE_NAME=2\nint32 x")
     assert cls.SPEC.name == cls.TYPE_NAME == "demo_msgs/msg/Demo"
 
@@ -275,7 +275,7 @@ def test_constants_cannot_hide_what_the_library_needs() -> None:
     "name",
     ["args", "kwargs", "value", "other", "cls", "float", "int", "range", "array", "property", "x"],
 )
-def test_any_name_can_be_a_fields(name: str) -> None:
+def test_any_name_can_be_the_name_of_a_field(name: str) -> None:
     cls = define(f"float64 before\nfloat64 {name}\nint32[] after\nbool[2] last\nstring text 'a'")
     message = cls(before=1, **{name: 2}, after=[3])
     assert (message.before, getattr(message, name), message.after.tolist()) == (1.0, 2.0, [3])

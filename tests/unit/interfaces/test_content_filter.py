@@ -1,4 +1,4 @@
-"""Expressions of content filters; what is admitted was compared with Fast DDS."""
+"""Tests of expressions of content filters; the expected results equal those of Fast DDS."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ LISTS = [Float32MultiArray(data=[float(length)] * length) for length in range(4)
 
 def chosen(messages: list[Any], expression: str, *parameters: str) -> list[int]:
     content = ContentFilter(expression, parameters, type(messages[0]))
-    return [number for number, one in enumerate(messages) if content.admits(one)]
+    return [number for number, one in enumerate(messages) if content.matches(one)]
 
 
 @pytest.mark.parametrize(
@@ -52,7 +52,7 @@ def chosen(messages: list[Any], expression: str, *parameters: str) -> list[int]:
         (LISTS, "layout.dim[0].size = 0", []),
     ],
 )
-def test_messages_of_which_the_expression_is_true_are_admitted(
+def test_messages_that_match_the_expression_are_received(
     messages: list[Any], expression: str, expected: list[int]
 ) -> None:
     assert chosen(messages, expression) == expected
@@ -69,23 +69,23 @@ def test_parameters_stand_for_values() -> None:
     [
         (INTS, "bogus > 3", "its fields are data"),
         (INTS, "Data > 3", "did you mean 'data'"),
-        (INTS, "data >", "something is missing at its end"),
+        (INTS, "data >", "a field or a value is missing at the end"),
         (INTS, "data", "a comparison is missing"),
         (INTS, "data > %0", "no parameter for %0"),
         (INTS, "data in (1, 2)", "cannot be read"),
-        (INTS, "data > '3'", "a number cannot be compared with a text"),
-        (INTS, "data > TRUE", "a number cannot be compared with a truth value"),
-        (INTS, "data LIKE 3", "LIKE needs texts"),
+        (INTS, "data > '3'", "a number cannot be compared with a string"),
+        (INTS, "data > TRUE", "a number cannot be compared with a bool"),
+        (INTS, "data LIKE 3", "LIKE needs strings on both sides"),
         (INTS, "(data > 3", "')' is missing"),
-        (INTS, "data > 3 data", "'data' is too much"),
-        (INTS, "data > AND", "stands where a field or a value belongs"),
+        (INTS, "data > 3 data", "'data' is unexpected"),
+        (INTS, "data > AND", "a field or a value is needed in place of 'AND'"),
         (TEXTS, "'a' = 'a'", "needs a field"),
         (TEXTS, "data NOT LIKE 'a'", "a comparison is missing"),
-        (TEXTS, "data MATCH '('", "is no regular expression"),
-        (TWISTS, "linear > 3", "linear is no number, text or truth value"),
+        (TEXTS, "data MATCH '('", "is not a regular expression"),
+        (TWISTS, "linear > 3", "linear is not a number, string or bool"),
     ],
 )
-def test_what_cannot_be_applied_is_refused_with_the_reason(
+def test_an_invalid_expression_is_rejected_with_the_reason(
     messages: list[Any], expression: str, reason: str
 ) -> None:
     with pytest.raises(ContentFilterError) as caught:
@@ -93,6 +93,6 @@ def test_what_cannot_be_applied_is_refused_with_the_reason(
     assert reason in str(caught.value)
 
 
-def test_a_parameter_that_is_no_value_is_refused() -> None:
-    with pytest.raises(ContentFilterError, match="write texts in quotes"):
+def test_a_parameter_that_is_not_a_value_is_rejected() -> None:
+    with pytest.raises(ContentFilterError, match="put strings in quotes"):
         chosen(TEXTS, "data = %0", "abc")

@@ -1,4 +1,4 @@
-"""Messages as dictionaries, YAML and CSV, messages from dictionaries, and types by name."""
+"""Tests of messages as dictionaries, YAML and CSV, and of types by name."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_a_dictionary_has_the_fields_in_order_and_plain_values() -> None:
         ({"no_str": True}, ["<string length: <4>>", "<string length: <5>>"], [0.5, 1.5]),
     ],
 )
-def test_long_values_are_shortened_as_wished(
+def test_long_values_are_shortened_by_the_options(
     options: dict[str, Any], name: Any, position: Any
 ) -> None:
     found = message_to_ordereddict(NAMED, **options)
@@ -71,7 +71,7 @@ def test_csv_has_every_value() -> None:
     assert message_to_csv(NAMED, truncate_length=1) == "0,0,,l...,...,0.5,..."
 
 
-def test_of_a_serialized_message_there_are_bytes() -> None:
+def test_a_serialized_message_becomes_its_bytes() -> None:
     octets = b"\x00\x01"
     assert message_to_ordereddict(octets) == {"bytes": octets}
     assert message_to_csv(octets) == str(octets)
@@ -127,7 +127,7 @@ def test_lists_of_messages_are_made_of_dictionaries_and_of_messages() -> None:
     assert polygon.points == [Point32(x=1.0)]
 
 
-def test_what_a_message_became_makes_it_again() -> None:
+def test_the_dictionary_of_a_message_restores_the_message() -> None:
     for message in (NAMED, PoseWithCovariance(), UInt8MultiArray(data=[1, 2])):
         twin = type(message)()
         set_message_fields(twin, message_to_ordereddict(message))
@@ -137,7 +137,7 @@ def test_what_a_message_became_makes_it_again() -> None:
 @pytest.mark.parametrize(
     "values", [{"header": "auto"}, {"header": {"stamp": "now", "frame_id": ""}}]
 )
-def test_the_time_is_filled_in_later_where_it_is_asked_for(values: dict[str, Any]) -> None:
+def test_auto_and_now_return_setters_for_the_time(values: dict[str, Any]) -> None:
     message = PoseStamped()
     (setter,) = set_message_fields(message, values, True, True)
     setter(Time(sec=4))
@@ -179,9 +179,7 @@ def test_classes_are_found_by_name() -> None:
         ("no_such_msgs/msg/String", ModuleNotFoundError),
     ],
 )
-def test_a_wrong_name_of_a_message_raises_what_it_raises_in_ros(
-    name: str, error: type[Exception]
-) -> None:
+def test_a_wrong_message_name_raises_the_error_of_ros(name: str, error: type[Exception]) -> None:
     with pytest.raises(error):
         get_message(name)
 

@@ -12,8 +12,8 @@ from zbot.interfaces.parser import parse_message
 if TYPE_CHECKING:
     from zbot.interfaces.spec import InterfaceSpec
 
-# Those that ROS 2's own generator computed, except example_interfaces and std_srvs: no wheels of
-# these exist, so they are from independent implementations that agree.
+# Hashes of ROS 2's own generator. Those of example_interfaces and std_srvs, which have no wheels,
+# are from independent implementations that agree.
 HASHES: dict[str, str] = json.loads(
     (Path(__file__).parent / "data" / "rihs01.json").read_text(encoding="utf-8")
 )
@@ -98,7 +98,7 @@ def test_a_message_without_fields_has_the_member_of_its_c_structure() -> None:
         ("char a", "uint8 a", True),
     ],
 )
-def test_what_counts(one: str, other: str, *, is_same: bool) -> None:
+def test_some_differences_change_the_hash(one: str, other: str, *, is_same: bool) -> None:
     hashes = [
         description.hash_of(parse_message("demo_msgs/msg/Demo", text), nothing_inside)
         for text in (one, other)

@@ -95,7 +95,7 @@ POINT: Any = get_message("geometry_msgs/msg/Point")
         ("geometry_msgs/Point[] x", (POINT(),), [POINT()]),
     ],
 )  # fmt: skip
-def test_what_fits_is_stored(line: str, value: object, stored: object) -> None:
+def test_valid_values_are_stored(line: str, value: object, stored: object) -> None:
     cls = define(line)
     constructed = cls(x=value)
     assigned = cls()
@@ -115,7 +115,7 @@ def test_numbers_may_come_from_a_generator() -> None:
 @pytest.mark.parametrize(
     ("line", "value"), [("string[] x", ["a", "ä"]), ("byte[] x", [b"a"]), ("string<=2[] x", ["a"])]
 )
-def test_a_list_that_fits_is_stored_itself(line: str, value: list[Any]) -> None:
+def test_a_valid_list_is_stored_without_a_copy(line: str, value: list[Any]) -> None:
     assert define(line)(x=value).x is value
 
 
@@ -202,7 +202,7 @@ def test_another_type_is_refused(line: str, value: object, label: str) -> None:
         ("float64[2] x", np.zeros(3), "x"),
     ],
 )
-def test_what_does_not_fit_is_refused(line: str, value: object, label: str) -> None:
+def test_values_that_do_not_fit_a_field_are_rejected(line: str, value: object, label: str) -> None:
     assert_refused(FieldValueError, line, value, label)
 
 
@@ -231,13 +231,13 @@ def assert_refused(error: type[Any], line: str, value: object, label: str) -> No
         ("float64[4] x", np.eye(2), "must be flat (use .ravel())"),
     ],
 )
-def test_the_sentence(line: str, value: object, sentence: str) -> None:
+def test_error_messages(line: str, value: object, sentence: str) -> None:
     with pytest.raises((FieldTypeError, FieldValueError)) as caught:
         define(line)(x=value)
     assert sentence in str(caught.value)
 
 
-def test_a_long_value_is_shortened_in_the_sentence() -> None:
+def test_a_long_value_is_shortened_in_the_message() -> None:
     with pytest.raises(FieldTypeError) as caught:
         define("float64 x")(x="y" * 10000)
     assert len(str(caught.value)) < 200
@@ -252,7 +252,7 @@ def test_a_long_value_is_shortened_in_the_sentence() -> None:
         ("float64[2] x", np.zeros(2)),
     ],
 )
-def test_what_fits_exactly_is_not_copied(line: str, value: object) -> None:
+def test_values_of_the_exact_type_are_not_copied(line: str, value: object) -> None:
     assert define(line)(x=value).x is value
 
 

@@ -13,7 +13,7 @@ from zbot.interfaces import get_interface, install_importer
 
 @pytest.fixture(autouse=True)
 def importer(monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in ("importer", "parser"):  # for good: the modules of a test are forgotten
+    for name in ("importer", "parser"):  # permanently: the modules of a test are removed
         importlib.import_module(f"zbot.interfaces.{name}")
     monkeypatch.setattr(sys, "meta_path", list(sys.meta_path))
     monkeypatch.setattr(sys, "modules", dict(sys.modules))
@@ -22,7 +22,7 @@ def importer(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """An empty folder that is the current one and on `sys.path`."""
+    """Return an empty folder that is the current folder and on `sys.path`."""
     source = tmp_path / "src"
     source.mkdir()
     monkeypatch.chdir(source)
@@ -81,7 +81,7 @@ def test_star_imports_and_dir_show_the_interfaces() -> None:
         ("import no_such_package_msgs", "no_such_package_msgs"),
     ],
 )
-def test_what_is_missing_is_an_import_error(statement: str, message: str) -> None:
+def test_a_missing_name_is_an_import_error(statement: str, message: str) -> None:
     with pytest.raises(ImportError, match=message):
         exec(statement, {})
 
@@ -109,12 +109,12 @@ def test_a_real_package_wins(folder: Path) -> None:
     assert importlib.import_module("std_msgs.msg").String == "real"
 
 
-def test_a_package_of_definitions_only(folder: Path) -> None:
+def test_a_package_of_definitions_can_be_imported(folder: Path) -> None:
     write_definition(folder / "import_one" / "msg" / "Foo.msg")
     assert importlib.import_module("import_one.msg").Foo(x=1).x == 1
 
 
-def test_a_python_package_that_also_has_definitions(
+def test_a_python_package_may_have_definitions(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     write_definition(folder / "import_two" / "msg" / "Foo.msg")
@@ -133,7 +133,7 @@ def test_a_module_named_msg_is_left_alone(folder: Path) -> None:
     assert importlib.import_module("import_three.msg").Foo == 1
 
 
-def test_a_broken_definition_is_no_missing_name(folder: Path) -> None:
+def test_a_broken_definition_is_not_reported_as_a_missing_name(folder: Path) -> None:
     write_definition(folder / "import_four" / "msg" / "Foo.msg", "float x")
     with pytest.raises(ValueError, match=r"Foo\.msg:1: there is no type 'float'"):
         exec("from import_four.msg import Foo", {})
@@ -163,8 +163,8 @@ def write_definition(file: Path, text: str = "int32 x") -> None:
     file.write_text(text, encoding="utf-8")
 
 
-def test_what_is_looked_for_while_definitions_are_loaded_is_none_of_them() -> None:
-    # As `copy` of Python 3.11 looks for `org`, which only Jython has.
+def test_imports_while_definitions_are_loaded_find_no_definition() -> None:
+    # `copy` of Python 3.11 tries to import `org`, which only Jython has.
     source = """
 import sys, zbot
 class Curious:

@@ -42,7 +42,7 @@ def parsed(text: str) -> MessageSpec:
         ("geometry_msgs/msg/Point", FieldType("geometry_msgs/msg/Point"), "geometry_msgs/Point"),
     ],
 )  # fmt: skip
-def test_types(text: str, expected: FieldType, as_ros_shows_it: str) -> None:
+def test_field_types_are_parsed(text: str, expected: FieldType, as_ros_shows_it: str) -> None:
     (field,) = parsed(f"{text} value").fields
     assert field.type == expected
     assert str(field.type) == as_ros_shows_it
@@ -52,7 +52,7 @@ def test_types(text: str, expected: FieldType, as_ros_shows_it: str) -> None:
     "text",
     ["float64[3]", "string<=4[<=2]", "int8[]", "bool", "char", "geometry_msgs/Point[<=7]"],
 )
-def test_a_type_is_written_back_as_it_was_read(text: str) -> None:
+def test_a_type_is_written_as_it_was_read(text: str) -> None:
     assert parsed(f"{text} value").fields[0].type.text == text
 
 
@@ -87,7 +87,7 @@ def test_a_type_is_written_back_as_it_was_read(text: str) -> None:
         (r"string[] a ['it\'s']", ("it's",)),
     ],
 )
-def test_defaults(line: str, value: Scalar | tuple[Scalar, ...]) -> None:
+def test_default_values_are_parsed(line: str, value: Scalar | tuple[Scalar, ...]) -> None:
     (field,) = parsed(line).fields
     assert field.default == value
     assert type(field.default) is type(value)
@@ -108,7 +108,7 @@ def test_defaults(line: str, value: Scalar | tuple[Scalar, ...]) -> None:
         ("bool YES=true", "YES", True),
     ],
 )
-def test_constants(line: str, name: str, value: Scalar) -> None:
+def test_constants_are_parsed(line: str, name: str, value: Scalar) -> None:
     (constant,) = parsed(line).constants
     assert (constant.name, constant.value) == (name, value)
     assert type(constant.value) is type(value)
@@ -176,7 +176,7 @@ def test_an_action_is_three_messages_with_the_services_that_carry_them() -> None
         ("demo_msgs/action/Demo", "---\n---", ActionSpec),
     ],
 )
-def test_the_name_says_the_kind(name: str, text: str, kind: type) -> None:
+def test_the_file_name_gives_the_kind(name: str, text: str, kind: type) -> None:
     assert isinstance(parse(name, text), kind)
 
 
@@ -200,8 +200,8 @@ def test_the_name_says_the_kind(name: str, text: str, kind: type) -> None:
         ("float32 x 1e300", "write float64"),
         ("float64 x 1,5", "'.' as its decimal point"),
         ("bool x yes", "true or false"),
-        ("string x 'open", "not closed"),
-        ("string x 'it's'", r"written \'"),
+        ("string x 'open", "must end with '"),
+        ("string x 'it's'", r"write \'"),
         ("string<=3 x abcd", "at most 3 characters"),
         ("int32[2] x [1]", "2 values are needed"),
         ("int32[<=2] x [1, 2, 3]", "at most 2 values"),
@@ -221,7 +221,7 @@ def test_the_name_says_the_kind(name: str, text: str, kind: type) -> None:
         ("---", "exactly three dashes"),
     ],
 )
-def test_a_mistake_says_where_and_what_to_write(line: str, hint: str) -> None:
+def test_a_mistake_is_reported_with_its_place_and_a_hint(line: str, hint: str) -> None:
     with pytest.raises(InterfaceSyntaxError) as caught:
         parse_message("demo_msgs/msg/Demo", f"# first\n{line}\n", "msg/Demo.msg")
     assert (caught.value.file, caught.value.line) == ("msg/Demo.msg", 2)
@@ -229,7 +229,7 @@ def test_a_mistake_says_where_and_what_to_write(line: str, hint: str) -> None:
     assert hint in str(caught.value)
 
 
-def test_a_second_declaration_names_the_first() -> None:
+def test_a_second_declaration_is_refused_with_the_first() -> None:
     with pytest.raises(InterfaceSyntaxError, match=r":3: 'a' is already declared in line 1"):
         parsed("int32 a\n\nfloat64 a")
 
@@ -246,7 +246,7 @@ def test_a_second_declaration_names_the_first() -> None:
         ("demo_msgs/msg/Demo", "string x '\ud800'", "UTF-8"),
     ],
 )
-def test_a_definition_wrong_as_a_whole(name: str, text: str, hint: str) -> None:
+def test_a_definition_with_a_wrong_structure_is_refused(name: str, text: str, hint: str) -> None:
     with pytest.raises(InterfaceSyntaxError) as caught:
         parse(name, text)
     assert caught.value.line == 0

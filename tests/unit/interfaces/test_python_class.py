@@ -132,19 +132,19 @@ def test_the_package_is_the_module_or_the_script(
         ([("_private", int)], "field name '_private' is not valid"),
     ],
 )
-def test_a_field_that_no_message_can_have(fields: Any, reason: str) -> None:
+def test_an_impossible_field_is_refused(fields: Any, reason: str) -> None:
     with pytest.raises(NotAMessageTypeError) as caught:
         spec_of(dataclasses.make_dataclass("Reading", fields))
     assert reason in str(caught.value)
     assert "Reading cannot be used" in str(caught.value)
 
 
-def test_a_dataclass_in_itself_is_refused() -> None:
+def test_a_dataclass_that_contains_itself_is_refused() -> None:
     with pytest.raises(NotAMessageTypeError, match="contains itself"):
         spec_of(Itself)
 
 
-def test_a_class_name_that_ros_would_not_take() -> None:
+def test_a_class_name_that_ros_rejects() -> None:
     with pytest.raises(NotAMessageTypeError, match=r"e\.g\. 'MyReading'"):
         spec_of(dataclasses.make_dataclass("my_reading", [("x", int)]))
 
@@ -152,19 +152,19 @@ def test_a_class_name_that_ros_would_not_take() -> None:
 @pytest.mark.parametrize(
     ("given", "reason"),
     [
-        (int, "it is no message, service or action"),
-        (Plain, "a dataclass can be one"),
+        (int, "it is not a message, service or action"),
+        (Plain, "use an interface class or a dataclass"),
         (String(), "it is an instance; pass its class, String"),
         ("std_msgs/msg/String", "get_interface"),
-        (sys, "it is no class"),
+        (sys, "it is not a class"),
     ],
 )
-def test_what_is_no_message_class(given: Any, reason: str) -> None:
+def test_a_class_that_is_not_a_message_class_is_rejected(given: Any, reason: str) -> None:
     with pytest.raises(NotAMessageTypeError, match=reason):
         spec_of(given)
 
 
-def test_own_classes_and_those_derived_from_them() -> None:
+def test_derived_classes_have_the_type_of_their_base() -> None:
     class Named(String):
         pass
 
@@ -172,7 +172,7 @@ def test_own_classes_and_those_derived_from_them() -> None:
     assert isinstance(spec_of(get_service("std_srvs/srv/SetBool")), ServiceSpec)
 
 
-# The shape of what ROS 2's generator makes, with types told by their class's name.
+# Classes with the structure of those that ROS 2 generates; class names identify the types.
 class BasicType(SimpleNamespace):
     pass
 
@@ -217,7 +217,7 @@ def foreign(name: str, module: str, fields: dict[str, Any], **attributes: Any) -
     )
 
 
-def test_classes_of_a_real_ros_are_read_off(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_specs_of_ros2_message_classes(monkeypatch: pytest.MonkeyPatch) -> None:
     inner = foreign("Inner", "real_msgs.msg._inner", {"x": BasicType(typename="double")})
     module = ModuleType("real_msgs.msg")
     module.__dict__["Inner"] = inner
@@ -250,11 +250,11 @@ def test_classes_of_a_real_ros_are_read_off(monkeypatch: pytest.MonkeyPatch) -> 
         FieldType("real_msgs/msg/Inner"),
     ]
     assert [f.default for f in spec.fields[2:5]] == ["robot", None, (0.0,) * 9]
-    # What is decoded into an Outer has the real Inner in it.
+    # A decoded Outer contains the real Inner.
     assert get_message("real_msgs/msg/Inner") is inner
 
 
-def test_services_of_a_real_ros_are_read_off() -> None:
+def test_specs_of_ros2_service_classes() -> None:
     parts = {
         part: foreign(f"Ask_{part}", "real_srvs.srv._ask", {"x": BasicType(typename="int32")})
         for part in ("Request", "Response")
@@ -266,7 +266,7 @@ def test_services_of_a_real_ros_are_read_off() -> None:
     assert spec.request.name == "real_srvs/srv/Ask_Request"
 
 
-def test_a_class_that_only_looks_like_one_of_ros() -> None:
+def test_a_class_with_invalid_slots_is_refused() -> None:
     with pytest.raises(NotAMessageTypeError, match=r"not of the form package\.msg\._name"):
         spec_of(foreign("Odd", "odd", {}))
     with pytest.raises(NotAMessageTypeError, match="no SLOT_TYPES"):
@@ -277,15 +277,15 @@ def test_a_class_that_only_looks_like_one_of_ros() -> None:
     ("name", "expected"),
     [
         ("std_msgs/msg/String", False),
-        ("geometry_msgs/msg/PoseWithCovarianceStamped", False),  # 36 numbers, always
+        ("geometry_msgs/msg/PoseWithCovarianceStamped", False),  # always 36 numbers
         ("sensor_msgs/msg/Image", True),
         ("tf2_msgs/msg/TFMessage", True),
         ("std_srvs/srv/SetBool_Request", False),
     ],
 )
-def test_which_messages_may_be_of_any_size(name: str, expected: bool) -> None:
+def test_messages_with_unbounded_fields_are_recognized(name: str, expected: bool) -> None:
     assert has_sequences(name) is expected
 
 
-def test_a_sequence_deep_inside_counts() -> None:
-    assert has_sequences("stereo_msgs/msg/DisparityImage")  # which holds an Image
+def test_nested_sequences_are_unbounded_too() -> None:
+    assert has_sequences("stereo_msgs/msg/DisparityImage")  # it contains an Image

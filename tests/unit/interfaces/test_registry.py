@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
 
 def write(folder: Path, **files: str) -> None:
-    """Definition files by name and kind: `write(folder, Num_msg="int64 num")`."""
+    """Write definition files by name and kind: `write(folder, Num_msg="int64 num")`."""
     for name, text in files.items():
         short, kind = name.split("_")
         file = folder / kind / f"{short}.{kind}"
@@ -42,7 +42,7 @@ def write(folder: Path, **files: str) -> None:
 
 @pytest.fixture
 def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A workspace with a `src` folder, and the current folder inside it."""
+    """Return a workspace with a `src` folder; the current folder is inside it."""
     source = tmp_path / "ws" / "src"
     source.mkdir(parents=True)
     monkeypatch.chdir(source)
@@ -65,12 +65,12 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
         ("turtlesim_msgs/msg/Pose", "turtlesim_msgs/msg/Pose"),
     ],
 )
-def test_names_in_full_and_in_short(name: str, full: str) -> None:
+def test_types_are_found_by_full_and_short_names(name: str, full: str) -> None:
     assert get_spec(name).name == full
     assert type_name(get_interface(name)) == full
 
 
-def test_a_kind_may_be_left_out_where_it_is_known() -> None:
+def test_a_known_kind_may_be_left_out() -> None:
     assert get_service("std_srvs/SetBool") is get_service("std_srvs/srv/SetBool")
     assert get_action("example_interfaces/Fibonacci").TYPE_NAME.count("/action/") == 1
 
@@ -97,14 +97,14 @@ def test_an_unknown_name_has_suggestions(name: str, error: type[Exception], hint
     assert hint in str(caught.value)
 
 
-def test_a_service_is_no_message() -> None:
+def test_a_service_is_not_a_message() -> None:
     with pytest.raises(UnknownInterfaceError):
         get_message("std_srvs/srv/SetBool")
     with pytest.raises(UnknownInterfaceError):
         get_service("std_msgs/msg/String")
 
 
-def test_listing() -> None:
+def test_interfaces_are_listed() -> None:
     known = packages()
     assert known == sorted(known)
     assert {"std_msgs", "turtlesim", "turtlesim_msgs", "example_interfaces"} <= set(known)
@@ -228,7 +228,7 @@ def test_a_broken_definition_names_its_file_and_line(workspace: Path) -> None:
     assert caught.value.line == 2
 
 
-def test_a_definition_that_is_no_text(workspace: Path) -> None:
+def test_a_definition_that_is_not_text(workspace: Path) -> None:
     write(workspace / "binary_interfaces", Num_msg="")
     (workspace / "binary_interfaces" / "msg" / "Num.msg").write_bytes(b"\xff\xfe\x00")
     with pytest.raises(InterfaceSyntaxError, match="not UTF-8"):
@@ -249,7 +249,7 @@ def test_messages_that_contain_themselves_are_refused(workspace: Path) -> None:
         get_message("cyclic_interfaces/msg/A")
 
 
-def test_endless_nesting_is_refused(workspace: Path) -> None:
+def test_too_deep_nesting_is_refused(workspace: Path) -> None:
     files = {f"T{i}_msg": f"T{i + 1} x" for i in range(200)}
     write(workspace / "deep_interfaces", **files, T200_msg="int32 x")
     with pytest.raises(InterfaceSyntaxError, match="nested deeper"):
@@ -268,7 +268,7 @@ def test_definitions_from_elsewhere_can_be_registered() -> None:
     ]
 
 
-def test_a_definition_that_is_known_otherwise_is_refused() -> None:
+def test_a_different_definition_of_a_known_name_is_rejected() -> None:
     register_spec(parse_message("std_msgs/msg/String", "int32 A=1\nstring data 'default'"))
     with pytest.raises(InterfaceConflictError, match="std_msgs/msg/String is defined differently"):
         register_spec(parse_message("std_msgs/msg/String", "wstring data"))

@@ -81,7 +81,7 @@ def described(**changes: Any) -> dict[str, Any]:
         (described(type_id="x"), "ValueError"),
     ],
 )
-def test_what_is_no_description_is_refused(description: dict[str, Any], reason: str) -> None:
+def test_an_invalid_description_is_rejected(description: dict[str, Any], reason: str) -> None:
     with pytest.raises(InterfaceSyntaxError) as caught:
         specs_from(description)
     assert reason in str(caught.value)
@@ -134,7 +134,7 @@ def test_texts_have_the_hashes_of_the_types_that_they_define() -> None:
         assert hash_among(name, specs_from_sources(name, texts)) == type_hash(name)
 
 
-def test_the_parts_of_what_is_told_have_hashes_too() -> None:
+def test_parts_of_definitions_from_texts_have_hashes() -> None:
     text = get_spec("example_interfaces/action/Fibonacci").text
     specs = specs_from_sources("far_msgs/action/Count", {"far_msgs/action/Count": text})
     assert hash_among("far_msgs/action/Count_SendGoal", specs).startswith("RIHS01_")
@@ -150,12 +150,12 @@ def test_the_parts_of_what_is_told_have_hashes_too() -> None:
         ("far_msgs/msg/Odd", {"far_msgs/msg/Odd": "int32 x\n", "far": "int32 x\n"}),
     ],
 )
-def test_texts_that_define_nothing_are_refused(name: str, texts: dict[str, str]) -> None:
+def test_texts_without_the_definition_are_rejected(name: str, texts: dict[str, str]) -> None:
     with pytest.raises(InterfaceSyntaxError):
         specs_from_sources(name, texts)
 
 
-def test_a_hash_needs_all_that_is_inside() -> None:
+def test_a_hash_needs_all_nested_definitions() -> None:
     specs = specs_from_sources("std_msgs/msg/Half", {"std_msgs/msg/Half": "Unheard part\n"})
     with pytest.raises(UnknownInterfaceError):
         hash_among("std_msgs/msg/Half", specs)

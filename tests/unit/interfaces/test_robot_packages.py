@@ -1,4 +1,4 @@
-"""The packages beside ROS 2's own that programs for robots import most."""
+"""Test of message packages outside of ROS 2's core that robot programs import."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Definitions and classes against those of a genuine ROS 2: constants and defaults have no hash.
+"""Tests of definitions and classes against ROS 2's own; no hash covers constants and defaults.
 
-Set ZBOT_ROS2_PREFIX to the prefix of a Python environment that has the wheels of ROS 2, as made by
+Set ZBOT_ROS2_PREFIX to the prefix of a Python environment with the wheels of ROS 2, installed by
 `pip install ros-rclpy ros-common-interfaces`.
 """
 
@@ -62,7 +62,7 @@ def test_definitions_are_those_of_ros(package: str) -> None:
         assert messages(name) == messages(name, file.read_text(encoding="utf-8"))
 
 
-# Runs in the genuine environment, with zbot's interfaces but nothing else of zbot.
+# Runs in the environment of ROS 2, where only zbot's interfaces can be imported.
 _GENUINE = """
 import importlib, json, sys, types
 zbot = types.ModuleType("zbot")

@@ -13,7 +13,7 @@ from zbot.interfaces.stubs import main, package_stubs
 STUBS = Path(__file__).parents[3] / "stubs"
 
 
-def test_the_stubs_in_the_repository_are_those_of_the_definitions() -> None:
+def test_the_stubs_in_the_repository_match_the_definitions() -> None:
     expected = {
         f"{package}/{name}": text
         for package in shipped_packages()
@@ -58,8 +58,6 @@ def test_the_command_writes_the_packages_named(
         main([str(tmp_path), "std_srv"])
 
 
-def test_the_command_without_a_folder_says_how_to_use_it(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_the_command_without_a_folder_prints_its_usage(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([]) == 2
     assert "python -m zbot.interfaces.stubs FOLDER" in capsys.readouterr().err

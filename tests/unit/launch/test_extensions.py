@@ -1,4 +1,4 @@
-"""What packages with tags of their own use: parsers, entities, actions that extend others."""
+"""Tests of what packages with their own tags use: parsers, entities, derived actions."""
 
 from __future__ import annotations
 
@@ -106,12 +106,12 @@ def test_attributes_have_types() -> None:
         ('<group scoped="perhaps"/>', "'scoped' of `group` must be of type bool"),
     ],
 )
-def test_what_a_tag_does_not_take_is_refused(tag: str, error: str) -> None:
+def test_an_invalid_tag_is_refused(tag: str, error: str) -> None:
     with pytest.raises(InvalidFrontendLaunchFileError, match=error):
         described(f"<launch>{tag}</launch>")
 
 
-def test_a_group_keeps_what_it_names() -> None:
+def test_a_group_keeps_its_named_configurations() -> None:
     group = described(
         '<launch><group forwarding="false"><keep name="a" value="b"/></group></launch>'
     )
@@ -132,12 +132,12 @@ def test_quotes_between_quotes_are_text() -> None:
     assert perform(LaunchContext(), parse(text)) == "'b'"
 
 
-def test_an_expression_names_what_it_lacks() -> None:
+def test_an_expression_reports_an_undefined_name() -> None:
     with pytest.raises(UnknownNameError, match="name 'ceil' is not defined"):
         PythonExpression("ceil(1.5)", python_modules=[""]).perform(LaunchContext())
 
 
-def test_an_executable_knows_its_command_line_in_a_launch() -> None:
+def test_an_executable_has_its_command_line_in_a_launch() -> None:
     executable = Executable(cmd=["ls", '"a b"'], cwd="/", additional_env={"A": "b"})
     assert executable.final_cmd is None
     executable.apply_context(LaunchContext())
@@ -148,13 +148,13 @@ def test_an_executable_knows_its_command_line_in_a_launch() -> None:
 
 
 def texts(entity: LaunchDescriptionEntity, context: LaunchContext) -> list[str]:
-    """Return what the `log` tags inside of an entity say, in their order."""
+    """Return the texts of the `log` tags inside of an entity, in order."""
     if isinstance(entity, Log):
         return [perform(context, entity.msg)]
-    said: list[str] = []
+    found: list[str] = []
     for one in entity.visit(context) or ():
-        said += texts(one, context)
-    return said
+        found += texts(one, context)
+    return found
 
 
 @pytest.mark.parametrize(
@@ -173,8 +173,8 @@ def test_loops_have_values(loop: str, expected: list[str]) -> None:
     assert texts(described(f"<launch>{loop}</launch>"), LaunchContext()) == expected
 
 
-def test_a_value_of_no_loop_is_an_error() -> None:
-    with pytest.raises(RuntimeError, match="no loop around this has a value 'i'"):
+def test_a_loop_value_outside_of_a_loop_is_an_error() -> None:
+    with pytest.raises(RuntimeError, match="no enclosing loop has a value 'i'"):
         perform(LaunchContext(), parse("$(index i)"))
 
 
@@ -188,7 +188,7 @@ def test_texts_are_joined() -> None:
     assert perform(LaunchContext(), parse("$(string-join . a $(env X b))")) == "a.b"
 
 
-def test_an_include_is_given_its_arguments_itself() -> None:
+def test_an_include_must_pass_required_arguments() -> None:
     context = LaunchContext()
     context.launch_configurations["robot"] = "not given by the include"
     included = LaunchDescriptionSource(LaunchDescription([DeclareLaunchArgument("robot")]))

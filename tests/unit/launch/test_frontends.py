@@ -129,7 +129,7 @@ def test_both_formats_make_the_same_actions(tmp_path: Path, name: str, text: str
 
 
 @pytest.mark.parametrize(
-    ("name", "text", "told"),
+    ("name", "text", "expected"),
     [
         ("a.launch.xml", "<launch>\n<node pkg='p'/>\n</launch>", ":2: `node` needs the attr"),
         ("a.launch.xml", "<launch>\n<nod/>\n</launch>", ":2: there is no action `nod`"),
@@ -148,26 +148,26 @@ def test_both_formats_make_the_same_actions(tmp_path: Path, name: str, text: str
         ("a.launch.xml", "<launch>\n<log message='' if='1' unless='1'/></launch>", ":2: `log` has"),
         ("a.launch.yaml", "launch:\n- node: {pkg: p}", ":2: `node` needs the attribute 'exec'"),
         ("a.launch.yaml", "launch:\n- a: 1\n  b: 2", ":2: each item of the list must be one"),
-        ("a.launch.yaml", "launch:\n- log: hello", ":2: below `log` belongs"),
+        ("a.launch.yaml", "launch:\n- log: hello", ":2: below `log` write"),
         ("a.launch.yaml", "lunch: []", ":1: a launch file in YAML begins with `launch:`"),
         ("a.launch.yaml", "", ":1: a launch file in YAML begins with `launch:`"),
         ("a.launch.yaml", "launch:\n- {", "YAML: "),
         ("a.launch.py", "x = (", ":1: SyntaxError: '(' was never closed"),
-        ("a.launch.py", "x = 1", ": it has no function generate_launch_description()"),
+        ("a.launch.py", "x = 1", ": the file has no function generate_launch_description()"),
         ("a.launch.py", "\ndef generate_launch_description():\n    1/0", ":3: ZeroDivisionError"),
         ("a.launch.py", "def generate_launch_description():\n    pass", ":1: generate_launch_desc"),
         ("a.launch.py", "import no_such_module", ":1: ModuleNotFoundError: No module named"),
         ("a.launch.txt", "", "the name of a launch file ends in .py, .xml, .yaml or .yml"),
     ],
 )
-def test_a_mistake_is_told_with_file_and_line(
-    tmp_path: Path, name: str, text: str, told: str
+def test_a_mistake_is_reported_with_file_and_line(
+    tmp_path: Path, name: str, text: str, expected: str
 ) -> None:
     with pytest.raises(LaunchFileError) as caught:
         _load(tmp_path, name, text)
     sentence = str(caught.value)
     assert sentence.startswith(str(tmp_path / name))
-    assert told in sentence
+    assert expected in sentence
     assert "\n" not in sentence
 
 
@@ -191,7 +191,7 @@ def test_words_of_the_command_line_are_arguments() -> None:
             parse_arguments([word])
 
 
-def test_a_missing_default_is_told() -> None:
+def test_a_missing_default_is_reported() -> None:
     argument = DeclareLaunchArgument("speed", description="how fast")
     with pytest.raises(LaunchArgumentError, match='"speed" \\(description: "how fast"\\)'):
         argument.execute(LaunchContext())

@@ -1,4 +1,4 @@
-"""`launch.logging`: where lines of a launch go, in which form."""
+"""Tests of `launch.logging`: the outputs and the format of a launch's log lines."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import pytest
 import zbot.compat
 from zbot.launch import log
 from zbot.launch.errors import OutputError
-from zbot.launch.journal import Journal
+from zbot.launch.log_writer import LogWriter
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -46,7 +46,7 @@ def test_a_logger_writes_to_the_screen_and_to_the_file(
     float(line.split()[0])
 
 
-def test_a_logger_without_a_name_is_called_root_but_hears_no_library(
+def test_a_logger_without_a_name_is_called_root_and_gets_no_library_lines(
     capsys: pytest.CaptureFixture[str],
 ) -> None:
     log.get_logger().warning("mine")
@@ -54,25 +54,21 @@ def test_a_logger_without_a_name_is_called_root_but_hears_no_library(
     assert capsys.readouterr().out == "[WARNING] [root]: mine\n"
 
 
-def test_the_level_holds_for_loggers_that_have_none_of_their_own(
-    capsys: pytest.CaptureFixture[str],
-) -> None:
+def test_the_level_applies_to_loggers_without_a_level(capsys: pytest.CaptureFixture[str]) -> None:
     first, second = log.get_logger("first"), log.get_logger("second")
     second.setLevel(logging.ERROR)
     log.launch_config.level = logging.DEBUG
     first.debug("seen")
     second.warning("hidden")
-    Journal().debug("launch", "seen, too")
+    LogWriter().debug("launch", "seen, too")
     assert capsys.readouterr().out == "[DEBUG] [first]: seen\n[DEBUG] [launch]: seen, too\n"
 
 
-def test_the_launch_itself_writes_in_the_form_that_was_set(
-    folder: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_the_launch_has_the_set_format(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     log.launch_config.set_screen_format("{name} says {message}")
     log.launch_config.set_log_format("%(levelname)s|%(message)s", log_style="%")
     log.launch_config.log_file_name = "mine.log"
-    Journal().warning("launch", "100% done")
+    LogWriter().warning("launch", "100% done")
     assert capsys.readouterr().out == "launch says 100% done\n"
     assert _file(folder, "mine.log") == ["WARNING|100% done"]
 
@@ -97,12 +93,12 @@ def test_a_factory_makes_the_handlers_of_files() -> None:
 
 
 @pytest.mark.parametrize("config", ["everywhere", {"stdin": "log"}, {"both": {"printer"}}])
-def test_an_unknown_place_for_output_is_refused(config: object) -> None:
+def test_an_unknown_output_is_refused(config: object) -> None:
     with pytest.raises(OutputError):
         log.get_output_loggers("talker-1", config)  # type: ignore[arg-type]
 
 
-def test_all_of_a_program_is_in_one_file_and_each_stream_in_its_own(
+def test_output_of_a_program_is_in_one_file_and_in_a_file_per_stream(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     stdout, stderr = log.get_output_loggers("talker-1", "full")
@@ -124,7 +120,7 @@ def test_the_folder_must_exist(folder: Path) -> None:
         log.launch_config.log_dir = str(folder / "nowhere")
 
 
-def test_the_folder_is_made_where_the_environment_says(
+def test_the_folder_is_made_in_the_place_of_the_environment(
     folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     log.launch_config.log_dir = None
@@ -137,19 +133,19 @@ def test_the_folder_is_made_where_the_environment_says(
     assert len(_file(folder / "other" / "latest")) == 1
 
 
-def test_a_folder_that_cannot_be_made_is_told_once(
+def test_a_folder_that_cannot_be_made_is_reported_once(
     folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (folder / "file").touch()
     monkeypatch.setenv("ZBOT_LOG_DIR", str(folder / "file"))
     log.launch_config.log_dir = None
-    journal = Journal()
-    journal.info("launch", "one")
-    journal.info("launch", "two")
+    writer = LogWriter()
+    writer.info("launch", "one")
+    writer.info("launch", "two")
     said = capsys.readouterr().out
     assert said.count("cannot write log files to") == 1
     assert said.endswith("[INFO] [launch]: one\n[INFO] [launch]: two\n")
-    assert journal.folder == folder / "file"
+    assert writer.folder == folder / "file"
 
 
 def test_launch_logging_is_this_module() -> None:

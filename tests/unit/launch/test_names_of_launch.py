@@ -1,4 +1,4 @@
-"""Names that launch's own tests, and packages that extend launch, use."""
+"""Tests of names that launch's own tests and packages that extend launch use."""
 
 from __future__ import annotations
 
@@ -26,13 +26,10 @@ from zbot.launch.condition import IfCondition
 from zbot.launch.entity import LaunchDescriptionEntity
 from zbot.launch.errors import (
     EntityTypeError,
-    ExposeError,
     InvalidLaunchFileError,
     LaunchArgumentError,
     LaunchFileError,
-    NoSourceError,
-    UnbalancedPopError,
-    UnknownHandlerError,
+    LaunchUsageError,
 )
 from zbot.launch.event import Shutdown
 from zbot.launch.event_handler import EventHandler, OnProcessExit, OnShutdown
@@ -76,7 +73,7 @@ def test_a_service_that_failed_succeeds_when_it_runs_again() -> None:
     assert _run(service) == 0
 
 
-def test_handlers_are_told_of_every_shutdown() -> None:
+def test_handlers_receive_every_shutdown() -> None:
     reasons: list[str] = []
     late = TimerAction(
         period=0.05, actions=[EmitEvent(event=Shutdown(reason="late"))], cancel_on_shutdown=False
@@ -90,7 +87,7 @@ def test_handlers_are_told_of_every_shutdown() -> None:
     assert (code, reasons) == (0, ["early", "late"])
 
 
-def test_a_service_leaves_the_threads_loop_alone(loop: asyncio.AbstractEventLoop) -> None:
+def test_a_service_does_not_change_the_threads_loop(loop: asyncio.AbstractEventLoop) -> None:
     asyncio.set_event_loop(loop)
     try:
         assert _run(LaunchService()) == 0
@@ -99,7 +96,7 @@ def test_a_service_leaves_the_threads_loop_alone(loop: asyncio.AbstractEventLoop
         asyncio.set_event_loop(None)
 
 
-def test_a_service_is_told_apart_by_the_name_of_its_log(
+def test_a_service_is_identified_by_the_name_of_its_log(
     capsys: pytest.CaptureFixture[str], tmp_path: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("ZBOT_LOG_DIR", str(tmp_path))
@@ -113,7 +110,7 @@ def test_a_service_is_told_apart_by_the_name_of_its_log(
     assert "[INFO] [arm]" in (tmp_path / "latest" / "arm.log").read_text()
 
 
-def test_a_context_remembers_what_is_pushed() -> None:
+def test_a_context_restores_pushed_state() -> None:
     context: Any = LaunchContext()
     context.extend_locals({"a": 1})
     context._push_locals()
@@ -123,7 +120,7 @@ def test_a_context_remembers_what_is_pushed() -> None:
     context._pop_locals()
     assert context.locals.a == 1
     for pop in (context._pop_locals, context._pop_environment, context._pop_launch_configurations):
-        with pytest.raises(UnbalancedPopError):
+        with pytest.raises(LaunchUsageError, match="were pushed that could be popped"):
             pop()
 
 
@@ -131,11 +128,11 @@ def test_a_handler_is_unregistered_once() -> None:
     context, handler = LaunchContext(), EventHandler(matcher=lambda _: True)
     context.register_event_handler(handler)
     context.unregister_event_handler(handler)
-    with pytest.raises(UnknownHandlerError):
+    with pytest.raises(LaunchUsageError, match="this event handler is not registered"):
         context.unregister_event_handler(handler)
 
 
-def test_futures_of_all_that_is_visited_are_collected(loop: asyncio.AbstractEventLoop) -> None:
+def test_futures_of_all_visited_entities_are_collected(loop: asyncio.AbstractEventLoop) -> None:
     class Waiting(LaunchDescriptionEntity):
         def get_asyncio_future(self) -> asyncio.Future[Any]:
             return create_future(loop)
@@ -159,10 +156,10 @@ def test_signals_are_handled_in_the_loop_while_the_manager_is_entered(
     try:
         manager = AsyncSafeSignalManager(loop)
         assert manager.handle(signal.SIGINT, print) is None
-        told = manager.handle(
+        previous_handler = manager.handle(
             signal.SIGINT, lambda number: inside.append((number, threading.current_thread()))
         )
-        assert told is print
+        assert previous_handler is print
         with manager:
             signal.raise_signal(signal.SIGINT)
             assert not inside
@@ -184,7 +181,7 @@ def test_signals_are_handled_in_the_loop_while_the_manager_is_entered(
         ("$(string-strip '  a b ')", "a b"),
     ],
 )
-def test_substitutions_about_blanks(text: str, expected: str) -> None:
+def test_substitutions_for_blank_texts_are_evaluated(text: str, expected: str) -> None:
     [made] = Parser().parse_substitution(text)
     assert made.perform(LaunchContext()) == expected
     with pytest.raises(TypeError, match="expects 1 argument, not 2"):
@@ -207,14 +204,14 @@ def test_a_log_tag_makes_the_action_of_its_level(tag: str) -> None:
     assert type(made).__name__.lower() == tag.replace("_", "")
 
 
-def test_mistakes_are_told_where_they_are_made() -> None:
+def test_mistakes_raise_in_the_callers_line() -> None:
     with pytest.raises(KeyError, match="Invalid log level 'loud'"):
         Log(msg="x", level="loud")
     with pytest.raises(EntityTypeError):
         OnProcessExit(on_exit=["no action"])  # type: ignore[list-item]
-    with pytest.raises(ExposeError, match="test parser for five is not a callable"):
+    with pytest.raises(LaunchUsageError, match="test parser for five is not a callable"):
         expose("five", {}, "test")(5)  # type: ignore[type-var]
-    with pytest.raises(NoSourceError):
+    with pytest.raises(LaunchUsageError, match="neither a launch description nor the path"):
         LaunchDescriptionSource().get_launch_description(LaunchContext())
 
 
@@ -241,7 +238,7 @@ def test_a_description_knows_its_own_arguments() -> None:
     ]
 
 
-def test_what_is_no_file_is_its_own_folder() -> None:
+def test_a_path_that_is_not_a_file_is_its_own_folder() -> None:
     context, description = LaunchContext(), LaunchDescription()
     include = IncludeLaunchDescription(LaunchDescriptionSource(description, "<script>"))
     visited = include.visit(context)

@@ -1,4 +1,4 @@
-"""Names that launch_ros's own tests, and packages that extend launch_ros, use."""
+"""Tests of names that launch_ros's own tests and packages that extend launch_ros use."""
 
 from __future__ import annotations
 
@@ -38,13 +38,11 @@ if TYPE_CHECKING:
         ("a", "", "a"),
     ],
 )
-def test_a_namespace_is_put_into_another(
-    base: str | None, inner: str | None, expected: str | None
-) -> None:
+def test_namespaces_are_joined(base: str | None, inner: str | None, expected: str | None) -> None:
     assert prefix_namespace(base, inner) == expected
 
 
-def test_namespaces_are_told_apart() -> None:
+def test_absolute_and_relative_namespaces_are_recognized() -> None:
     assert [is_namespace_absolute(one) for one in ("/", "/a", "", "a")] == [
         True,
         True,
@@ -73,14 +71,14 @@ def test_nodes_are_counted_by_name(names: dict[str, str], counted: Mapping[str, 
     assert {name: get_node_name_count(service.context, name) for name in counted} == counted
 
 
-def test_a_second_node_of_a_name_is_warned_of(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_second_node_of_a_name_causes_a_warning(capsys: pytest.CaptureFixture[str]) -> None:
     service = LaunchService()
     service.include_launch_description(LaunchDescription([_node(name="a"), _node(name="a")]))
     assert service.run() == 0
     assert "there are now at least 2 nodes with the name /a created" in capsys.readouterr().out
 
 
-def test_log_folders_stand_in_each_other(tmp_path: Path) -> None:
+def test_a_relative_log_folder_is_inside_the_current_one(tmp_path: Path) -> None:
     context = LaunchContext()
     context.environment["ROS_LOG_DIR"] = str(tmp_path)
     SetROSLogDir("arm").visit(context)
@@ -98,7 +96,7 @@ def test_a_parameter_has_a_plain_name_once_it_is_evaluated() -> None:
         Parameter("speeds", TextSubstitution(text="[1, fast]")).evaluate(LaunchContext())
 
 
-def test_a_parameter_file_has_the_path_that_came_of_it(tmp_path: Path) -> None:
+def test_a_parameter_file_has_its_evaluated_path(tmp_path: Path) -> None:
     path = tmp_path / "a.yaml"
     path.write_text("/**: {ros__parameters: {home: $(env HOME x)}}")
     context = LaunchContext()

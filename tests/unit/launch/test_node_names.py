@@ -1,4 +1,4 @@
-"""What a node is called in a launch, and what it refuses before there is one."""
+"""Tests of the names of nodes in a launch and of arguments that nodes refuse."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_remaps_of_the_launch_come_before_those_of_the_node() -> None:
         {"parameters": [{"a": {1, 2}}]},
     ],
 )
-def test_a_node_refuses_what_it_cannot_be_given(options: Any) -> None:
+def test_a_node_refuses_invalid_arguments(options: Any) -> None:
     with pytest.raises(TypeError):
         Node(executable="talker", **options)
 
@@ -83,7 +83,7 @@ def test_a_managed_node_needs_a_namespace() -> None:
         [[text("[a, b]")], [text("[c]")]],
     ],
 )
-def test_values_that_no_parameter_has_are_refused(value: Any) -> None:
+def test_values_of_impossible_types_are_refused(value: Any) -> None:
     parameters = normalize_parameters([{"a": value}])
     with pytest.raises(TypeError):
         evaluate_parameters(LaunchContext(), parameters)

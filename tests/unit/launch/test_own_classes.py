@@ -1,4 +1,4 @@
-"""What launch files with functions and classes of their own use: loops, conditions, helpers."""
+"""Tests of what launch files with their own functions and classes use."""
 
 from __future__ import annotations
 
@@ -87,7 +87,7 @@ def test_for_each_calls_with_the_values_of_every_dictionary(
     assert not ForEach(text, function=recorder([])).visit(LaunchContext())
 
 
-def test_a_loop_counts_from_zero_to_what_a_configuration_says() -> None:
+def test_a_loop_counts_from_zero_to_a_configured_number() -> None:
     context, calls = LaunchContext(), list[Any]()
     context.launch_configurations["robots"] = "3"
     found = ForLoop(LaunchConfiguration("robots"), function=recorder(calls)).visit(context) or ()
@@ -122,7 +122,7 @@ def test_conditions_are_combined(condition: AndCondition, holds: bool) -> None:
     assert condition.evaluate(LaunchContext()) is holds
 
 
-def test_an_expression_is_true_false_or_an_error() -> None:
+def test_a_condition_is_true_false_or_an_error() -> None:
     assert evaluate_condition_expression(LaunchContext(), ["tr", "ue"])
     with pytest.raises(ConditionError):
         evaluate_condition_expression(LaunchContext(), "maybe")
@@ -175,12 +175,12 @@ def test_texts_are_read_as_ros_reads_them(text: str, expected: str) -> None:
     assert perform(LaunchContext(), parse(text)) == expected
 
 
-def test_an_expression_takes_its_modules_in_one_text() -> None:
+def test_an_expression_accepts_its_modules_in_one_text() -> None:
     expression = PythonExpression("os.sep + str(math.floor(1.5))", "os, math")
     assert expression.perform(LaunchContext()).endswith("1")
 
 
-def test_the_parameters_of_a_node_can_be_looked_at() -> None:
+def test_the_parameters_of_a_node_can_be_read() -> None:
     context = LaunchContext()
     context.launch_configurations["rate"] = "5"
     node = Node(
@@ -200,14 +200,14 @@ def test_the_parameters_of_a_node_can_be_looked_at() -> None:
     )
 
 
-def test_what_follows_a_process_can_be_looked_at() -> None:
+def test_the_exit_handler_of_a_process_can_be_read() -> None:
     action = LogInfo(msg="over")
     assert ExecuteProcess(cmd=["a"], on_exit=[action]).get_sub_entities() == [action]
     assert ExecuteProcess(cmd=["a"], on_exit=lambda *_: None).get_sub_entities() == []
 
 
 @pytest.mark.parametrize("deferred", [True, False])
-def test_an_included_file_knows_its_folder_also_when_a_timer_has_run_out(deferred: bool) -> None:
+def test_an_included_file_has_its_folder_in_a_timer_action(deferred: bool) -> None:
     seen: list[tuple[str, str]] = []
 
     def look(name: str) -> list[Action]:
@@ -236,7 +236,7 @@ def test_arguments_are_checked() -> None:
 
 
 @pytest.mark.parametrize("options", [{"choices": []}, {"choices": ["a"], "default_value": "b"}])
-def test_an_argument_needs_choices_that_its_default_is_one_of(options: Any) -> None:
+def test_the_default_of_an_argument_must_be_one_of_its_choices(options: Any) -> None:
     with pytest.raises(LaunchArgumentError):
         DeclareLaunchArgument("name", **options)
 
@@ -254,12 +254,12 @@ def test_a_path_is_one_text_to_which_parts_are_added() -> None:
     assert path.perform(LaunchContext()) == str(Path("some", "path"))
 
 
-def test_a_handler_looks_at_an_action() -> None:
+def test_a_handler_refuses_a_target_that_is_not_an_action() -> None:
     with pytest.raises(TypeError, match="must be an action or a function"):
         OnProcessExit(target_action="talker", on_exit=[])  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
 
 
-def test_events_can_be_made_and_handled_by_hand() -> None:
+def test_events_can_be_created_and_handled_by_a_program() -> None:
     context, calls = LaunchContext(), list[Any]()
     of: dict[str, Any] = {"name": "a", "cmd": ["a"], "cwd": None, "env": None, "pid": 1}
     event = ProcessIO(action=ExecuteProcess(cmd="a"), text=b"x", fd=2, **of)

@@ -59,9 +59,7 @@ def _read_back(words: list[str]) -> dict[str, Any]:
         (ParameterValue(LaunchConfiguration("flag"), value_type=bool), True),
     ],
 )
-def test_a_value_reaches_the_node_as_it_is(
-    context: LaunchContext, value: Any, expected: Any
-) -> None:
+def test_a_value_reaches_the_node(context: LaunchContext, value: Any, expected: Any) -> None:
     read = _read_back(to_words(context, [{"x": value}]))
     assert read == {"x": expected}
     assert type(read["x"]) is type(expected)
@@ -76,7 +74,7 @@ def test_nested_dictionaries_make_names_with_dots(context: LaunchContext) -> Non
     }
 
 
-def test_a_long_value_goes_through_a_file(context: LaunchContext, tmp_path: Path) -> None:
+def test_a_long_value_is_passed_in_a_file(context: LaunchContext, tmp_path: Path) -> None:
     text = "<robot>" + "x" * 20_000
     flag, path = to_words(context, [{"robot_description": text}])
     assert flag == "--params-file"
@@ -95,7 +93,7 @@ def test_files_are_named_and_may_have_substitutions(context: LaunchContext, tmp_
     assert parameter_file.load(path, "/any") == {"rate": 2.5}
 
 
-def test_a_file_that_is_not_there_is_told(
+def test_a_missing_file_is_an_error(
     context: LaunchContext, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert to_words(context, [str(tmp_path / "missing.yaml")]) == []
@@ -103,6 +101,6 @@ def test_a_file_that_is_not_there_is_told(
 
 
 @pytest.mark.parametrize("value", [None, object(), {"x": object()}])
-def test_what_no_parameter_can_be_is_refused(context: LaunchContext, value: Any) -> None:
+def test_an_invalid_parameter_is_refused(context: LaunchContext, value: Any) -> None:
     with pytest.raises(EntityTypeError):
         to_words(context, [value if isinstance(value, dict) else {"x": value}])

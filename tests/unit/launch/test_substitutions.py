@@ -79,14 +79,12 @@ def context() -> LaunchContext:
         ("$(command 'echo hi there')", "hi there\n"),
     ],
 )
-def test_a_text_becomes_what_its_substitutions_say(
-    context: LaunchContext, text: str, expected: str
-) -> None:
+def test_substitutions_are_replaced(context: LaunchContext, text: str, expected: str) -> None:
     assert perform(context, parse(text)) == expected
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "reason"),
     [
         ("$(var", "'$(var' is not closed"),
         ("$(va x)", "did you mean '$(var ...)'?"),
@@ -96,10 +94,10 @@ def test_a_text_becomes_what_its_substitutions_say(
         ("$(not a b)", "takes 1 arguments, not 2"),
     ],
 )
-def test_a_text_that_breaks_the_grammar_is_refused(text: str, told: str) -> None:
+def test_a_text_that_breaks_the_grammar_is_refused(text: str, reason: str) -> None:
     with pytest.raises(SubstitutionSyntaxError, match=r".*") as caught:
         parse(text)
-    assert told in str(caught.value)
+    assert reason in str(caught.value)
 
 
 @pytest.mark.parametrize(
@@ -125,7 +123,7 @@ def test_the_slash_joins_paths(context: LaunchContext) -> None:
     assert perform(context, joined) == str(Path("a", "b", "c"))
 
 
-def test_a_configuration_that_is_not_set_is_named_with_a_hint(context: LaunchContext) -> None:
+def test_an_unset_configuration_is_an_error_with_a_hint(context: LaunchContext) -> None:
     with pytest.raises(SubstitutionError, match="'robt' does not exist") as caught:
         perform(context, LaunchConfiguration("robt"))
     assert caught.value.hint == "did you mean 'robot'?"
@@ -137,18 +135,18 @@ def test_a_default_may_be_a_substitution_or_a_number(context: LaunchContext) -> 
     assert perform(context, LaunchConfiguration("missing", default=5)) == "5"
 
 
-def test_an_environment_variable_that_is_not_set_is_an_error(context: LaunchContext) -> None:
+def test_an_unset_environment_variable_is_an_error(context: LaunchContext) -> None:
     with pytest.raises(SubstitutionError, match="'NOWHERE' does not exist"):
         perform(context, EnvironmentVariable("NOWHERE"))
 
 
-def test_an_expression_that_fails_says_how(context: LaunchContext) -> None:
+def test_a_failed_expression_is_an_error_with_its_reason(context: LaunchContext) -> None:
     with pytest.raises(SubstitutionError, match=r"cannot evaluate `1/0`: ZeroDivisionError"):
         perform(context, PythonExpression(["1/", "0"]))
     assert perform(context, PythonExpression("os.path.sep", ["os"])) == os.sep
 
 
-def test_a_command_that_fails_says_how(context: LaunchContext) -> None:
+def test_a_failed_command_is_an_error_with_its_reason(context: LaunchContext) -> None:
     failing = [sys.executable, " -c 'import sys; sys.exit(3)'"]
     with pytest.raises(SubstitutionError, match="failed with 3"):
         perform(context, Command(failing))
@@ -161,7 +159,7 @@ def test_a_command_that_fails_says_how(context: LaunchContext) -> None:
     assert perform(context, Command(noisy, on_stderr="capture")) == "1\n"
 
 
-def test_executables_are_found_and_ros2_is_zbot(context: LaunchContext) -> None:
+def test_executables_are_found_and_ros2_runs_zbot(context: LaunchContext) -> None:
     context.environment["PATH"] = os.environ["PATH"]
     assert Path(perform(context, FindExecutable(name="sh"))).is_file()
     assert Path(perform(context, FindExecutable(name="ros2"))).is_file()
@@ -169,7 +167,7 @@ def test_executables_are_found_and_ros2_is_zbot(context: LaunchContext) -> None:
         perform(context, FindExecutable(name="no-such-program"))
 
 
-def test_a_package_that_is_not_there_is_an_error(context: LaunchContext) -> None:
+def test_a_missing_package_is_an_error(context: LaunchContext) -> None:
     with pytest.raises(ZbotError, match="'no_such_package' not found"):
         perform(context, FindPackageShare("no_such_package"))
 
@@ -186,7 +184,7 @@ def test_the_content_of_a_file_is_a_text(context: LaunchContext, tmp_path: Path)
         perform(context, FileContent(str(tmp_path / "missing")))
 
 
-def test_locals_are_what_the_moment_has(context: LaunchContext) -> None:
+def test_local_variables_are_those_of_the_current_event(context: LaunchContext) -> None:
     context.extend_locals({"event": TextSubstitution(text="hello")})
     assert perform(context, LocalSubstitution("event.text")) == "hello"
     context.pop_locals()
@@ -203,14 +201,14 @@ def test_an_anonymous_name_is_made_once(context: LaunchContext) -> None:
     assert perform(LaunchContext(), AnonName("node")) != first
 
 
-def test_choices_and_comparisons(context: LaunchContext) -> None:
+def test_choices_and_comparisons_are_evaluated(context: LaunchContext) -> None:
     assert perform(context, IfElseSubstitution(LaunchConfiguration("yes"), "a", "b")) == "a"
     assert perform(context, EqualsSubstitution(LaunchConfiguration("yes"), "1")) == "true"
     assert perform(context, NotEqualsSubstitution("a", "a")) == "false"
     assert perform(context, StringJoinSubstitution(["a", "b"], "-")) == "a-b"
 
 
-def test_conditions(context: LaunchContext) -> None:
+def test_conditions_are_evaluated(context: LaunchContext) -> None:
     assert IfCondition(LaunchConfiguration("yes")).evaluate(context)
     assert UnlessCondition(LaunchConfiguration("no")).evaluate(context)
     assert LaunchConfigurationEquals("robot", "r2").evaluate(context)
@@ -220,6 +218,6 @@ def test_conditions(context: LaunchContext) -> None:
         IfCondition(LaunchConfiguration("robot")).evaluate(context)
 
 
-def test_what_is_no_text_is_refused() -> None:
+def test_a_value_that_is_not_a_text_is_refused() -> None:
     with pytest.raises(EntityTypeError, match="not int: 5"):
         normalize(5)  # type: ignore[arg-type]

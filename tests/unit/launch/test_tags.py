@@ -1,4 +1,4 @@
-"""What tags of XML and YAML become, as programs that look at the actions see it."""
+"""Tests of the actions that tags of XML and YAML become."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def test_a_period_is_a_number(tag: str, text: str) -> None:
     assert isinstance(timer.period, float)
 
 
-def test_a_period_may_be_a_substitution_but_no_word() -> None:
+def test_a_period_may_be_a_substitution_and_must_be_a_number() -> None:
     timer = described('<launch><timer period="$(env X 2)"/></launch>')
     assert isinstance(timer, TimerAction)
     assert perform(LaunchContext(), timer.period) == "2"
@@ -45,7 +45,7 @@ def test_a_period_may_be_a_substitution_but_no_word() -> None:
 
 
 @pytest.mark.parametrize("prepend", [True, False])
-def test_prepend_stays_the_bool_it_was(prepend: bool) -> None:
+def test_prepend_stays_a_bool(prepend: bool) -> None:
     text = f'<launch><append_env name="A" value="b" prepend="{prepend}" separator=";"/></launch>'
     action = described(text)
     assert isinstance(action, AppendEnvironmentVariable)
@@ -64,7 +64,7 @@ def test_prepend_may_be_a_substitution() -> None:
     assert context.environment["A"] == "b;a"
 
 
-def test_a_round_opens_a_scope_fills_it_and_closes_it() -> None:
+def test_an_iteration_of_a_loop_has_its_own_scope() -> None:
     loop = described('<launch><for len="2" name="i"><shutdown reason="$(index i)"/></for></launch>')
     assert isinstance(loop, ForLoop)
     context = LaunchContext()
@@ -74,9 +74,9 @@ def test_a_round_opens_a_scope_fills_it_and_closes_it() -> None:
     assert [isinstance(step, OpaqueFunction) for step in steps] == [True, True, False, True] * 2
     for step in steps:
         step.visit(context)
-    assert context.depth == 0
+    assert context.locals_depth == 0
 
 
-def test_a_log_without_a_level_is_on_its_way_out() -> None:
+def test_a_log_tag_without_a_level_is_deprecated() -> None:
     with pytest.warns(DeprecationWarning, match="write `log_info`"):
         described('<launch><log message="hello"/></launch>')

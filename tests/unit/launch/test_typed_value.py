@@ -39,7 +39,7 @@ def test_a_configuration_becomes_a_value(text: str, data_type: Any, expected: An
     assert type(found) is type(expected)
 
 
-def test_values_stay_and_lists_are_gone_through() -> None:
+def test_values_are_unchanged_and_lists_are_converted() -> None:
     context = LaunchContext()
     context.launch_configurations["speed"] = "5"
     assert perform_typed_substitution(context, 3, int) == 3
@@ -63,7 +63,7 @@ def test_a_value_of_another_type_is_refused_at_once(value: Any, data_type: Any) 
 
 
 @pytest.mark.parametrize("data_type", [bytes, list, List, Union[int, str]])  # noqa: UP006, UP007
-def test_there_are_types_that_no_value_has(data_type: Any) -> None:
+def test_unsupported_types_are_refused(data_type: Any) -> None:
     with pytest.raises(CoercionError):
         extract_type(data_type)
 

@@ -1,4 +1,4 @@
-"""Images become arrays, and arrays images."""
+"""Tests of the conversion between images and arrays."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ RGB = np.array([[[255, 0, 10], [1, 2, 3]]], np.uint8)
         ((2, 3), "uint8", "bayer_rggb8", "8UC1"),
     ],
 )
-def test_an_array_goes_into_a_message_and_back(
+def test_an_array_survives_the_message(
     shape: tuple[int, ...], dtype: str, encoding: str, as_passed: str
 ) -> None:
     array = np.arange(np.prod(shape)).reshape(shape).astype(dtype)
@@ -66,7 +66,7 @@ def test_grey_becomes_color_and_wide_becomes_narrow() -> None:
     assert BRIDGE.imgmsg_to_cv2(depth, "8UC1").tolist() == [[0, 255]]
 
 
-def test_padding_and_the_order_of_bytes_are_the_images() -> None:
+def test_padding_and_byte_order_are_those_of_the_image() -> None:
     data = bytes([0, 1, 9, 0, 2, 9])
     image = Image(height=2, width=1, encoding="16UC1", is_bigendian=1, step=3, data=data)
     assert BRIDGE.imgmsg_to_cv2(image).tolist() == [[1], [2]]
@@ -75,12 +75,12 @@ def test_padding_and_the_order_of_bytes_are_the_images() -> None:
 @pytest.mark.parametrize(
     ("encoding", "target", "sentence"),
     [
-        ("8UC3", "bgr8", "makes no sense"),
-        ("rgb8", "8UC1", "makes no sense"),
+        ("8UC3", "bgr8", "8UC3 cannot be converted to bgr8"),
+        ("rgb8", "8UC1", "rgb8 cannot be converted to 8UC1"),
         ("rgb8", "purple8", "unknown encoding 'purple8'"),
     ],
 )
-def test_what_cannot_be_converted_is_said(encoding: str, target: str, sentence: str) -> None:
+def test_an_impossible_conversion_is_refused(encoding: str, target: str, sentence: str) -> None:
     image = BRIDGE.cv2_to_imgmsg(RGB, encoding)
     with pytest.raises(CvBridgeError, match=sentence):
         BRIDGE.imgmsg_to_cv2(image, target)
@@ -99,7 +99,7 @@ def test_an_image_that_is_too_short_is_refused() -> None:
         BRIDGE.imgmsg_to_cv2(image)
 
 
-def test_without_opencv_compressed_images_say_what_to_install(
+def test_compressed_images_without_opencv_name_the_package_to_install(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setitem(__import__("sys").modules, "cv2", None)

@@ -1,4 +1,4 @@
-"""Messages that belong together come together."""
+"""Tests of message_filters: synchronizers, caches and chains."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def test_equal_stamps_meet_in_any_order(order: tuple[int, ...]) -> None:
     }
 
 
-def test_what_waits_too_long_is_dropped() -> None:
+def test_messages_that_wait_too_long_are_dropped() -> None:
     left, right = pair()
     seen: list[Any] = []
     TimeSynchronizer([left, right], 2).registerCallback(lambda *both: seen.append(both))
@@ -98,7 +98,7 @@ def test_stamps_within_the_slop_meet(times: tuple[float, float], is_together: bo
     assert bool(seen) is is_together
 
 
-def test_the_closest_is_chosen_and_used_once() -> None:
+def test_the_nearest_message_is_used_once() -> None:
     left, right = pair()
     seen: list[tuple[Any, Any]] = []
     ApproximateTimeSynchronizer([left, right], 5, 0.5).registerCallback(
@@ -124,7 +124,7 @@ def test_all_of_three_are_within_the_slop_of_each_other() -> None:
     assert len(seen) == 1
 
 
-def test_messages_without_header_need_permission() -> None:
+def test_messages_without_header_need_the_option() -> None:
     for allowed in (True, False):
         left, right = pair()
         seen: list[Any] = []
@@ -157,7 +157,7 @@ def test_a_cache_keeps_the_newest_sorted_by_time() -> None:
     assert cache.getLatestTime() == cache.getLastestTime()
 
 
-def test_an_empty_cache_has_nothing() -> None:
+def test_an_empty_cache_returns_none() -> None:
     cache = Cache()
     assert cache.getLast() is cache.getOldestTime() is cache.getLatestTime() is None
 

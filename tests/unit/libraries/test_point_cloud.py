@@ -1,4 +1,4 @@
-"""Clouds become arrays, and arrays clouds."""
+"""Tests of the conversion between point clouds and arrays."""
 
 from __future__ import annotations
 
@@ -55,14 +55,14 @@ def test_points_are_chosen_by_field_value_and_index() -> None:
     assert len(read_points(cloud, skip_nans=True)) == 4
 
 
-def test_a_cloud_with_rows_keeps_them_if_asked() -> None:
+def test_rows_of_a_cloud_are_kept_on_request() -> None:
     cloud = create_cloud_xyz32(HEADER, np.zeros((2, 3, 3), np.float32))
     assert (cloud.width, cloud.height) == (2, 3)
     assert read_points(cloud).shape == (6,)
     assert read_points_numpy(cloud, reshape_organized_cloud=True).shape == (3, 2, 3)
 
 
-def test_padding_after_points_and_rows_is_no_point() -> None:
+def test_padding_after_points_and_rows_is_skipped() -> None:
     rows = np.full((2, 40), 9, np.uint8)
     rows[:, :32].view(np.float32)[:] = [[1, 2, 3, 0, 4, 5, 6, 0]] * 2
     cloud = PointCloud2(
@@ -72,7 +72,7 @@ def test_padding_after_points_and_rows_is_no_point() -> None:
 
 
 @pytest.mark.parametrize("is_bigendian", [False, True])
-def test_the_order_of_the_bytes_is_the_clouds(is_bigendian: bool) -> None:
+def test_the_byte_order_is_that_of_the_cloud(is_bigendian: bool) -> None:
     data = np.array([1.5, 2.5, 3.5], ">f4" if is_bigendian else "<f4").tobytes()
     cloud = PointCloud2(
         height=1,
@@ -97,7 +97,7 @@ def test_fields_of_different_types_need_a_structured_array() -> None:
         read_points_numpy(cloud)
 
 
-def test_a_field_with_several_values_becomes_as_many() -> None:
+def test_a_field_with_several_values_becomes_several_columns() -> None:
     cloud = create_cloud(HEADER, [field("v", 0, count=3)], np.array(POINTS, np.float32))
     assert read_points(cloud).dtype.names == ("v_0", "v_1", "v_2")
     assert dtype_from_fields([field("", 0), field("", 4)]).names == (
@@ -106,7 +106,7 @@ def test_a_field_with_several_values_becomes_as_many() -> None:
     )
 
 
-def test_a_wider_step_is_kept_and_a_wrong_one_refused() -> None:
+def test_a_wider_step_is_kept_and_a_wrong_step_is_refused() -> None:
     wide = np.array(POINTS, dtype_from_fields(XYZ, 20))
     assert create_cloud(HEADER, XYZ, wide).point_step == 20
     assert create_cloud(HEADER, XYZ, POINTS, 20).point_step == 20
@@ -122,7 +122,7 @@ def test_a_wider_step_is_kept_and_a_wrong_one_refused() -> None:
         ({"data": b"short"}, "needs 48 bytes, but it has 5"),
     ],
 )
-def test_clouds_that_make_no_sense_are_refused(changes: dict[str, Any], sentence: str) -> None:
+def test_inconsistent_clouds_are_refused(changes: dict[str, Any], sentence: str) -> None:
     cloud = create_cloud_xyz32(HEADER, POINTS)
     for name, value in changes.items():
         setattr(cloud, name, value)

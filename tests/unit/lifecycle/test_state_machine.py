@@ -1,4 +1,4 @@
-"""The life of a managed node, against the table of the design document."""
+"""State machine of a managed node, compared with the table of the design document."""
 
 from __future__ import annotations
 
@@ -72,9 +72,7 @@ def test_the_transitions_are_those_of_the_table() -> None:
 
 @pytest.mark.parametrize("state", STATES)
 @pytest.mark.parametrize("label", LABELS)
-def test_a_label_leads_where_the_table_says_or_is_refused(
-    state: LifecycleState, label: str
-) -> None:
+def test_a_label_follows_the_table_or_is_refused(state: LifecycleState, label: str) -> None:
     machine = machine_in(state)
     expected = DOCUMENTED.get((state.label, label))
     if expected is None:
@@ -89,7 +87,7 @@ def test_a_label_leads_where_the_table_says_or_is_refused(
 
 
 @pytest.mark.parametrize("state", STATES)
-def test_a_number_leads_where_the_table_says_or_is_refused(state: LifecycleState) -> None:
+def test_a_number_follows_the_table_or_is_refused(state: LifecycleState) -> None:
     possible = {
         number: goal for (start, _), (number, goal) in DOCUMENTED.items() if start == state[0]
     }
@@ -134,23 +132,23 @@ def test_outcomes_have_the_numbers_of_lifecycle_msgs() -> None:
         assert outcome.to_label() == f"transition_{outcome.name.lower()}"
 
 
-def test_the_present_state_is_also_told_as_rclpy_tells_it() -> None:
+def test_the_present_state_has_rclpys_form_too() -> None:
     assert StateMachine().current_state == (1, "unconfigured")
 
 
-def test_a_refusal_says_what_is_possible() -> None:
+def test_an_error_lists_the_possible_steps() -> None:
     machine = StateMachine()
     with pytest.raises(TransitionNotPossibleError) as refused:
         machine.trigger("activate")
     assert str(refused.value) == (
         "no transition 'activate' from the state unconfigured: "
-        "possible are configure [1], shutdown [5]"
+        "possible transitions: configure [1], shutdown [5]"
     )
-    with pytest.raises(TransitionNotPossibleError, match=r"the node's life is over$"):
+    with pytest.raises(TransitionNotPossibleError, match=r"the node is finalized$"):
         machine_in(FINALIZED).find("configure")
 
 
-def test_of_threads_that_want_to_leave_a_state_one_does() -> None:
+def test_of_threads_that_leave_a_state_one_succeeds() -> None:
     for _ in range(50):
         machine = machine_in(INACTIVE)
         refusals: list[TransitionNotPossibleError] = []
@@ -175,8 +173,8 @@ def test_of_threads_that_want_to_leave_a_state_one_does() -> None:
         assert len(refusals) == 3
 
 
-class Life(RuleBasedStateMachine):
-    """Any order of requests leaves the machine where the documented table says."""
+class RandomRequests(RuleBasedStateMachine):
+    """Any sequence of requests leads to the state in the documented table."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -220,9 +218,9 @@ class Life(RuleBasedStateMachine):
         assert bool(transitions_from(self.machine.state)) == (self.state != "finalized")
 
 
-TestLife = Life.TestCase
+TestLife = RandomRequests.TestCase
 
 
-def test_an_error_leads_back_to_the_beginning_or_to_the_end() -> None:
+def test_an_error_leads_to_unconfigured_or_finalized() -> None:
     goals = [one.goal for one in transitions_from(ERROR_PROCESSING)]
     assert goals == [UNCONFIGURED, FINALIZED, FINALIZED]

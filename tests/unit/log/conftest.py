@@ -25,8 +25,8 @@ def fresh_log(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 
 @pytest.fixture
-def told(capsys: pytest.CaptureFixture[str]) -> Callable[[], list[str]]:
-    """Return a function that returns the messages on stderr since it was last called."""
+def logged(capsys: pytest.CaptureFixture[str]) -> Callable[[], list[str]]:
+    """Return a function that returns the messages written to stderr since its last call."""
 
     def read() -> list[str]:
         matches = map(LINE.fullmatch, capsys.readouterr().err.splitlines())

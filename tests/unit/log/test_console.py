@@ -15,7 +15,7 @@ from zbot.log import LoggingSeverity, get_logger
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    Told = Callable[[], list[str]]
+    Logged = Callable[[], list[str]]
 
 DEBUG, INFO, WARN = LoggingSeverity.DEBUG, LoggingSeverity.INFO, LoggingSeverity.WARN
 ERROR, FATAL = LoggingSeverity.ERROR, LoggingSeverity.FATAL
@@ -41,23 +41,23 @@ def test_line_has_the_form_of_ros(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 @pytest.mark.parametrize("method", ["info", "warn", "warning", "error", "fatal"])
-def test_every_level_from_info_on_is_written(method: str, told: Told) -> None:
+def test_every_level_from_info_on_is_written(method: str, logged: Logged) -> None:
     assert getattr(get_logger("sensor"), method)("text") is True
-    assert told() == ["text"]
+    assert logged() == ["text"]
 
 
-def test_debug_is_silent_until_its_level_is_set(told: Told) -> None:
+def test_debug_is_not_written_until_its_level_is_set(logged: Logged) -> None:
     logger = get_logger("sensor")
     assert logger.debug("before") is False
     logger.set_level(DEBUG)
     assert logger.debug("after") is True
-    assert told() == ["after"]
+    assert logged() == ["after"]
 
 
 @pytest.mark.parametrize("message", [42, None, 2.5, [1, "two"], ValueError("why"), {"a": 1}])
-def test_anything_can_be_logged(message: object, told: Told) -> None:
+def test_anything_can_be_logged(message: object, logged: Logged) -> None:
     get_logger("sensor").info(message)
-    assert told() == [str(message)]
+    assert logged() == [str(message)]
 
 
 def test_message_of_several_lines_stays_one_write(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -80,12 +80,12 @@ def test_message_is_written_as_it_is(message: str, capsys: pytest.CaptureFixture
     assert capsys.readouterr().err.endswith(f"[sensor]: {message}\n")
 
 
-def test_lone_surrogates_are_escaped_everywhere(told: Told) -> None:
+def test_lone_surrogates_are_escaped(logged: Logged) -> None:
     records: list[log.Record] = []
     log.add_sink("sensor", records.append)
     get_logger("sensor").info("broken \ud800 name")
     log.remove_sink("sensor", records.append)
-    assert told() == [r"broken \ud800 name"]
+    assert logged() == [r"broken \ud800 name"]
     assert records[0].message == r"broken \ud800 name"
 
 
@@ -118,7 +118,7 @@ def test_output_format_follows_the_variable(
     assert capsys.readouterr().err == f"{expected}\n"
 
 
-def test_output_format_tells_time_and_place(
+def test_output_format_has_time_and_place(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     template = "{time_as_nanoseconds}|{time}|{date_time_with_ms}|{line_number}"
@@ -128,7 +128,7 @@ def test_output_format_tells_time_and_place(
     assert seconds == f"{stamp[:-9]}.{stamp[-9:]}"
     assert re.fullmatch(r"\d{4}-\d\d-\d\d \d\d:\d\d:\d\d\.\d{3}", date)
     assert date.endswith(stamp[-9:-6])
-    assert int(line) == test_output_format_tells_time_and_place.__code__.co_firstlineno + 5
+    assert int(line) == test_output_format_has_time_and_place.__code__.co_firstlineno + 5
 
 
 def test_stdout_is_used_on_request(
@@ -141,11 +141,11 @@ def test_stdout_is_used_on_request(
     assert captured.err == ""
 
 
-def test_wrong_setting_is_told_once(monkeypatch: pytest.MonkeyPatch, told: Told) -> None:
+def test_wrong_setting_is_reported_once(monkeypatch: pytest.MonkeyPatch, logged: Logged) -> None:
     monkeypatch.setenv("RCUTILS_COLORIZED_OUTPUT", "yes")
     for number in range(2):
         get_logger("sensor").info(number)
-    assert told() == ["RCUTILS_COLORIZED_OUTPUT is 'yes': use 0 or 1", "0", "1"]
+    assert logged() == ["RCUTILS_COLORIZED_OUTPUT is 'yes': use 0 or 1", "0", "1"]
 
 
 @pytest.mark.parametrize(

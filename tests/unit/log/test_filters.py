@@ -12,7 +12,7 @@ from zbot.time import Time
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    Told = Callable[[], list[str]]
+    Logged = Callable[[], list[str]]
 
 INFO, WARN, ERROR = LoggingSeverity.INFO, LoggingSeverity.WARN, LoggingSeverity.ERROR
 
@@ -25,27 +25,27 @@ class FakeClock:
         return Time(seconds=self.sec)
 
 
-def test_once_writes_the_first_call_at_a_place(told: Told) -> None:
+def test_once_writes_the_first_call_at_a_place(logged: Logged) -> None:
     logger = get_logger("sensor")
     written = [logger.info(number, once=True) for number in range(3)]
     written += [logger.info("elsewhere", once=True), logger.info("same line", once=True)]
     assert written == [True, False, False, True, True]
-    assert told() == ["0", "elsewhere", "same line"]
+    assert logged() == ["0", "elsewhere", "same line"]
 
 
-def test_once_is_remembered_for_each_logger(told: Told) -> None:
+def test_once_is_remembered_for_each_logger(logged: Logged) -> None:
     for name in ("a", "b", "a"):
         get_logger(name).info(name, once=True)
-    assert told() == ["a", "b", "a"]
+    assert logged() == ["a", "b", "a"]
 
 
 def test_once_waits_until_the_level_lets_it_through() -> None:
     logger = get_logger("sensor")
-    told = []
+    logged = []
     for level in (ERROR, INFO, INFO):
         logger.set_level(level)
-        told.append(logger.info("text", once=True))
-    assert told == [False, True, False]
+        logged.append(logger.info("text", once=True))
+    assert logged == [False, True, False]
 
 
 def test_skip_first_writes_all_but_the_first() -> None:
@@ -55,29 +55,35 @@ def test_skip_first_writes_all_but_the_first() -> None:
 
 def test_skip_first_and_once_write_the_second() -> None:
     logger = get_logger("sensor")
-    told = [logger.info("text", skip_first=True, once=True) for _ in range(4)]
-    assert told == [False, True, False, False]
+    logged = [logger.info("text", skip_first=True, once=True) for _ in range(4)]
+    assert logged == [False, True, False, False]
 
 
 def test_throttle_writes_one_line_in_its_duration() -> None:
-    logger, clock, told = get_logger("sensor"), FakeClock(), []
+    logger, clock, logged = get_logger("sensor"), FakeClock(), []
     for clock.sec in (1.0, 1.5, 1.99, 2.0, 2.5, 7.0, 7.1):
-        told.append(logger.info("text", throttle_duration_sec=1.0, throttle_time_source_type=clock))
-    assert told == [True, False, False, True, False, True, False]
+        logged.append(
+            logger.info("text", throttle_duration_sec=1.0, throttle_time_source_type=clock)
+        )
+    assert logged == [True, False, False, True, False, True, False]
 
 
 def test_throttle_writes_when_simulated_time_begins_again() -> None:
-    logger, clock, told = get_logger("sensor"), FakeClock(), []
+    logger, clock, logged = get_logger("sensor"), FakeClock(), []
     for clock.sec in (100.0, 100.5, 0.0, 0.5):
-        told.append(logger.info("text", throttle_duration_sec=1.0, throttle_time_source_type=clock))
-    assert told == [True, False, True, False]
+        logged.append(
+            logger.info("text", throttle_duration_sec=1.0, throttle_time_source_type=clock)
+        )
+    assert logged == [True, False, True, False]
 
 
 def test_throttle_waits_until_simulated_time_has_begun() -> None:
-    logger, clock, told = get_logger("sensor"), FakeClock(), []
+    logger, clock, logged = get_logger("sensor"), FakeClock(), []
     for clock.sec in (0.0, 1.0, 2.0, 3.0):
-        told.append(logger.info("text", throttle_duration_sec=2.0, throttle_time_source_type=clock))
-    assert told == [False, False, True, False]
+        logged.append(
+            logger.info("text", throttle_duration_sec=2.0, throttle_time_source_type=clock)
+        )
+    assert logged == [False, False, True, False]
 
 
 def test_throttle_measures_monotonic_time_by_default() -> None:
@@ -138,7 +144,7 @@ def test_wrong_option_is_refused(
         ),
     ],
 )
-def test_place_cannot_change_what_it_asks_for(
+def test_the_log_call_at_a_place_cannot_change(
     first: dict[str, Any], second: dict[str, Any], what: str
 ) -> None:
     logger = get_logger("sensor")

@@ -12,7 +12,7 @@ from zbot.log.errors import InvalidSeverityError
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    Told = Callable[[], list[str]]
+    Logged = Callable[[], list[str]]
 
 DEBUG, INFO, WARN = LoggingSeverity.DEBUG, LoggingSeverity.INFO, LoggingSeverity.WARN
 ERROR, FATAL, UNSET = LoggingSeverity.ERROR, LoggingSeverity.FATAL, LoggingSeverity.UNSET
@@ -44,7 +44,7 @@ def test_empty_name_sets_the_level_of_all() -> None:
     assert get_logger("anything").get_effective_level() is ERROR
 
 
-def test_root_without_a_level_lets_everything_through() -> None:
+def test_root_without_a_level_writes_every_line() -> None:
     log.set_logger_level("", UNSET)
     assert get_logger("anything").get_effective_level() is UNSET
     assert get_logger("anything").debug("heard")
@@ -65,7 +65,7 @@ def test_configure_sets_levels_and_switches(capsys: pytest.CaptureFixture[str]) 
     assert capsys.readouterr().err == ""
 
 
-def test_clear_config_forgets_levels() -> None:
+def test_clear_config_resets_levels() -> None:
     logger = get_logger("sensor")
     logger.set_level(FATAL)
     log.clear_config()

@@ -13,13 +13,13 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
-    Told = Callable[[], list[str]]
+    Logged = Callable[[], list[str]]
 
 LINE = re.compile(r"\[(\w+)\] \[(\d{10}\.\d{9})\] \[([\w.]+)\]: (.*)", re.DOTALL)
 
 
 @pytest.mark.parametrize("variable", ["ZBOT_LOG_DIR", "ROS_LOG_DIR"])
-def test_lines_go_to_a_file_where_a_folder_is_set(
+def test_lines_are_written_to_a_file_in_the_configured_folder(
     variable: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = tmp_path / "new" / "logs"
@@ -53,14 +53,14 @@ def test_file_can_be_switched_off(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     assert list(tmp_path.iterdir()) == []
 
 
-def test_unusable_folder_is_told_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, told: Told
+def test_unusable_folder_is_reported_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, logged: Logged
 ) -> None:
     (tmp_path / "file").touch()
     monkeypatch.setenv("ZBOT_LOG_DIR", str(tmp_path / "file"))
     for number in range(2):
         get_logger("sensor").info(number)
-    first, complaint, *others = told()
+    first, complaint, *others = logged()
     assert (first, others) == ("0", ["1"])
     assert complaint.startswith("cannot write the log file")
 

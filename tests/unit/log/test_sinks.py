@@ -11,7 +11,7 @@ from zbot.log import LoggingSeverity, get_logger
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    Told = Callable[[], list[str]]
+    Logged = Callable[[], list[str]]
 
 ERROR = LoggingSeverity.ERROR
 
@@ -25,9 +25,9 @@ def records() -> Iterator[list[log.Record]]:
     log.remove_sink("robot", sink)
 
 
-def test_lines_can_be_kept_from_sinks(records: list[log.Record]) -> None:
+def test_lines_can_be_excluded_from_sinks(records: list[log.Record]) -> None:
     logger = get_logger("robot")
-    with log.away_from_sinks():
+    with log.sinks_disabled():
         logger.info("unheard")
     logger.info("heard")
     assert [record.message for record in records] == ["heard"]
@@ -39,15 +39,15 @@ def test_sink_gets_the_lines_of_its_logger_and_children(records: list[log.Record
     assert [record.name for record in records] == ["robot", "robot.arm"]
 
 
-def test_record_tells_where_the_line_was_logged(records: list[log.Record]) -> None:
+def test_record_has_the_place_of_the_log_call(records: list[log.Record]) -> None:
     get_logger("robot").error("text")
     record = records[0]
     assert (record.level, record.message) == (ERROR, "text")
     assert (record.file, record.function) == (
         __file__,
-        test_record_tells_where_the_line_was_logged.__name__,
+        test_record_has_the_place_of_the_log_call.__name__,
     )
-    assert record.line == test_record_tells_where_the_line_was_logged.__code__.co_firstlineno + 1
+    assert record.line == test_record_has_the_place_of_the_log_call.__code__.co_firstlineno + 1
     assert record.stamp_ns > 1_700_000_000 * 10**9
 
 
@@ -68,7 +68,9 @@ def test_sinks_can_be_switched_off(records: list[log.Record]) -> None:
     assert records == []
 
 
-def test_failing_sink_is_told_once_and_loses_nothing(records: list[log.Record], told: Told) -> None:
+def test_failing_sink_is_reported_once_and_keeps_getting_lines(
+    records: list[log.Record], logged: Logged
+) -> None:
     def fail(record: log.Record) -> None:
         raise OSError(f"no network for {record.message}")
 
@@ -76,15 +78,15 @@ def test_failing_sink_is_told_once_and_loses_nothing(records: list[log.Record], 
     for number in (1, 2):
         get_logger("robot.arm").info(number)
     log.remove_sink("robot.arm", fail)
-    assert told() == [
+    assert logged() == [
         "1",
-        "a sink of logger 'robot.arm' failed, told once: OSError('no network for 1')",
+        "a sink of logger 'robot.arm' failed, reported once: OSError('no network for 1')",
         "2",
     ]
     assert [record.message for record in records] == ["1", "2"]
 
 
-def test_what_a_sink_logs_does_not_come_back_to_it(told: Told) -> None:
+def test_lines_logged_by_a_sink_do_not_reach_sinks(logged: Logged) -> None:
     logger = get_logger("loop")
 
     def sink(record: log.Record) -> None:
@@ -93,10 +95,10 @@ def test_what_a_sink_logs_does_not_come_back_to_it(told: Told) -> None:
     log.add_sink("loop", sink)
     logger.info("text")
     log.remove_sink("loop", sink)
-    assert told() == ["text", "sent text"]
+    assert logged() == ["text", "sent text"]
 
 
-def test_sinks_of_other_threads_are_not_held_back() -> None:
+def test_a_sink_call_does_not_disable_sinks_of_other_threads() -> None:
     received: list[str] = []
 
     def sink(record: log.Record) -> None:

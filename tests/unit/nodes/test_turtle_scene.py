@@ -1,4 +1,4 @@
-"""What a page is told of the turtles' world."""
+"""Tests of the scene that the page requests from turtlesim."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def scene(world: TurtleWorld) -> Scene:
 
 def ask(scene: Scene, last: TurtleScene.Response | None = None) -> TurtleScene.Response:
     request = TurtleScene.Request(run=last.run, until=last.until) if last else TurtleScene.Request()
-    return scene.tell(request, TurtleScene.Response())
+    return scene.fill_response(request, TurtleScene.Response())
 
 
 def pixels(file: bytes) -> list[bytes]:
@@ -43,27 +43,27 @@ def pixels(file: bytes) -> list[bytes]:
     return [rows[row + 1 : row + width] for row in range(0, len(rows), width)]
 
 
-def test_who_asks_first_gets_the_picture(scene: Scene, world: TurtleWorld) -> None:
+def test_the_first_request_gets_the_picture(scene: Scene, world: TurtleWorld) -> None:
     world.drawing.add(LINE)
-    told = ask(scene)
-    rows = pixels(bytes(told.sheet))
+    answer = ask(scene)
+    rows = pixels(bytes(answer.sheet))
     assert len(rows) == 500
     assert rows[20][20 * 4 : 21 * 4] == bytes((1, 2, 3, 255))
     assert rows[100] == bytes((255, 255, 255, 0)) * 500
-    assert not told.lines
+    assert not answer.lines
 
 
-def test_who_asks_again_gets_what_is_new(scene: Scene, world: TurtleWorld) -> None:
+def test_a_later_request_gets_only_new_lines(scene: Scene, world: TurtleWorld) -> None:
     first = ask(scene)
     assert not ask(scene, first).lines
     world.drawing.add(LINE)
-    told = ask(scene, first)
-    assert (told.lines.tolist(), told.pens.tolist()) == ([10, 20, 30, 20], [1, 2, 3, 4])
-    assert not told.sheet
-    assert not ask(scene, told).lines
+    answer = ask(scene, first)
+    assert (answer.lines.tolist(), answer.pens.tolist()) == ([10, 20, 30, 20], [1, 2, 3, 4])
+    assert not answer.sheet
+    assert not ask(scene, answer).lines
 
 
-def test_a_wiped_sheet_is_told_as_a_picture(scene: Scene, world: TurtleWorld) -> None:
+def test_a_cleared_sheet_is_sent_as_a_picture(scene: Scene, world: TurtleWorld) -> None:
     first = ask(scene)
     world.clear()
     wiped = ask(scene, first)
@@ -73,12 +73,12 @@ def test_a_wiped_sheet_is_told_as_a_picture(scene: Scene, world: TurtleWorld) ->
     assert ask(scene, wiped).sheet
 
 
-def test_who_knows_another_simulator_gets_the_picture(scene: Scene) -> None:
+def test_a_request_for_another_simulator_gets_the_picture(scene: Scene) -> None:
     other = ask(Scene(TurtleWorld()))
     assert ask(scene, other).sheet
 
 
-def test_more_lines_than_are_kept_are_told_as_a_picture() -> None:
+def test_more_lines_than_are_kept_are_sent_as_a_picture() -> None:
     drawing = Drawing()
     until = drawing.until
     drawing.add(LINE)
@@ -89,7 +89,7 @@ def test_more_lines_than_are_kept_are_told_as_a_picture() -> None:
     assert len(drawing.since(until + 1) or ()) == drawing.lines.maxlen
 
 
-def test_turtles_are_told_with_their_pens(scene: Scene, world: TurtleWorld) -> None:
+def test_turtles_are_sent_with_their_pens(scene: Scene, world: TurtleWorld) -> None:
     eve = world.spawn(1.0, 2.0, 0.5, "eve")
     assert eve is not None
     eve.set_pen(9, 8, 7, 6, 1)

@@ -1,4 +1,4 @@
-"""The turtles' world, tick by tick, against the numbers of ROS 2's turtlesim."""
+"""Tests of the turtles' world, tick by tick, against numbers of ROS 2's turtlesim."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ PEN = (179, 184, 255)
 WHITE = (255, 255, 255)
 
 
-class Told(list[tuple[str, str]]):
-    """What the world says."""
+class RecordedEvents(list[tuple[str, str]]):
+    """Log lines of the world: level and text."""
 
     def __call__(self, level: str, text: str) -> None:
         self.append((level, text))
 
 
 @pytest.fixture
-def told() -> Told:
-    return Told()
+def events() -> RecordedEvents:
+    return RecordedEvents()
 
 
 @pytest.fixture
-def world(told: Told) -> TurtleWorld:
-    made = TurtleWorld(told)
-    assert not made.tick()  # the first only begins
-    told.clear()
+def world(events: RecordedEvents) -> TurtleWorld:
+    made = TurtleWorld(events)
+    assert not made.tick()  # the first tick only starts the time
+    events.clear()
     return made
 
 
@@ -47,11 +47,11 @@ def test_the_world_has_the_size_of_a_32_bit_float() -> None:
     assert SIZE == 11.088889122009277
 
 
-def test_the_first_turtle_is_told_of() -> None:
-    told = Told()
-    TurtleWorld(told)
+def test_the_first_turtle_is_announced() -> None:
+    events = RecordedEvents()
+    TurtleWorld(events)
     text = "Spawning turtle [turtle1] at x=[5.544445], y=[5.544445], theta=[0.000000]"
-    assert told == [("info", text)]
+    assert events == [("info", text)]
 
 
 def test_a_command_lasts_a_second(world: TurtleWorld, turtle: Turtle) -> None:
@@ -66,7 +66,7 @@ def test_a_command_lasts_a_second(world: TurtleWorld, turtle: Turtle) -> None:
 @pytest.mark.parametrize(
     ("forward", "turn", "x", "heading"), [(2, 0, 7.5284, 0), (0, 2, SIZE / 2, 1.984)]
 )
-def test_an_arrow_key_goes_two_units(
+def test_an_arrow_key_moves_two_units(
     world: TurtleWorld, turtle: Turtle, forward: float, turn: float, x: float, heading: float
 ) -> None:
     world.command("turtle1", forward, turn)
@@ -74,19 +74,21 @@ def test_an_arrow_key_goes_two_units(
     assert (turtle.x, turtle.heading) == pytest.approx((x, heading), abs=1e-4)
 
 
-def test_the_wall_is_hit_on_tick_174(world: TurtleWorld, turtle: Turtle, told: Told) -> None:
+def test_the_wall_is_hit_on_tick_174(
+    world: TurtleWorld, turtle: Turtle, events: RecordedEvents
+) -> None:
     for _ in range(173):
         world.command("turtle1", 2.0, 0.0)
         ticks(world, 1)
-    assert not told
+    assert not events
     world.command("turtle1", 2.0, 0.0)
     ticks(world, 1)
     text = "Oh no! I hit the wall! (Clamping from [x=11.112445, y=5.544445])"
-    assert told == [("warning", text)]
+    assert events == [("warning", text)]
     assert turtle.x == SIZE
 
 
-def test_turning_left_gives_a_negative_delta(world: TurtleWorld, told: Told) -> None:
+def test_turning_left_gives_a_negative_delta(world: TurtleWorld, events: RecordedEvents) -> None:
     progress: list[float] = []
     ends: list[tuple[RotationState, float]] = []
     rotation = Rotation(1.57, progress.append, lambda state, delta: ends.append((state, delta)))
@@ -95,8 +97,8 @@ def test_turning_left_gives_a_negative_delta(world: TurtleWorld, told: Told) -> 
     ((state, delta),) = ends
     assert state is RotationState.SUCCEEDED
     assert delta == pytest.approx(-1.5520, abs=1e-4)
-    assert len(progress) == 98  # 97 of them moved
-    assert told == [("info", "Rotation goal completed successfully")]
+    assert len(progress) == 98  # 97 of these ticks moved the turtle
+    assert events == [("info", "Rotation goal completed successfully")]
 
 
 def test_a_rotation_turns_the_shorter_way(world: TurtleWorld, turtle: Turtle) -> None:
@@ -121,8 +123,8 @@ def test_a_rotation_turns_the_shorter_way(world: TurtleWorld, turtle: Turtle) ->
         ),
     ],
 )
-def test_a_rotation_gives_way(
-    world: TurtleWorld, told: Told, disturb: object, state: RotationState, line: str
+def test_a_rotation_ends_when_it_is_interrupted(
+    world: TurtleWorld, events: RecordedEvents, disturb: object, state: RotationState, line: str
 ) -> None:
     ends: list[RotationState] = []
     world.rotate("turtle1", Rotation(2.0, on_end=lambda ended, _: ends.append(ended)))
@@ -130,10 +132,12 @@ def test_a_rotation_gives_way(
     assert callable(disturb)
     disturb(world)
     assert ends == [state]
-    assert told == [("warning", line)]
+    assert events == [("warning", line)]
 
 
-def test_a_rotation_can_be_canceled(world: TurtleWorld, turtle: Turtle, told: Told) -> None:
+def test_a_rotation_can_be_canceled(
+    world: TurtleWorld, turtle: Turtle, events: RecordedEvents
+) -> None:
     ends: list[RotationState] = []
     asked: list[bool] = []
     world.rotate(
@@ -146,7 +150,7 @@ def test_a_rotation_can_be_canceled(world: TurtleWorld, turtle: Turtle, told: To
     asked.append(True)
     ticks(world, 1)
     assert ends == [RotationState.CANCELED]
-    assert told == [("info", "Rotation goal canceled")]
+    assert events == [("info", "Rotation goal canceled")]
     assert turtle.turn == 0
 
 
@@ -160,15 +164,17 @@ def test_teleports_happen_in_order_at_the_next_tick(world: TurtleWorld, turtle: 
 
 
 def test_a_teleport_beyond_the_wall_ends_at_it(
-    world: TurtleWorld, turtle: Turtle, told: Told
+    world: TurtleWorld, turtle: Turtle, events: RecordedEvents
 ) -> None:
     turtle.teleport_to(-1.0, 20.0, 0.0)
     ticks(world, 1)
     assert (turtle.x, turtle.y_up) == (0, SIZE)
-    assert told == [("warning", "Oh no! I hit the wall! (Clamping from [x=-1.000000, y=0.000000])")]
+    assert events == [
+        ("warning", "Oh no! I hit the wall! (Clamping from [x=-1.000000, y=0.000000])")
+    ]
 
 
-def test_sideways_speed_is_kept_until_it_is_said_anew(world: TurtleWorld, turtle: Turtle) -> None:
+def test_sideways_speed_is_kept_until_the_next_command(world: TurtleWorld, turtle: Turtle) -> None:
     world.command("turtle1", 0.0, 0.0, 1.0)
     ticks(world, 1)
     assert turtle.y_up == pytest.approx(SIZE / 2 + 0.016)
@@ -178,20 +184,22 @@ def test_sideways_speed_is_kept_until_it_is_said_anew(world: TurtleWorld, turtle
     assert turtle.speed == 1.0
 
 
-def test_names_count_up_and_skip_what_is_taken(world: TurtleWorld, told: Told) -> None:
+def test_generated_names_skip_taken_names(world: TurtleWorld, events: RecordedEvents) -> None:
     assert world.spawn(1, 1, 0, "turtle2") is not None
     spawned = world.spawn(1, 1, 0)
     assert spawned is not None
     assert spawned.name == "turtle3"
     assert world.spawn(1, 1, 0, "turtle3") is None
-    assert told[-1] == ("error", "A turtle named [turtle3] already exists")
+    assert events[-1] == ("error", "A turtle named [turtle3] already exists")
     world.kill("nobody")
-    assert told[-1] == ("error", "Tried to kill turtle [nobody], which does not exist")
+    assert events[-1] == ("error", "Tried to kill turtle [nobody], which does not exist")
     world.kill("turtle3")
     assert sorted(world.turtles) == ["turtle1", "turtle2"]
 
 
-def test_reset_begins_anew(world: TurtleWorld, turtle: Turtle, told: Told) -> None:
+def test_reset_restores_the_start(
+    world: TurtleWorld, turtle: Turtle, events: RecordedEvents
+) -> None:
     world.spawn(1, 1, 0)
     world.command("turtle1", 2.0, 0.0)
     ticks(world, 10)
@@ -199,20 +207,22 @@ def test_reset_begins_anew(world: TurtleWorld, turtle: Turtle, told: Told) -> No
     assert list(world.turtles) == ["turtle1"]
     assert world.turtles["turtle1"] is not turtle
     assert not world.drawing.lines
-    assert told[-2:] == [
+    assert events[-2:] == [
         ("info", "Resetting turtlesim."),
         ("info", "Spawning turtle [turtle1] at x=[5.544445], y=[5.544445], theta=[0.000000]"),
     ]
 
 
-def test_clear_keeps_the_turtles(world: TurtleWorld, turtle: Turtle, told: Told) -> None:
+def test_clear_keeps_the_turtles(
+    world: TurtleWorld, turtle: Turtle, events: RecordedEvents
+) -> None:
     world.command("turtle1", 2.0, 0.0)
     ticks(world, 10)
     assert world.colour_under(turtle) == PEN
     world.clear()
     assert world.colour_under(turtle) == WHITE
     assert world.turtles["turtle1"] is turtle
-    assert told == [("info", "Clearing turtlesim.")]
+    assert events == [("info", "Clearing turtlesim.")]
 
 
 @pytest.mark.parametrize(
@@ -223,7 +233,9 @@ def test_clear_keeps_the_turtles(world: TurtleWorld, turtle: Turtle, told: Told)
         ((1, 2, 3, 5, 1), Pen(is_down=False)),
     ],
 )
-def test_pens(turtle: Turtle, wanted: tuple[int, int, int, int, int], pen: Pen) -> None:
+def test_a_pen_has_its_range(
+    turtle: Turtle, wanted: tuple[int, int, int, int, int], pen: Pen
+) -> None:
     turtle.set_pen(*wanted)
     assert turtle.pen == pen
 
@@ -246,7 +258,7 @@ def test_lines_have_their_width() -> None:
 
 
 @pytest.mark.parametrize("corner", [(-50, -50), (0, 0), (499, 499), (600, 700)])
-def test_nothing_is_drawn_beside_the_sheet(corner: tuple[int, int]) -> None:
+def test_lines_outside_of_the_sheet_are_not_drawn(corner: tuple[int, int]) -> None:
     drawing = Drawing()
     drawing.add(Line(*corner, *corner, Pen(width=255)))
     assert drawing.colour_at(250, 250) == WHITE

@@ -1,4 +1,4 @@
-"""`ament_index_python`: what it says of packages, those that nobody installed too."""
+"""Tests of `ament_index_python` with installed packages and packages of a workspace."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from zbot.package.ament_index import (
     ResourceNotFoundError,
 )
 
-#: The real one's names, by module.
+#: Names of ROS 2's ament_index_python, by module.
 NAMES = {
     "": [
         "InvalidResourceNameError", "InvalidResourceTypeNameError", "PackageNotFoundError",
@@ -39,7 +39,7 @@ NAMES = {
 
 @pytest.fixture(autouse=True)
 def robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A workspace around the current folder with one package, and a prefix with another."""
+    """Make a workspace around the current folder with a package, and a prefix with another."""
     folder = tmp_path / "src" / "robot"
     (folder / "msg").mkdir(parents=True)
     (folder / "msg" / "Beep.msg").write_text("int32 times\n")
@@ -55,19 +55,19 @@ def robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.mark.parametrize("module", list(NAMES))
-def test_every_name_is_there(module: str) -> None:
+def test_every_name_of_the_package_exists(module: str) -> None:
     imported: Any = importlib.import_module(f"ament_index_python{module}")
     assert [name for name in NAMES[module] if not hasattr(imported, name)] == []
 
 
-def test_share_folders(robot: Path) -> None:
+def test_share_folders_are_found(robot: Path) -> None:
     assert ament_index.get_package_share_directory("robot") == str(robot)
     assert ament_index.get_package_share_path("robot") == robot
     prefix = Path(ament_index.get_package_prefix("robot"))
     assert (prefix / "share" / "robot" / "msg" / "Beep.msg").is_file()
 
 
-def test_a_share_folder_that_is_not_there_is_warned_of(tmp_path: Path) -> None:
+def test_a_missing_share_folder_causes_a_warning(tmp_path: Path) -> None:
     share = str(tmp_path / "ros" / "share" / "rover")
     with pytest.warns(UserWarning, match="Share directory for rover .* does not exist") as caught:
         assert ament_index.get_package_share_directory("rover") == share
@@ -75,14 +75,14 @@ def test_a_share_folder_that_is_not_there_is_warned_of(tmp_path: Path) -> None:
     assert ament_index.get_package_share_directory("rover", print_warning=False) == share
 
 
-def test_packages_with_their_prefixes(tmp_path: Path) -> None:
+def test_packages_are_listed_with_their_prefixes(tmp_path: Path) -> None:
     found = ament_index.get_packages_with_prefixes()
     assert found["rover"] == str(tmp_path / "ros")
     assert found["robot"] == ament_index.get_package_prefix("robot")
     assert {"rclpy", "std_msgs"} & set(found)
 
 
-def test_resources(tmp_path: Path) -> None:
+def test_resources_are_read(tmp_path: Path) -> None:
     prefix = str(tmp_path / "ros")
     assert ament_index.get_resource("plugins", "rover") == ("a plugin", prefix)
     assert ament_index.get_resources("plugins") == {"rover": prefix}
@@ -94,7 +94,7 @@ def test_resources(tmp_path: Path) -> None:
     assert prefix in ament_index.get_search_paths()
 
 
-def test_mistakes_are_told() -> None:
+def test_mistakes_raise_the_documented_errors() -> None:
     with pytest.raises(InvalidResourceTypeNameError, match="Resource type 'a/b' is invalid"):
         ament_index.get_resources("a/b")
     with pytest.raises(InvalidResourceNameError, match="is invalid"):

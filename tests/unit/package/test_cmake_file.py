@@ -1,4 +1,4 @@
-"""What is read in a CMakeLists.txt."""
+"""Tests of the reader of CMakeLists.txt."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def read(folder: Path, text: str) -> Installation:
         "#[[ install(x\n) ]]\ninstall(PROGRAMS nodes/a.py nodes/b.py DESTINATION lib/robot)",
     ],
 )
-def test_programs(folder: Path, text: str) -> None:
+def test_installed_programs_are_found(folder: Path, text: str) -> None:
     found = read(folder, text)
     assert {target: path.name for target, path in found.programs.items()} == {
         "lib/robot/a.py": "a.py",
@@ -57,16 +57,16 @@ def test_programs(folder: Path, text: str) -> None:
         ("FILES data/x.yaml DESTINATION share/robot RENAME z.yaml", ["z.yaml"]),
     ],
 )
-def test_files(folder: Path, text: str, files: list[str]) -> None:
+def test_installed_files_are_found(folder: Path, text: str, files: list[str]) -> None:
     found = read(folder, f"install({text})").files
     assert sorted(target.removeprefix("share/robot/") for target in found) == files
 
 
-def test_programs_that_are_compiled(folder: Path) -> None:
+def test_compiled_programs_are_found(folder: Path) -> None:
     assert read(folder, "add_executable(drive src/drive.cpp)").compiled == {"drive": 2}
 
 
-def test_a_folder_without_the_file(tmp_path: Path) -> None:
+def test_a_folder_without_the_file_installs_nothing(tmp_path: Path) -> None:
     assert read_cmake(tmp_path) == Installation()
 
 
@@ -88,7 +88,7 @@ def test_a_folder_without_the_file(tmp_path: Path) -> None:
         "\0\ufffd)(\"'",
     ],
 )
-def test_what_makes_no_sense_installs_nothing(folder: Path, text: str) -> None:
+def test_an_invalid_file_installs_nothing(folder: Path, text: str) -> None:
     found = read(folder, text)
     assert (found.programs, found.files) == ({}, {})
 
@@ -96,7 +96,7 @@ def test_what_makes_no_sense_installs_nothing(folder: Path, text: str) -> None:
 @pytest.mark.parametrize(
     "text", ["x" * 50000, "a(" * 20000, 'a("' * 20000, "${" * 20000, "# " * 9999]
 )
-def test_nonsense_is_read_in_no_time(folder: Path, text: str) -> None:
+def test_an_invalid_file_is_read_quickly(folder: Path, text: str) -> None:
     started = time.monotonic()
     read(folder, text)
     assert time.monotonic() - started < 5

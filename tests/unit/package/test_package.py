@@ -1,4 +1,4 @@
-"""Where packages are found, and what their share folders look like."""
+"""Tests of the search for packages, of their share folders and of workspaces."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from zbot.package import (
     package_share,
     packages,
 )
-from zbot.package.places import Origin, all_packages, find_package
-from zbot.package.view import ViewError, cache_folder
-from zbot.package.workspace import package_folders, stay_in_workspace
+from zbot.package.finder import Origin, all_packages, find_package
+from zbot.package.symlink_install import SymlinkInstallError, cache_folder
+from zbot.package.workspace import package_folders, set_workspace_variable
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -79,12 +79,12 @@ def test_a_package_whose_files_keep_their_names_needs_no_links(
     assert not cache.exists()
 
 
-def test_the_workspace_hides_what_is_bundled(write: Callable[..., Path]) -> None:
+def test_a_package_of_the_workspace_hides_a_bundled_one(write: Callable[..., Path]) -> None:
     folder = write("launch/a.launch.py", name="std_msgs")
     assert package_share("std_msgs") == folder
 
 
-def test_interface_packages_that_zbot_brings_are_found() -> None:
+def test_bundled_interface_packages_are_found() -> None:
     assert (package_share("std_msgs") / "msg" / "String.msg").is_file()
     assert packages()["std_msgs"].origin is Origin.BUNDLED
 
@@ -112,7 +112,7 @@ def test_a_prefix_of_ros_2_is_searched(tmp_path: Path, monkeypatch: pytest.Monke
     assert package_prefix("rover") == tmp_path / "ros"
 
 
-def test_what_pip_installed_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_packages_of_pip_are_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     share = tmp_path / "share" / "robot"
     share.mkdir(parents=True)
     (share / "package.xml").touch()
@@ -133,7 +133,7 @@ def test_an_installed_python_package_with_launch_files_is_its_own_share_folder(
     assert find_package("other") is None
 
 
-def test_an_editable_package_is_its_sources(
+def test_an_editable_package_has_the_folder_of_its_sources(
     write: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = write("launch/a.launch.py")
@@ -147,7 +147,7 @@ def test_an_editable_package_is_its_sources(
     assert package_share("robot") == folder
 
 
-def test_an_unknown_package_is_told_with_the_nearest_name(write: Callable[..., Path]) -> None:
+def test_an_unknown_package_is_refused_with_the_nearest_name(write: Callable[..., Path]) -> None:
     source = write().parent
     with pytest.raises(PackageNotFoundError) as caught:
         package_share("robott")
@@ -158,7 +158,7 @@ def test_an_unknown_package_is_told_with_the_nearest_name(write: Callable[..., P
 
 
 @pytest.mark.parametrize("name", ["", "../robot", "a/b", "x", "-robot", "ro bot", "robot\n"])
-def test_what_is_no_name_is_refused(name: str) -> None:
+def test_an_invalid_name_is_refused(name: str) -> None:
     with pytest.raises(PackageNameError, match="is not a valid package name"):
         package_share(name)
 
@@ -186,7 +186,7 @@ def _listed(share: Path) -> dict[str, str]:
         ("('share/robot/../../x', glob('starts/*')), ('/etc', glob('starts/*'))", {}),
     ],
 )
-def test_files_are_where_setup_py_puts_them(
+def test_files_have_the_places_of_setup_py(
     write: Callable[..., Path], setup: str, shared: dict[str, str]
 ) -> None:
     write("launch/a.launch.py", "starts/s.launch.py", "left/out.yaml", setup=setup)
@@ -195,7 +195,7 @@ def test_files_are_where_setup_py_puts_them(
     assert _listed(package_share("robot")) == {**kept, **shared}
 
 
-def test_files_are_where_cmake_puts_them(write: Callable[..., Path]) -> None:
+def test_files_have_the_places_of_cmake(write: Callable[..., Path]) -> None:
     write(
         "launch/a.launch.py",
         "models/box/model.sdf",
@@ -232,7 +232,7 @@ def test_links_follow_the_sources(write: Callable[..., Path]) -> None:
     assert (folder / "launch" / "b.launch.py").read_text() == "b"
 
 
-def test_the_sources_outlive_a_change_of_mind(write: Callable[..., Path]) -> None:
+def test_sources_are_never_deleted_with_their_links(write: Callable[..., Path]) -> None:
     folder = write("launch/a.launch.py", setup="('share/robot', glob('launch/*'))")
     assert package_share("robot") != folder
     write(setup="('share/robot/launch', glob('launch/*'))")
@@ -258,7 +258,7 @@ def test_a_prefix_has_the_share_folder(write: Callable[..., Path]) -> None:
     assert (package_prefix("std_msgs") / "share" / "std_msgs" / "msg" / "String.msg").is_file()
 
 
-def test_links_need_no_rights_on_windows(
+def test_links_need_no_privileges_on_windows(
     write: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def refuse(*_: object) -> None:
@@ -272,10 +272,10 @@ def test_links_need_no_rights_on_windows(
     assert (package_share("robot") / "b.launch.py").read_text() == "launch/b.launch.py"
 
 
-def test_a_cache_that_cannot_be_written_is_told(write: Callable[..., Path], cache: Path) -> None:
+def test_an_unwritable_cache_is_reported(write: Callable[..., Path], cache: Path) -> None:
     write("launch/a.launch.py", setup="('share/robot', glob('launch/*'))")
     cache.write_text("no folder")
-    with pytest.raises(ViewError, match=r"cannot link the files of robot in .*: Not a dir"):
+    with pytest.raises(SymlinkInstallError, match=r"cannot link the files of robot .*: Not a dir"):
         package_share("robot")
 
 
@@ -283,7 +283,7 @@ def test_a_cache_that_cannot_be_written_is_told(write: Callable[..., Path], cach
     ("platform", "folder"),
     [("linux", "cache/zbot"), ("darwin", "Library/Caches/zbot"), ("win32", "local/zbot")],
 )
-def test_each_system_has_its_place_for_caches(
+def test_each_system_has_its_own_cache_folder(
     platform: str, folder: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sys, "platform", platform)
@@ -295,31 +295,31 @@ def test_each_system_has_its_place_for_caches(
 # -- workspaces ----------------------------------------------------------------------------------
 
 
-def test_a_process_can_stay_in_its_workspace(
+def test_a_process_can_keep_its_workspace(
     write: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = write()
     monkeypatch.setenv("ZBOT_WORKSPACE", "")
-    stay_in_workspace(tmp_path)
+    set_workspace_variable(tmp_path)
     monkeypatch.chdir(tmp_path)
     assert package_share("robot") == folder
 
 
-def test_the_workspace_of_a_file_counts_from_elsewhere(
+def test_the_workspace_of_a_program_is_used_from_any_folder(
     write: Callable[..., Path], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     folder = write("robot/drive.py")
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("ZBOT_WORKSPACE", "")
-    stay_in_workspace(folder / "robot")
+    set_workspace_variable(folder / "robot")
     assert os.environ["ZBOT_WORKSPACE"] == str(folder.parent)
 
 
-def test_a_named_workspace_stays_the_only_one(
+def test_a_workspace_given_by_a_variable_is_the_only_one(
     write: Callable[..., Path], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("ZBOT_WORKSPACE", "/named")
-    stay_in_workspace(write())
+    set_workspace_variable(write())
     assert os.environ["ZBOT_WORKSPACE"] == "/named"
 
 
@@ -331,5 +331,5 @@ def test_a_package_around_its_workspace_is_found_once(
     (outer / "package.xml").write_text(MANIFEST.format("outer"))
     assert sorted(package_folders()) == [outer, inner]
     monkeypatch.setenv("ZBOT_WORKSPACE", "")
-    stay_in_workspace(outer)
+    set_workspace_variable(outer)
     assert sorted(package_folders()) == [outer, inner]

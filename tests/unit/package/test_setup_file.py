@@ -26,7 +26,7 @@ TALKER = {"talker": "pkg.talker:main"}
         "setup(entry_points={'console_scripts': [call(), 'talker = pkg.talker:main']})",
     ],
 )
-def test_setup_py_is_understood_without_being_run(tmp_path: Path, source: str) -> None:
+def test_setup_py_is_parsed_without_running_it(tmp_path: Path, source: str) -> None:
     (tmp_path / "setup.py").write_text(source)
     assert declared_scripts(tmp_path) == TALKER
 
@@ -76,7 +76,7 @@ def test_a_broken_file_is_named(tmp_path: Path, name: str, text: str, reason: st
     assert caught.value.path == tmp_path / name
 
 
-def test_a_file_that_is_no_text_is_named(tmp_path: Path) -> None:
+def test_an_undecodable_file_is_named(tmp_path: Path) -> None:
     (tmp_path / "setup.py").write_bytes(b"console_scripts \xff")
     with pytest.raises(SetupFileError, match=r"setup\.py"):
         declared_scripts(tmp_path)
@@ -107,7 +107,7 @@ BOTH = [("share/pkg/launch", "launch/a.launch.py"), ("share/pkg/launch", "launch
         "setup(**{'data_files': [('share/pkg/launch', glob('launch/*'))]})",
     ],
 )
-def test_data_files_are_understood_without_running_anything(tmp_path: Path, source: str) -> None:
+def test_data_files_are_parsed_without_running_setup_py(tmp_path: Path, source: str) -> None:
     (tmp_path / "launch").mkdir()
     for name in ("b.launch.py", "a.launch.py"):
         (tmp_path / "launch" / name).touch()
@@ -135,6 +135,6 @@ def test_absolute_data_files_are_those_of_the_folder(tmp_path: Path) -> None:
         "setup(data_files={'a': 'b'})",
     ],
 )
-def test_what_is_no_list_of_files_is_left_out(tmp_path: Path, source: str) -> None:
+def test_invalid_data_files_are_left_out(tmp_path: Path, source: str) -> None:
     (tmp_path / "setup.py").write_text(source)
     assert list(data_files(tmp_path)) == []

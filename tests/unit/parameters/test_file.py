@@ -39,7 +39,7 @@ if TYPE_CHECKING:
         ("[]", []),
     ],
 )
-def test_a_value_is_what_ros_reads(text: str, value: object) -> None:
+def test_a_value_has_the_type_that_ros_reads(text: str, value: object) -> None:
     read = parse_value(text)
     assert read == value
     assert type(read) is type(value)
@@ -48,9 +48,9 @@ def test_a_value_is_what_ros_reads(text: str, value: object) -> None:
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        ("{a: 1}", "a bool, a number, a text or a list"),
-        ("", "a bool, a number, a text or a list"),
-        ("[[1]]", "a bool, a number, a text or a list"),
+        ("{a: 1}", "a bool, a number, a string or a list"),
+        ("", "a bool, a number, a string or a list"),
+        ("[[1]]", "a bool, a number, a string or a list"),
         ("[a, b", "line 1, column 6"),
         ("a: b: c", "mapping values are not allowed here"),
         ("!!python/object:os.system x", "could not determine a constructor"),
@@ -59,7 +59,7 @@ def test_a_value_is_what_ros_reads(text: str, value: object) -> None:
         ("[" * 5000, "recursion"),
     ],
 )
-def test_what_no_parameter_can_hold_is_refused(text: str, reason: str) -> None:
+def test_a_value_that_no_parameter_can_have_is_rejected(text: str, reason: str) -> None:
     with pytest.raises(ParameterValueError, match=reason):
         parse_value(text)
 
@@ -118,18 +118,20 @@ def test_an_empty_file_has_no_parameters(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "reason"),
     [
-        ("a:\n  ros__parameters:\n    x:1\n", "mind the space after ':'"),
-        ("a:\n  ros__parameters: 5\n", "mind the space after ':'"),
-        ("a:\n  x: 5\n", "under '/a/x' belongs `name:`"),
-        ("just text", "at the top belongs `name:`"),
-        ("ros__parameters:\n  x: 1\n", "belongs below a node's name"),
+        ("a:\n  ros__parameters:\n    x:1\n", "with a space after ':'"),
+        ("a:\n  ros__parameters: 5\n", "with a space after ':'"),
+        ("a:\n  x: 5\n", "under '/a/x' write `name:`"),
+        ("just text", "at the top write `name:`"),
+        ("ros__parameters:\n  x: 1\n", "write ros__parameters below a node's name"),
         ("a:\n  ros__parameters:\n    x:\n", "not a parameter's value: 'x'"),
-        ("a:\n  ros__parameters:\n    x: [1, b]\n", "values of a list are of one kind"),
+        ("a:\n  ros__parameters:\n    x: [1, b]\n", "values of a list must have one type"),
         ("a:\n\tros__parameters:\n", "line 2, column 1"),
         ("a:\n  ros__parameters: &a\n    x: *a\n", "nested too deeply"),
     ],
 )
-def test_a_file_of_another_form_says_where(tmp_path: Path, text: str, reason: str) -> None:
+def test_a_file_with_a_wrong_structure_is_refused_with_the_place(
+    tmp_path: Path, text: str, reason: str
+) -> None:
     path = written(tmp_path, text)
     with pytest.raises(ParametersFileError, match=reason) as caught:
         load(path, "/a")
@@ -137,14 +139,14 @@ def test_a_file_of_another_form_says_where(tmp_path: Path, text: str, reason: st
 
 
 @pytest.mark.parametrize("content", [b"\xff\xfe\x00", b"a: \x00"])
-def test_a_file_that_is_no_text_is_refused(tmp_path: Path, content: bytes) -> None:
+def test_a_file_that_is_not_text_is_rejected(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "params.yaml"
     path.write_bytes(content)
     with pytest.raises(ParametersFileError):
         load(str(path), "/a")
 
 
-def test_a_name_that_comes_again_continues_what_it_began(tmp_path: Path) -> None:
+def test_mappings_of_a_repeated_key_are_merged(tmp_path: Path) -> None:
     text = """\
 /**: {ros__parameters: {a: 1, b: 1, filter: {size: 3}, filter: {order: 2}}}
 /**: {lidar: {ros__parameters: {b: 2}}}
@@ -155,7 +157,7 @@ lab: {lidar: {ros__parameters: {c: 2, c: 3}}}
     assert found == {"a": 1, "b": 2, "c": 3, "filter.size": 3, "filter.order": 2}
 
 
-def test_anchors_still_merge(tmp_path: Path) -> None:
+def test_anchors_are_merged(tmp_path: Path) -> None:
     text = """\
 one: &one {ros__parameters: &values {a: 1, b: 1}}
 two: *one
@@ -177,7 +179,7 @@ def test_values_keep_their_types(tmp_path: Path) -> None:
     assert load(written(tmp_path, text), "/n") == expected
 
 
-def test_a_file_that_is_not_there_is_also_pythons_own_error(tmp_path: Path) -> None:
+def test_a_missing_file_is_a_file_not_found_error(tmp_path: Path) -> None:
     path = str(tmp_path / "none.yaml")
     with pytest.raises(FileNotFoundError, match=r"cannot use the parameter file .*none\.yaml: No"):
         sections(path)

@@ -57,7 +57,7 @@ def test_the_type_is_taken_from_the_value(value: object, expected: Parameter.Typ
 
 
 @pytest.mark.parametrize("value", [object(), {"a": 1}, b"bytes", [1, "a"], [None], {1, 2}, [b"ab"]])
-def test_what_no_parameter_can_hold_has_no_type(value: object) -> None:
+def test_a_value_that_no_parameter_can_have_has_no_type(value: object) -> None:
     with pytest.raises(ParameterTypeError, match="a parameter is a bool, an int"):
         Parameter("p", value=value)
 
@@ -91,7 +91,7 @@ def test_integers_widen_to_doubles() -> None:
     assert not Type.DOUBLE.check(2)
 
 
-def test_a_type_must_be_a_type() -> None:
+def test_a_value_that_is_not_a_type_is_refused() -> None:
     with pytest.raises(ArgumentTypeError, match=r"type_ must be a Parameter\.Type"):
         Parameter("p", 3)  # type: ignore[call-overload]
 
@@ -131,7 +131,7 @@ def test_a_message_of_an_unknown_type_is_refused() -> None:
         ("10:30", "10:30"),
     ],
 )
-def test_a_text_is_guessed_as_yaml(text: str, value: object) -> None:
+def test_a_text_is_read_as_yaml(text: str, value: object) -> None:
     guessed = parameter_value_to_python(get_parameter_value(text))
     assert guessed == value
     assert type(guessed) is type(value)

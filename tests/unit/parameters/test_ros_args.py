@@ -100,7 +100,7 @@ def test_parameters_are_read_as_yaml(flag: str) -> None:
     assert arguments.parameters_for("/ns/other") == {"rate": 1.5, "ids": [1, 2]}
 
 
-def test_the_last_parameter_wins_also_against_files(tmp_path: Path) -> None:
+def test_the_last_value_of_a_parameter_wins_also_against_files(tmp_path: Path) -> None:
     path = tmp_path / "p.yaml"
     path.write_text("/**:\n  ros__parameters: {a: 1, b: 1}\n")
     arguments = parse("-p", "a:=0", "--params-file", str(path), "-p", "b:=2")
@@ -127,7 +127,7 @@ def test_log_options_are_read() -> None:
     assert arguments.enclave == "/lab/a"
 
 
-def test_a_nodes_own_arguments_come_before_its_process_ones() -> None:
+def test_arguments_of_a_node_come_before_those_of_the_process() -> None:
     own, process = (
         parse("-r", "a:=own", "-p", "x:=1"),
         parse("-r", "a:=b", "-p", "x:=2", "-e", "/e"),
@@ -141,8 +141,8 @@ def test_a_nodes_own_arguments_come_before_its_process_ones() -> None:
 @pytest.mark.parametrize(
     ("words", "bad", "reason"),
     [
-        (["--remp", "a:=b"], ["--remp", "a:=b"], "no such flag"),
-        (["chatter:=news", "-r", "a:=b"], ["chatter:=news"], "no such flag"),
+        (["--remp", "a:=b"], ["--remp", "a:=b"], "unknown flag: use -r"),
+        (["chatter:=news", "-r", "a:=b"], ["chatter:=news"], "unknown flag: use -r"),
         (["-r"], "-r", "needs a value"),
         (["-r", "chatter"], "chatter", "':=' is missing: write it as in `-r chatter:=/news`"),
         (["-r", "chatter:="], "chatter:=", "no value after"),
@@ -153,15 +153,13 @@ def test_a_nodes_own_arguments_come_before_its_process_ones() -> None:
         (["-r", "__node:=a/b"], "__node:=a/b", "Invalid node name"),
         (["-p", "rate=1"], "rate=1", "`-p speed:=1.5`"),
         (["-p", "rate:=[1"], "rate:=[1", "line 1"),
-        (["-p", "rate:=[1, x]"], "rate:=[1, x]", "of one kind"),
-        (["--log-level", "loud"], "loud", "one of unset, debug"),
-        (["--log-level", "node:=loud"], "node:=loud", "one of unset, debug"),
-        (["--log-level", ":=info"], ":=info", "one of unset, debug"),
+        (["-p", "rate:=[1, x]"], "rate:=[1, x]", "must have one type"),
+        (["--log-level", "loud"], "loud", "one of the levels unset, debug"),
+        (["--log-level", "node:=loud"], "node:=loud", "one of the levels unset, debug"),
+        (["--log-level", ":=info"], ":=info", "one of the levels unset, debug"),
     ],
 )
-def test_a_bad_word_is_named_with_what_to_do(
-    words: list[str], bad: str | list[str], reason: str
-) -> None:
+def test_an_invalid_word_gets_a_hint(words: list[str], bad: str | list[str], reason: str) -> None:
     with pytest.raises(ArgumentsError) as caught:
         parse(*words)
     assert caught.value.word == bad

@@ -64,7 +64,7 @@ def test_an_override_of_another_type_is_refused() -> None:
         declare(store(rate="fast"), "rate", 1.0)
 
 
-def test_an_override_out_of_range_is_refused_and_nothing_is_declared() -> None:
+def test_an_override_out_of_range_refuses_the_declaration() -> None:
     one = store(rate=20)
     with pytest.raises(InvalidParameterValueException, match=r"out of range\. Min: 0, Max: 10"):
         declare(one, "rate", 1, integer_range=Range(0, 10))
@@ -72,7 +72,7 @@ def test_an_override_out_of_range_is_refused_and_nothing_is_declared() -> None:
     assert not one.descriptors
 
 
-def test_a_declaration_is_checked_before_any_is_made() -> None:
+def test_all_declarations_are_checked_before_the_first_one() -> None:
     one = store()
     with pytest.raises(InvalidParameterException):
         one.declare([Declaration("a", 1), Declaration("", 1)])
@@ -120,7 +120,7 @@ def test_an_unknown_name_gets_a_suggestion() -> None:
         one.undeclare("sped")
 
 
-def test_either_all_are_set_or_none() -> None:
+def test_parameters_are_set_all_or_none() -> None:
     one = store()
     declare(one, "a", 1)
     declare(one, "b", 1)
@@ -135,15 +135,15 @@ def test_callbacks_are_called_last_added_first_and_may_replace_or_refuse() -> No
     one = store()
     declare(one, "speed", 1.0)
     declare(one, "gear", 1)
-    told: list[str] = []
+    calls: list[str] = []
     one.pre_set.append(lambda given: [*given, Parameter("gear", value=2)])
-    one.on_set.append(lambda _: told.append("first") or "")  # type: ignore[func-returns-value]
+    one.on_set.append(lambda _: calls.append("first") or "")  # type: ignore[func-returns-value]
     one.on_set.insert(0, lambda given: "too fast" if given[0].value > 9 else "")
-    one.post_set.append(lambda given: told.append(f"{[p.name for p in given]}"))
+    one.post_set.append(lambda given: calls.append(f"{[p.name for p in given]}"))
     assert set_to(one, speed=10) == "too fast"
-    assert told == []
+    assert calls == []
     assert set_to(one, speed=5) == ""
-    assert told == ["first", "['speed', 'gear']"]
+    assert calls == ["first", "['speed', 'gear']"]
     assert one.get("gear").value == 2
 
 
@@ -201,21 +201,21 @@ def test_names_are_listed_by_group_and_depth(
     assert one.names(prefixes, depth) == expected
 
 
-def test_groups() -> None:
+def test_parameters_of_a_group_are_returned_without_its_prefix() -> None:
     one = store()
     for name in NAMES:
         declare(one, name, name)
     assert list(prefixes_of(NAMES)) == ["cam", "cam.lens"]
-    assert {name: p.value for name, p in one.below("cam.lens").items()} == {
+    assert {name: p.value for name, p in one.in_group("cam.lens").items()} == {
         "zoom": "cam.lens.zoom",
         "iris": "cam.lens.iris",
     }
-    assert list(one.below("")) == NAMES
+    assert list(one.in_group("")) == NAMES
 
 
 @dataclass
-class Known:
-    """What the documented rules say of one parameter; a range is of integers from 0 to 10."""
+class Facts:
+    """State of a parameter by the documented rules; a range is of integers from 0 to 10."""
 
     type: Parameter.Type
     value: Any
@@ -255,7 +255,7 @@ def model_type(value: Any) -> Parameter.Type:
     return Type.INTEGER_ARRAY if type(value[0]) is int else Type.DOUBLE_ARRAY
 
 
-def fits(known: Known, value: Any) -> bool:
+def fits(known: Facts, value: Any) -> bool:
     found = model_type(model_widened(value, known.type))
     is_empty_array = value == [] and known.type.is_array
     if not known.dynamic and found is not known.type and not is_empty_array:
@@ -263,12 +263,12 @@ def fits(known: Known, value: Any) -> bool:
     return not (known.limited and found is Type.INTEGER and not 0 <= value <= 10)
 
 
-class ParametersByTheRules(RuleBasedStateMachine):
-    """Does to a node's parameters what it does to a model of the documented rules."""
+class ParameterRules(RuleBasedStateMachine):
+    """Comparison of a parameter store with a model of the documented rules."""
 
     @initialize(allow=st.booleans())
     def begin(self, allow: bool) -> None:
-        self.model: dict[str, Known] = {}
+        self.model: dict[str, Facts] = {}
         self.replayed: dict[str, Any] = {}
         self.announced: list[list[str]] = []
         self.vetoed: str | None = None
@@ -301,7 +301,7 @@ class ParametersByTheRules(RuleBasedStateMachine):
         limited=st.booleans(),
     )
     def declare(self, name: str, value: Any, dynamic: bool, read_only: bool, limited: bool) -> None:
-        known = Known(model_type(value), value, dynamic, read_only, limited)
+        known = Facts(model_type(value), value, dynamic, read_only, limited)
         descriptor = Descriptor(
             dynamic_typing=dynamic,
             read_only=read_only,
@@ -328,7 +328,7 @@ class ParametersByTheRules(RuleBasedStateMachine):
             self.refused(InvalidParameterValueException, lambda: self.store.declare(wanted))
         else:
             self.store.declare(wanted)
-            self.model[name] = Known(type_, None, dynamic=False, read_only=False, limited=False)
+            self.model[name] = Facts(type_, None, dynamic=False, read_only=False, limited=False)
             assert self.announced.pop() == [name]
 
     @rule(given=st.lists(st.tuples(names, maybe), min_size=1, max_size=3))
@@ -362,7 +362,7 @@ class ParametersByTheRules(RuleBasedStateMachine):
             self.model.pop(name, None)
             return
         known = self.model.setdefault(
-            name, Known(Type.NOT_SET, None, dynamic=True, read_only=False, limited=False)
+            name, Facts(Type.NOT_SET, None, dynamic=True, read_only=False, limited=False)
         )
         known.value = value if known.dynamic else model_widened(value, known.type)
         if known.dynamic:
@@ -409,5 +409,5 @@ class ParametersByTheRules(RuleBasedStateMachine):
                 assert descriptor.type is self.store.type_of(name)
 
 
-TestParametersByTheRules = ParametersByTheRules.TestCase
+TestParametersByTheRules = ParameterRules.TestCase
 TestParametersByTheRules.settings = settings(max_examples=100, stateful_step_count=30)

@@ -7,14 +7,14 @@ import pytest
 
 import zbot  # noqa: F401 - makes the message packages importable
 from zbot.parameters.parameter import Parameter
-from zbot.parameters.validation import Descriptor, Range, refusal, widened
+from zbot.parameters.validation import Descriptor, Range, rejection_reason, widened
 
 Type = Parameter.Type
 
 
 def refused(descriptor: Descriptor, value: object, present: object = None) -> str:
     now: Parameter[Any] | None = None if present is None else Parameter("p", value=present)
-    return refusal(widened(Parameter("p", value=value), descriptor), descriptor, now)
+    return rejection_reason(widened(Parameter("p", value=value), descriptor), descriptor, now)
 
 
 INTEGER = Descriptor(Type.INTEGER, integer_range=Range(0, 255, 5))
@@ -84,13 +84,11 @@ def test_floats_close_to_a_step_are_allowed(value: float) -> None:
         ),
     ],
 )
-def test_a_refusal_says_type_range_and_present_value(
-    descriptor: Descriptor, value: object, sentence: str
-) -> None:
+def test_a_refusal_names_its_reason(descriptor: Descriptor, value: object, sentence: str) -> None:
     assert refused(descriptor, value, 50) == sentence
 
 
-def test_a_range_may_be_written_backwards() -> None:
+def test_a_range_may_be_given_in_reverse() -> None:
     backwards = Descriptor(Type.INTEGER, integer_range=Range(10, 0))
     assert not refused(backwards, 5)
     assert "Min: 0, Max: 10" in refused(backwards, 11)
@@ -121,7 +119,7 @@ def test_values_widen_to_the_declared_type(
     assert repr(result.value) == repr(expected)
 
 
-def test_an_integer_beyond_every_float_is_refused() -> None:
+def test_an_integer_too_large_for_a_float_is_rejected() -> None:
     huge = Parameter("p", value=2**62)
     assert widened(huge, Descriptor(Type.DOUBLE)).value == 2.0**62
 

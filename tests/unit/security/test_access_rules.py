@@ -14,20 +14,18 @@ if TYPE_CHECKING:
 @pytest.mark.parametrize(
     "name", ["", "a:b", "a\nb", "../17", "a/b", "a b", "<b>", "ä", "x" * 65, "teacher", "lobby"]
 )
-def test_some_names_are_no_user_names(name: str) -> None:
-    with pytest.raises(UserNameError, match="is no user name"):
+def test_invalid_user_names_are_refused(name: str) -> None:
+    with pytest.raises(UserNameError, match="is not a user name"):
         teacher_access({name: 17})
 
 
-def test_each_student_may_have_a_name_apart_from_the_number() -> None:
+def test_a_students_user_name_may_differ_from_the_number() -> None:
     rules = teacher_access({"Ana.Lopez": 17})["access_control"]
     assert {"id": "Ana.Lopez", "usernames": ["Ana.Lopez"]} in rules["subjects"]
     assert any("17/**" in rule["key_exprs"] for rule in rules["rules"])
 
 
-def test_credentials_name_the_file_of_accepted_users_only_where_there_is_one(
-    tmp_path: Path,
-) -> None:
+def test_the_user_file_is_configured_only_if_there_is_one(tmp_path: Path) -> None:
     found = credentials("17", Secret("s"), tmp_path / "users")
     assert found["transport/auth/usrpwd/dictionary_file"] == str(tmp_path / "users")
     assert set(credentials("17", Secret("s"))) == {
@@ -36,7 +34,7 @@ def test_credentials_name_the_file_of_accepted_users_only_where_there_is_one(
     }
 
 
-def test_accepted_users_are_a_line_each() -> None:
+def test_accepted_users_are_one_per_line() -> None:
     assert accepted_users({"17": Secret("a"), "18": Secret("b")}) == b"17:a\n18:b\n"
     with pytest.raises(UserNameError):
         accepted_users({"17:x\n18": Secret("a")})

@@ -1,4 +1,4 @@
-"""docs/security.md names the test behind each of its claims."""
+"""Tests of docs/security.md, which names the test of each of its claims."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def test_every_test_that_the_page_names_exists() -> None:
     assert named <= written, named - written
 
 
-def test_every_attack_is_on_the_page() -> None:
+def test_every_attack_test_is_named_on_the_page() -> None:
     page = (ROOT / "docs" / "security.md").read_text(encoding="utf-8")
     attacks = (ROOT / "tests" / "classroom" / "test_attacks.py").read_text(encoding="utf-8")
     assert not [name for name in DEFINITION.findall(attacks) if name not in page]

@@ -8,23 +8,17 @@ from typing import TYPE_CHECKING
 import pytest
 
 from zbot.security import certificate
-from zbot.security.certificate import MOST_DAYS, Validity
+from zbot.security.certificate import MAX_DAYS, Validity
 from zbot.security.errors import (
-    AddressNameError,
-    EarlyCertificateError,
-    EnclaveExistsError,
-    EnclaveNameError,
-    ExpiredCertificateError,
+    CertificateRequestError,
     ForeignCertificateError,
-    ForeignKeyError,
+    InvalidFileError,
     KeystoreExistsError,
     MissingFileError,
-    NoAuthorityKeyError,
     NoCryptographyError,
     NoKeystoreError,
     UnknownEnclaveError,
-    UnreadableFileError,
-    ValidityError,
+    ValidityPeriodError,
 )
 from zbot.security.keystore import Identity, Keystore, identity
 
@@ -43,18 +37,18 @@ def store(tmp_path: Path) -> Keystore:
     return Keystore.create(tmp_path / "keys")
 
 
-def test_a_certificate_says_whose_it_is_and_until_when(store: Keystore) -> None:
+def test_a_certificate_has_its_name_and_validity(store: Keystore) -> None:
     said = store.issue("teacher", ["10.0.0.5", "laptop.local", "fe80::1"]).check()
     assert said.name == "teacher"
     assert said.addresses == ("10.0.0.5", "laptop.local", "fe80::1")
     assert said.is_server
     assert abs(said.until - NOW - timedelta(days=365)) < timedelta(
         hours=1
-    )  # NOW is when the tests began
+    )  # NOW is the time when the tests began
     assert said.since < NOW
 
 
-def test_a_machine_without_addresses_is_no_hub(store: Keystore) -> None:
+def test_a_machine_without_addresses_gets_a_client_certificate(store: Keystore) -> None:
     assert not store.issue("ana").check().is_server
 
 
@@ -80,7 +74,7 @@ def test_nothing_is_overwritten(store: Keystore, tmp_path: Path) -> None:
     with pytest.raises(KeystoreExistsError, match=r"Unable to create keystore: keystore .* exists"):
         Keystore.create(store.root)
     before = store.issue("ana").key.read_bytes()
-    with pytest.raises(EnclaveExistsError, match="--renew"):
+    with pytest.raises(KeystoreExistsError, match=r"Unable to create enclave: .* --renew"):
         store.issue("/ana")
     assert (store.root / "enclaves/ana/key.pem").read_bytes() == before
     (tmp_path / "mine").mkdir()
@@ -99,7 +93,7 @@ def test_an_empty_folder_becomes_a_keystore(tmp_path: Path) -> None:
 def test_renewing_replaces_key_and_certificate(store: Keystore) -> None:
     first = store.issue("ana", validity=PAST)
     old = first.key.read_bytes()
-    with pytest.raises(ExpiredCertificateError):
+    with pytest.raises(ValidityPeriodError):
         first.check()
     assert store.issue("ana", renew=True).check().until > NOW
     assert first.key.read_bytes() != old
@@ -137,48 +131,48 @@ def test_enclaves_are_listed_by_name(store: Keystore) -> None:
 )
 def test_names_that_would_leave_the_keystore_are_refused(store: Keystore, name: str) -> None:
     before = sorted(store.root.parent.rglob("*"))
-    with pytest.raises(EnclaveNameError, match="not a valid enclave name"):
+    with pytest.raises(CertificateRequestError, match="not a valid enclave name"):
         store.issue(name)
     assert sorted(store.root.parent.rglob("*")) == before
 
 
 @pytest.mark.parametrize("address", ["", "a b", "10.0.0.5/24", "a..b", "x" * 254, "http://a", "ä"])
-def test_addresses_that_are_none_are_refused(store: Keystore, address: str) -> None:
-    with pytest.raises(AddressNameError, match="neither a host's name nor an IP address"):
+def test_invalid_addresses_are_refused(store: Keystore, address: str) -> None:
+    with pytest.raises(CertificateRequestError, match="neither a host name nor an IP address"):
         store.issue("teacher", [address])
     assert store.enclaves() == []
 
 
-@pytest.mark.parametrize("days", [0, -1, MOST_DAYS + 1])
+@pytest.mark.parametrize("days", [0, -1, MAX_DAYS + 1])
 def test_a_validity_has_limits(days: int) -> None:
-    with pytest.raises(ValidityError):
+    with pytest.raises(CertificateRequestError, match="not a number of days from 1 to 3650"):
         Validity.days(days)
 
 
-def test_an_expired_certificate_is_told_from_an_early_one(store: Keystore) -> None:
-    with pytest.raises(ExpiredCertificateError, match=r"the certificate of old .* expired on"):
+def test_expired_and_early_certificates_are_distinguished(store: Keystore) -> None:
+    with pytest.raises(ValidityPeriodError, match=r"the certificate of old .* expired on"):
         store.issue("old", validity=PAST).check()
-    with pytest.raises(EarlyCertificateError, match=r"new .* valid only from .* clock"):
+    with pytest.raises(ValidityPeriodError, match=r"new .* valid only from .* clock"):
         store.issue("new", validity=FUTURE).check()
 
 
-def test_a_foreign_certificate_is_recognised(store: Keystore, tmp_path: Path) -> None:
+def test_a_certificate_of_another_authority_is_refused(store: Keystore, tmp_path: Path) -> None:
     foreign = Keystore.create(tmp_path / "other").issue("ana")
     foreign.authority.write_bytes((store.root / "public" / "ca.cert.pem").read_bytes())
     with pytest.raises(ForeignCertificateError, match="not made with the keystore"):
         foreign.check()
 
 
-def test_an_authority_of_the_same_name_is_still_another(store: Keystore, tmp_path: Path) -> None:
+def test_an_authority_with_another_key_is_refused(store: Keystore, tmp_path: Path) -> None:
     one, other = store.issue("ana"), Keystore.create(tmp_path / "other").issue("ana")
     one.authority.write_bytes(other.authority.read_bytes())
     with pytest.raises(ForeignCertificateError):
         one.check()
 
 
-def test_an_expired_authority_is_told(tmp_path: Path) -> None:
+def test_an_expired_authority_is_reported(tmp_path: Path) -> None:
     store = Keystore.create(tmp_path / "keys", PAST)
-    with pytest.raises(ExpiredCertificateError, match="zbot keystore"):
+    with pytest.raises(ValidityPeriodError, match=r"zbot keystore .* expired on"):
         store.issue("ana").check()
 
 
@@ -187,32 +181,32 @@ def test_missing_and_damaged_files_are_named(store: Keystore, name: str) -> None
     ana = store.issue("ana")
     path = ana.folder / name
     path.write_bytes(b"-----BEGIN CERTIFICATE-----\nnonsense\n-----END CERTIFICATE-----\n")
-    with pytest.raises(UnreadableFileError, match=f"{name} is no readable"):
+    with pytest.raises(InvalidFileError, match=f"{name} is not a valid"):
         ana.check()
     path.unlink()
     with pytest.raises(MissingFileError, match=f"there is no (key|certificate) at .*{name}"):
         ana.check()
 
 
-def test_anothers_key_is_recognised(store: Keystore) -> None:
+def test_a_key_of_another_certificate_is_refused(store: Keystore) -> None:
     ana, ben = store.issue("ana"), store.issue("ben")
     ana.key.write_bytes(ben.key.read_bytes())
-    with pytest.raises(ForeignKeyError):
+    with pytest.raises(InvalidFileError, match="does not belong to the certificate"):
         ana.check()
 
 
 def test_a_copy_without_the_authoritys_key_makes_no_certificates(store: Keystore) -> None:
     (store.root / "private" / "ca.key.pem").unlink()
-    with pytest.raises(NoAuthorityKeyError, match="no key to sign with"):
+    with pytest.raises(NoKeystoreError, match="no key to sign with"):
         store.issue("ana")
 
 
-def test_a_folder_that_is_no_keystore_is_named(tmp_path: Path) -> None:
+def test_a_folder_that_is_not_a_keystore_is_refused(tmp_path: Path) -> None:
     with pytest.raises(NoKeystoreError, match="is not a valid keystore"):
         Keystore(tmp_path)
 
 
-def test_which_machine_of_a_keystore_is_meant(
+def test_the_identity_of_a_keystore_is_selected(
     store: Keystore, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     with pytest.raises(UnknownEnclaveError, match="none"):
@@ -232,7 +226,7 @@ def test_which_machine_of_a_keystore_is_meant(
         Identity(tmp_path).check()
 
 
-def test_without_the_package_the_sentence_says_how_to_get_it(
+def test_a_missing_package_is_reported_with_the_install_command(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setitem(__import__("sys").modules, "cryptography", None)

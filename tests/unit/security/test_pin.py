@@ -18,7 +18,7 @@ from zbot.security.secret import Secret
 from zbot.security.srp import GROUP
 
 PIN = Secret("471100")
-WISH = {"name": "Ana", "number": 17}
+REQUEST = {"name": "Ana", "number": 17}
 
 
 class Clock:
@@ -34,42 +34,42 @@ def clock() -> Clock:
 
 
 @pytest.fixture
-def door(clock: Clock) -> PinServer:
+def server(clock: Clock) -> PinServer:
     return PinServer(PIN, clock)
 
 
-def claim(door: PinServer, pin: Secret = PIN, guest: PinClient | None = None) -> dict[str, Any]:
-    guest = guest or PinClient(pin)
-    return guest.claim(door.challenge(guest.hello()), WISH)
+def claim(server: PinServer, pin: Secret = PIN, client: PinClient | None = None) -> dict[str, Any]:
+    client = client or PinClient(pin)
+    return client.claim(server.challenge(client.hello()), REQUEST)
 
 
-def test_who_knows_the_pin_is_let_in_and_alone_reads_the_answer(door: PinServer) -> None:
-    guest = PinClient(PIN)
-    admission = door.admit(claim(door, guest=guest))
-    assert admission.wish == WISH
+def test_a_client_with_the_pin_is_admitted_and_only_it_reads_the_answer(server: PinServer) -> None:
+    client = PinClient(PIN)
+    admission = server.admit(claim(server, client=client))
+    assert admission.request == REQUEST
     sealed = admission.seal({"secret": "0123456789abcdef" * 5})
-    assert guest.opened(sealed) == {"secret": "0123456789abcdef" * 5}
+    assert client.opened(sealed) == {"secret": "0123456789abcdef" * 5}
     assert b"0123456789abcdef" not in bytes.fromhex(sealed["answer"])
     with pytest.raises(PinMessageError):
         PinClient(PIN).opened(sealed)
 
 
-def test_blanks_around_a_typed_pin_do_not_matter(door: PinServer) -> None:
-    assert door.admit(claim(door, Secret(" 471100\n"))).wish == WISH
+def test_blanks_around_a_typed_pin_do_not_matter(server: PinServer) -> None:
+    assert server.admit(claim(server, Secret(" 471100\n"))).request == REQUEST
 
 
-def test_another_pin_is_refused_and_counted(door: PinServer) -> None:
+def test_another_pin_is_refused_and_counted(server: PinServer) -> None:
     with pytest.raises(WrongPinError, match="wrong PIN"):
-        door.admit(claim(door, Secret("471101")))
-    assert door.wrong == 1
+        server.admit(claim(server, Secret("471101")))
+    assert server.wrong == 1
 
 
-def test_neither_pin_nor_wrong_pin_can_be_read_on_the_way(door: PinServer) -> None:
-    guest = PinClient(PIN)
-    said = [guest.hello()]
-    said += [door.challenge(said[0])]
-    said += [guest.claim(said[1], WISH)]
-    said += [door.admit(said[2]).seal({"secret": "s3cret"})]
+def test_messages_reveal_neither_the_pin_nor_a_wrong_pin(server: PinServer) -> None:
+    client = PinClient(PIN)
+    said = [client.hello()]
+    said += [server.challenge(said[0])]
+    said += [client.claim(said[1], REQUEST)]
+    said += [server.admit(said[2]).seal({"secret": "s3cret"})]
     text = json.dumps(said)
     carried = bytes.fromhex(said[2]["claim"]) + bytes.fromhex(said[3]["answer"])
     for word in ("471100", "s3cret", "Ana"):
@@ -77,77 +77,79 @@ def test_neither_pin_nor_wrong_pin_can_be_read_on_the_way(door: PinServer) -> No
         assert word.encode() not in carried
 
 
-def test_a_recorded_claim_is_worth_nothing(door: PinServer) -> None:
-    recorded = claim(door)
-    door.admit(recorded)
+def test_a_recorded_claim_is_refused(server: PinServer) -> None:
+    recorded = claim(server)
+    server.admit(recorded)
     with pytest.raises(PinMessageError, match="tried twice"):
-        door.admit(recorded)
+        server.admit(recorded)
     later = PinClient(PIN)
-    visit = door.challenge(later.hello())["visit"]
+    attempt = server.challenge(later.hello())["visit"]
     with pytest.raises(WrongPinError):
-        door.admit(recorded | {"visit": visit})
+        server.admit(recorded | {"visit": attempt})
 
 
-def test_a_claim_that_was_changed_on_the_way_is_refused(door: PinServer) -> None:
-    honest = claim(door)
+def test_a_modified_claim_is_refused(server: PinServer) -> None:
+    honest = claim(server)
     flipped = bytearray.fromhex(honest["claim"])
     flipped[-3] ^= 1
     changed = honest | {"claim": flipped.hex()}
     with pytest.raises(WrongPinError):
-        door.admit(changed)
+        server.admit(changed)
 
 
-def test_a_visit_ends_after_a_while(door: PinServer, clock: Clock) -> None:
-    late = claim(door)
+def test_an_attempt_expires(server: PinServer, clock: Clock) -> None:
+    late = claim(server)
     clock.now += 31
     with pytest.raises(PinMessageError, match="too long"):
-        door.admit(late)
+        server.admit(late)
 
 
-def test_who_does_not_know_the_pin_cannot_play_the_teacher() -> None:
-    guest = PinClient(PIN)
-    rogue = PinServer(Secret("000000"))
+def test_a_hub_without_the_pin_cannot_impersonate_the_teacher() -> None:
+    client = PinClient(PIN)
+    impostor = PinServer(Secret("000000"))
     with pytest.raises(WrongPinError):
-        rogue.admit(claim(rogue, guest=guest))
-    with pytest.raises(PinMessageError, match="somebody who knows it"):
-        guest.opened({"answer": "00" * 40, "tag": "0" * 64})
+        impostor.admit(claim(impostor, client=client))
+    with pytest.raises(PinMessageError, match="sender of the answer does not know it"):
+        client.opened({"answer": "00" * 40, "tag": "0" * 64})
 
 
-def test_guessing_is_slowed_down_and_a_student_gets_in_again(door: PinServer, clock: Clock) -> None:
+def test_guesses_are_rate_limited_and_a_student_can_join_again(
+    server: PinServer, clock: Clock
+) -> None:
     for number in range(10):
         with pytest.raises(WrongPinError):
-            door.admit(claim(door, Secret(f"{number:06d}")))
+            server.admit(claim(server, Secret(f"{number:06d}")))
     with pytest.raises(TooManyGuessesError) as caught:
-        claim(door)
+        claim(server)
     assert 0 < caught.value.wait_s <= 2
     clock.now += 2
-    assert door.admit(claim(door)).wish == WISH
+    assert server.admit(claim(server)).request == REQUEST
 
 
-def test_a_minute_of_guessing_is_worth_forty_guesses_at_most(door: PinServer, clock: Clock) -> None:
+def test_at_most_forty_guesses_per_minute_are_possible(server: PinServer, clock: Clock) -> None:
     for _ in range(60):
         clock.now += 1
         with pytest.raises((WrongPinError, TooManyGuessesError)):
-            door.admit(claim(door, Secret("0")))
-    assert door.wrong <= 40
+            server.admit(claim(server, Secret("0")))
+    assert server.wrong <= 40
 
 
-def test_guesses_prepared_at_once_count_each(door: PinServer) -> None:
-    prepared = [claim(door, Secret(f"{number:06d}")) for number in range(30)]
+def test_guesses_prepared_at_once_count_each(server: PinServer) -> None:
+    prepared = [claim(server, Secret(f"{number:06d}")) for number in range(30)]
     for one in prepared:
         with pytest.raises(PinError):
-            door.admit(one)
-    assert door.wrong == 10
+            server.admit(one)
+    assert server.wrong == 10
 
 
-def test_the_right_pin_costs_no_guess(door: PinServer) -> None:
+def test_the_right_pin_does_not_count_as_a_guess(server: PinServer) -> None:
     for _ in range(30):
-        door.admit(claim(door))
+        server.admit(claim(server))
 
 
-def test_a_class_that_joins_at_once_gets_in(door: PinServer) -> None:
-    claims = [claim(door) for _ in range(40)]
-    assert all(door.admit(one).wish == WISH for one in claims)
+def test_forty_laptops_can_join_at_once(server: PinServer) -> None:
+    claims = [claim(server) for _ in range(40)]
+    assert all(server.admit(one).request == REQUEST for one in claims)
 
 
 @pytest.mark.parametrize(
@@ -166,32 +168,32 @@ def test_a_class_that_joins_at_once_gets_in(door: PinServer) -> None:
     ],
     ids=lambda hello: str(hello)[:24],
 )
-def test_nonsense_for_a_first_word_is_refused(door: PinServer, hello: dict[str, Any]) -> None:
+def test_an_invalid_hello_is_refused(server: PinServer, hello: dict[str, Any]) -> None:
     with pytest.raises(PinMessageError):
-        door.challenge(hello)
+        server.challenge(hello)
 
 
 @pytest.mark.parametrize("changed", [{"visit": "x"}, {"visit": 3}, {"claim": "\ud800"}])
-def test_a_claim_without_a_visit_is_refused(door: PinServer, changed: dict[str, Any]) -> None:
+def test_a_claim_without_an_attempt_is_refused(server: PinServer, changed: dict[str, Any]) -> None:
     with pytest.raises(PinMessageError):
-        door.admit(claim(door) | changed)
+        server.admit(claim(server) | changed)
 
 
 @pytest.mark.parametrize(
     "changed", [{"proof": "é"}, {"proof": 3}, {"proof": None}, {"claim": "00"}]
 )
-def test_a_claim_without_a_proof_is_refused(door: PinServer, changed: dict[str, Any]) -> None:
+def test_a_claim_without_a_proof_is_refused(server: PinServer, changed: dict[str, Any]) -> None:
     with pytest.raises(WrongPinError):
-        door.admit(claim(door) | changed)
+        server.admit(claim(server) | changed)
 
 
 @pytest.mark.parametrize(
     "challenge",
     [{}, {"public": "0", "salt": "00"}, {"public": "5", "salt": "x"}, {"public": "5"}],
 )
-def test_a_student_refuses_a_senseless_challenge(challenge: dict[str, Any]) -> None:
+def test_a_client_refuses_an_invalid_challenge(challenge: dict[str, Any]) -> None:
     with pytest.raises(PinMessageError):
-        PinClient(PIN).claim(challenge, WISH)
+        PinClient(PIN).claim(challenge, REQUEST)
 
 
 def test_a_random_pin_has_six_digits() -> None:

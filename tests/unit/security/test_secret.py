@@ -17,7 +17,7 @@ def mode(path: Path) -> int:
     return stat.S_IMODE(path.stat().st_mode)
 
 
-def test_a_secret_shows_itself_only_when_asked() -> None:
+def test_a_secret_is_shown_only_by_reveal() -> None:
     secret = Secret("4711")
     shown = f"{secret} {secret!r} {[secret]} {secret!s}"
     assert "4711" not in shown
@@ -25,7 +25,7 @@ def test_a_secret_shows_itself_only_when_asked() -> None:
 
 
 def test_a_secret_is_in_no_pickle() -> None:
-    with pytest.raises(TypeError, match="not pickled"):
+    with pytest.raises(TypeError, match="cannot pickle a Secret"):
         pickle.dumps(Secret("4711"))
 
 
@@ -43,7 +43,7 @@ def test_random_secrets_differ_and_are_long() -> None:
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no file modes")
-def test_private_files_and_folders_are_their_owners(tmp_path: Path) -> None:
+def test_private_files_and_folders_are_for_their_owner_only(tmp_path: Path) -> None:
     folder = tmp_path / "above" / "folder"
     make_private_folder(folder)
     write_private(folder / "file", b"x")

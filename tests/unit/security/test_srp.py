@@ -1,4 +1,4 @@
-"""The numbers of RFC 5054, appendix B."""
+"""Tests of SRP with the numbers of RFC 5054, appendix B."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def test_the_public_numbers_are_those_of_the_rfc() -> None:
     )
 
 
-def test_both_sides_come_to_the_number_of_the_rfc() -> None:
+def test_both_sides_compute_the_key_of_the_rfc() -> None:
     assert RFC_GROUP.scrambler(CLIENT.public, SERVER.public) == number(
         "CE38B959 3487DA98 554ED47D 70A7AE5F 462EF019"
     )
@@ -74,21 +74,21 @@ def test_both_sides_come_to_the_number_of_the_rfc() -> None:
     assert SERVER.shared(CLIENT.public) == shared
 
 
-def test_the_groups_prime_is_a_safe_one_and_its_generator_generates() -> None:
+def test_the_groups_prime_is_safe_and_its_generator_is_valid() -> None:
     prime, half = GROUP.prime, (GROUP.prime - 1) // 2
     assert prime.bit_length() == 3072
-    for base in (2, 3, 7):  # Fermat's test: no composite number of interest passes three times
+    for base in (2, 3, 7):  # Fermat's test with three bases
         assert pow(base, prime - 1, prime) == 1
         assert pow(base, half - 1, half) == 1
     assert pow(GROUP.generator, 2, prime) != 1
 
 
 @pytest.mark.parametrize("number", [0, GROUP.prime, 2 * GROUP.prime, -1])
-def test_numbers_that_would_give_the_key_away_are_not_public_ones(number: int) -> None:
+def test_unsafe_public_numbers_are_refused(number: int) -> None:
     assert not GROUP.is_public(number)
 
 
-def test_another_password_leads_to_another_number() -> None:
+def test_another_password_gives_another_key() -> None:
     right = GROUP.password_exponent(b"salt", b"", b"4711")
     wrong = GROUP.password_exponent(b"salt", b"", b"4712")
     server, client = ServerSide(GROUP.power(right)), ClientSide()

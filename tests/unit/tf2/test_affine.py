@@ -1,4 +1,4 @@
-"""Matrices that are made and taken apart again."""
+"""Tests of affine matrices: composition, decomposition and the arcball."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ random_vector inverse_matrix concatenate_matrices is_same_transform
 """
 
 
-def test_every_name_of_the_package_is_there() -> None:
+def test_every_name_of_the_package_exists() -> None:
     package = importlib.import_module("tf_transformations")
     assert [name for name in NAMES.split() if not hasattr(package, name)] == []
 
@@ -67,7 +67,7 @@ def test_a_mirror_swaps_both_sides_of_its_plane() -> None:
     assert is_same_transform(mirror, reflection_matrix(*reflection_from_matrix(mirror)))
 
 
-def test_a_rotation_is_found_again() -> None:
+def test_a_rotation_is_recovered_from_its_matrix() -> None:
     turn = rotation_matrix(0.7, AXIS, POINT)
     angle, axis, point = rotation_from_matrix(turn)
     assert angle == pytest.approx(0.7)
@@ -79,14 +79,14 @@ def test_a_rotation_is_found_again() -> None:
 
 @pytest.mark.parametrize("direction", [None, AXIS])
 @pytest.mark.parametrize("factor", [-1.234, 0.5, 3.0])
-def test_a_scale_is_found_again(factor: float, direction: list[float] | None) -> None:
+def test_a_scale_is_recovered_from_its_matrix(factor: float, direction: list[float] | None) -> None:
     scale = scale_matrix(factor, POINT, direction)
     found = scale_from_matrix(scale)
     assert found[0] == pytest.approx(factor)
     assert is_same_transform(scale, scale_matrix(*found))
 
 
-def test_a_shear_is_found_again() -> None:
+def test_a_shear_is_recovered_from_its_matrix() -> None:
     along = np.cross(NORMAL, AXIS)
     shear = shear_matrix(0.4, along, POINT, NORMAL)
     assert np.allclose(shear @ [*POINT, 1], [*POINT, 1])
@@ -100,7 +100,7 @@ def test_a_shear_is_found_again() -> None:
     ("direction", "perspective", "pseudo"),
     [(None, None, False), (AXIS, None, False), (None, AXIS, False), (None, AXIS, True)],
 )
-def test_a_projection_is_found_again(
+def test_a_projection_is_recovered_from_its_matrix(
     direction: list[float] | None, perspective: list[float] | None, *, pseudo: bool
 ) -> None:
     flat = projection_matrix(POINT, NORMAL, direction, perspective, pseudo)
@@ -112,7 +112,7 @@ def test_a_projection_is_found_again(
         assert onto @ np.array(NORMAL) == pytest.approx(0, abs=1e-9)
 
 
-def test_what_is_of_another_kind_is_refused() -> None:
+def test_a_matrix_of_another_kind_is_refused() -> None:
     moved = translation_matrix([1, 2, 3])
     for function in (reflection_from_matrix, scale_from_matrix, shear_from_matrix):
         with pytest.raises(NoSuchTransformError):
@@ -147,7 +147,7 @@ def test_a_crystal_s_edges_get_their_lengths_and_angles() -> None:
 
 
 @pytest.mark.parametrize("scaling", [False, True])
-def test_points_are_laid_on_points(*, scaling: bool) -> None:
+def test_points_are_superimposed_on_points(*, scaling: bool) -> None:
     points = random_vector(30).reshape(3, 10)
     size = scale_matrix(2.5 if scaling else 1.0)
     moved = concatenate_matrices(translation_matrix(POINT), random_rotation_matrix(), size)
@@ -160,7 +160,7 @@ def test_the_ball_follows_the_pointer() -> None:
     ball.place([320, 320], 320)
     ball.down([320, 320])
     ball.drag([320, 160])
-    # What was in front has gone up by half a radius.
+    # The point in front has moved up by half a radius.
     assert np.allclose(ball.matrix()[:3, 2], rotation_matrix(-2 * math.pi / 6, [1, 0, 0])[:3, 2])
     before = ball.matrix()
     ball.next()

@@ -1,4 +1,4 @@
-"""Buffers: waiting, remembering and transforming, without nodes."""
+"""Tests of buffers without nodes: waiting, storing and transforming."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def at(seconds: float) -> zbot.Time:
     return zbot.Time(seconds=seconds)
 
 
-def told(
+def make_transform(
     parent: str,
     child: str,
     seconds: float = 0.0,
@@ -60,22 +60,22 @@ def numbers(found: Any) -> tuple[float, ...]:
 
 @pytest.fixture
 def robot() -> Buffer:
-    """map -> odom -> base -> laser, and base -> camera; laser and camera are static."""
+    """Return map -> odom -> base -> laser and base -> camera; laser and camera are static."""
     buffer = Buffer()
-    buffer.set_transform(told("map", "odom", 10.0, (1.0, 0.0, 0.0)))
-    buffer.set_transform(told("map", "odom", 11.0, (2.0, 0.0, 0.0)))
-    buffer.set_transform(told("odom", "base", 10.0))
-    buffer.set_transform(told("odom", "base", 12.0, (2.0, 0.0, 0.0), QUARTER))
-    buffer.set_transform_static(told("base", "laser", 0.0, (0.5, 0.0, 0.2)))
-    buffer.set_transform_static(told("base", "camera", 0.0, (0.0, 0.0, 1.0)))
+    buffer.set_transform(make_transform("map", "odom", 10.0, (1.0, 0.0, 0.0)))
+    buffer.set_transform(make_transform("map", "odom", 11.0, (2.0, 0.0, 0.0)))
+    buffer.set_transform(make_transform("odom", "base", 10.0))
+    buffer.set_transform(make_transform("odom", "base", 12.0, (2.0, 0.0, 0.0), QUARTER))
+    buffer.set_transform_static(make_transform("base", "laser", 0.0, (0.5, 0.0, 0.2)))
+    buffer.set_transform_static(make_transform("base", "camera", 0.0, (0.0, 0.0, 1.0)))
     return buffer
 
 
-def test_the_shorter_way_round_is_taken() -> None:
+def test_interpolation_takes_the_shorter_rotation() -> None:
     buffer = Buffer()
-    buffer.set_transform(told("a", "b", 1.0))
+    buffer.set_transform(make_transform("a", "b", 1.0))
     x, y, z, w = QUARTER
-    buffer.set_transform(told("a", "b", 2.0, turn=(-x, -y, -z, -w)))  # the same rotation
+    buffer.set_transform(make_transform("a", "b", 2.0, turn=(-x, -y, -z, -w)))  # the same rotation
     turned = numbers(buffer.lookup_transform("a", "b", at(1.5)))[3:]
     assert abs(turned[3]) == pytest.approx(math.cos(math.pi / 8))
 
@@ -84,26 +84,26 @@ def test_siblings_need_no_time_of_frames_above_them(robot: Buffer) -> None:
     assert robot.can_transform("camera", "laser", at(1000.0))
 
 
-def test_messages_of_time_do_as_well(robot: Buffer) -> None:
+def test_time_messages_are_accepted(robot: Buffer) -> None:
     found = robot.lookup_transform("odom", "base", at(11.0).to_msg())
     assert found.header.stamp.sec == 11
 
 
-def test_leading_slashes_of_old_programs_are_left_out() -> None:
+def test_leading_slashes_are_ignored() -> None:
     buffer = Buffer()
-    buffer.set_transform_static(told("/a", "/b"))
+    buffer.set_transform_static(make_transform("/a", "/b"))
     assert buffer.can_transform("a", "b", LATEST)
 
 
 def test_transforms_may_come_out_of_order() -> None:
     buffer = Buffer()
     for second in (1.0, 3.0, 2.0):
-        buffer.set_transform(told("a", "b", second, (second, 0.0, 0.0)))
+        buffer.set_transform(make_transform("a", "b", second, (second, 0.0, 0.0)))
     assert numbers(buffer.lookup_transform("a", "b", at(2.5)))[0] == pytest.approx(2.5)
     assert buffer.lookup_transform("a", "b", LATEST).header.stamp.sec == 3
 
 
-def test_why_not(robot: Buffer) -> None:
+def test_can_transform_returns_the_reason(robot: Buffer) -> None:
     assert robot.can_transform("map", "base", LATEST, return_debug_tuple=True) == (True, "")
     answer = robot.can_transform("map", "nobody", LATEST, return_debug_tuple=True)
     assert isinstance(answer, tuple)
@@ -119,7 +119,7 @@ def test_only_static_transforms_survive_clear(robot: Buffer) -> None:
 
 def test_a_lookup_waits_for_another_thread() -> None:
     buffer = Buffer()
-    later = threading.Timer(0.05, lambda: buffer.set_transform(told("a", "b", 1.0)))
+    later = threading.Timer(0.05, lambda: buffer.set_transform(make_transform("a", "b", 1.0)))
     later.start()
     found = buffer.lookup_transform("a", "b", at(1.0), zbot.Duration(seconds=10))
     assert found.child_frame_id == "b"
@@ -133,21 +133,21 @@ def test_a_lookup_ends_with_its_timeout() -> None:
     assert 0.05 <= time.monotonic() - began < 5
 
 
-def test_coroutines_wait() -> None:
+def test_a_coroutine_waits_for_a_transform() -> None:
     buffer = Buffer()
     waiting = buffer.wait_for_transform_async("a", "b", LATEST)
     assert not waiting.done()
-    buffer.set_transform_static(told("c", "b"))
+    buffer.set_transform_static(make_transform("c", "b"))
     assert not waiting.done()
-    buffer.set_transform_static(told("c", "a"))
+    buffer.set_transform_static(make_transform("c", "a"))
     assert waiting.done()
     found = asyncio.run(buffer.lookup_transform_async("a", "b", LATEST))
     assert found.child_frame_id == "b"
 
 
-def test_who_waits_looks_once_a_message(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_waiting_lookup_is_repeated_once_per_message(monkeypatch: pytest.MonkeyPatch) -> None:
     buffer = Buffer()
-    buffer.set_transform_static(told("map", "odom"))
+    buffer.set_transform_static(make_transform("map", "odom"))
     waiting = buffer.wait_for_transform_async("map", "tool", LATEST)
     looks: list[str] = []
     look = Buffer._find
@@ -158,27 +158,27 @@ def test_who_waits_looks_once_a_message(monkeypatch: pytest.MonkeyPatch) -> None
 
     monkeypatch.setattr(Buffer, "_find", counted)
     with buffer.one_message():
-        buffer.set_transform(told("odom", "base", 1.0))
-        buffer.set_transform(told("base", "tool", 1.0))
-        buffer.set_transform(told("tool", "tip", 1.0))
+        buffer.set_transform(make_transform("odom", "base", 1.0))
+        buffer.set_transform(make_transform("base", "tool", 1.0))
+        buffer.set_transform(make_transform("tool", "tip", 1.0))
         assert not waiting.done()
     assert waiting.done()
     assert looks == ["tool"]
 
 
-def test_waiting_for_a_frame_that_nobody_told_of_guesses_no_name(
+def test_waiting_for_an_unknown_frame_searches_no_similar_name(
     robot: Buffer, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     guesses: list[str] = []
-    monkeypatch.setattr(buffer_core, "nearest", lambda name, *_: guesses.append(name))
+    monkeypatch.setattr(buffer_core, "close_matches", lambda name, *_: guesses.append(name))
     robot.wait_for_transform_async("map", "nobody", LATEST)
-    robot.set_transform(told("odom", "base", 20.0))
+    robot.set_transform(make_transform("odom", "base", 20.0))
     assert guesses == []
 
 
-def test_points_vectors_and_poses() -> None:
+def test_points_vectors_and_poses_are_transformed() -> None:
     buffer = Buffer()
-    buffer.set_transform_static(told("map", "laser", 0.0, (1.0, 0.0, 0.0), QUARTER))
+    buffer.set_transform_static(make_transform("map", "laser", 0.0, (1.0, 0.0, 0.0), QUARTER))
     point, vector, pose = PointStamped(), Vector3Stamped(), PoseStamped()
     for one in (point, vector, pose):
         one.header.frame_id = "laser"
@@ -192,48 +192,48 @@ def test_points_vectors_and_poses() -> None:
     placed = buffer.transform(pose, "map")
     assert (placed.pose.position.x, placed.pose.position.y) == pytest.approx((1.0, 2.0))
     assert (placed.pose.orientation.z, placed.pose.orientation.w) == pytest.approx(QUARTER[2:])
-    assert point.point.x == 2.0  # what was given stays
+    assert point.point.x == 2.0  # the argument is unchanged
 
 
-def test_objects_that_nobody_can_transform(robot: Buffer) -> None:
+def test_objects_of_unregistered_types_are_refused(robot: Buffer) -> None:
     with pytest.raises(TypeException, match="TransformStamped"):
-        robot.transform(told("base", "x"), "map")
+        robot.transform(make_transform("base", "x"), "map")
 
 
-def test_only_frames_on_the_way_must_be_known_at_the_time(robot: Buffer) -> None:
+def test_only_frames_on_the_path_must_be_known_at_the_time(robot: Buffer) -> None:
     with pytest.raises(ExtrapolationException, match=r"latest data is at time 12\.000000"):
         robot.lookup_transform("odom", "base", at(13.0))  # map -> odom ends at 11 s
 
 
 def test_a_frame_that_got_another_parent_is_found_in_the_old_one() -> None:
     buffer = Buffer()
-    buffer.set_transform_static(told("room", "table"))
-    buffer.set_transform_static(told("room", "hand", 0.0, (5.0, 0.0, 0.0)))
-    buffer.set_transform(told("table", "cup", 1.0, (1.0, 0.0, 0.0)))
-    buffer.set_transform(told("table", "cup", 2.0, (2.0, 0.0, 0.0)))
-    buffer.set_transform(told("hand", "cup", 3.0))
-    buffer.set_transform(told("hand", "cup", 4.0))
+    buffer.set_transform_static(make_transform("room", "table"))
+    buffer.set_transform_static(make_transform("room", "hand", 0.0, (5.0, 0.0, 0.0)))
+    buffer.set_transform(make_transform("table", "cup", 1.0, (1.0, 0.0, 0.0)))
+    buffer.set_transform(make_transform("table", "cup", 2.0, (2.0, 0.0, 0.0)))
+    buffer.set_transform(make_transform("hand", "cup", 3.0))
+    buffer.set_transform(make_transform("hand", "cup", 4.0))
     assert numbers(buffer.lookup_transform("room", "cup", at(1.5)))[0] == pytest.approx(1.5)
     assert numbers(buffer.lookup_transform("room", "cup", at(3.5)))[0] == pytest.approx(5.0)
     assert numbers(buffer.lookup_transform("room", "cup", at(2.5)))[0] == pytest.approx(2.0)
 
 
-def test_the_latest_common_time(robot: Buffer) -> None:
+def test_the_latest_common_time_is_that_of_the_oldest_frame(robot: Buffer) -> None:
     assert robot.get_latest_common_time("map", "laser").nanoseconds == 11_000_000_000
     assert robot.get_latest_common_time("camera", "laser").nanoseconds == 0
 
 
-def test_why_not_between_two_times(robot: Buffer) -> None:
+def test_can_transform_full_returns_the_reason(robot: Buffer) -> None:
     answer = robot.can_transform_full_core("base", at(13.0), "laser", at(10.0), "odom")
     assert not answer[0]
     assert "into the future" in answer[1]
 
 
-def test_old_transforms_are_ignored_and_told_once(logged: list[Record]) -> None:
+def test_old_transforms_are_ignored_with_one_warning(logged: list[Record]) -> None:
     buffer = Buffer()
-    buffer.set_transform(told("a", "b", 100.0))
+    buffer.set_transform(make_transform("a", "b", 100.0))
     for _ in range(2):
-        buffer.set_transform(told("a", "b", 1.0))
+        buffer.set_transform(make_transform("a", "b", 1.0))
     assert ["old transforms" in record.message for record in logged] == [True]
 
 
@@ -244,19 +244,19 @@ def test_a_timeout_is_a_duration(robot: Buffer) -> None:
 
 
 class Tag:
-    """A class of a program's own."""
+    """Class of a program."""
 
     def __init__(self, header: Any, x: float) -> None:
         self.header, self.x = header, x
 
 
-def test_classes_of_a_programs_own(robot: Buffer) -> None:
+def test_a_program_can_register_its_own_class(robot: Buffer) -> None:
     def move(tag: Tag, transform: TransformStamped) -> Tag:
         return Tag(transform.header, tag.x + transform.transform.translation.x)
 
     TransformRegistration().add(Tag, move)
     ConvertRegistration().add_convert((Tag, float), lambda tag: tag.x)
-    tag = Tag(told("laser", "tag").header, 2.0)
+    tag = Tag(make_transform("laser", "tag").header, 2.0)
     assert robot.transform(tag, "camera").x == pytest.approx(2.5)
     assert robot.transform(tag, "camera", new_type=float) == pytest.approx(2.5)
     full = robot.transform_full(tag, "camera", at(11.0), "odom", new_type=Tag)

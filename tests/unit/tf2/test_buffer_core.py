@@ -1,4 +1,4 @@
-"""The tree of frames: ways through it, times, and what is said when there is none."""
+"""Tests of the tree of frames: paths, times and errors."""
 
 from __future__ import annotations
 
@@ -34,7 +34,9 @@ rotations = (
 motions = st.builds(Rigid, st.tuples(numbers, numbers, numbers), rotations)
 
 
-def told(parent: str, child: str, x: float = 0.0, *, yaw: float = 0.0, at_s: float = 1.0) -> Any:
+def make_transform(
+    parent: str, child: str, x: float = 0.0, *, yaw: float = 0.0, at_s: float = 1.0
+) -> Any:
     message = TransformStamped(child_frame_id=child)
     message.header.frame_id = parent
     message.header.stamp = zbot.Time(nanoseconds=int(at_s * 1e9)).to_msg()
@@ -58,10 +60,10 @@ def core() -> BufferCore:
     return BufferCore()
 
 
-def test_a_chain_and_its_way_back(core: BufferCore) -> None:
-    core.set_transform(told("map", "odom", 1, yaw=math.pi / 2))
-    core.set_transform(told("odom", "base", 2))
-    core.set_transform_static(told("base", "laser", 0.5))
+def test_a_chain_and_its_inverse_are_computed(core: BufferCore) -> None:
+    core.set_transform(make_transform("map", "odom", 1, yaw=math.pi / 2))
+    core.set_transform(make_transform("odom", "base", 2))
+    core.set_transform_static(make_transform("base", "laser", 0.5))
     assert place(core.lookup_transform_core("map", "laser", NOW)) == pytest.approx((1, 2.5, 0))
     assert place(core.lookup_transform_core("laser", "map", NOW)) == pytest.approx((-2.5, 1, 0))
     found = core.lookup_transform_core("map", "laser", NOW)
@@ -69,19 +71,19 @@ def test_a_chain_and_its_way_back(core: BufferCore) -> None:
 
 
 def test_two_branches_meet_in_their_common_ancestor(core: BufferCore) -> None:
-    core.set_transform_static(told("base", "left", 1))
-    core.set_transform_static(told("base", "right", -1))
+    core.set_transform_static(make_transform("base", "left", 1))
+    core.set_transform_static(make_transform("base", "right", -1))
     assert place(core.lookup_transform_core("left", "right", NOW)) == pytest.approx((-2, 0, 0))
 
 
-def test_a_frame_is_at_home_in_itself(core: BufferCore) -> None:
-    core.set_transform(told("map", "base", 1))
+def test_a_frame_has_the_identity_to_itself(core: BufferCore) -> None:
+    core.set_transform(make_transform("map", "base", 1))
     assert place(core.lookup_transform_core("base", "base", at(99))) == (0, 0, 0)
 
 
-def test_between_two_samples_it_is_interpolated(core: BufferCore) -> None:
-    core.set_transform(told("map", "base", 0, yaw=0, at_s=1))
-    core.set_transform(told("map", "base", 4, yaw=1, at_s=3))
+def test_a_transform_between_two_samples_is_interpolated(core: BufferCore) -> None:
+    core.set_transform(make_transform("map", "base", 0, yaw=0, at_s=1))
+    core.set_transform(make_transform("map", "base", 4, yaw=1, at_s=3))
     found = core.lookup_transform_core("map", "base", at(1.5))
     assert place(found) == pytest.approx((1, 0, 0))
     assert 2 * math.atan2(found.transform.rotation.z, found.transform.rotation.w) == (
@@ -90,10 +92,10 @@ def test_between_two_samples_it_is_interpolated(core: BufferCore) -> None:
 
 
 def test_the_latest_time_is_that_of_the_slowest_link(core: BufferCore) -> None:
-    core.set_transform(told("map", "odom", 0, at_s=1))
-    core.set_transform(told("map", "odom", 10, at_s=2))
-    core.set_transform(told("odom", "base", 1, at_s=1.5))
-    core.set_transform_static(told("base", "laser", 0, at_s=0.1))
+    core.set_transform(make_transform("map", "odom", 0, at_s=1))
+    core.set_transform(make_transform("map", "odom", 10, at_s=2))
+    core.set_transform(make_transform("odom", "base", 1, at_s=1.5))
+    core.set_transform_static(make_transform("base", "laser", 0, at_s=0.1))
     found = core.lookup_transform_core("map", "laser", NOW)
     assert place(found) == pytest.approx((6, 0, 0))
     assert zbot.Time.from_msg(found.header.stamp).nanoseconds == 1_500_000_000
@@ -101,7 +103,7 @@ def test_the_latest_time_is_that_of_the_slowest_link(core: BufferCore) -> None:
 
 def test_a_lookup_between_two_times(core: BufferCore) -> None:
     for at_s in (1, 2):
-        core.set_transform(told("map", "base", at_s, at_s=at_s))
+        core.set_transform(make_transform("map", "base", at_s, at_s=at_s))
     found = core.lookup_transform_full_core("base", at(2), "base", at(1), "map")
     assert place(found) == pytest.approx((-1, 0, 0))
 
@@ -114,47 +116,47 @@ def test_a_lookup_between_two_times(core: BufferCore) -> None:
     ],
 )
 def test_nothing_is_extrapolated(core: BufferCore, when: float, sentence: str) -> None:
-    core.set_transform(told("map", "base", at_s=1))
-    core.set_transform(told("map", "base", at_s=3))
+    core.set_transform(make_transform("map", "base", at_s=1))
+    core.set_transform(make_transform("map", "base", at_s=3))
     ending = r", when looking up transform from frame \[base\] to frame \[map\]"
     with pytest.raises(ExtrapolationException, match=sentence + ending):
         core.lookup_transform_core("map", "base", at(when))
 
 
 def test_one_sample_is_one_time(core: BufferCore) -> None:
-    core.set_transform(told("map", "base", at_s=1))
+    core.set_transform(make_transform("map", "base", at_s=1))
     with pytest.raises(ExtrapolationException, match=r"only time 1\.000000 is in the buffer"):
         core.lookup_transform_core("map", "base", at(2))
 
 
 def test_an_unknown_frame_is_named(core: BufferCore) -> None:
-    core.set_transform(told("map", "base_link"))
+    core.set_transform(make_transform("map", "base_link"))
     with pytest.raises(LookupException, match=r'"base_lnk" passed to lookupTransform.*base_link'):
         core.lookup_transform_core("map", "base_lnk", NOW)
 
 
 def test_two_trees_are_not_connected(core: BufferCore) -> None:
-    core.set_transform(told("map", "base"))
-    core.set_transform(told("world", "arm"))
+    core.set_transform(make_transform("map", "base"))
+    core.set_transform(make_transform("world", "arm"))
     with pytest.raises(ConnectivityException, match="two or more unconnected trees"):
         core.lookup_transform_core("map", "arm", NOW)
 
 
 @pytest.mark.parametrize("name", ["", "/map"])
-def test_names_have_no_slash_in_front(core: BufferCore, name: str) -> None:
+def test_names_have_no_leading_slash(core: BufferCore, name: str) -> None:
     with pytest.raises(InvalidArgumentException):
         core.lookup_transform_core(name, "base", NOW)
 
 
-def test_what_is_older_than_the_cache_is_forgotten() -> None:
+def test_transforms_older_than_the_cache_are_dropped() -> None:
     core = BufferCore(zbot.Duration(seconds=2))
     for at_s in range(1, 10):
-        core.set_transform(told("map", "base", at_s=at_s))
+        core.set_transform(make_transform("map", "base", at_s=at_s))
     assert core.can_transform_core("map", "base", at(7)) == (True, "")
     is_known, why = core.can_transform_core("map", "base", at(6))
     assert not is_known
     assert "into the past" in why
-    core.set_transform(told("map", "base", at_s=3))
+    core.set_transform(make_transform("map", "base", at_s=3))
     assert not core.can_transform_core("map", "base", at(6))[0]
 
 
@@ -164,10 +166,10 @@ def test_what_is_older_than_the_cache_is_forgotten() -> None:
         ("", "base", {}, "must not be empty"),
         ("base", "base", {}, "cannot be its own parent"),
         ("map", "base", {"x": math.nan}, "not a number"),
-        ("map", "base", {"w": 5.0}, "no quaternion of length 1"),
+        ("map", "base", {"w": 5.0}, "not a quaternion of length 1"),
     ],
 )
-def test_useless_transforms_are_refused_and_told_once(
+def test_invalid_transforms_are_refused_with_one_warning(
     core: BufferCore,
     logged: list[Record],
     parent: str,
@@ -175,7 +177,7 @@ def test_useless_transforms_are_refused_and_told_once(
     change: dict[str, float],
     reason: str,
 ) -> None:
-    message = told(parent, child)
+    message = make_transform(parent, child)
     message.transform.translation.x = change.get("x", 0.0)
     message.transform.rotation.w = change.get("w", 1.0)
     core.set_transform(message)
@@ -184,10 +186,10 @@ def test_useless_transforms_are_refused_and_told_once(
     assert reason in line
 
 
-def test_the_tree_can_be_looked_at(core: BufferCore) -> None:
+def test_the_tree_can_be_printed(core: BufferCore) -> None:
     assert core.all_frames_as_yaml() == "[]"
-    core.set_transform(told("map", "base", at_s=1))
-    core.set_transform(told("map", "base", at_s=2))
+    core.set_transform(make_transform("map", "base", at_s=1))
+    core.set_transform(make_transform("map", "base", at_s=2))
     assert core.all_frames_as_string() == "Frame base exists with parent map.\n"
     assert "base: \n  parent: 'map'\n" in core.all_frames_as_yaml()
     core.clear()
@@ -195,9 +197,9 @@ def test_the_tree_can_be_looked_at(core: BufferCore) -> None:
 
 
 def test_a_loop_of_frames_ends(core: BufferCore) -> None:
-    core.set_transform(told("a", "b"))
-    core.set_transform(told("b", "a"))
-    core.set_transform(told("map", "c"))
+    core.set_transform(make_transform("a", "b"))
+    core.set_transform(make_transform("b", "a"))
+    core.set_transform(make_transform("map", "c"))
     with pytest.raises(ConnectivityException):
         core.lookup_transform_core("a", "c", NOW)
 
@@ -218,6 +220,6 @@ def test_motions_one_after_the_other(
 
 
 @given(rotations, rotations, st.floats(0, 1))
-def test_what_lies_between_two_rotations_is_one(a: Any, b: Any, share: float) -> None:
+def test_interpolation_between_two_rotations_is_a_rotation(a: Any, b: Any, share: float) -> None:
     between = slerp(a, b, share)
     assert sum(part * part for part in between) == pytest.approx(1)

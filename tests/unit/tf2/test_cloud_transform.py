@@ -1,4 +1,4 @@
-"""Point clouds move to another frame with their other fields."""
+"""Tests of point clouds in another frame; their other fields are kept."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def cloud() -> PointCloud2:
     return create_cloud(Header(frame_id="lidar"), FIELDS, points, 20)
 
 
-def test_points_are_turned_and_moved_and_the_rest_is_kept() -> None:
+def test_points_are_transformed_and_other_fields_are_kept() -> None:
     before = cloud()
     moved = do_transform_cloud(before, MOUNTED)
     points = read_points(moved)
@@ -52,7 +52,7 @@ def test_points_are_turned_and_moved_and_the_rest_is_kept() -> None:
     assert before == cloud()
 
 
-def test_rows_stay_rows_and_a_plain_transform_keeps_the_header() -> None:
+def test_rows_are_kept_and_a_plain_transform_keeps_the_header() -> None:
     before = cloud()
     before.width, before.height, before.row_step = 1, 2, 20
     moved = do_transform_cloud(before, MOUNTED.transform)

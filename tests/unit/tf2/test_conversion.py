@@ -1,4 +1,4 @@
-"""Poses with covariance, wrenches and polygons in other frames."""
+"""Tests of poses with covariance, wrenches and polygons in other frames."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def test_covariance_is_rotated_from_both_sides() -> None:
     assert pose.pose.covariance[1] == 1.0
 
 
-def test_covariance_in_a_frame_that_is_only_elsewhere_stays() -> None:
+def test_covariance_is_unchanged_by_a_translation() -> None:
     pose = PoseWithCovarianceStamped()
     pose.pose.covariance = np.arange(36.0)
     found = do_transform_pose_with_covariance_stamped(pose, moved(angles=(0.0, 0.0, 0.0)))

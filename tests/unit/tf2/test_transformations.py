@@ -1,4 +1,4 @@
-"""Rotations and matrices under the names of tf_transformations."""
+"""Tests of rotations and matrices under the names of tf_transformations."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from zbot.tf2 import transformations as tf
 angles = st.floats(-3, 3)
 
 
-def test_well_known_rotations() -> None:
+def test_known_rotations_have_known_quaternions() -> None:
     assert tf.quaternion_from_euler(0, 0, math.pi / 2) == pytest.approx(
         [0, 0, math.sqrt(0.5), math.sqrt(0.5)]
     )
@@ -28,7 +28,7 @@ def test_well_known_rotations() -> None:
 
 
 @given(angles, st.floats(-1.5, 1.5), angles)
-def test_roll_pitch_and_yaw_come_back(roll: float, pitch: float, yaw: float) -> None:
+def test_roll_pitch_and_yaw_are_recovered(roll: float, pitch: float, yaw: float) -> None:
     assert tf.euler_from_quaternion(tf.quaternion_from_euler(roll, pitch, yaw)) == pytest.approx(
         (roll, pitch, yaw), abs=1e-6
     )
@@ -45,7 +45,7 @@ def test_every_order_of_axes_gives_the_same_rotation_again(
     assert tf.is_same_transform(tf.quaternion_matrix(tf.quaternion_from_matrix(matrix)), matrix)
 
 
-def test_products_and_inverses() -> None:
+def test_a_product_with_the_inverse_is_the_identity() -> None:
     q = tf.quaternion_about_axis(0.7, (1, 2, 3))
     assert tf.quaternion_multiply(q, tf.quaternion_inverse(q)) == pytest.approx([0, 0, 0, 1])
     turned = tf.rotation_matrix(0.7, (1, 2, 3), (4, 5, 6)) @ [4, 5, 6, 1]
@@ -74,23 +74,23 @@ def test_every_order_of_axes_is_a_product_of_turns(axes: str) -> None:
     turns = [
         tf.rotation_matrix(angle, TURNS[axis]) for angle, axis in zip(angles, axes[1:], strict=True)
     ]
-    # About fixed axes the first turn is applied first; about the body's own it stands first.
+    # Fixed axes: the first rotation is applied first. Axes of the body: it is the first factor.
     product = tf.concatenate_matrices(*(turns if axes[0] == "r" else reversed(turns)))
     assert tf.euler_matrix(*angles, axes) == pytest.approx(product)
 
 
-def test_quaternions_multiply_as_hamilton_says() -> None:
+def test_quaternions_are_multiplied_by_hamiltons_rule() -> None:
     assert tf.quaternion_multiply([1, 0, 0, 0], [0, 1, 0, 0]) == pytest.approx([0, 0, 1, 0])
     assert tf.quaternion_multiply([0, 1, 0, 0], [1, 0, 0, 0]) == pytest.approx([0, 0, -1, 0])
 
 
 @pytest.mark.parametrize("q", [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0.5, -0.5, 0.5, 0.5]])
-def test_large_turns_come_back_from_their_matrix(q: list[float]) -> None:
+def test_large_rotations_are_recovered_from_their_matrix(q: list[float]) -> None:
     again = tf.quaternion_from_matrix(tf.quaternion_matrix(q))
     assert abs(float(np.dot(again, q))) == pytest.approx(1)
 
 
-def test_half_way_between_two_rotations() -> None:
+def test_slerp_gives_the_rotation_between_two_others() -> None:
     a, b = tf.quaternion_from_euler(0, 0, 0), tf.quaternion_from_euler(0, 0, 1)
     half = tf.quaternion_slerp(a, b, 0.5)
     assert tf.euler_from_quaternion(half) == pytest.approx((0, 0, 0.5))
@@ -98,13 +98,13 @@ def test_half_way_between_two_rotations() -> None:
     assert tf.quaternion_slerp(a, b, 1.0) == pytest.approx(b)
 
 
-def test_lengths() -> None:
+def test_vector_lengths_are_computed() -> None:
     assert tf.vector_norm([3, 4]) == 5
     assert tf.unit_vector([0, 0, 2]) == pytest.approx([0, 0, 1])
     assert tf.vector_norm(tf.random_quaternion()) == pytest.approx(1)
 
 
-def test_axes_that_are_none_are_named() -> None:
+def test_invalid_axes_are_refused() -> None:
     with pytest.raises(KeyError, match="sxyz"):
         tf.euler_matrix(1, 2, 3, "abc")
 
@@ -113,7 +113,7 @@ positive = st.floats(0.2, 5)
 
 
 @given(st.tuples(positive, positive, positive), st.tuples(angles, st.floats(-1.5, 1.5), angles))
-def test_a_matrix_is_taken_apart_into_what_it_was_made_of(
+def test_a_matrix_is_decomposed_into_its_parts(
     scale: tuple[float, float, float], turn: tuple[float, float, float]
 ) -> None:
     parts = (scale, [0.1, -0.2, 0.3], turn, (1.0, -2.0, 3.0), (0.0, 0.0, 0.0, 1.0))
@@ -129,12 +129,12 @@ def test_a_matrix_is_taken_apart_into_what_it_was_made_of(
         tf.compose_matrix(translate=(1, 2, 3), perspective=(0.1, 0.2, 0.0, 1)),
     ],
 )
-def test_mirrors_and_projections_are_taken_apart_too(matrix: tf.Matrix) -> None:
+def test_mirrors_and_projections_are_decomposed(matrix: tf.Matrix) -> None:
     assert np.allclose(tf.compose_matrix(*tf.decompose_matrix(matrix)), matrix)
 
 
 @pytest.mark.parametrize("matrix", [np.zeros((4, 4)), np.diag([1, 1, 0, 1]), np.diag([1, 1, 1, 0])])
-def test_a_singular_matrix_cannot_be_taken_apart(matrix: tf.Matrix) -> None:
+def test_a_singular_matrix_cannot_be_decomposed(matrix: tf.Matrix) -> None:
     with pytest.raises(ValueError, match="singular"):
         tf.decompose_matrix(matrix)
 

@@ -45,7 +45,9 @@ def test_the_domain_is_the_argument_or_the_first_variable(
 
 
 @pytest.mark.parametrize("text", ["233", "-1", "seven", "1.5", "1e2", "0x10", "99999999999999999"])
-def test_a_wrong_domain_variable_is_named(monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+def test_an_error_names_the_wrong_domain_variable(
+    monkeypatch: pytest.MonkeyPatch, text: str
+) -> None:
     monkeypatch.setenv("ROS_DOMAIN_ID", text)
     with pytest.raises(DomainIdError, match="0 to 232") as raised:
         config.domain_id()
@@ -79,7 +81,7 @@ def test_the_range_is_the_first_variable(
     assert config.discovery_range() is expected
 
 
-def test_a_wrong_range_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_an_error_names_the_wrong_range(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ZBOT_DISCOVERY_RANGE", "WORLD")
     with pytest.raises(DiscoveryRangeError, match="ZBOT_DISCOVERY_RANGE is 'WORLD'"):
         config.discovery_range()
@@ -95,7 +97,7 @@ def test_configuration_files_are_found_in_order(monkeypatch: pytest.MonkeyPatch)
         assert config.load().source == f"{variable}.json5"
 
 
-def test_a_file_that_is_named_must_be_there(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_named_file_must_exist(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("ZBOT_CONFIG", "nowhere.json5")
     with pytest.raises(ConfigError, match=r"nowhere\.json5: No such file or directory"):
         config.load()
@@ -123,18 +125,20 @@ def test_the_packaged_file_sets_nothing() -> None:
         ("{ // adminspace\n }", "adminspace/enabled", True, True),
     ],
 )
-def test_what_a_file_sets_wins(text: str, path: str, fill: object, expected: object) -> None:
+def test_a_value_in_the_file_has_priority(
+    text: str, path: str, fill: object, expected: object
+) -> None:
     built = SessionConfig("file", text).build({path: fill})
     assert json.loads(built.get_json(path)) == expected
 
 
-def test_what_a_session_cannot_do_without_wins_over_the_file() -> None:
+def test_forced_values_have_priority_over_the_file() -> None:
     built = SessionConfig("file", '{ mode: "client" }').build({"mode": "peer"}, {"mode": "router"})
     assert json.loads(built.get_json("mode")) == "router"
 
 
 @pytest.mark.parametrize("text", ["", "{", "nonsense", '{ mode: "captain" }', "{ unknown: 1 }"])
-def test_a_file_that_is_no_configuration_is_named(text: str) -> None:
+def test_an_error_names_the_file_that_is_not_a_configuration(text: str) -> None:
     with pytest.raises(ConfigError, match=r"configuration f\.json5: ") as raised:
         SessionConfig("f.json5", text).build({})
     assert "\n" not in str(raised.value)

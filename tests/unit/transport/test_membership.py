@@ -19,12 +19,12 @@ def own_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
 
 
-def test_a_machine_that_joined_nothing_has_no_membership_and_domain_0() -> None:
+def test_without_a_membership_the_domain_is_0() -> None:
     assert membership.load() is None
     assert config.domain_id() == 0
 
 
-def test_what_was_joined_is_remembered_until_it_is_forgotten() -> None:
+def test_a_membership_is_stored_until_it_is_removed() -> None:
     membership.save(STUDENT, [("student17", "s3")])
     assert membership.load() == STUDENT
     membership.forget()
@@ -32,7 +32,7 @@ def test_what_was_joined_is_remembered_until_it_is_forgotten() -> None:
     assert membership.load() is None
 
 
-def test_a_students_domain_is_his_number_unless_a_variable_says_otherwise(
+def test_a_students_domain_is_the_number_unless_a_variable_sets_it(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     membership.save(STUDENT)
@@ -43,14 +43,14 @@ def test_a_students_domain_is_his_number_unless_a_variable_says_otherwise(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no file modes")
-def test_only_the_user_reads_what_was_joined() -> None:
+def test_only_the_user_can_read_the_membership() -> None:
     membership.save(STUDENT, [("student17", "s3")])
     for path in membership.folder().iterdir():
         assert path.stat().st_mode & 0o077 == 0
     assert membership.folder().stat().st_mode & 0o077 == 0
 
 
-def test_a_secret_does_not_print_itself() -> None:
+def test_the_repr_does_not_show_the_secret() -> None:
     assert "s3" not in repr(STUDENT)
 
 
@@ -62,14 +62,14 @@ def test_a_file_of_a_later_version_is_read() -> None:
 
 
 @pytest.mark.parametrize("content", [b"", b"[]", b"{}", b"\xff", b'"x"', b"{"])
-def test_a_damaged_file_is_a_sentence(content: bytes) -> None:
+def test_a_damaged_file_raises_a_one_line_error(content: bytes) -> None:
     membership.save(STUDENT)
     (membership.folder() / membership.FILE).write_bytes(content)
     with pytest.raises(MembershipError, match="zbot leave"):
         membership.load()
 
 
-def test_the_folder_is_where_the_system_has_settings(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_folder_is_the_settings_folder_of_the_system(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("XDG_CONFIG_HOME")
     monkeypatch.setattr(sys, "platform", "linux")
     assert membership.folder() == Path.home() / ".config" / "zbot"
@@ -80,7 +80,7 @@ def test_the_folder_is_where_the_system_has_settings(monkeypatch: pytest.MonkeyP
     assert membership.folder() == Path("roaming") / "zbot"
 
 
-def test_sessions_introduce_themselves_only_where_they_are_asked_to() -> None:
+def test_sessions_log_in_only_with_a_user_name() -> None:
     assert membership.session_settings(None) == {}
     assert membership.session_settings(Membership("partner", "h", 1)) == {}
     assert membership.session_settings(STUDENT)["transport/auth/usrpwd/user"] == "student17"

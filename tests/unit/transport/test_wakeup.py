@@ -6,10 +6,10 @@ from dataclasses import dataclass
 import pytest
 
 from zbot.transport import wakeup as module
-from zbot.transport.wakeup import LARGE_MOMENT_NS, BinarySemaphore, BusyWait
+from zbot.transport.wakeup import LARGE_MESSAGE_WAIT_NS, BinarySemaphore, BusyWait
 
 
-def test_a_wait_returns_for_what_was_set_before_it() -> None:
+def test_a_wait_returns_if_the_semaphore_was_set_before() -> None:
     semaphore = BinarySemaphore()
     semaphore.set()
     semaphore.set()
@@ -26,7 +26,7 @@ def test_a_wait_ends_when_another_thread_sets() -> None:
     setter.join()
 
 
-def test_an_awake_wait_ends_when_another_thread_sets() -> None:
+def test_a_busy_wait_ends_when_another_thread_sets() -> None:
     semaphore, answer = BinarySemaphore(), BinarySemaphore()
 
     def reply() -> None:
@@ -59,8 +59,8 @@ def clock(monkeypatch: pytest.MonkeyPatch) -> Clock:
     return clock
 
 
-def wait(haste: BusyWait, clock: Clock, *, comes_after_us: int, came: bool = True) -> int:
-    """Wait once; how often it looked for what comes."""
+def wait(busy_wait: BusyWait, clock: Clock, *, comes_after_us: int, came: bool = True) -> int:
+    """Wait once; return the number of polls."""
     looks, end_us = 0, clock.now_us + comes_after_us
 
     def has_come() -> bool:
@@ -69,35 +69,35 @@ def wait(haste: BusyWait, clock: Clock, *, comes_after_us: int, came: bool = Tru
         clock.now_us += 10
         return clock.now_us >= end_us
 
-    if not haste.begin(has_come):
+    if not busy_wait.begin(has_come):
         clock.now_us = max(clock.now_us, end_us)
-        haste.end(came=came)
+        busy_wait.end(came=came)
     return looks
 
 
-def test_after_a_short_wait_the_next_ones_stay_awake(clock: Clock) -> None:
-    haste = BusyWait()
-    assert wait(haste, clock, comes_after_us=100) == 0
-    assert wait(haste, clock, comes_after_us=100) == 10
-    assert wait(haste, clock, comes_after_us=100) == 10
+def test_after_a_short_wait_the_next_ones_poll(clock: Clock) -> None:
+    busy_wait = BusyWait()
+    assert wait(busy_wait, clock, comes_after_us=100) == 0
+    assert wait(busy_wait, clock, comes_after_us=100) == 10
+    assert wait(busy_wait, clock, comes_after_us=100) == 10
 
 
 def test_after_a_long_wait_the_next_one_sleeps(clock: Clock) -> None:
-    haste = BusyWait()
-    wait(haste, clock, comes_after_us=100)
-    assert wait(haste, clock, comes_after_us=1000) == 50  # it gave up after half a millisecond
-    assert wait(haste, clock, comes_after_us=100) == 0
-    assert wait(haste, clock, comes_after_us=1000) > 0
+    busy_wait = BusyWait()
+    wait(busy_wait, clock, comes_after_us=100)
+    assert wait(busy_wait, clock, comes_after_us=1000) == 50  # it gave up after half a millisecond
+    assert wait(busy_wait, clock, comes_after_us=100) == 0
+    assert wait(busy_wait, clock, comes_after_us=1000) > 0
 
 
-def test_where_large_messages_come_longer_waits_are_short(clock: Clock) -> None:
-    haste = BusyWait()
-    haste.moment_ns = LARGE_MOMENT_NS
-    wait(haste, clock, comes_after_us=2000)
-    assert wait(haste, clock, comes_after_us=2000) == 200
+def test_with_large_messages_longer_waits_are_short(clock: Clock) -> None:
+    busy_wait = BusyWait()
+    busy_wait.short_wait_ns = LARGE_MESSAGE_WAIT_NS
+    wait(busy_wait, clock, comes_after_us=2000)
+    assert wait(busy_wait, clock, comes_after_us=2000) == 200
 
 
-def test_an_end_of_patience_tells_nothing(clock: Clock) -> None:
-    haste = BusyWait()
-    wait(haste, clock, comes_after_us=100, came=False)
-    assert wait(haste, clock, comes_after_us=100) == 0
+def test_a_wait_that_timed_out_is_not_short(clock: Clock) -> None:
+    busy_wait = BusyWait()
+    wait(busy_wait, clock, comes_after_us=100, came=False)
+    assert wait(busy_wait, clock, comes_after_us=100) == 0

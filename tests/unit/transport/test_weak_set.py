@@ -1,4 +1,4 @@
-"""A set that keeps nothing alive, and that several threads use."""
+"""Weak set that several threads use."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from zbot.transport.weak_set import WeakSet
 
 
 class Thing:
-    """Something that can be weakly referred to."""
+    """Object that can have weak references."""
 
 
-def test_it_keeps_nothing_alive() -> None:
+def test_a_weak_set_keeps_nothing_alive() -> None:
     kept, dropped = Thing(), Thing()
     things = WeakSet([kept, dropped])
     del dropped
@@ -21,7 +21,7 @@ def test_it_keeps_nothing_alive() -> None:
     assert len(things) == 1
 
 
-def test_it_may_change_while_it_is_iterated() -> None:
+def test_a_weak_set_may_change_during_an_iteration() -> None:
     first, second = Thing(), Thing()
     things = WeakSet([first])
     for thing in things:
@@ -30,7 +30,7 @@ def test_it_may_change_while_it_is_iterated() -> None:
     assert list(things) == [second]
 
 
-def test_other_threads_may_change_it_meanwhile() -> None:
+def test_other_threads_may_change_a_weak_set_during_an_iteration() -> None:
     things: WeakSet[Thing] = WeakSet()
     over = threading.Event()
 

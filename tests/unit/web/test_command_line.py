@@ -1,4 +1,4 @@
-"""Commands as one types them."""
+"""Test of command lines quoted for a shell."""
 
 from __future__ import annotations
 
@@ -21,6 +21,6 @@ from zbot.web.command_line import command_line
         ("a;b", '"a;b"'),
     ],
 )
-def test_words_are_quoted_where_a_shell_needs_it(word: str, typed: str) -> None:
+def test_words_are_quoted_for_a_shell(word: str, typed: str) -> None:
     assert command_line("topic", "pub", word) == f"zbot topic pub {typed}"
     assert shlex.split(typed) == [word]

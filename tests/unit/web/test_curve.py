@@ -33,18 +33,18 @@ TOPICS = ["/turtle1", "/turtle1/pose", "/scan"]
         ("/later/pose", ("/later/pose", "")),
     ],
 )
-def test_word_is_split_into_topic_and_field(word: str, expected: tuple[str, str]) -> None:
+def test_curve_name_is_split_into_topic_and_field(word: str, expected: tuple[str, str]) -> None:
     assert split_curve(word, TOPICS) == expected
 
 
 @pytest.mark.parametrize("word", ["", ".x", "/"])
-def test_word_without_a_topic_is_refused(word: str) -> None:
+def test_curve_name_without_a_topic_is_refused(word: str) -> None:
     with pytest.raises(CurveError, match="topic is missing"):
         split_curve(word, TOPICS)
 
 
 @pytest.mark.parametrize("word", ["/scan.ranges[", "/scan.a b", "/scan."])
-def test_word_without_a_proper_field_is_refused_or_means_all(word: str) -> None:
+def test_curve_name_with_a_wrong_field_is_refused_and_without_a_field_means_all(word: str) -> None:
     if word.endswith("."):
         assert split_curve(word, TOPICS) == ("/scan", "")
         return
@@ -57,18 +57,18 @@ def test_numbers_of_a_message_are_found() -> None:
     assert numeric_fields(String()) == []
 
 
-def test_values_are_numbers_and_ticks() -> None:
+def test_values_are_numbers_and_booleans() -> None:
     assert value_at(Bool(data=True), FieldPath("data")) == 1.0
     scan = LaserScan(ranges=[0.5, math.inf])
     assert value_at(scan, FieldPath("ranges[1]")) == math.inf
-    with pytest.raises(FieldPathError, match="no number but str"):
+    with pytest.raises(FieldPathError, match="not a number but str"):
         value_at(String(data="x"), FieldPath("data"))
     with pytest.raises(FieldPathError):
         value_at(scan, FieldPath("ranges[2]"))
 
 
 class FakeWatch:
-    """A topic whose messages the test makes up."""
+    """Topic whose messages the test defines."""
 
     def __init__(self) -> None:
         self.messages: list[Any] = []
@@ -120,7 +120,7 @@ def test_curves_of_a_topic_read_each_message_once() -> None:
     assert curves.take() == {}
 
 
-def test_topic_without_a_field_becomes_its_numbers() -> None:
+def test_topic_without_a_field_becomes_curves_of_its_numbers() -> None:
     watcher = FakeWatcher()
     curves = Curves(watcher)
     curves.add("/flag", "")
@@ -131,12 +131,12 @@ def test_topic_without_a_field_becomes_its_numbers() -> None:
     assert curves.waiting == []
 
 
-def test_curve_that_cannot_be_drawn_says_why() -> None:
+def test_curve_without_points_has_a_problem() -> None:
     watcher = FakeWatcher()
     curves = Curves(watcher)
     curves.add("/cmd", "linear.w")
     (curve,) = curves.curves
-    assert "nobody uses /cmd" in curves.problem(curve)
+    assert "no node uses /cmd" in curves.problem(curve)
     watch = watcher.watches["/cmd"]
     watch.type_name = "geometry_msgs/msg/Twist"
     watch.messages.append(twist(1, 2))

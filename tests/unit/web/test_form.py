@@ -1,4 +1,4 @@
-"""Forms made from message types: their inputs, what can be typed, and what is said about it."""
+"""Tests of forms of message types: inputs, entries and their errors."""
 
 from __future__ import annotations
 
@@ -43,14 +43,14 @@ def test_fields_that_are_messages_are_groups() -> None:
     assert angular.name == "angular"
 
 
-def test_whole_numbers_have_their_bounds() -> None:
+def test_integer_inputs_have_bounds() -> None:
     bounds = {one.path: one.bounds for one in Form(SetPen.Request).inputs}
     assert bounds == dict.fromkeys(["r", "g", "b", "width", "off"], (0, 255))
     assert Form(Int8).inputs[0].bounds == (-128, 127)
     assert Form(Twist).inputs[0].bounds is None
 
 
-def test_what_is_typed_becomes_the_message() -> None:
+def test_entries_become_the_message() -> None:
     entries: dict[str, Entry] = {"x": "2", "y": 3.5, "theta": "-.5", "name": "eve"}
     assert Form(Spawn.Request).message(entries) == Spawn.Request(
         x=2.0, y=3.5, theta=-0.5, name="eve"
@@ -59,7 +59,7 @@ def test_what_is_typed_becomes_the_message() -> None:
     assert (moved.linear.x, moved.linear.y, moved.angular.z) == (2.0, 0.0, 1.8)
 
 
-def test_what_is_not_typed_keeps_its_default() -> None:
+def test_missing_entries_keep_defaults() -> None:
     assert Form(Twist).message({}) == Twist()
     assert Form(PoseWithCovariance).message({}).pose.orientation.w == 1.0
     assert Form(Empty).message({}) == Empty()
@@ -81,7 +81,7 @@ def test_what_is_not_typed_keeps_its_default() -> None:
         (ByteMultiArray, "1, 2", [b"\x01", b"\x02"]),
     ],
 )
-def test_an_entry_is_read_as_its_field_needs(
+def test_an_entry_is_converted_to_the_type_of_its_field(
     message_type: type, entry: Entry, value: object
 ) -> None:
     made = Form(message_type).message({"data": entry}).data
@@ -102,22 +102,22 @@ def test_lists_of_texts_and_of_messages() -> None:
         (Twist, "linear.x", "fast", "write a number, not 'fast'"),
         (Twist, "linear.x", "2,5", "write 2.5 with a point, not '2,5'"),
         (Twist, "linear.x", "", "it is empty: write a number"),
-        (SetPen.Request, "r", "256", "uint8 goes from 0 to 255, and this is 256"),
+        (SetPen.Request, "r", "256", "write a number from 0 to 255 (uint8), not 256"),
         (SetPen.Request, "r", "2.5", "write a whole number, not 2.5"),
-        (Spawn.Request, "x", "1e40", "1e40 is beyond what a float32 holds"),
+        (Spawn.Request, "x", "1e40", "1e40 is too large for a float32"),
         (Bool, "data", "maybe", "write true or false, not 'maybe'"),
-        (PoseWithCovariance, "covariance", "[1, 2]", "it has 36 elements, and these are 2"),
+        (PoseWithCovariance, "covariance", "[1, 2]", "write 36 elements, not 2"),
         (LaserScan, "ranges", "[1, x]", "write a number, not 'x'"),
         (LaserScan, "ranges", "[1, [2]]", "write a float32, not ['2']"),
         (LaserScan, "ranges", "{a: [}", "write a list: [1, 2, 3]"),
         (Polygon, "points", "[{w: 1}]", "geometry_msgs/msg/Point32 has x, y, z"),
         (Polygon, "points", "[5]", _POINT_WANTED),
         (Header, "stamp", "soon", "write a number, not 'soon'"),
-        (Header, "stamp", "1e10", "1e10 s is beyond what builtin_interfaces/msg/Time holds"),
+        (Header, "stamp", "1e10", "1e10 s does not fit into builtin_interfaces/msg/Time"),
         (Header, "stamp", "inf", "write seconds, not 'inf'"),
     ],
 )  # fmt: skip
-def test_a_wrong_entry_is_told_in_a_sentence(
+def test_a_wrong_entry_raises_a_sentence(
     message_type: type, path: str, entry: str, sentence: str
 ) -> None:
     form = Form(message_type)
@@ -127,7 +127,7 @@ def test_a_wrong_entry_is_told_in_a_sentence(
     assert caught.value.reason == sentence
 
 
-def test_a_stamp_is_the_present_unless_one_says_otherwise() -> None:
+def test_a_stamp_is_now_by_default() -> None:
     form = Form(PoseStamped)
     stamp = form.message({}, now_ns).header.stamp
     assert (stamp.sec, stamp.nanosec) == divmod(NOW_NS, 10**9)
@@ -164,7 +164,7 @@ def test_a_long_array_of_zeros_is_left_empty() -> None:
     assert covariance.max_length == 36
 
 
-def test_the_text_for_a_command_line_has_what_was_changed() -> None:
+def test_yaml_has_only_changed_fields() -> None:
     assert Form(Twist).yaml({"linear.x": "2", "angular.z": 1.8}) == (
         "{linear: {x: 2.0}, angular: {z: 1.8}}"
     )

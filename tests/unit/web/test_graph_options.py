@@ -11,14 +11,14 @@ from zbot.web.graph_options import FLAGS, GraphOptions, filter_problem
 from zbot_cli.nouns import load
 
 
-def test_the_usual_needs_no_words() -> None:
+def test_default_options_need_no_query_and_no_command_options() -> None:
     assert GraphOptions().query == {}
     assert GraphOptions().command == "zbot graph"
     assert GraphOptions.from_query({}) == GraphOptions()
 
 
 @pytest.mark.parametrize("flag", FLAGS)
-def test_each_switch_survives_the_address(flag: str) -> None:
+def test_each_option_is_in_the_query(flag: str) -> None:
     options = GraphOptions().flagged(flag, is_set=True)
     assert options.has(flag)
     assert options.query == {flag: "1"}
@@ -26,7 +26,7 @@ def test_each_switch_survives_the_address(flag: str) -> None:
     assert options.flagged(flag, is_set=False) == GraphOptions()
 
 
-def test_all_at_once_survive_the_address() -> None:
+def test_all_options_together_are_in_the_query() -> None:
     options = GraphOptions(
         Mode.ACTIVE,
         Filters(nodes="-/a.*", topics="/b, -/c", hidden=False),
@@ -39,12 +39,12 @@ def test_all_at_once_survive_the_address() -> None:
     )
 
 
-def test_nonsense_in_the_address_is_as_if_it_were_not_there() -> None:
+def test_unknown_query_parameters_are_ignored() -> None:
     query = {"show": "x", "nodes": "(", "group-namespaces": "-1", "unknown": "1"}
     assert GraphOptions.from_query(query) == GraphOptions()
 
 
-def test_the_command_line_knows_every_switch() -> None:
+def test_the_command_has_every_option() -> None:
     options = load("graph").params
     known = {name for one in options for name in (*one.opts, *one.secondary_opts)}
     assert {f"--{flag}" for flag in FLAGS} <= known
@@ -53,12 +53,12 @@ def test_the_command_line_knows_every_switch() -> None:
     assert {word for word in words if word.startswith("--")} <= known
 
 
-def test_a_filter_that_is_no_expression_is_told() -> None:
+def test_an_invalid_filter_has_a_problem() -> None:
     assert filter_problem(None) is None
     assert filter_problem("/a.*,-/b") is None
     assert "invalid filter '('" in (filter_problem("(") or "")
 
 
-def test_view_is_that_of_the_command() -> None:
+def test_view_is_the_same_as_of_the_command() -> None:
     options = GraphOptions.from_query({"show": "nodes", "nodes": "-/listener"})
     assert options.view(TALKING).nodes == ("/talker",)

@@ -1,4 +1,4 @@
-"""Which log lines a reader wants."""
+"""Tests of the filter of log lines."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def line(level: int = 20, name: str = "robot.arm", text: str = "Moves on") -> Lo
         (LogFilter(20, "robot"), "m.level >= 20 and m.name == 'robot'"),
     ],
 )  # fmt: skip
-def test_lines_that_are_wanted(wanted: LogFilter, condition: str) -> None:
+def test_matching_lines_pass(wanted: LogFilter, condition: str) -> None:
     assert wanted.matches(line())
     assert wanted.condition == condition
 
@@ -32,7 +32,7 @@ def test_lines_that_are_wanted(wanted: LogFilter, condition: str) -> None:
 @pytest.mark.parametrize(
     "wanted", [LogFilter(level=30), LogFilter(logger="rob"), LogFilter(text="stops")]
 )
-def test_lines_that_are_not(wanted: LogFilter) -> None:
+def test_other_lines_do_not_pass(wanted: LogFilter) -> None:
     assert not wanted.matches(line())
 
 

@@ -5,7 +5,7 @@ from zbot.web.log_ring import LogRing
 from rcl_interfaces.msg import Log
 
 
-def test_reader_gets_what_is_new() -> None:
+def test_since_returns_only_new_lines() -> None:
     ring = LogRing()
     assert ring.since(0) == []
     ring.add(Log(level=20, name="talker", msg="one"))
@@ -16,7 +16,7 @@ def test_reader_gets_what_is_new() -> None:
     assert ring.since(ring.last) == []
 
 
-def test_old_lines_go_and_numbers_stay() -> None:
+def test_old_lines_are_dropped_and_numbers_stay() -> None:
     ring = LogRing(capacity=3)
     for number in range(10):
         ring.add(Log(msg=str(number)))
@@ -24,7 +24,7 @@ def test_old_lines_go_and_numbers_stay() -> None:
     assert [line.number for line in ring.since(9)] == [10]
 
 
-def test_reader_ahead_of_the_ring_gets_nothing() -> None:
+def test_since_a_future_number_returns_nothing() -> None:
     ring = LogRing()
     ring.add(Log(msg="one"))
     assert ring.since(99) == []

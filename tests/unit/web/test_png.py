@@ -8,7 +8,7 @@ from array import array
 
 import pytest
 
-from zbot.web.picture import LONGEST_SIDE, PictureError, media_type, png
+from zbot.web.png import LONGEST_SIDE, ImageError, encode_png, media_type
 
 from sensor_msgs.msg import Image
 
@@ -16,7 +16,7 @@ RED, GREEN, BLUE, WHITE = (255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 255)
 
 
 def decoded(data: bytes) -> tuple[int, int, list[list[tuple[int, ...]]]]:
-    """Read a PNG of the kind that is written here: width, height and rows of pixels."""
+    """Return width, height and rows of pixels of a PNG that zbot wrote."""
     assert data.startswith(b"\x89PNG\r\n\x1a\n")
     chunks, place = dict[bytes, bytes](), 8
     while place < len(data):
@@ -53,8 +53,8 @@ def image(encoding: str, width: int, height: int, data: bytes, step: int = 0) ->
         ("bgr16", struct.pack("<6H", 0, 0, 65535, 0, 65535, 0)),
     ],
 )
-def test_colours_are_where_their_encoding_says(encoding: str, data: bytes) -> None:
-    assert decoded(png(image(encoding, 2, 1, data))) == (2, 1, [[RED, GREEN]])
+def test_colours_are_read_by_the_encoding(encoding: str, data: bytes) -> None:
+    assert decoded(encode_png(image(encoding, 2, 1, data))) == (2, 1, [[RED, GREEN]])
 
 
 @pytest.mark.parametrize(
@@ -71,48 +71,50 @@ def test_colours_are_where_their_encoding_says(encoding: str, data: bytes) -> No
     ],
 )
 def test_grey_is_shown_as_grey(encoding: str, data: bytes) -> None:
-    assert decoded(png(image(encoding, 2, 1, data))) == (2, 1, [[(0,), (200,)]])
+    assert decoded(encode_png(image(encoding, 2, 1, data))) == (2, 1, [[(0,), (200,)]])
 
 
 @pytest.mark.parametrize(("encoding", "typecode"), [("16UC1", "H"), ("32FC1", "f"), ("64FC1", "d")])
-def test_depth_is_stretched_over_what_was_measured(encoding: str, typecode: str) -> None:
+def test_depth_is_scaled_to_the_measured_range(encoding: str, typecode: str) -> None:
     numbers = array(typecode, [0, 1000, 1500, 2000])
-    shown = decoded(png(image(encoding, 4, 1, numbers.tobytes())))[2]
+    shown = decoded(encode_png(image(encoding, 4, 1, numbers.tobytes())))[2]
     assert shown == [[(0,), (0,), (127,), (255,)]]
 
 
 def test_depth_without_a_number_is_black() -> None:
     numbers = array("f", [math.nan, math.inf, -math.inf, 1.0, 2.0])
-    shown = decoded(png(image("32FC1", 5, 1, numbers.tobytes())))[2]
+    shown = decoded(encode_png(image("32FC1", 5, 1, numbers.tobytes())))[2]
     assert shown == [[(0,), (0,), (0,), (0,), (255,)]]
 
 
-def test_image_of_one_value_or_none_is_no_fault() -> None:
-    assert decoded(png(image("32FC1", 2, 1, array("f", [3, 3]).tobytes())))[2] == [[(0,), (0,)]]
+def test_image_with_equal_or_missing_values_is_black() -> None:
+    assert decoded(encode_png(image("32FC1", 2, 1, array("f", [3, 3]).tobytes())))[2] == [
+        [(0,), (0,)]
+    ]
     nothing = array("f", [math.nan, math.nan]).tobytes()
-    assert decoded(png(image("32FC1", 2, 1, nothing)))[2] == [[(0,), (0,)]]
+    assert decoded(encode_png(image("32FC1", 2, 1, nothing)))[2] == [[(0,), (0,)]]
 
 
-def test_big_endian_numbers_are_turned() -> None:
+def test_big_endian_numbers_are_swapped() -> None:
     numbers = array("H", [0, 65535])
     if sys.byteorder == "little":
         numbers.byteswap()
     picture = image("mono16", 2, 1, numbers.tobytes())
     picture.is_bigendian = 1
-    assert decoded(png(picture))[2] == [[(0,), (255,)]]
+    assert decoded(encode_png(picture))[2] == [[(0,), (255,)]]
 
 
 def test_rows_may_be_padded() -> None:
     data = bytes([*RED, 1, 2, *GREEN, 3, 4])
-    assert decoded(png(image("rgb8", 1, 2, data, step=5)))[2] == [[RED], [GREEN]]
-    assert decoded(png(image("rgb8", 1, 2, data[:-2], step=5)))[2] == [[RED], [GREEN]]
+    assert decoded(encode_png(image("rgb8", 1, 2, data, step=5)))[2] == [[RED], [GREEN]]
+    assert decoded(encode_png(image("rgb8", 1, 2, data[:-2], step=5)))[2] == [[RED], [GREEN]]
 
 
 @pytest.mark.parametrize(("width", "height"), [(1920, 1080), (641, 3), (481, 481), (40, 4000)])
 def test_large_images_become_small_and_keep_their_corners(width: int, height: int) -> None:
     data = bytearray(3 * width * height)
     data[0:3] = bytes(RED)
-    shown = decoded(png(image("rgb8", width, height, bytes(data))))
+    shown = decoded(encode_png(image("rgb8", width, height, bytes(data))))
     assert max(shown[:2]) <= LONGEST_SIDE
     assert shown[0] / shown[1] == pytest.approx(width / height, rel=0.35)
     assert shown[2][0][0] == RED
@@ -130,13 +132,13 @@ def test_large_images_become_small_and_keep_their_corners(width: int, height: in
         (image("", 1, 1, b"1"), "cannot be shown"),
     ],
 )
-def test_image_that_cannot_be_shown_says_why(wrong: Image, reason: str) -> None:
-    with pytest.raises(PictureError, match=reason):
-        png(wrong)
+def test_unusable_image_raises_an_error(wrong: Image, reason: str) -> None:
+    with pytest.raises(ImageError, match=reason):
+        encode_png(wrong)
 
 
-def test_compressed_image_is_told_by_how_it_begins() -> None:
+def test_media_type_comes_from_the_first_bytes() -> None:
     assert media_type(b"\xff\xd8\xff\xe0....") == "image/jpeg"
-    assert media_type(png(image("mono8", 1, 1, b"x"))) == "image/png"
-    with pytest.raises(PictureError, match="neither"):
+    assert media_type(encode_png(image("mono8", 1, 1, b"x"))) == "image/png"
+    with pytest.raises(ImageError, match="format of the compressed image is unknown"):
         media_type(b"<svg onload=alert(1)>")

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
-from zbot.web.guard import Guard, address, is_loopback
+from zbot.web.request_check import RequestCheck, address, is_loopback
 
 if TYPE_CHECKING:
     from collections.abc import MutableMapping
@@ -18,8 +18,8 @@ async def application(_scope: Any, _receive: Any, send: Any) -> None:
     await send({"type": "http.response.body", "body": b"page"})
 
 
-def ask(guard: Guard, path: str = "/", kind: str = "http", **headers: str) -> Any:
-    """Return what a request gets: its first message, headers as a dictionary."""
+def ask(guard: RequestCheck, path: str = "/", kind: str = "http", **headers: str) -> Any:
+    """Return the first message of the response to a request, with its headers as a dictionary."""
     sent: list[MutableMapping[str, Any]] = []
     path, _, query = path.partition("?")
     named = {"host": f"127.0.0.1:{PORT}"} | {
@@ -45,12 +45,12 @@ def ask(guard: Guard, path: str = "/", kind: str = "http", **headers: str) -> An
     return first
 
 
-def local() -> Guard:
-    return Guard(application, host="127.0.0.1", token=None)
+def local() -> RequestCheck:
+    return RequestCheck(application, host="127.0.0.1", token=None)
 
 
-def guarded() -> Guard:
-    return Guard(application, host="0.0.0.0", token="secret")
+def with_errors_shown() -> RequestCheck:
+    return RequestCheck(application, host="0.0.0.0", token="secret")
 
 
 @pytest.mark.parametrize(
@@ -88,7 +88,7 @@ def test_websocket_of_another_site_is_closed(origin: str) -> None:
 
 
 def test_token_in_the_address_becomes_a_cookie() -> None:
-    guard = guarded()
+    guard = with_errors_shown()
     assert ask(guard)["status"] == 403
     assert ask(guard, "/?token=wrong")["status"] == 403
     answer = ask(guard, "/plot?token=secret&curve=%2Fpose.x")
@@ -102,7 +102,7 @@ def test_token_in_the_address_becomes_a_cookie() -> None:
 
 
 def test_websocket_needs_the_cookie() -> None:
-    guard = guarded()
+    guard = with_errors_shown()
     assert ask(guard, kind="websocket")["type"] == "websocket.close"
     assert ask(guard, "/?token=secret", kind="websocket")["type"] == "websocket.close"
     cookie = f"zbot_{PORT}=secret"
@@ -110,17 +110,17 @@ def test_websocket_needs_the_cookie() -> None:
 
 
 def test_token_does_not_redirect_to_another_server() -> None:
-    answer = ask(guarded(), "//evil.example/?token=secret")
+    answer = ask(with_errors_shown(), "//evil.example/?token=secret")
     assert answer["headers"]["location"] == "/evil.example/"
 
 
-def test_any_address_of_the_machine_does_with_a_token_but_no_foreign_name() -> None:
+def test_with_a_token_all_ip_addresses_are_accepted_but_no_foreign_name() -> None:
     cookie = f"zbot_{PORT}=secret"
-    assert ask(guarded(), host="192.168.1.7:8080", cookie=cookie)["status"] == 200
-    assert ask(guarded(), host="rebound.example:8080", cookie=cookie)["status"] == 403
+    assert ask(with_errors_shown(), host="192.168.1.7:8080", cookie=cookie)["status"] == 200
+    assert ask(with_errors_shown(), host="rebound.example:8080", cookie=cookie)["status"] == 403
 
 
-def test_answers_forbid_the_browser_to_fetch_from_elsewhere() -> None:
+def test_responses_have_a_content_security_policy() -> None:
     policy = ask(local())["headers"]["content-security-policy"]
     assert "default-src 'self'" in policy
     assert "frame-ancestors 'none'" in policy
@@ -139,10 +139,10 @@ def test_answers_forbid_the_browser_to_fetch_from_elsewhere() -> None:
         ("teacher.local", False),
     ],
 )
-def test_loopback_is_told_from_the_network(host: str, expected: bool) -> None:
+def test_is_loopback(host: str, expected: bool) -> None:
     assert is_loopback(host) is expected
 
 
-def test_address_is_what_a_browser_takes() -> None:
+def test_address_is_a_url() -> None:
     assert address("127.0.0.1", 8080, "/", None) == "http://127.0.0.1:8080/"
     assert address("::1", 80, "/plot", "a b") == "http://[::1]:80/plot?token=a+b"

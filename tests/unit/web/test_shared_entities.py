@@ -1,24 +1,24 @@
 from __future__ import annotations
 
-from zbot.web.lease import Leases
+from zbot.web.shared_entities import SharedEntities
 
 
-def test_thing_is_shared_and_ends_with_its_last_holder() -> None:
-    leases, ended = Leases(), list[str]()
-    first = leases.get("a", lambda: "thing", ended.append)
-    second = leases.get("a", lambda: "another", ended.append)
+def test_last_release_destroys_the_entity() -> None:
+    shared, ended = SharedEntities(), list[str]()
+    first = shared.get("a", lambda: "thing", ended.append)
+    second = shared.get("a", lambda: "another", ended.append)
     assert first.entity is second.entity
     first.release()
     first.release()
     assert ended == []
-    assert len(leases) == 1
+    assert len(shared) == 1
     second.release()
     assert ended == ["thing"]
-    assert len(leases) == 0
+    assert len(shared) == 0
 
 
-def test_thing_is_made_anew_after_its_end() -> None:
-    leases, made = Leases(), iter(range(9))
-    with leases.get("a", lambda: next(made), lambda _: None) as lease:
-        assert lease.entity == 0
-    assert leases.get("a", lambda: next(made), lambda _: None).entity == 1
+def test_entity_is_made_again_after_its_end() -> None:
+    shared, made = SharedEntities(), iter(range(9))
+    with shared.get("a", lambda: next(made), lambda _: None) as reference:
+        assert reference.entity == 0
+    assert shared.get("a", lambda: next(made), lambda _: None).entity == 1

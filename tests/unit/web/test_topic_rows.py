@@ -29,7 +29,7 @@ def end(node: str, topic: str, type_name: str = STRING, *, publishes: bool = Tru
     )
 
 
-def test_topics_are_listed_with_who_uses_them_in_natural_order() -> None:
+def test_topics_are_listed_with_their_nodes_in_natural_order() -> None:
     graph = Snapshot(
         (
             end("/b", "/robot10/x"),
@@ -44,7 +44,7 @@ def test_topics_are_listed_with_who_uses_them_in_natural_order() -> None:
     assert first.types == (STRING,)
 
 
-def test_page_itself_does_not_count_but_commands_do() -> None:
+def test_endpoints_of_the_page_are_left_out_and_those_of_commands_are_listed() -> None:
     graph = Snapshot(
         (
             end("/_zbot_cli_pub_7", "/x"),
@@ -56,7 +56,7 @@ def test_page_itself_does_not_count_but_commands_do() -> None:
     assert (row.name, row.publishers, row.subscriptions) == ("/x", ("/_zbot_cli_pub_7",), ())
 
 
-def test_what_looks_wrong_is_told() -> None:
+def test_rows_have_type_clashes_and_guesses() -> None:
     graph = Snapshot(
         (
             end("/a", "/chatter"),

@@ -1,11 +1,11 @@
 from __future__ import annotations
 
-from zbot.web.pace import Pace
+from zbot.web.update_scheduler import UpdateScheduler
 
 
-def test_update_runs_no_more_often_than_it_wants() -> None:
+def test_update_runs_at_most_at_its_rate() -> None:
     faults, runs = list[Exception](), list[str]()
-    pace = Pace(faults.append)
+    pace = UpdateScheduler(faults.append)
     pace.add(lambda: runs.append("fast"), 30)
     pace.add(lambda: runs.append("slow"), 2)
     for frame in range(60):  # one second of a display of 60 Hz
@@ -15,9 +15,9 @@ def test_update_runs_no_more_often_than_it_wants() -> None:
     assert faults == []
 
 
-def test_update_ends_when_it_is_undone_even_by_another_update() -> None:
+def test_removed_update_does_not_run_even_if_another_update_removed_it() -> None:
     runs = list[str]()
-    pace = Pace(lambda _: None)
+    pace = UpdateScheduler(lambda _: None)
 
     def first() -> None:
         runs.append("first")
@@ -35,9 +35,9 @@ def fail() -> None:
     raise RuntimeError("no")
 
 
-def test_fault_stops_its_update_and_no_other() -> None:
+def test_exception_stops_only_its_update() -> None:
     faults, runs = list[Exception](), list[int]()
-    pace = Pace(faults.append)
+    pace = UpdateScheduler(faults.append)
     pace.add(fail, 30)
     pace.add(lambda: runs.append(1), 30)
     pace.run(0.0)

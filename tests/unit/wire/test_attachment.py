@@ -5,7 +5,7 @@ import pytest
 from zbot.wire.attachment import Attachment, pack, unpack
 
 GID = bytes(range(16))
-# The example of rmw_zenoh's own layout: number 1, 1700000000.123456789 s, gid 00..0f.
+# Example in rmw_zenoh's layout: number 1, 1700000000.123456789 s, gid 00..0f.
 GOLDEN = bytes.fromhex("010000000000000015cd853dfe9c971710000102030405060708090a0b0c0d0e0f")
 
 
@@ -14,7 +14,7 @@ def test_the_layout_is_that_of_rmw_zenoh() -> None:
 
 
 @pytest.mark.parametrize("kind", [bytes, bytearray, memoryview])
-def test_unpack_returns_what_was_packed(kind: type[bytes]) -> None:
+def test_an_attachment_round_trips(kind: type[bytes]) -> None:
     assert unpack(kind(GOLDEN)) == Attachment(1, 1_700_000_000_123_456_789, GID)
 
 
@@ -30,5 +30,5 @@ def test_unpack_returns_what_was_packed(kind: type[bytes]) -> None:
         GOLDEN[:8] + b"\xff" * 8 + GOLDEN[16:],
     ],
 )
-def test_an_absent_or_foreign_attachment_is_none(data: bytes | None) -> None:
+def test_an_absent_or_foreign_attachment_unpacks_to_none(data: bytes | None) -> None:
     assert unpack(data) is None

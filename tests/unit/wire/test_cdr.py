@@ -1,4 +1,4 @@
-"""ROS 2's own bytes: equal to those of Fast CDR, and safe to read whatever comes."""
+"""Tests of the CDR codec: bytes of Fast CDR, and any bytes without a crash."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from sensor_msgs.msg import LaserScan
 from std_msgs.msg import Empty, String, UInt8MultiArray
 from std_srvs.srv import SetBool
 
-#: Made by Fast CDR; its padding, which it leaves undefined, set to zero.
+#: Bytes of Fast CDR; its undefined padding is set to zero.
 VECTORS = json.loads((Path(__file__).parent / "cdr_vectors.json").read_text(encoding="utf-8"))
 TYPES = [LaserScan, PoseStamped, String, UInt8MultiArray, Empty]
 
@@ -58,12 +58,12 @@ def test_any_bytes_give_a_message_or_one_error(data: bytes, message_class: type[
 
 
 @given(st.binary(max_size=100))
-def test_no_message_of_zbot_looks_like_cdr(data: bytes) -> None:
+def test_a_messagepack_message_is_not_detected_as_cdr(data: bytes) -> None:
     assert is_cdr(serialize_message(UInt8MultiArray(data=data)))
     assert not is_cdr(codec_for(UInt8MultiArray).encode(UInt8MultiArray(data=data)))
 
 
-def test_a_sequence_that_claims_too_much_takes_no_memory() -> None:
+def test_a_wrong_sequence_length_allocates_no_memory() -> None:
     with pytest.raises(CodecError, match="longer than the bytes that follow"):
         deserialize_message(b"\x00\x01\x00\x00" + b"\xff\xff\xff\xff", String)
 
@@ -73,6 +73,6 @@ def test_a_message_of_another_class_is_refused() -> None:
         cdr_codec_for(PoseStamped).encode(String())
 
 
-def test_a_service_is_no_message() -> None:
+def test_a_service_is_not_a_message() -> None:
     with pytest.raises(NotAMessageTypeError):
         cdr_codec_for(SetBool)

@@ -19,7 +19,7 @@ packb: Any = msgpack.packb
 
 
 def class_of(name: str) -> Any:
-    """Return a message class, of which type checkers know no fields."""
+    """Return a message class as Any: type checkers do not know its fields."""
     return get_message(name)
 
 
@@ -81,7 +81,7 @@ def test_bytes_are_those_of_plain_msgpack(message: Any, value: Any) -> None:
     assert decode(type(message), value) == message
 
 
-def test_the_readme_of_the_wire_byte_by_byte() -> None:
+def test_the_documented_example_has_the_documented_bytes() -> None:
     assert encode(String(data="hi")) == b"\x81\xa4data\xa2hi"
 
 
@@ -121,11 +121,11 @@ def test_a_map_with_many_fields_keeps_its_order() -> None:
     assert decode(type(marker), encode(marker)) == marker
 
 
-def test_nan_survives() -> None:
+def test_nan_round_trips() -> None:
     assert math.isnan(decode(Float32, encode(Float32(data=math.nan))).data)
 
 
-def test_a_large_image_survives_whatever_holds_its_bytes() -> None:
+def test_a_large_image_in_any_buffer_type_round_trips() -> None:
     image = Image(height=1000, width=300, data=array("B", bytes(range(250)) * 1200))
     data = encode(image)
     for held in (data, bytearray(data), memoryview(data)):
@@ -135,13 +135,13 @@ def test_a_large_image_survives_whatever_holds_its_bytes() -> None:
     assert msgpack.unpackb(data)["data"] == image.data.tobytes()
 
 
-def test_large_arrays_of_numbers_survive() -> None:
+def test_large_numeric_arrays_round_trip() -> None:
     scan = LaserScan(ranges=array("f", range(50_000)), intensities=array("f", range(40_000)))
     scan.header.frame_id = "laser"
     assert decode(LaserScan, encode(scan)) == scan
 
 
-def test_long_lists_survive() -> None:
+def test_long_lists_round_trip() -> None:
     path = Path(poses=[class_of("geometry_msgs/msg/PoseStamped")() for _ in range(1500)])
     assert decode(Path, encode(path)) == path
 
@@ -188,12 +188,12 @@ class Picky:
             raise ExternalShutdownException
 
 
-def test_a_dataclass_that_refuses_its_values_is_a_codec_error() -> None:
+def test_an_error_in_a_dataclass_constructor_is_a_codec_error() -> None:
     with pytest.raises(CodecError, match="KeyError: 'thirteen'"):
         decode(Picky, {"value": 13})
 
 
-def test_a_signal_while_a_message_is_read_is_no_codec_error() -> None:
+def test_a_signal_during_decoding_is_not_a_codec_error() -> None:
     with pytest.raises(ExternalShutdownException):
         decode(Picky, {"value": 15})
 
@@ -206,7 +206,7 @@ def test_a_codec_is_made_once() -> None:
     assert codec_for(String) is codec_for(String)
 
 
-def test_the_generated_source_can_be_read() -> None:
+def test_a_codec_has_its_generated_source() -> None:
     assert "def encode(message):" in codec_for(Twist).source
     assert "FLOAT32_MAX" in codec_for(Float32).source
 

@@ -16,7 +16,7 @@ packb: Any = msgpack.packb
 
 
 def class_of(name: str) -> Any:
-    """Return a message class, of which type checkers know no fields."""
+    """Return a message class as Any: type checkers do not know its fields."""
     return get_message(name)
 
 
@@ -68,7 +68,7 @@ def test_plain_lists_of_numbers_are_accepted() -> None:
     assert len(decode(LaserScan, {"ranges": [0.5] * 5000}).ranges) == 5000
 
 
-def test_an_integer_is_welcome_where_a_float_belongs() -> None:
+def test_an_integer_is_accepted_for_a_float_field() -> None:
     assert decode(Float32, {"data": 3}).data == 3.0
     assert type(decode(Float32, {"data": 3}).data) is float
 
@@ -153,31 +153,31 @@ def test_bounds_are_checked_on_arrival() -> None:
 @pytest.mark.parametrize(
     ("data", "reason"),
     [
-        (b"", "no MessagePack"),
+        (b"", "not MessagePack"),
         (b"\xc1", "no meaning"),
-        (b"\x81\xa4data", "no MessagePack"),
+        (b"\x81\xa4data", "not MessagePack"),
         (b"\x80\x80", "more bytes follow"),
         (b"\x81\xa4data\xa3\xed\xa0\x80", "not valid UTF-8"),
         (b"\x81\xa1\xff\x01", "not valid UTF-8"),
-        (b"\x81\x01\x01", "no MessagePack"),
-        (b"\x81\x90\x01", "no MessagePack"),
+        (b"\x81\x01\x01", "not MessagePack"),
+        (b"\x81\x90\x01", "not MessagePack"),
         (b"\x91" * 10_000_000, "nested too deeply"),
         (b"\x81\xa1a" * 1_000_000, "nested too deeply"),
         (b"\xdd\x00\x10\x00\x00" * 900 + bytes(2_000_000), "end before"),
         (b"\xdd\xff\xff\xff\xff", "end before"),
-        (b"\xdf\xff\xff\xff\xff", "no MessagePack"),
-        (b"\xc6\xff\xff\xff\xff", "no MessagePack"),
-        (b"\x81\xa4data\xdb\xff\xff\xff\xff", "no MessagePack"),
-        (b"\xd7\xff" + b"\xff" * 8, "no MessagePack"),
+        (b"\xdf\xff\xff\xff\xff", "not MessagePack"),
+        (b"\xc6\xff\xff\xff\xff", "not MessagePack"),
+        (b"\x81\xa4data\xdb\xff\xff\xff\xff", "not MessagePack"),
+        (b"\xd7\xff" + b"\xff" * 8, "not MessagePack"),
     ],
 )
-def test_bytes_that_are_no_message_are_one_error(data: bytes, reason: str) -> None:
+def test_invalid_bytes_are_a_codec_error(data: bytes, reason: str) -> None:
     for message_class in (String, Image):
         with pytest.raises(CodecError, match=reason):
             codec_for(message_class).decode(data)
 
 
-def test_something_that_is_no_bytes_at_all_is_the_same_error() -> None:
+def test_a_payload_that_is_not_bytes_is_a_codec_error() -> None:
     with pytest.raises(CodecError):
         codec_for(String).decode("text")  # type: ignore[arg-type]  # pyright: ignore[reportArgumentType]
 
@@ -219,12 +219,12 @@ def test_an_invalid_message_is_not_sent(
     assert (caught.value.action, caught.value.field) == ("encode", field)
 
 
-def test_something_else_than_the_message_is_not_sent() -> None:
+def test_an_object_of_another_class_is_not_sent() -> None:
     with pytest.raises(CodecError, match="expected a std_msgs/msg/String, not int 5"):
         codec_for(String).encode(5)
 
 
-def test_a_half_made_message_is_not_sent() -> None:
+def test_a_message_without_its_attributes_is_not_sent() -> None:
     with pytest.raises(CodecError, match="_data"):
         encode(String.__new__(String))
 

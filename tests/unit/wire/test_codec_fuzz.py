@@ -76,7 +76,7 @@ def shipped_messages() -> list[str]:
     return names
 
 
-def test_every_shipped_type_survives_with_random_values() -> None:
+def test_every_shipped_type_round_trips_with_random_values() -> None:
     names = shipped_messages()
     assert len(names) > 300
     for name in names:
@@ -93,7 +93,7 @@ def test_a_message_of_defaults_equals_an_empty_map() -> None:
         assert codec_for(message_class).decode(b"\x80") == message_class(), name
 
 
-# What any field may hold, so most of the maps below are nearly right.
+# Values of possible types for any field: most of the maps below are nearly valid.
 FIELDS = ["data", "header", "stamp", "sec", "frame_id", "ranges", "name", "position", "pose", "x"]
 FIELDS += ["covariance", "poses", "layout", "dim", "level", "values", "orientation"]
 SUBJECTS = [
@@ -135,7 +135,7 @@ def assert_message_or_codec_error(data: bytes) -> None:
             message = codec.decode(data)
         except CodecError:
             continue
-        # What was accepted is valid in full: it can be sent on, and arrives equal.
+        # An accepted message is valid: it can be encoded and decoded, and is equal after that.
         again = codec.encode(message)
         assert codec.encode(codec.decode(again)) == again
 

@@ -17,7 +17,7 @@ def test_a_topic_key_is_its_domain_and_name(domain: int, name: str, key: str) ->
 @pytest.mark.parametrize(
     "key", ["", "0", "0/", "a/b", "-1/b", "/b", "²/b", "1234/b", "@/x", "@zbot/0"]
 )
-def test_a_key_that_is_no_topic_gives_none(key: str) -> None:
+def test_a_key_without_a_topic_gives_none(key: str) -> None:
     assert parse_key(key) is None
 
 

@@ -23,13 +23,13 @@ packed: Any = msgpack.packb
 
 
 @pytest.mark.parametrize("count", [0, 15, 16, 70_000 // 2])
-def test_map_headers_are_msgpacks(count: int) -> None:
+def test_map_headers_equal_those_of_msgpack(count: int) -> None:
     keys = {str(key): 0 for key in range(count)}
     assert packed(keys).startswith(map_header(count))
 
 
 @pytest.mark.parametrize("size", [0, 1, 2, 3, 4, 8, 16, 17, 255, 256, 65535, 65536])
-def test_array_headers_are_msgpacks(size: int) -> None:
+def test_array_headers_equal_those_of_msgpack(size: int) -> None:
     data = bytes(size)
     assert bin_header(size) + data == packed(data)
     assert ext_header(102, size) + data == packed(msgpack.ExtType(102, data))
@@ -56,7 +56,7 @@ def test_long_lists_are_read() -> None:
     assert unpack(packed(list(range(5000)))) == list(range(5000))
 
 
-def test_claims_that_nothing_stands_for_cost_no_memory() -> None:
+def test_wrong_lengths_in_headers_allocate_no_memory() -> None:
     bomb = b"\xdd\x00\x0f\x00\x00" * 900 + bytes(1_000_000)
     tracemalloc.start()
     with pytest.raises(UnreadableError):

@@ -18,7 +18,7 @@ from zbot.wire.qos import parse_qos, qos_text
 LATCHED = DurabilityPolicy.TRANSIENT_LOCAL
 
 
-# The texts are those that rmw_zenoh writes for the same profiles.
+# rmw_zenoh writes these texts for the same profiles.
 @pytest.mark.parametrize(
     ("profile", "text"),
     [
@@ -82,8 +82,8 @@ def test_a_text_of_another_form_is_refused(text: str) -> None:
         parse_qos(text)
 
 
-def test_an_endless_number_is_refused() -> None:
-    with pytest.raises(ValueError, match="no number"):
+def test_a_very_long_number_is_rejected() -> None:
+    with pytest.raises(ValueError, match="not a number"):
         parse_qos(f"::,{'9' * 5000}:,:,:,,")
 
 
@@ -103,7 +103,7 @@ durations = st.integers(min_value=1, max_value=2**63 - 2).map(lambda ns: Duratio
         liveliness_lease_duration=durations,
     )
 )
-def test_any_definite_profile_survives(profile: QoSProfile) -> None:
+def test_any_definite_profile_round_trips(profile: QoSProfile) -> None:
     assert qos_text(parse_qos(qos_text(profile))) == qos_text(profile)
 
 

@@ -87,13 +87,13 @@ def test_tokens_work_in_sets() -> None:
         (f"@zbot/2/{ZID}/0/10/MP/%/%/talker", "an endpoint needs 13"),
         (NODE_KEY.replace(ZID, ""), "empty chunk"),
         (NODE_KEY.replace("lidar", "li\x1bdar"), "control character"),
-        (NODE_KEY.replace("@zbot/2", "@zbot/x"), "'x' is no number"),
-        (NODE_KEY.replace("@zbot/2", "@zbot/" + "9" * 5000), "is no number"),
+        (NODE_KEY.replace("@zbot/2", "@zbot/x"), "'x' is not a number"),
+        (NODE_KEY.replace("@zbot/2", "@zbot/" + "9" * 5000), "is not a number"),
         (ENDPOINT_KEY.replace("/MP/", "/XX/"), "XX"),
         (ENDPOINT_KEY.replace("/2::,5:,:,:,,", "/nonsense"), "QoS 'nonsense'"),
     ],
 )
-def test_a_key_that_is_no_token_says_why(key: str, reason: str) -> None:
+def test_an_invalid_token_is_an_error_with_the_reason(key: str, reason: str) -> None:
     with pytest.raises(TokenError, match=reason) as caught:
         parse_token(key)
     assert caught.value.key == key

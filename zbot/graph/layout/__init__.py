@@ -1,10 +1,10 @@
-"""Draws directed graphs in layers, from left to right (Sugiyama, Tagawa and Toda, 1981).
+"""Layered layout of directed graphs, from left to right (Sugiyama, Tagawa and Toda, 1981).
 
-Pure, deterministic, and made for pictures that change: given the layout that was on the screen,
-what is there already stays where it is as far as possible.
+The result is deterministic. If the previous layout is given, items keep their places where possible.
+Users can then follow the changes of a graph.
 """
 
-from zbot.graph.layout.graph import Frame, Item, Layout, Link, Place, Route
+from zbot.graph.layout.geometry import Frame, Item, Layout, Link, Place, Route
 from zbot.graph.layout.layout import lay_out
 
 __all__ = ["Frame", "Item", "Layout", "Link", "Place", "Route", "lay_out"]

@@ -1,4 +1,4 @@
-"""Where the vertices of ordered rows go: near what they are linked with, never on each other."""
+"""Coordinates of vertices, which are near their neighbours and do not overlap."""
 
 from __future__ import annotations
 
@@ -8,31 +8,31 @@ from typing import TYPE_CHECKING, TypeAlias
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from zbot.graph.layout.net import Net
+    from zbot.graph.layout.layered_graph import LayeredGraph
 
-FRAME_PAD = 14.0  #: between a frame and what is in it
-FRAME_TITLE = 22.0  #: for a frame's name, above what is in it
+FRAME_PAD = 14.0  #: between a frame and its content
+FRAME_TITLE = 22.0  #: for a frame's name, above its content
 _ITEM_GAP = 20.0
-_PASSING_GAP = 12.0  # between a link that passes and its neighbours
+_PASSING_GAP = 12.0  # between a dummy vertex and its neighbours
 _COMPONENT_GAP = 16.0
 _SWEEPS = 12
-# How strongly a link pulls: most between two passing vertices, so that long links are straight
-# (Gansner, Koutsofios, North and Vo, 1993).
+# Weights of links between two items, an item and a dummy vertex, and two dummy vertices. The last
+# weight is the largest, so that long links are straight (Gansner, Koutsofios, North and Vo, 1993).
 _PULLS = (1.0, 2.0, 8.0)
-_STAYS = 1000.0  # how much more what is on the screen resists than what is new
+_STAYS = 1000.0  # the weight of a vertex's old position
 
 
-def gaps(net: Net, row: Sequence[int]) -> list[float]:
-    """Return how far apart the middles of each two neighbours in a row have to be at least."""
-    return [_gap(net, one, other) for one, other in pairwise(row)]
+def gaps(graph: LayeredGraph, row: Sequence[int]) -> list[float]:
+    """Return the least distances between the middles of neighbours in a row."""
+    return [_gap(graph, one, other) for one, other in pairwise(row)]
 
 
-def _gap(net: Net, one: int, other: int) -> float:
-    gap = (net.height[one] + net.height[other]) / 2
-    gap += _ITEM_GAP if max(one, other) < net.size else _PASSING_GAP
-    if net.component[one] != net.component[other]:
+def _gap(graph: LayeredGraph, one: int, other: int) -> float:
+    gap = (graph.height[one] + graph.height[other]) / 2
+    gap += _ITEM_GAP if max(one, other) < graph.size else _PASSING_GAP
+    if graph.component[one] != graph.component[other]:
         gap += _COMPONENT_GAP
-    mine, theirs = net.frames[one], net.frames[other]
+    mine, theirs = graph.frames[one], graph.frames[other]
     shared = 0
     while shared < min(len(mine), len(theirs)) and mine[shared] == theirs[shared]:
         shared += 1
@@ -40,22 +40,22 @@ def _gap(net: Net, one: int, other: int) -> float:
     return gap + left * FRAME_PAD + entered * (FRAME_PAD + FRAME_TITLE)
 
 
-def settle(
+def separate(
     wanted: Sequence[float], weights: Sequence[float], apart: Sequence[float]
 ) -> list[float]:
-    """Return the positions nearest to those wanted that are far enough apart.
+    """Return positions near the wanted positions, with the least distances between them.
 
-    Nearest in the sense of weighted squares, in one pass: pool adjacent violators.
+    The sum of weighted squared movements is minimal (pool adjacent violators algorithm).
 
     Args:
-        wanted: Positions, in the order that they must have.
-        weights: How much each one matters; positive.
-        apart: What has to lie between each position and the next.
+        wanted: The wanted positions. The result has the same order.
+        weights: A positive weight for each position.
+        apart: The least distance of each position to the next one.
     """
     offsets = [0.0]
     for gap in apart:
         offsets.append(offsets[-1] + gap)
-    blocks: list[tuple[float, float, int]] = []  # mean, weight, how many
+    blocks: list[tuple[float, float, int]] = []  # mean, weight, number of positions
     for position, weight, offset in zip(wanted, weights, offsets, strict=False):
         mean, total, count = position - offset, weight, 1
         while blocks and blocks[-1][0] >= mean:
@@ -67,31 +67,31 @@ def settle(
     return [mean + offset for mean, offset in zip(means, offsets, strict=False)]
 
 
-def place(net: Net, fixed: Mapping[int, float]) -> list[float]:
+def y_coordinates(graph: LayeredGraph, fixed: Mapping[int, float]) -> list[float]:
     """Return the y of each vertex.
 
     Args:
-        net: What is placed, its rows in order.
-        fixed: Where vertices are already; they move only if there is no room otherwise.
+        graph: The graph, with ordered rows.
+        fixed: The y of old vertices, which move only if there is not enough space.
     """
-    y = _stacked(net, fixed)
-    rows = [(row, gaps(net, row)) for row in net.rows.values()]
-    pulls = [_pulls(net, vertex) for vertex in range(len(net.layer))]
+    y = _stacked(graph, fixed)
+    rows = [(row, gaps(graph, row)) for row in graph.rows.values()]
+    pulls = [_pulls(graph, vertex) for vertex in range(len(graph.layer))]
     for sweep in range(_SWEEPS):
-        # Each side in turn, which spreads what is far away; both at last, for what is between.
+        # A sweep uses one side, to spread positions across the graph. Last sweeps use both sides.
         sides = (_LEFT, _RIGHT) if sweep >= _SWEEPS - 4 else (sweep % 2,)
         for row, apart in rows if sweep % 2 == _LEFT else rows[::-1]:
             targets = [_target(vertex, pulls[vertex], sides, y, fixed) for vertex in row]
-            settled = settle([one for one, _ in targets], [one for _, one in targets], apart)
+            settled = separate([one for one, _ in targets], [one for _, one in targets], apart)
             for vertex, position in zip(row, settled, strict=True):
                 y[vertex] = position
     return y
 
 
-def _stacked(net: Net, fixed: Mapping[int, float]) -> list[float]:
-    y = [0.0] * len(net.layer)
-    for row in net.rows.values():
-        apart = gaps(net, row)
+def _stacked(graph: LayeredGraph, fixed: Mapping[int, float]) -> list[float]:
+    y = [0.0] * len(graph.layer)
+    for row in graph.rows.values():
+        apart = gaps(graph, row)
         position = -sum(apart) / 2
         for vertex, gap in zip(row, [*apart, 0.0], strict=True):
             y[vertex] = fixed.get(vertex, position)
@@ -99,23 +99,23 @@ def _stacked(net: Net, fixed: Mapping[int, float]) -> list[float]:
     return y
 
 
-_Pulls: TypeAlias = tuple[list[tuple[int, float]], list[tuple[int, float]]]
+_Links: TypeAlias = tuple[list[tuple[int, float]], list[tuple[int, float]]]
 _LEFT, _RIGHT = 0, 1
 
 
-def _pulls(net: Net, vertex: int) -> _Pulls:
-    """Return the neighbours of a vertex on each side, and how strongly they pull."""
+def _pulls(graph: LayeredGraph, vertex: int) -> _Links:
+    """Return the neighbours of a vertex on each side, with the weights of their links."""
     left, right = (
-        [(other, _PULLS[(vertex >= net.size) + (other >= net.size)]) for other in near]
-        for near in (net.left[vertex], net.right[vertex])
+        [(other, _PULLS[(vertex >= graph.size) + (other >= graph.size)]) for other in near]
+        for near in (graph.left[vertex], graph.right[vertex])
     )
     return left, right
 
 
 def _target(
-    vertex: int, pulls: _Pulls, sides: Sequence[int], y: list[float], fixed: Mapping[int, float]
+    vertex: int, pulls: _Links, sides: Sequence[int], y: list[float], fixed: Mapping[int, float]
 ) -> tuple[float, float]:
-    """Return where a vertex wants to be, and how much."""
+    """Return the wanted y of a vertex, and its weight."""
     if vertex in fixed:
         return fixed[vertex], _STAYS
     near = [one for side in sides for one in pulls[side]]
@@ -125,11 +125,11 @@ def _target(
     return sum(y[other] * weight for other, weight in near) / total, total
 
 
-def columns(
-    net: Net, before: Mapping[int, tuple[float, float]], gap: float
+def column_bounds(
+    graph: LayeredGraph, before: Mapping[int, tuple[float, float]], gap: float
 ) -> dict[int, tuple[float, float]]:
-    """Return the left and right of each layer; those that were there move only for want of room."""
-    widths = {layer: max(net.width[vertex] for vertex in row) for layer, row in net.rows.items()}
+    """Return left and right of each layer. Old layers move only if there is not enough space."""
+    widths = {layer: max(graph.width[v] for v in row) for layer, row in graph.rows.items()}
     found: dict[int, tuple[float, float]] = {}
     present = [layer for layer in widths if layer in before]
     first = present[0] if present else next(iter(widths), 0)

@@ -1,38 +1,38 @@
-"""The frames around items: outlines of what lies side by side in neighbouring layers.
+"""Outlines of frames around items that are side by side in neighbouring layers.
 
-A frame may have several parts. `/turtle1/cmd_vel` is left of turtlesim and `/turtle1/pose` right of
-it: one box around both would have to hold turtlesim too.
+A frame may have several parts. Example: `/turtle1/cmd_vel` is on the left of turtlesim, and
+`/turtle1/pose` is on the right. One box around both topics would contain turtlesim too.
 """
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.graph.layout.graph import Frame
-from zbot.graph.layout.place import FRAME_PAD, FRAME_TITLE
+from zbot.graph.layout.coordinates import FRAME_PAD, FRAME_TITLE
+from zbot.graph.layout.geometry import Frame
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-    from zbot.graph.layout.net import Net
+    from zbot.graph.layout.layered_graph import LayeredGraph
 
 _Slice = tuple[float, float, float, float]
-_TOUCH = 24.0  # how much two slices must overlap to look like one
+_TOUCH = 24.0  # two slices with at least this overlap are joined
 
 
-def frames(
-    net: Net, y: list[float], columns: Mapping[int, tuple[float, float]]
+def frame_outlines(
+    graph: LayeredGraph, y: list[float], columns: Mapping[int, tuple[float, float]]
 ) -> tuple[Frame, ...]:
-    """Return the parts of all frames, the outer ones first."""
-    deepest = max(map(len, net.frames), default=0)
+    """Return the parts of all frames, outer frames first."""
+    deepest = max(map(len, graph.frames), default=0)
     slices: dict[tuple[str, ...], dict[int, _Slice]] = {}
     for depth in range(deepest, 0, -1):
-        for layer, row in net.rows.items():
-            for path, inner in _blocks(net, row, depth).items():
+        for layer, row in graph.rows.items():
+            for path, inner in _blocks(graph, row, depth).items():
                 nested = [
                     one[layer] for p, one in slices.items() if p[:-1] == path and layer in one
                 ]
-                spot = _around(net, y, columns[layer], inner, nested)
+                spot = _around(graph, y, columns[layer], inner, nested)
                 slices.setdefault(path, {})[layer] = spot
     found = [
         Frame(path[-1], len(path) - 1, part)
@@ -42,28 +42,28 @@ def frames(
     return tuple(sorted(found, key=lambda one: (one.depth, one.name, one.slices)))
 
 
-def _blocks(net: Net, row: list[int], depth: int) -> dict[tuple[str, ...], list[int]]:
-    """Return the vertices of a row by the frame of some depth that they are in."""
+def _blocks(graph: LayeredGraph, row: list[int], depth: int) -> dict[tuple[str, ...], list[int]]:
+    """Return the vertices of a row, grouped by their frame at a depth."""
     found: dict[tuple[str, ...], list[int]] = {}
     for vertex in row:
-        if len(net.frames[vertex]) >= depth:
-            found.setdefault(net.frames[vertex][:depth], []).append(vertex)
+        if len(graph.frames[vertex]) >= depth:
+            found.setdefault(graph.frames[vertex][:depth], []).append(vertex)
     return found
 
 
 def _around(
-    net: Net,
+    graph: LayeredGraph,
     y: list[float],
     column: tuple[float, float],
     vertices: list[int],
     nested: list[_Slice],
 ) -> _Slice:
     middle = (column[0] + column[1]) / 2
-    half = max(net.width[vertex] for vertex in vertices) / 2
+    half = max(graph.width[vertex] for vertex in vertices) / 2
     lefts = [middle - half, *(one[0] for one in nested)]
-    tops = [y[vertex] - net.height[vertex] / 2 for vertex in vertices]
+    tops = [y[vertex] - graph.height[vertex] / 2 for vertex in vertices]
     rights = [middle + half, *(one[2] for one in nested)]
-    bottoms = [y[vertex] + net.height[vertex] / 2 for vertex in vertices]
+    bottoms = [y[vertex] + graph.height[vertex] / 2 for vertex in vertices]
     top = min(tops + [one[1] for one in nested])
     bottom = max(bottoms + [one[3] for one in nested])
     return (
@@ -77,7 +77,7 @@ def _around(
 def _parts(
     by_layer: Mapping[int, _Slice], columns: Mapping[int, tuple[float, float]]
 ) -> list[tuple[_Slice, ...]]:
-    """Join the slices of neighbouring layers that touch; they meet between the layers."""
+    """Return the parts of a frame. Overlapping slices of neighbouring layers form one part."""
     parts: list[list[_Slice]] = []
     for layer, (left, top, right, bottom) in sorted(by_layer.items()):
         before = parts[-1][-1] if layer - 1 in by_layer else None

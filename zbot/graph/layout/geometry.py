@@ -1,4 +1,4 @@
-"""What is laid out, and what comes of it. All lengths are pixels; y points down."""
+"""Input and result of the layout, in pixels. The y axis points down."""
 
 from __future__ import annotations
 
@@ -11,26 +11,26 @@ Point: TypeAlias = tuple[float, float]
 
 @dataclass(frozen=True)
 class Item:
-    """Something with a place of its own."""
+    """Box of a node or topic, which the layout places."""
 
     key: str
     width: float
     height: float
-    frames: tuple[str, ...] = ()  #: the frames around it, the outermost first
+    frames: tuple[str, ...] = ()  #: the frames that contain it, beginning with the outermost frame
 
 
 @dataclass(frozen=True)
 class Link:
-    """An arrow between two items; several may join the same two."""
+    """Arrow between two items. Two items may have several links."""
 
     start: str
     end: str
-    label_width: float = 0.0  #: of a label that needs a place of its own, 0 for none
+    label_width: float = 0.0  #: 0 if there is no label
 
 
 @dataclass(frozen=True)
 class Place:
-    """Where an item is."""
+    """Position, size and layer of an item."""
 
     x: float  #: of its middle
     y: float  #: of its middle
@@ -61,28 +61,28 @@ class Place:
 
 @dataclass(frozen=True)
 class Route:
-    """The way of a link: straight where it passes a layer, curved between two."""
+    """Path of a link. It is straight inside a layer and curved between two layers."""
 
-    points: tuple[Point, ...]  #: from start to end; the first and the last touch the items' boxes
+    points: tuple[Point, ...]  #: from start to end; the first and the last point touch the boxes
     label: Point | None = None  #: the middle of its label
-    is_backward: bool = False  #: whether it points left, as one link of each circle has to
+    is_backward: bool = False  #: whether it points left, like one link of each cycle
 
     def moved(self, dx: float, dy: float) -> Route:
-        """Return it moved as a whole."""
+        """Return a moved copy."""
         label = None if self.label is None else (self.label[0] + dx, self.label[1] + dy)
         return Route(tuple((x + dx, y + dy) for x, y in self.points), label, self.is_backward)
 
 
 @dataclass(frozen=True)
 class Frame:
-    """A part of a frame: items of one layer, or of neighbouring layers, that belong together."""
+    """Part of a frame around items in one layer or in neighbouring layers."""
 
     name: str
     depth: int  #: 0 for an outermost frame
     slices: tuple[tuple[float, float, float, float], ...]  #: left, top, right, bottom of each layer
 
     def moved(self, dx: float, dy: float) -> Frame:
-        """Return it moved as a whole."""
+        """Return a moved copy."""
         slices = (
             (left + dx, top + dy, right + dx, low + dy) for left, top, right, low in self.slices
         )
@@ -91,17 +91,17 @@ class Frame:
 
 @dataclass(frozen=True)
 class Layout:
-    """Where everything is."""
+    """Layout with the places of all items, the routes of all links, and the frames."""
 
     places: dict[str, Place]
     routes: tuple[Route, ...]  #: in the order of the links
-    frames: tuple[Frame, ...]  #: outer ones before those inside
+    frames: tuple[Frame, ...]  #: outer frames before inner ones
     columns: dict[int, tuple[float, float]]  #: left and right of each layer
-    crossings: int  #: how often links cross
-    best: int  #: how often they crossed when all of it was laid out anew
+    crossings: int  #: the number of crossings of links
+    best: int  #: the number of crossings in the last layout that was new
 
     def moved(self, dx: float, dy: float) -> Layout:
-        """Return it moved as a whole."""
+        """Return a moved copy."""
         return Layout(
             {key: replace(one, x=one.x + dx, y=one.y + dy) for key, one in self.places.items()},
             tuple(route.moved(dx, dy) for route in self.routes),
@@ -113,7 +113,7 @@ class Layout:
 
     @cached_property
     def bounds(self) -> tuple[float, float, float, float]:
-        """Left, top, right and bottom of everything; all 0 if there is nothing."""
+        """Left, top, right and bottom of the whole layout. They are 0 if the layout is empty."""
         spots = [(x, y, x, y) for route in self.routes for x, y in route.points]
         spots += [(one.left, one.top, one.right, one.bottom) for one in self.places.values()]
         spots += [one for frame in self.frames for one in frame.slices]

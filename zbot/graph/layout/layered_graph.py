@@ -1,4 +1,4 @@
-"""The graph cut into layers: a link that passes a layer has a vertex there, which keeps it free."""
+"""Graph with vertices in layers. A link has a dummy vertex in each layer that it crosses."""
 
 from __future__ import annotations
 
@@ -6,27 +6,27 @@ from itertools import pairwise
 from math import sqrt
 from typing import TYPE_CHECKING
 
-from zbot.graph.layout.layers import Arc, assign, turned
+from zbot.graph.layout.layering import Arc, assign_layers, reversed_arcs
 
 if TYPE_CHECKING:
     from collections.abc import Mapping, Sequence
 
-    from zbot.graph.layout.graph import Item, Link
+    from zbot.graph.layout.geometry import Item, Link
 
-LABEL_HEIGHT = 36.0  # a line of text above the arrow, and one below it
-_ROW = 64.0  # about what an item and the space to the next one take
+LABEL_HEIGHT = 36.0  # a line of text above the arrow, and one below the arrow
+_ROW = 64.0  # estimated height of an item with the space to the next item
 _COLUMN = 240.0
-_MOST_LAYERS = 14  # as many as can be read from afar
-_SHAPE = 1.7  # of a wall or a screen: its width by its height
+_MOST_LAYERS = 14  # with more layers, names on a projected screen become too small to read
+_SHAPE = 1.7  # width divided by height of a screen
 
 
-class Net:
-    """Vertices: items first, in their order, then those where links pass.
+class LayeredGraph:
+    """Vertices in layers. The items come first, and the dummy vertices of links come last.
 
     Args:
-        items: What is laid out.
-        links: What joins them.
-        known: Layers of items that are on the screen.
+        items: The items.
+        links: The links.
+        known: The layers of items in the previous layout, by key.
     """
 
     def __init__(
@@ -37,10 +37,10 @@ class Net:
         self.width = [item.width for item in items]
         self.height = [item.height for item in items]
         index = {item.key: number for number, item in enumerate(items)}
-        # A label needs a layer of its own between two items.
+        # A label takes a layer between two items.
         arcs = [(index[ln.start], index[ln.end], 2 if ln.label_width else 1) for ln in links]
         layers = {index[key]: layer for key, layer in known.items() if key in index}
-        self._set_layers(arcs, turned(self.size, arcs, layers), layers)
+        self._set_layers(arcs, reversed_arcs(self.size, arcs, layers), layers)
         if not layers and max(self.layer) > _most_layers(self.size):
             self._set_layers(arcs, _wrapped(arcs, self.layer, _most_layers(self.size)), layers)
         self.component = _components(items, self.arcs)
@@ -55,12 +55,12 @@ class Net:
         for vertex, layer in enumerate(self.layer):
             self.rows[layer].append(vertex)
 
-    def _set_layers(self, arcs: list[Arc], is_turned: list[bool], known: Mapping[int, int]) -> None:
-        self.is_turned = is_turned
-        pairs = zip(arcs, is_turned, strict=True)
+    def _set_layers(self, arcs: list[Arc], turns: list[bool], known: Mapping[int, int]) -> None:
+        self.is_reversed = turns
+        pairs = zip(arcs, turns, strict=True)
         self.arcs = [(b, a, span) if turn else (a, b, span) for (a, b, span), turn in pairs]
         proper = [arc for arc in self.arcs if arc[0] != arc[1]]
-        self.layer = assign(self.size, proper, known)
+        self.layer = assign_layers(self.size, proper, known)
 
     @property
     def is_item(self) -> range:
@@ -119,7 +119,7 @@ def _common(one: tuple[str, ...], other: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _components(items: Sequence[Item], arcs: list[Arc]) -> list[int]:
-    """Number what hangs together, by links or by an outermost frame: the largest first."""
+    """Return each item's component. Links and outermost frames join items. The largest is 0."""
     parent = list(range(len(items)))
 
     def root(vertex: int) -> int:
@@ -146,18 +146,18 @@ def _components(items: Sequence[Item], arcs: list[Arc]) -> list[int]:
 
 
 def _most_layers(size: int) -> int:
-    """Return how many layers a screen takes: an even number, as topics are between nodes."""
+    """Return how many layers fit on a screen. It is even, because nodes and topics alternate."""
     return max(_MOST_LAYERS, round(sqrt(size) / 2) * 2)
 
 
 def _wrapped(arcs: list[Arc], layer: list[int], most: int) -> list[bool]:
-    """Return which arcs point back once the layers are wrapped as lines of text are."""
+    """Return which arcs point back. Layers above the limit are wrapped, like lines of text."""
     rank = [(one % most, one, vertex) for vertex, one in enumerate(layer)]
     return [rank[start] > rank[end] for start, end, _ in arcs]
 
 
 def _fold(layer: list[int], component: list[int]) -> None:
-    """Put components beside each other, not only below, so that the picture fits a screen."""
+    """Put components beside and below each other, so that they have the shape of a screen."""
     blocks: dict[int, dict[int, int]] = {}
     for vertex, number in enumerate(component):
         block = blocks.setdefault(number, {})
@@ -170,7 +170,7 @@ def _fold(layer: list[int], component: list[int]) -> None:
 
 
 def _bands(heights: list[int], spans: list[int], count: int) -> tuple[float, list[int]]:
-    """Deal components to bands side by side; return how far from a screen's shape that is."""
+    """Return how far the shape differs from a screen (1: equal), and components' first layers."""
     filled = [0] * count
     band_of = []
     for height in heights:

@@ -1,4 +1,4 @@
-"""Which layer each vertex belongs to: circles are cut, then links point to later layers."""
+"""Layers of vertices. Cycles are removed first, so that arcs point to later layers."""
 
 from __future__ import annotations
 
@@ -8,26 +8,28 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Mapping
 
-Arc = tuple[int, int, int]  #: from, to, and how many layers it spans at least
+Arc = tuple[int, int, int]  #: from, to, and the least number of layers that it spans
 
 
-def turned(size: int, arcs: list[Arc], known: Mapping[int, int]) -> list[bool]:
-    """Return which arcs have to be turned round so that none goes in circles.
+def reversed_arcs(size: int, arcs: list[Arc], known: Mapping[int, int]) -> list[bool]:
+    """Return whether each arc must be reversed, so that the graph has no cycles.
 
     Args:
-        size: How many vertices there are.
-        arcs: The arcs; those from a vertex to itself are not turned.
-        known: Layers of vertices that are on the screen: arcs between them keep their direction.
+        size: The number of vertices.
+        arcs: The arcs. An arc from a vertex to itself is not reversed.
+        known: The layers of vertices in the previous layout. Arcs between these vertices keep
+            their direction.
     """
-    is_turned = []
+    is_reversed = []
     for start, end, _ in arcs:
         before, after = known.get(start), known.get(end)
-        is_turned.append(before is not None and after is not None and before > after)
-    directed = [(b, a) if turn else (a, b) for (a, b, _), turn in zip(arcs, is_turned, strict=True)]
+        is_reversed.append(before is not None and after is not None and before > after)
+    pairs = zip(arcs, is_reversed, strict=True)
+    directed = [(b, a) if turn else (a, b) for (a, b, _), turn in pairs]
     rank = {vertex: place for place, vertex in enumerate(_sequence(size, directed))}
     return [
         turn != (rank[start] > rank[end])
-        for (start, end), turn in zip(directed, is_turned, strict=True)
+        for (start, end), turn in zip(directed, is_reversed, strict=True)
     ]
 
 
@@ -63,13 +65,13 @@ def _sequence(size: int, arcs: list[tuple[int, int]]) -> list[int]:
     return left + right[::-1]
 
 
-def assign(size: int, arcs: list[Arc], known: Mapping[int, int]) -> list[int]:
-    """Return the layer of each vertex: arcs span what they must, and little more.
+def assign_layers(size: int, arcs: list[Arc], known: Mapping[int, int]) -> list[int]:
+    """Return the layer of each vertex, so that arcs are short.
 
     Args:
-        size: How many vertices there are.
-        arcs: The arcs, without circles.
-        known: Layers of vertices that are on the screen; they stay, unless that is impossible.
+        size: The number of vertices.
+        arcs: The arcs, without cycles.
+        known: The layers of vertices in the previous layout. Vertices stay there if arcs allow it.
     """
     after: list[list[tuple[int, int]]] = [[] for _ in range(size)]
     before: list[list[tuple[int, int]]] = [[] for _ in range(size)]
@@ -94,7 +96,7 @@ def _topological(
 ) -> list[int]:
     waiting = [len(found) for found in before]
     order = [vertex for vertex in range(size) if not waiting[vertex]]
-    for vertex in order:  # grows while it is read
+    for vertex in order:  # the loop appends to it
         for other, _ in after[vertex]:
             waiting[other] -= 1
             if not waiting[other]:
@@ -108,7 +110,7 @@ def _tighten(
     after: list[list[tuple[int, int]]],
     before: list[list[tuple[int, int]]],
 ) -> None:
-    """Move vertices to where most of their arcs are; a source goes beside its first reader."""
+    """Move each vertex to the side with more arcs, to make the arcs shorter."""
     for _ in range(4):
         for vertex in reversed(movable):
             if len(after[vertex]) > len(before[vertex]):

@@ -1,4 +1,4 @@
-"""From items and links to a layout, new or around the one before."""
+"""Layout of items and links. It is new or based on the previous layout."""
 
 from __future__ import annotations
 
@@ -6,34 +6,34 @@ from dataclasses import replace
 from statistics import median
 from typing import TYPE_CHECKING
 
-from zbot.graph.layout.frames import frames
-from zbot.graph.layout.graph import Layout, Place
-from zbot.graph.layout.net import Net
-from zbot.graph.layout.order import order, order_around
-from zbot.graph.layout.place import columns, place
-from zbot.graph.layout.routes import routes
+from zbot.graph.layout.coordinates import column_bounds, y_coordinates
+from zbot.graph.layout.frames import frame_outlines
+from zbot.graph.layout.geometry import Layout, Place
+from zbot.graph.layout.layered_graph import LayeredGraph
+from zbot.graph.layout.ordering import order_around, reduce_crossings
+from zbot.graph.layout.routing import route_links
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from zbot.graph.layout.graph import Item, Link
+    from zbot.graph.layout.geometry import Item, Link
 
-_COLUMN_GAP = 96.0  # room for a rate beside an arrow
-_ENOUGH_KNOWN = 0.5  # of the items: with fewer, there is no picture yet to stay true to
-_BEARABLE = 4  # crossings that staying in place may cost, and twice what a new layout has
+_COLUMN_GAP = 96.0  # space for a rate beside an arrow
+_ENOUGH_KNOWN = 0.5  # with a smaller share of old items, the layout is new
+_BEARABLE = 4  # a layout that keeps places may have 4 + 2n crossings, if a new layout has n
 
 
 def lay_out(items: Sequence[Item], links: Sequence[Link], previous: Layout | None = None) -> Layout:
-    """Return where everything goes.
+    """Return the layout of a graph.
 
-    Equal arguments give equal layouts. Links point right, but for one of each circle; no item lies
-    on another, nor in a frame that is not around it.
+    Equal arguments give equal layouts. Links point right, but one link of each cycle points left.
+    Items do not overlap, and a frame contains only its own items.
 
     Args:
-        items: What has a place; keys are unique.
-        links: What joins them, by their keys.
-        previous: What was on the screen: items in it stay where they are, or move a little, unless
-            most are new or the links would become a tangle.
+        items: The boxes, which have unique keys.
+        links: The arrows between items. They contain the keys of the items.
+        previous: The layout on the screen. Its items stay in place or move a little, unless most
+            items are new or too many links would cross.
     """
     if not items:
         return Layout({}, (), (), {}, 0, 0)
@@ -55,22 +55,22 @@ def _is_known(items: Sequence[Item], previous: Layout) -> bool:
 
 def _laid_out(items: Sequence[Item], links: Sequence[Link], previous: Layout | None) -> Layout:
     before = previous.places if previous else {}
-    net = Net(items, links, {key: one.layer for key, one in before.items()})
+    graph = LayeredGraph(items, links, {key: one.layer for key, one in before.items()})
     fixed = {v: before[one.key].y for v, one in enumerate(items) if one.key in before}
-    crossings = order_around(net, fixed) if fixed else order(net)
-    y = place(net, fixed)
-    spans = columns(net, previous.columns if previous else {}, _COLUMN_GAP)
+    crossings = order_around(graph, fixed) if fixed else reduce_crossings(graph)
+    y = y_coordinates(graph, fixed)
+    spans = column_bounds(graph, previous.columns if previous else {}, _COLUMN_GAP)
     places = {}
     for vertex, item in enumerate(items):
-        left, right = spans[net.layer[vertex]]
+        left, right = spans[graph.layer[vertex]]
         x = (left + right) / 2
-        places[item.key] = Place(x, y[vertex], item.width, item.height, net.layer[vertex])
-    found = routes(net, y, spans, [places[item.key] for item in items])
-    return Layout(places, found, frames(net, y, spans), spans, crossings, crossings)
+        places[item.key] = Place(x, y[vertex], item.width, item.height, graph.layer[vertex])
+    found = route_links(graph, y, spans, [places[item.key] for item in items])
+    return Layout(places, found, frame_outlines(graph, y, spans), spans, crossings, crossings)
 
 
 def _aligned(new: Layout, previous: Layout | None) -> Layout:
-    """Move a new layout as a whole so that what was on the screen jumps less."""
+    """Return the whole layout after a move, so that old items move as little as possible."""
     shared = [key for key in new.places if previous and key in previous.places]
     if previous is None or not shared:
         return new

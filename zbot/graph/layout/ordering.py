@@ -1,4 +1,4 @@
-"""The order within each layer: few crossings, and what belongs together side by side."""
+"""Order of the vertices in each layer, with few crossings. Frames and components stay whole."""
 
 from __future__ import annotations
 
@@ -9,111 +9,111 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-    from zbot.graph.layout.net import Net
+    from zbot.graph.layout.layered_graph import LayeredGraph
 
 _SWEEPS = 12
 _ROUNDS_OF_SWAPS = 4
 
 
-def order(net: Net) -> int:
-    """Order the rows of a net; return how many crossings are left."""
-    _begin(net)
-    best, best_rows = count_crossings(net), _copy(net)
+def reduce_crossings(graph: LayeredGraph) -> int:
+    """Order the rows of a graph, and return the number of crossings."""
+    _initial_order(graph)
+    best, best_rows = count_crossings(graph), _copy(graph)
     for sweep in range(_SWEEPS):
         if not best:
             break
-        _sweep(net, to_the_right=sweep % 2 == 0)
-        crossings = count_crossings(net)
+        _sweep(graph, to_the_right=sweep % 2 == 0)
+        crossings = count_crossings(graph)
         if crossings < best:
-            best, best_rows = crossings, _copy(net)
-    net.rows = best_rows
-    return best - _swap(net) if best else 0
+            best, best_rows = crossings, _copy(graph)
+    graph.rows = best_rows
+    return best - _swap(graph) if best else 0
 
 
-def order_around(net: Net, fixed: Mapping[int, float]) -> int:
-    """Order the rows around vertices that keep their y; return how many crossings there are."""
-    y = {vertex: fixed.get(vertex, 0.0) for row in net.rows.values() for vertex in row}
+def order_around(graph: LayeredGraph, fixed: Mapping[int, float]) -> int:
+    """Order the rows around vertices that keep their y. Return the number of crossings."""
+    y = {vertex: fixed.get(vertex, 0.0) for row in graph.rows.values() for vertex in row}
     placed = set(fixed)
     for _ in range(4):
-        for row in net.rows.values():
+        for row in graph.rows.values():
             for vertex in row:
-                near = [y[one] for one in net.left[vertex] + net.right[vertex] if one in placed]
+                near = [y[one] for one in graph.left[vertex] + graph.right[vertex] if one in placed]
                 if vertex not in fixed and near:
                     y[vertex] = sum(near) / len(near)
                     placed.add(vertex)
     lowest = max(fixed.values(), default=0.0)
     for vertex in y.keys() - placed:
-        y[vertex] = lowest + 1.0 + vertex  # below all others
-    for row in net.rows.values():
-        _sort(net, row, y)
-    return count_crossings(net)
+        y[vertex] = lowest + 1.0 + vertex  # below all other vertices
+    for row in graph.rows.values():
+        _sort(graph, row, y)
+    return count_crossings(graph)
 
 
-def _copy(net: Net) -> dict[int, list[int]]:
-    return {layer: list(row) for layer, row in net.rows.items()}
+def _copy(graph: LayeredGraph) -> dict[int, list[int]]:
+    return {layer: list(row) for layer, row in graph.rows.items()}
 
 
-def _begin(net: Net) -> None:
-    """Order vertices as a walk along the links meets them."""
+def _initial_order(graph: LayeredGraph) -> None:
+    """Order vertices in the order in which a depth-first search finds them."""
     met: dict[int, float] = {}
-    for layer in net.rows:
-        for vertex in net.rows[layer]:
+    for layer in graph.rows:
+        for vertex in graph.rows[layer]:
             stack = [vertex]
             while stack:
                 one = stack.pop()
                 if one not in met:
                     met[one] = float(len(met))
-                    stack += reversed(net.right[one])
-    for row in net.rows.values():
-        _sort(net, row, met)
+                    stack += reversed(graph.right[one])
+    for row in graph.rows.values():
+        _sort(graph, row, met)
 
 
-def _sweep(net: Net, *, to_the_right: bool) -> None:
-    layers = list(net.rows) if to_the_right else list(net.rows)[::-1]
-    neighbours = net.left if to_the_right else net.right
+def _sweep(graph: LayeredGraph, *, to_the_right: bool) -> None:
+    layers = list(graph.rows) if to_the_right else list(graph.rows)[::-1]
+    neighbours = graph.left if to_the_right else graph.right
     place: dict[int, float] = {}
     for layer in layers:
-        row = net.rows[layer]
+        row = graph.rows[layer]
         pull = {}
         for position, vertex in enumerate(row):
             near = neighbours[vertex]
             mean = sum(place.get(one, 0.0) for one in near) / len(near) if near else None
             pull[vertex] = position if mean is None else mean
-        _sort(net, row, pull)
+        _sort(graph, row, pull)
         place.update((vertex, float(position)) for position, vertex in enumerate(row))
 
 
-def _sort(net: Net, row: list[int], pull: Mapping[int, float]) -> None:
-    """Sort a row, keeping components and frames together: each goes where its members pull."""
+def _sort(graph: LayeredGraph, row: list[int], pull: Mapping[int, float]) -> None:
+    """Sort a row by `pull`. A frame's vertices stay together, at the mean of their values."""
     sums: dict[tuple[str, ...], list[float]] = {}
     for vertex in row:
-        frames = net.frames[vertex]
+        frames = graph.frames[vertex]
         for depth in range(1, len(frames) + 1):
             sums.setdefault(frames[:depth], []).append(pull[vertex])
     means = {path: sum(found) / len(found) for path, found in sums.items()}
     place = {vertex: position for position, vertex in enumerate(row)}
 
     def key(vertex: int) -> tuple[object, ...]:
-        frames = net.frames[vertex]
+        frames = graph.frames[vertex]
         ways = [(means[frames[:depth]], frames[depth - 1]) for depth in range(1, len(frames) + 1)]
         own = (pull[vertex], "", place[vertex])
-        return (net.component[vertex], *ways, own)
+        return (graph.component[vertex], *ways, own)
 
     row.sort(key=key)
 
 
-def count_crossings(net: Net) -> int:
-    """Return how often links cross between layers."""
-    rows = list(net.rows.values())
-    return sum(_between(net, upper, lower) for upper, lower in pairwise(rows))
+def count_crossings(graph: LayeredGraph) -> int:
+    """Return the number of crossings of links between layers."""
+    rows = list(graph.rows.values())
+    return sum(_between(graph, upper, lower) for upper, lower in pairwise(rows))
 
 
-def _between(net: Net, row: list[int], following: list[int]) -> int:
+def _between(graph: LayeredGraph, row: list[int], following: list[int]) -> int:
     place = {vertex: position for position, vertex in enumerate(following)}
     seen: list[int] = []
     total = 0
     for vertex in row:
-        near = net.right[vertex]
+        near = graph.right[vertex]
         if len(near) == 1:
             end = place[near[0]]
             total += len(seen) - bisect_right(seen, end)
@@ -127,28 +127,29 @@ def _between(net: Net, row: list[int], following: list[int]) -> int:
     return total
 
 
-def _swap(net: Net) -> int:
-    """Exchange neighbours while that helps; return how many crossings that saves."""
+def _swap(graph: LayeredGraph) -> int:
+    """Swap neighbours while this removes crossings. Return the number of removed crossings."""
     place: dict[int, int] = {}
-    for row in net.rows.values():
+    for row in graph.rows.values():
         place.update((vertex, position) for position, vertex in enumerate(row))
     saved = 0
     for _ in range(_ROUNDS_OF_SWAPS):
-        gained = sum(_swap_in(net, row, place) for row in net.rows.values())
+        gained = sum(_swap_in(graph, row, place) for row in graph.rows.values())
         if not gained:
             break
         saved += gained
     return saved
 
 
-def _swap_in(net: Net, row: list[int], place: dict[int, int]) -> int:
+def _swap_in(graph: LayeredGraph, row: list[int], place: dict[int, int]) -> int:
     gained = 0
     for position in range(len(row) - 1):
         one, other = row[position], row[position + 1]
-        if net.component[one] != net.component[other] or net.frames[one] != net.frames[other]:
+        groups = [(graph.component[vertex], graph.frames[vertex]) for vertex in (one, other)]
+        if groups[0] != groups[1]:
             continue
         gain = 0
-        for near in (net.left, net.right):
+        for near in (graph.left, graph.right):
             mine, theirs = [place[v] for v in near[one]], [place[v] for v in near[other]]
             gain += _pairs(mine, theirs) - _pairs(theirs, mine)
         if gain > 0:

@@ -1,4 +1,4 @@
-"""Components: accepted where launch files name them, and told to be of another world."""
+"""Actions for components (composable nodes), which report that zbot cannot load them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _REASON = (
 
 
 class ComposableNode:
-    """A component that was to be loaded."""
+    """Description of a component, which zbot does not load."""
 
     def __init__(
         self,
@@ -42,28 +42,28 @@ class ComposableNode:
         self.extra_arguments, self.condition = list(extra_arguments or ()), condition
 
 
-class _NoComponents(Action):
-    """Says that components cannot be loaded; the rest of the launch goes on."""
+class _UnsupportedComponents(Action):
+    """Reports components that zbot cannot load. The rest of the launch continues."""
 
     def __init__(self, descriptions: Iterable[ComposableNode] | None, **options: Any) -> None:
         super().__init__(**options)
         self.composable_node_descriptions = list(descriptions or ())
 
     def execute(self, context: LaunchContext) -> None:
-        """Say so, and let the launch end with exit code 1."""
+        """Log an error and set the exit code of the launch to 1."""
         where = f"{self.origin.path}:{self.origin.line}: " if self.origin else ""
         plugins = [perform(context, one.node_plugin) for one in self.composable_node_descriptions]
-        told = f" of {', '.join(plugins)}" if plugins else ""
-        text = f"{where}{self._what(context)}{told} is left out: {_REASON}"
-        context.journal.error("launch_ros", text)
+        details = f" of {', '.join(plugins)}" if plugins else ""
+        text = f"{where}{self._subject(context)}{details} is left out: {_REASON}"
+        context.writer.error("launch_ros", text)
         context.failed = True
 
-    def _what(self, context: LaunchContext) -> str:
+    def _subject(self, context: LaunchContext) -> str:
         raise NotImplementedError
 
 
-class ComposableNodeContainer(_NoComponents):
-    """A container for components; the arguments are those of `Node`."""
+class ComposableNodeContainer(_UnsupportedComponents):
+    """A container for components. It has the arguments of `Node`, but zbot does not start it."""
 
     def __init__(
         self,
@@ -77,7 +77,7 @@ class ComposableNodeContainer(_NoComponents):
         super().__init__(composable_node_descriptions, condition=condition)
         self.name, self.namespace, self.options = normalize(name), normalize(namespace), options
 
-    def _what(self, context: LaunchContext) -> str:
+    def _subject(self, context: LaunchContext) -> str:
         return f"the container '{perform(context, self.name)}'"
 
     def describe(self) -> str:
@@ -85,8 +85,8 @@ class ComposableNodeContainer(_NoComponents):
         return f"ComposableNodeContainer({describe(self.name)})"
 
 
-class LoadComposableNodes(_NoComponents):
-    """Components to load into a container."""
+class LoadComposableNodes(_UnsupportedComponents):
+    """Components for a container, which zbot does not load."""
 
     def __init__(
         self,
@@ -98,6 +98,6 @@ class LoadComposableNodes(_NoComponents):
         super().__init__(composable_node_descriptions, **options)
         self.target_container = target_container
 
-    def _what(self, context: LaunchContext) -> str:
+    def _subject(self, context: LaunchContext) -> str:
         del context
         return "the loading"

@@ -1,4 +1,4 @@
-"""Launch configurations and environment variables: set, forgotten, kept for a while."""
+"""Actions that set, remove, save and restore launch configurations and environment variables."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class SetLaunchConfiguration(Action):
         self.value = normalize(str(value) if is_value else value)
 
     def execute(self, context: LaunchContext) -> None:
-        """Set it."""
+        """Set the configuration."""
         context.launch_configurations[perform(context, self.name)] = perform(context, self.value)
 
     def describe(self) -> str:
@@ -37,35 +37,35 @@ class SetLaunchConfiguration(Action):
 
 
 class UnsetLaunchConfiguration(Action):
-    """Forget a launch configuration; one that is not set is no error."""
+    """Remove a launch configuration, if it is set."""
 
     def __init__(self, name: SomeSubstitutionsType, **options: Any) -> None:
         super().__init__(**options)
         self.name = normalize(name)
 
     def execute(self, context: LaunchContext) -> None:
-        """Forget it."""
+        """Remove the configuration."""
         context.launch_configurations.pop(perform(context, self.name), None)
 
 
 class PushLaunchConfigurations(Action):
-    """Remember all launch configurations."""
+    """Save all launch configurations."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Remember them."""
+        """Save the configurations."""
         context.push("launch_configurations")
 
 
 class PopLaunchConfigurations(Action):
-    """Return to the launch configurations that were remembered last."""
+    """Restore the launch configurations that were saved last."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Return to them."""
+        """Restore the configurations."""
         context.pop("launch_configurations")
 
 
 class ResetLaunchConfigurations(Action):
-    """Forget all launch configurations but those given."""
+    """Remove all launch configurations except the given ones."""
 
     def __init__(
         self,
@@ -76,7 +76,7 @@ class ResetLaunchConfigurations(Action):
         self.launch_configurations = dict(launch_configurations or {})
 
     def execute(self, context: LaunchContext) -> None:
-        """Forget the others; the values may be made of those that are forgotten."""
+        """Remove the other configurations. The given values may still refer to them."""
         kept = {
             perform(context, name): perform(context, value)
             for name, value in self.launch_configurations.items()
@@ -85,7 +85,7 @@ class ResetLaunchConfigurations(Action):
 
 
 class SetEnvironmentVariable(Action):
-    """Set an environment variable of processes that start from now on."""
+    """Set an environment variable for processes that start later."""
 
     def __init__(
         self, name: SomeSubstitutionsType, value: SomeSubstitutionsType, **options: Any
@@ -94,7 +94,7 @@ class SetEnvironmentVariable(Action):
         self.name, self.value = normalize(name), normalize(value)
 
     def execute(self, context: LaunchContext) -> None:
-        """Set it."""
+        """Set the variable."""
         context.environment[perform(context, self.name)] = perform(context, self.value)
 
     def describe(self) -> str:
@@ -103,25 +103,25 @@ class SetEnvironmentVariable(Action):
 
 
 class UnsetEnvironmentVariable(Action):
-    """Remove an environment variable; one that is not set is no error."""
+    """Remove an environment variable, if it is set."""
 
     def __init__(self, name: SomeSubstitutionsType, **options: Any) -> None:
         super().__init__(**options)
         self.name = normalize(name)
 
     def execute(self, context: LaunchContext) -> None:
-        """Remove it."""
+        """Remove the variable."""
         context.environment.pop(perform(context, self.name), None)
 
 
 class AppendEnvironmentVariable(SetEnvironmentVariable):
-    """Add to an environment variable that is a list, such as PATH.
+    """Add an item to an environment variable that contains a list, such as PATH.
 
     Args:
         name: Its name.
-        value: What to add.
+        value: The item.
         prepend: Whether to add it at the beginning.
-        separator: What stands between the items.
+        separator: The text between items.
     """
 
     def __init__(
@@ -137,7 +137,7 @@ class AppendEnvironmentVariable(SetEnvironmentVariable):
         self.separator = normalize(separator)
 
     def execute(self, context: LaunchContext) -> None:
-        """Add it."""
+        """Add the item."""
         name, value = perform(context, self.name), perform(context, self.value)
         present = context.environment.get(name, "")
         if present:
@@ -148,7 +148,7 @@ class AppendEnvironmentVariable(SetEnvironmentVariable):
 
 
 class ReplaceEnvironmentVariables(Action):
-    """Leave no environment variables but these."""
+    """Replace the whole environment."""
 
     def __init__(
         self,
@@ -159,7 +159,7 @@ class ReplaceEnvironmentVariables(Action):
         self.environment = dict(environment or {})
 
     def execute(self, context: LaunchContext) -> None:
-        """Replace them."""
+        """Replace the environment."""
         context.environment = {
             perform(context, name): perform(context, value)
             for name, value in self.environment.items()
@@ -167,24 +167,24 @@ class ReplaceEnvironmentVariables(Action):
 
 
 class PushEnvironment(Action):
-    """Remember the environment."""
+    """Save the environment."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Remember it."""
+        """Save the environment."""
         context.push("environment")
 
 
 class PopEnvironment(Action):
-    """Return to the environment that was remembered last."""
+    """Restore the environment that was saved last."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Return to it."""
+        """Restore the environment."""
         context.pop("environment")
 
 
 class ResetEnvironment(Action):
-    """Return to the environment that the launch itself was started with."""
+    """Restore the environment in which the launch itself was started."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Return to it."""
+        """Restore the environment."""
         context.environment = dict(os.environ)

@@ -1,4 +1,4 @@
-"""Arguments of a launch file."""
+"""Actions that declare the arguments of a launch file."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ if TYPE_CHECKING:
 
 
 class DeclareLaunchArgument(Action):
-    """An argument that may be given as `name:=value`.
+    """An argument of a launch file, given as `name:=value`.
 
     Args:
         name: Its name.
-        default_value: The value where it is not given; without one it has to be.
-        description: What it is for.
-        choices: The only values it may have; any if left out.
+        default_value: The value if the argument is not given. None means that it is required.
+        description: The purpose of the argument.
+        choices: The valid values. None means that any value is valid.
 
     Raises:
-        LaunchArgumentError: There are no choices, or the default is none of them.
+        LaunchArgumentError: The list of choices is empty, or the default is not a choice.
     """
 
     def __init__(
@@ -41,27 +41,29 @@ class DeclareLaunchArgument(Action):
         self.name = name
         self.description = description or "no description given"
         self.choices = None if choices is None else list(choices)
-        # launch fails later, and less clearly, for a bool or a number
+        # launch does not accept a bool or a number here, and fails later with an unclear error
         is_value = isinstance(default_value, (bool, int, float))
         given = str(default_value) if is_value else default_value
         if self.choices is not None and not self.choices:
-            raise LaunchArgumentError(f"launch argument '{name}' has no choices: leave them out")
+            raise LaunchArgumentError(
+                f"launch argument '{name}' has no choices: leave `choices` out"
+            )
         if self.choices is not None and isinstance(given, str) and given not in self.choices:
             raise LaunchArgumentError.no_default(name, given, self.choices)
         self.default_value = None if given is None else normalize(given)
-        self._told = description or ""
+        self._description_text = description or ""
         self._conditionally_included = False
 
     def execute(self, context: LaunchContext) -> None:
-        """Set its configuration to the default if it was not given.
+        """Set the argument's launch configuration to the default, if no value was given.
 
         Raises:
-            LaunchArgumentError: It was not given and has no default, or is none of the choices.
+            LaunchArgumentError: A required argument was not given, or the value is not a choice.
         """
         configurations = context.launch_configurations
         if self.name not in configurations:
             if self.default_value is None:
-                raise LaunchArgumentError.missing(self.name, self._told)
+                raise LaunchArgumentError.missing(self.name, self._description_text)
             configurations[self.name] = perform(context, self.default_value)
         value = str(configurations[self.name])
         if self.choices is not None and value not in self.choices:
@@ -69,7 +71,7 @@ class DeclareLaunchArgument(Action):
 
     @property
     def conditionally_included(self) -> bool:
-        """Whether its declaration depends on a condition; a description finds out."""
+        """Whether the declaration depends on a condition. `get_launch_arguments` sets it."""
         return self._conditionally_included
 
     @conditionally_included.setter
@@ -77,11 +79,11 @@ class DeclareLaunchArgument(Action):
         self._conditionally_included = is_so
 
     def describe(self) -> str:
-        """Return its name."""
-        told = f", default_value={describe(self.default_value)}" if self.default_value else ""
-        if self._told:
-            told += f", description={self._told!r}"
-        return f"{type(self).__name__}('{self.name}'{told})"
+        """Return name, default and description."""
+        details = f", default_value={describe(self.default_value)}" if self.default_value else ""
+        if self._description_text:
+            details += f", description={self._description_text!r}"
+        return f"{type(self).__name__}('{self.name}'{details})"
 
 
 class DeclareBooleanLaunchArgument(DeclareLaunchArgument):
@@ -89,7 +91,7 @@ class DeclareBooleanLaunchArgument(DeclareLaunchArgument):
 
     Args:
         name: Its name.
-        options: As for `DeclareLaunchArgument`, without `choices`.
+        options: The options of `DeclareLaunchArgument`, except `choices`.
     """
 
     def __init__(self, name: str, **options: Any) -> None:

@@ -1,4 +1,4 @@
-"""Events and their handlers, from a launch file."""
+"""Actions that emit events and register event handlers."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class EmitEvent(Action):
-    """Let something happen."""
+    """Emit an event."""
 
     def __init__(self, *, event: Event, **options: Any) -> None:
         super().__init__(**options)
@@ -36,7 +36,7 @@ class EmitEvent(Action):
 
 
 class RegisterEventHandler(Action):
-    """Act on events from now on."""
+    """Register an event handler."""
 
     def __init__(self, event_handler: BaseEventHandler, **options: Any) -> None:
         super().__init__(**options)
@@ -53,7 +53,7 @@ class RegisterEventHandler(Action):
     def describe_conditional_sub_entities(
         self,
     ) -> list[tuple[str, Sequence[LaunchDescriptionEntity]]]:
-        """Return what the handler does."""
+        """Return the entities that the handler visits."""
         entities = getattr(self.event_handler, "entities", None)
         if isinstance(entities, Action):
             entities = [entities]
@@ -63,22 +63,22 @@ class RegisterEventHandler(Action):
 
 
 class UnregisterEventHandler(Action):
-    """Act on events no more."""
+    """Remove an event handler."""
 
     def __init__(self, event_handler: BaseEventHandler, **options: Any) -> None:
         super().__init__(**options)
         self.event_handler = event_handler
 
     def execute(self, context: LaunchContext) -> None:
-        """Take the handler out."""
+        """Remove the handler."""
         context.unregister_event_handler(self.event_handler)
 
 
 class Shutdown(Action):
-    """End the launch, and with it every process.
+    """End the launch and all its processes.
 
     Args:
-        reason: Why.
+        reason: The reason that the log shows.
     """
 
     def __init__(
@@ -88,15 +88,15 @@ class Shutdown(Action):
         self.reason = normalize(reason)
 
     def execute(self, context: LaunchContext) -> None:
-        """Emit the event that ends the launch."""
+        """Emit the shutdown event."""
         context.emit_event_sync(ShutdownEvent(reason=perform(context, self.reason)))
 
     def describe(self) -> str:
-        """Return the kind of event."""
+        """Return the name of the action."""
         return "Shutdown()"
 
 
 def shutdown_on_process_exit(process_action: Action) -> RegisterEventHandler:
-    """Return an action that ends the launch when a process of it ends."""
+    """Return an action that ends the launch when the process of an action ends."""
     end = EmitEvent(event=ShutdownEvent(reason="process exited"))
     return RegisterEventHandler(OnProcessExit(target_action=process_action, on_exit=end))

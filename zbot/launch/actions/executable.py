@@ -1,4 +1,4 @@
-"""What to execute: a command line with its surroundings, before it is known in full."""
+"""Command line of a program before and after substitution, with its directory and environment."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import shlex
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from zbot.launch.own_command import for_scripts, with_ros2
 from zbot.launch.substitution import describe_list, normalize, perform
+from zbot.launch.zbot_command import add_ros2_to_path, run_scripts_with_zbot
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping, Sequence
@@ -20,13 +20,13 @@ if TYPE_CHECKING:
 #: The name and the value of an environment variable.
 Variable: TypeAlias = "tuple[list[Substitution], list[Substitution]]"
 
-#: Launch configurations that `zbot launch` sets for its options.
+#: Launch configurations that the options of `zbot launch` set.
 PREFIX, PREFIX_FILTER = "launch-prefix", "launch-prefix-filter"
 
 
 @dataclass(frozen=True)
 class Prepared:
-    """A command line, ready to be started."""
+    """A command line after substitution, ready to start."""
 
     words: list[str]
     name: str  #: `talker`
@@ -35,16 +35,16 @@ class Prepared:
 
 
 class Executable:
-    """A command line.
+    """A command line before substitution.
 
     Args:
-        cmd: Its words.
-        prefix: Words to put before it.
-        name: What its process is called; the program's name if left out.
-        cwd: The folder to run it in.
-        env: Its whole environment.
-        additional_env: What to add to its environment.
-        arguments: Words to add.
+        cmd: The words.
+        prefix: Words to put before the words of `cmd`.
+        name: The name of the process. None means the name of the program.
+        cwd: The working directory.
+        env: The whole environment. None means the environment of the launch.
+        additional_env: Variables to add to the environment.
+        arguments: Words to add at the end.
     """
 
     def __init__(
@@ -71,7 +71,7 @@ class Executable:
         self.final_name: str | None = None
 
     def apply_context(self, context: LaunchContext) -> None:
-        """Set the words, the folder, the environment and the name that a launch gives them."""
+        """Perform the substitutions and set `final_cmd`, `final_cwd`, `final_env`, `final_name`."""
         words = [perform(context, word) for word in self.cmd]
         name = perform(context, self.name) if self.name else os.path.basename(words[0])  # noqa: PTH119
         prepared = self.prepare(context, words, name)
@@ -83,20 +83,20 @@ class Executable:
         return f"cmd={describe_list(self.cmd)}"
 
     def prepare(self, context: LaunchContext, words: Sequence[str], name: str) -> Prepared:
-        """Return the command line behind its prefixes, with its surroundings."""
+        """Return the command line, including its prefix, with working directory and environment."""
         own_prefix = perform(context, self.prefix) if self.prefix else ""
         prefix = own_prefix or _common_prefix(context, name)
         cwd = perform(context, self.cwd) if self.cwd else None
-        line = [*shlex.split(prefix, posix=os.name != "nt"), *for_scripts(words)]
+        line = [*shlex.split(prefix, posix=os.name != "nt"), *run_scripts_with_zbot(words)]
         return Prepared(line, name, cwd, self._environment(context))
 
     def _environment(self, context: LaunchContext) -> dict[str, str]:
         base = context.environment if self.env is None else _performed(context, self.env)
         own = {"PYTHONUNBUFFERED": "1"}
-        if context.journal.is_coloured:
+        if context.writer.is_coloured:
             own["RCUTILS_COLORIZED_OUTPUT"] = "1"
         added = _performed(context, self.additional_env or ())
-        return with_ros2({**own, **base, **added})
+        return add_ros2_to_path({**own, **base, **added})
 
 
 def _optional(value: SomeSubstitutionsType | None) -> list[Substitution] | None:

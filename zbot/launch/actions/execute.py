@@ -1,4 +1,4 @@
-"""Processes as actions."""
+"""Actions that run a program as a process."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from zbot.launch.actions.event_action import Shutdown
 from zbot.launch.actions.executable import Executable, Prepared, Variable
 from zbot.launch.errors import EntityTypeError, ProgramError
 from zbot.launch.event_handler import OnProcessExit
-from zbot.launch.own_command import find_on_path
 from zbot.launch.sink import DEFAULT, parse_output
 from zbot.launch.substitution import normalize, perform, to_bool
 from zbot.launch.supervisor import Policy, Supervisor
+from zbot.launch.zbot_command import find_on_path
 
 if TYPE_CHECKING:
     import asyncio
@@ -35,19 +35,19 @@ class ExecuteLocal(Action):
     """Run a program.
 
     Args:
-        process_description: Its command line and surroundings.
-        shell: Whether the command line is for the shell.
-        sigterm_timeout: Seconds after SIGINT at which it gets SIGTERM.
-        sigkill_timeout: Seconds after that at which it gets SIGKILL.
-        emulate_tty: Whether it is to believe that it writes to a terminal.
-        output: Where its output goes: `screen`, `log`, `both`, `own_log`, `full`.
-        output_format: How a line looks: a text with `{line}`.
-        cached_output: Whether `get_stdout` and `get_stderr` return what it wrote.
-        log_cmd: Whether its command line is shown.
-        on_exit: What to do when it ends.
-        respawn: Whether to start it again when it ends.
-        respawn_delay: Seconds to wait before that.
-        respawn_max_retries: How often; without end if negative.
+        process_description: The command line, working directory and environment.
+        shell: Whether a shell runs the command line.
+        sigterm_timeout: Seconds from SIGINT to SIGTERM.
+        sigkill_timeout: Seconds from SIGTERM to SIGKILL.
+        emulate_tty: Whether stdout and stderr are pseudo terminals.
+        output: The sinks of the output, e.g. `screen`, `log`, `both`, `own_log`, `full` or `none`.
+        output_format: Format of a line. It contains `{line}`, and `{label}` if wanted.
+        cached_output: Whether `get_stdout` and `get_stderr` return the output.
+        log_cmd: Whether to log the command line.
+        on_exit: Actions, or a function that returns actions, for the end of the process.
+        respawn: Whether to start the program again when it ends.
+        respawn_delay: Seconds to wait before the program starts again.
+        respawn_max_retries: The largest number of restarts. A negative number means no limit.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class ExecuteLocal(Action):
         self.shell = shell
         self.sigterm_timeout, self.sigkill_timeout = _text(sigterm_timeout), _text(sigkill_timeout)
         self.emulate_tty, self.output = emulate_tty, output
-        # ROS 2's own default is an expression about the action; it means what `_LINE` does.
+        # The default in ROS 2 is a format with `{this...}`; it gives the same lines as `_LINE`.
         self.output_format = _LINE if "{this" in output_format else output_format
         self.cached_output, self.log_cmd = cached_output, log_cmd
         is_shutdown = on_exit == "shutdown"  # as XML and YAML write it
@@ -82,12 +82,12 @@ class ExecuteLocal(Action):
         self.respawn_max_retries = respawn_max_retries
         self.process_details: dict[str, Any] = {}
         self.return_code: int | None = None
-        self._kept: dict[int, list[bytes]] = {1: [], 2: []}
+        self._cached: dict[int, list[bytes]] = {1: [], 2: []}
         self._task: asyncio.Task[None] | None = None
 
     @property
     def name(self) -> Any:
-        """The process's name, `talker-1`, once it is started; before, as it was given."""
+        """The process's label, e.g. `talker-1`. Before the start it is the given name."""
         return self.process_details.get("name") or self.process_description.name
 
     @property
@@ -97,24 +97,24 @@ class ExecuteLocal(Action):
 
     @property
     def cwd(self) -> list[Substitution] | None:
-        """The folder to run it in."""
+        """The working directory."""
         return self.process_description.cwd
 
     @property
     def env(self) -> list[Variable] | None:
-        """Its whole environment."""
+        """The whole environment. None means the environment of the launch."""
         return self.process_description.env
 
     @property
     def additional_env(self) -> list[Variable] | None:
-        """What is added to its environment."""
+        """The variables that are added to the environment."""
         return self.process_description.additional_env
 
     def prepare(self, context: LaunchContext) -> Prepared:
-        """Return the command line.
+        """Return the command line after substitution.
 
         Raises:
-            ProgramError: There is nothing in it.
+            ProgramError: The command line is empty.
         """
         description = self.process_description
         words = [perform(context, word) for word in description.cmd]
@@ -125,14 +125,14 @@ class ExecuteLocal(Action):
         return description.prepare(context, words, name)
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the actions that are done when it ends, unless a function says which."""
+        """Return the actions of `on_exit`. The list is empty if `on_exit` is a function."""
         return list(self.on_exit) if isinstance(self.on_exit, (list, tuple)) else []
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
         """Start the program, unless the launch is ending.
 
         Raises:
-            ProgramError: There is no such program.
+            ProgramError: The program does not exist.
         """
         if context.is_shutdown:
             return None
@@ -150,12 +150,12 @@ class ExecuteLocal(Action):
     def _policy(self, context: LaunchContext) -> Policy:
         return Policy(
             shell=self.shell,
-            has_terminal=_truth("emulate_tty", self.emulate_tty, context),
+            has_terminal=_boolean("emulate_tty", self.emulate_tty, context),
             sinks=self._sinks(context),
-            form=self.output_format,
+            line_format=self.output_format,
             sigterm_timeout_s=_number("sigterm_timeout", self.sigterm_timeout, context),
             sigkill_timeout_s=_number("sigkill_timeout", self.sigkill_timeout, context),
-            respawn=_truth("respawn", self.respawn, context),
+            respawn=_boolean("respawn", self.respawn, context),
             respawn_delay_s=_number("respawn_delay", self.respawn_delay, context),
             respawn_max_retries=self.respawn_max_retries,
             shows_command=self.log_cmd,
@@ -167,20 +167,20 @@ class ExecuteLocal(Action):
         return parse_output(output if hasattr(output, "items") else perform(context, output))
 
     def keep_output(self, fd: int, data: bytes) -> None:
-        """Remember what it wrote, if that is wanted."""
+        """Store output of the process if `cached_output` is set."""
         if self.cached_output:
-            self._kept[fd].append(data)
+            self._cached[fd].append(data)
 
     def get_stdout(self) -> bytes:
-        """Return what it wrote to stdout; empty without `cached_output`."""
-        return b"".join(self._kept[1])
+        """Return the bytes of stdout, or empty bytes without `cached_output`."""
+        return b"".join(self._cached[1])
 
     def get_stderr(self) -> bytes:
-        """Return what it wrote to stderr; empty without `cached_output`."""
-        return b"".join(self._kept[2])
+        """Return the bytes of stderr, or empty bytes without `cached_output`."""
+        return b"".join(self._cached[2])
 
     def get_asyncio_future(self) -> asyncio.Task[None] | None:
-        """Return a future that is done when the program has ended for good."""
+        """Return a task that is done when the program has ended and is not started again."""
         return self._task
 
     def describe(self) -> str:
@@ -192,13 +192,13 @@ class ExecuteProcess(ExecuteLocal):
     """Run a program.
 
     Args:
-        cmd: The words of its command line.
-        prefix: Words to put before them.
-        name: What the process is called.
-        cwd: The folder to run it in.
-        env: Its whole environment.
-        additional_env: What to add to its environment.
-        options: As for `ExecuteLocal`.
+        cmd: The words of the command line.
+        prefix: Words to put before the words of `cmd`.
+        name: The name of the process. None means the name of the program.
+        cwd: The working directory.
+        env: The whole environment. None means the environment of the launch.
+        additional_env: Variables to add to the environment.
+        options: The options of `ExecuteLocal`.
     """
 
     def __init__(
@@ -219,14 +219,14 @@ class ExecuteProcess(ExecuteLocal):
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
-        """Return the class and the options that a tag with a command line stands for."""
+        """Return the class and the constructor options for an `executable` tag."""
         from zbot.launch.frontend.tags import executable_options  # noqa: PLC0415 - cycle
 
         return cls, executable_options(entity, parser)
 
     @classmethod
     def _parse_cmdline(cls, cmd: str, parser: Parser) -> list[list[Substitution]]:
-        """Return the words of a command line; extensions call this by its name in launch."""
+        """Return the words of a command line. Extensions use this private name of launch."""
         from zbot.launch.frontend.tags import words  # noqa: PLC0415 - cycle
 
         return words(parser.parse_substitution(cmd))
@@ -234,11 +234,13 @@ class ExecuteProcess(ExecuteLocal):
 
 def _check(prepared: Prepared) -> None:
     cwd, program = prepared.cwd, prepared.words[0]
-    if cwd is not None and not os.path.isdir(cwd):  # noqa: PTH112 - "" is no folder
-        raise ProgramError(f"the folder '{cwd}' to run '{prepared.name}' in is not there")
-    here = os.path.join(cwd or "", program)  # noqa: PTH118 - a path is relative to that folder
+    if cwd is not None and not os.path.isdir(cwd):  # noqa: PTH112 - "" is not a folder
+        raise ProgramError(f"the working directory '{cwd}' of '{prepared.name}' does not exist")
+    here = os.path.join(cwd or "", program)  # noqa: PTH118 - a relative path starts in cwd
     if find_on_path(program, prepared.env) is None and not os.access(here, os.X_OK):
-        hint = "with shell=True the words are a line for the shell" if " " in program else ""
+        hint = (
+            "with shell=True a shell splits the command line into words" if " " in program else ""
+        )
         raise ProgramError(f"executable '{program}' not found on the PATH", hint)
 
 
@@ -250,12 +252,12 @@ def _text(value: Any) -> Any:
     return normalize(str(value) if isinstance(value, (bool, int, float)) else value)
 
 
-def _truth(what: str, value: Any, context: LaunchContext) -> bool:
+def _boolean(what: str, value: Any, context: LaunchContext) -> bool:
     text = perform(context, _text(value))
-    truth = to_bool(text)
-    if truth is None:
+    boolean = to_bool(text)
+    if boolean is None:
         raise EntityTypeError(what, "true or false", text)
-    return truth
+    return boolean
 
 
 def _number(what: str, value: Any, context: LaunchContext) -> float:

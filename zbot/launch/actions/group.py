@@ -1,4 +1,4 @@
-"""Actions as one, with configurations of their own."""
+"""Action for a group of actions, which has its own configurations and environment."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ if TYPE_CHECKING:
 
 
 class GroupAction(Action):
-    """Do several things, under one condition and in a scope of their own.
+    """Execute a group of actions under one condition and in one scope.
 
     Args:
-        actions: What to do.
-        scoped: Whether configurations, namespaces and environment that they set end with them.
-        forwarding: Whether they see the configurations from outside.
-        launch_configurations: Configurations to set for them.
+        actions: The actions.
+        scoped: Whether configurations, namespaces and environment are restored after the actions.
+        forwarding: Whether the actions see the configurations and the environment from outside.
+        launch_configurations: Configurations to set for the actions.
     """
 
     def __init__(
@@ -48,7 +48,7 @@ class GroupAction(Action):
         self.launch_configurations = dict(launch_configurations or {})
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the actions, between those that open and close the scope."""
+        """Return the actions, between the actions that open and close the scope."""
         sets: list[LaunchDescriptionEntity] = [
             SetLaunchConfiguration(name, value)
             for name, value in self.launch_configurations.items()
@@ -62,7 +62,7 @@ class GroupAction(Action):
         return [*opening, *sets, *self.actions, *closing]
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
-        """Return the actions."""
+        """Return the actions, between the actions that open and close the scope."""
         del context
         return self.get_sub_entities()
 

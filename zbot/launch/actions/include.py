@@ -1,4 +1,4 @@
-"""Launch files in launch files."""
+"""Action that includes another launch file."""
 
 from __future__ import annotations
 
@@ -10,7 +10,6 @@ from zbot.launch.arguments import declared_arguments
 from zbot.launch.description import LaunchDescription
 from zbot.launch.errors import (
     EntityTypeError,
-    IncludeArgumentError,
     IncludeLoopError,
     LaunchArgumentError,
     LaunchFileError,
@@ -28,19 +27,19 @@ if TYPE_CHECKING:
 _MAX_DEPTH = 60
 
 
-class _LeaveFile(Action):
-    """Let `ThisLaunchFile` and its like mean the including file again."""
+class _RestoreFileLocals(Action):
+    """Make `ThisLaunchFile` and similar substitutions refer to the including file again."""
 
     def execute(self, context: LaunchContext) -> None:
         context.pop_locals()
 
 
 class IncludeLaunchDescription(Action):
-    """Launch what another file describes.
+    """Launch the description of another file.
 
     Args:
-        launch_description_source: The file: a source, or a path.
-        launch_arguments: Pairs of an argument's name and its value.
+        launch_description_source: A source, a description or a path.
+        launch_arguments: Pairs of argument name and value.
     """
 
     def __init__(
@@ -60,19 +59,20 @@ class IncludeLaunchDescription(Action):
             raise EntityTypeError("launch_description_source", "a source or a path", source)
         self.launch_description_source = source
         given: Any = launch_arguments or ()
-        # `.items()` is what examples give; a dictionary itself is as clear.
+        # Examples of ROS 2 give `.items()`; a dictionary works too.
         pairs = given.items() if hasattr(given, "items") else given
         self.launch_arguments: list[tuple[Any, Any]] = list(pairs)
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
-        """Return what sets the arguments of the file, and its entities.
+        """Return the actions that set the file's arguments, and the file's entities.
 
-        From now on `ThisLaunchFile` and its like mean that file, up to the last of them.
+        Until the last entity, `ThisLaunchFile` and similar substitutions refer to the file.
 
         Raises:
-            IncludeLoopError: The file includes itself, without end.
-            IncludeArgumentError: An argument that it needs is not given.
-            LaunchArgumentError: It is not given where no launch file includes it.
+            IncludeLoopError: The file includes itself without end.
+            LaunchArgumentError: The include does not give a required argument of the file.
+            LaunchFileError: No launch file includes the file, and a required argument is missing.
+                The error shows the line.
         """
         description = self.launch_description_source.get_launch_description(context)
         sets: list[LaunchDescriptionEntity] = []
@@ -90,12 +90,12 @@ class IncludeLaunchDescription(Action):
             "include_chain": self._chain(context, str(path), given),
         }
         context.extend_locals(extensions)
-        return [*sets, description, _LeaveFile()]
+        return [*sets, description, _RestoreFileLocals()]
 
     def _chain(
         self, context: LaunchContext, path: str, given: Mapping[str, str]
     ) -> tuple[tuple[str, str], ...]:
-        # A file may include itself with other arguments, and so come to an end.
+        # A file may include itself with other arguments; such a recursion can end.
         state = {**context.launch_configurations, **given}
         link = (path, repr(sorted((key, str(value)) for key, value in state.items())))
         chain: tuple[tuple[str, str], ...] = context.get_locals_as_dict().get("include_chain", ())
@@ -105,15 +105,16 @@ class IncludeLaunchDescription(Action):
         return (*chain, link)
 
     def _check(self, description: LaunchDescription, given: Mapping[str, str]) -> None:
-        # launch does so too: before anything of the file is done, and whatever the including file
-        # calls its own
+        # As in launch: this check comes before every action of the file, and arguments of the
+        # including file with the same name do not count.
         for found in declared_arguments(description, follow_includes=False):
             action = found.action
             if action.default_value is None and not found.conditional and action.name not in given:
                 if self.origin is not None:
-                    raise IncludeArgumentError(action.name, given)
-                told = action.description if action.description != "no description given" else ""
-                error = LaunchArgumentError.missing(action.name, told)
+                    raise LaunchArgumentError.missing_in_include(action.name, given)
+                is_described = action.description != "no description given"
+                described = action.description if is_described else ""
+                error = LaunchArgumentError.missing(action.name, described)
                 raise error if action.origin is None else LaunchFileError.at(action.origin, error)
 
     def describe(self) -> str:

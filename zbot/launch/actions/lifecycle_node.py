@@ -1,4 +1,4 @@
-"""Managed nodes, whose states launch files change and react to."""
+"""Actions for managed (lifecycle) nodes and their transitions."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from zbot.launch.ros_node import LaunchNode
     from zbot.launch.substitution import SomeSubstitutionsType
 
-#: Where each transition leads to, by its label.
+#: Number and goal state of each transition, by its label.
 _GOALS = {
     "configure": (1, "inactive"),
     "cleanup": (2, "unconfigured"),
@@ -34,13 +34,13 @@ _LABELS = {number: label for label, (number, _) in _GOALS.items()}
 
 
 class LifecycleNode(Node):
-    """Run a managed node; the arguments are those of `Node`.
+    """Run a managed node. The arguments are the same as for `Node`.
 
     Args:
-        name: The node's name, which has to be known here.
+        name: The node's name. It is required here.
         namespace: The node's namespace.
-        autostart: Whether it is configured and activated at once.
-        options: As for `Node`.
+        autostart: Whether to configure and activate the node after its start.
+        options: The options of `Node`.
     """
 
     def __init__(
@@ -56,13 +56,13 @@ class LifecycleNode(Node):
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
-        """Return the class and the options that the tag of a managed node stands for."""
+        """Return the class and the constructor options for a `lifecycle_node` tag."""
         from zbot.launch.frontend.ros_tags import lifecycle_node_options  # noqa: PLC0415 - cycle
 
         return cls, lifecycle_node_options(entity, parser)
 
     def execute(self, context: LaunchContext) -> list[Any] | None:
-        """Start the node, and listen to what it tells of its state."""
+        """Start the node and listen to its transition events."""
         super().execute(context)
         if context.is_shutdown:
             return None
@@ -91,20 +91,20 @@ class LifecycleNode(Node):
         def on_answer(succeeded: bool) -> None:
             if not succeeded:
                 text = f"Failed to make transition '{label}' for LifecycleNode '{self.node_name}'"
-                context.journal.error("launch_ros", text)
+                context.writer.error("launch_ros", text)
 
         node.change_state(self.node_name, event.transition_id, on_answer)
 
 
 class LifecycleTransition(Action):
-    """Lead managed nodes through several transitions, each when the one before is done.
+    """Request several transitions of managed nodes, one transition after the other.
 
     Args:
-        lifecycle_node_names: The nodes, or their full names.
+        lifecycle_node_names: The node actions, or full names of nodes.
         transition_ids: Labels or numbers of the transitions.
 
     Raises:
-        EntityTypeError: There is no node or no transition, or one of that name.
+        EntityTypeError: A list is empty, or a transition does not exist.
     """
 
     def __init__(
@@ -121,11 +121,11 @@ class LifecycleTransition(Action):
                 raise EntityTypeError(f"the {what} of a LifecycleTransition", "at least one", given)
 
     def execute(self, context: LaunchContext) -> None:
-        """Begin with the first transition of each node."""
+        """Request the first transition of each node. Handlers request the next transitions."""
         for node in self._nodes:
             matcher = matches_action(node) if isinstance(node, Node) else _by_name(node)
             for before, label in zip(self._labels, self._labels[1:], strict=False):
-                self._follow(context, matcher, _GOALS[before][1], label)
+                self._emit_after(context, matcher, _GOALS[before][1], label)
             self._emit(context, matcher, self._labels[0])
 
     @staticmethod
@@ -134,13 +134,13 @@ class LifecycleTransition(Action):
         event = ChangeState(lifecycle_node_matcher=matcher, transition_id=number)
         context.emit_event_sync(event)
 
-    def _follow(self, context: LaunchContext, matcher: Any, goal: str, label: str) -> None:
-        class _Then(OnStateTransition):
+    def _emit_after(self, context: LaunchContext, matcher: Any, goal: str, label: str) -> None:
+        class _AfterTransition(OnStateTransition):
             def matches(self, event: Any) -> bool:
                 return super().matches(event) and matcher(event.action)
 
         context.register_event_handler(
-            _Then(
+            _AfterTransition(
                 goal_state=goal,
                 entities=lambda *_: self._emit(context, matcher, label),
                 handle_once=True,

@@ -1,4 +1,4 @@
-"""Lines on the screen."""
+"""Actions that write a log line."""
 
 from __future__ import annotations
 
@@ -21,21 +21,21 @@ _LEVELS = {
 
 
 def _known(level: str) -> str:
-    """Return the name by which Python knows a level."""
+    """Return Python's name of a log level."""
     if level.upper() not in _LEVELS:
         raise LogLevelError(level, _LEVELS)
     return _LEVELS[level.upper()]
 
 
 class Log(Action):
-    """Write a line.
+    """Write a log line.
 
     Args:
         msg: The text.
         level: `debug`, `info`, `warning` or `error`.
 
     Raises:
-        LogLevelError: There is no such level.
+        LogLevelError: The level does not exist.
     """
 
     def __init__(
@@ -47,9 +47,9 @@ class Log(Action):
             _known(level)
 
     def execute(self, context: LaunchContext) -> None:
-        """Write it."""
+        """Write the line."""
         level = _known(perform(context, self.level))
-        context.journal.log(level, "launch.user", perform(context, self.msg))
+        context.writer.log(level, "launch.user", perform(context, self.msg))
 
     def describe(self) -> str:
         """Return the text."""
@@ -57,28 +57,28 @@ class Log(Action):
 
 
 class LogInfo(Log):
-    """Write what happens."""
+    """Write a line at level INFO."""
 
     def __init__(self, *, msg: SomeSubstitutionsType, **options: Any) -> None:
         super().__init__(msg=msg, level=options.pop("level", "INFO"), **options)
 
 
 class LogDebug(LogInfo):
-    """Write a line that only `--debug` shows."""
+    """Write a line at level DEBUG. The screen shows it only with `--debug`."""
 
     def __init__(self, *, msg: SomeSubstitutionsType, **options: Any) -> None:
         super().__init__(msg=msg, level="DEBUG", **options)
 
 
 class LogWarning(LogInfo):
-    """Write what may be wrong."""
+    """Write a line at level WARNING."""
 
     def __init__(self, *, msg: SomeSubstitutionsType, **options: Any) -> None:
         super().__init__(msg=msg, level="WARNING", **options)
 
 
 class LogError(LogInfo):
-    """Write what is wrong."""
+    """Write a line at level ERROR."""
 
     def __init__(self, *, msg: SomeSubstitutionsType, **options: Any) -> None:
         super().__init__(msg=msg, level="ERROR", **options)

@@ -1,4 +1,4 @@
-"""Actions that are made several times, with different values."""
+"""Loop actions, which create actions once for each value of a list."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
 SEPARATOR = ";"
 
 
-def in_a_round(
+def loop_iteration(
     values: Mapping[str, Any], entities: Iterable[LaunchDescriptionEntity]
 ) -> list[LaunchDescriptionEntity]:
-    """Return entities between what lets substitutions see the values of a loop's round."""
+    """Return the entities, between actions that set and remove the locals of one iteration."""
     seen = {ForEachVar.get_local_arg_name(key): one for key, one in values.items()}
-    # launch opens a scope, fills it, and closes it: descriptions are compared step by step.
+    # Three functions, as in launch: its tests compare descriptions entity by entity.
     opened = [OpaqueFunction(function=_open), OpaqueFunction(function=_fill, args=(seen,))]
     return [*opened, *entities, OpaqueFunction(function=_close)]
 
@@ -46,11 +46,11 @@ def _close(context: LaunchContext) -> None:
 
 
 class ForEach(Action):
-    """Do what a function returns for each of several dictionaries of values.
+    """Call a function with each dictionary of a list, and execute the entities that it returns.
 
     Args:
-        input_values: YAML dictionaries with semicolons between: `{name: a, id: 1};{name: b}`.
-        function: Called with the values of one dictionary as keywords.
+        input_values: YAML dictionaries, separated by semicolons: `{name: a, id: 1};{name: b}`.
+        function: Called with the values of one dictionary as keyword arguments.
     """
 
     def __init__(
@@ -64,27 +64,27 @@ class ForEach(Action):
         self.input_values, self.function = normalize(input_values), function
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        """Return what the function returns, for each dictionary in its order.
+        """Return the entities for all dictionaries, in the order of the dictionaries.
 
         Raises:
-            LaunchArgumentError: A part is no dictionary.
+            LaunchArgumentError: A part is not a dictionary.
         """
         text = perform(context, self.input_values)
         parts = [part for part in text.split(SEPARATOR) if part.strip()]
         return [each for part in parts for each in self.function(**_values(part)) or ()]
 
     def describe(self) -> str:
-        """Return the values."""
+        """Return the input values."""
         return f"ForEach({describe(self.input_values)})"
 
 
 class ForLoop(Action):
-    """Do what a function returns for the numbers from 0.
+    """Call a function with each number from 0, and execute the entities that it returns.
 
     Args:
-        length: How many numbers.
-        function: Called with `i`, the number.
-        name: What the loop is called.
+        length: The number of iterations.
+        function: Called with the number as `i`.
+        name: The name of the loop.
     """
 
     def __init__(
@@ -99,10 +99,10 @@ class ForLoop(Action):
         self.length, self.function, self.name = normalize(length), function, name
 
     def execute(self, context: LaunchContext) -> list[LaunchDescriptionEntity]:
-        """Return the loop over the numbers.
+        """Return a `ForEach` action for the numbers.
 
         Raises:
-            LaunchArgumentError: The length is no whole number.
+            LaunchArgumentError: The length is not a whole number.
         """
         text = perform(context, self.length)
         try:
@@ -113,7 +113,7 @@ class ForLoop(Action):
         return [ForEach(numbers, function=self.function)]
 
     def describe(self) -> str:
-        """Return how many times."""
+        """Return the number of iterations."""
         return f"ForLoop({describe(self.length)})"
 
 

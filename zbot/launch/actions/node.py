@@ -1,4 +1,4 @@
-"""Nodes: executables of packages, with names, parameters and remaps."""
+"""Action that runs an executable of a package as a node, with name, parameters and remaps."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from zbot.launch.actions.ros_names import (
 )
 from zbot.launch.errors import EntityTypeError
 from zbot.launch.node_names import add_node_name
-from zbot.launch.own_command import own_command
 from zbot.launch.parameters import normalize_parameters, to_words
 from zbot.launch.substitution import describe, normalize, perform
+from zbot.launch.zbot_command import zbot_command
 from zbot.package.workspace import search_roots
 
 if TYPE_CHECKING:
@@ -40,15 +40,15 @@ class Node(ExecuteProcess):
 
     Args:
         executable: The executable, or a path if there is no package.
-        package: The package that has it.
-        name: The node's name; its own if left out.
+        package: The package of the executable.
+        name: The node's name. None keeps the name in the node's code.
         namespace: The node's namespace.
-        exec_name: What its process is called; the executable's name if left out.
-        parameters: Dictionaries and parameter files; later ones win.
-        remappings: Pairs of a name and the name to use instead.
+        exec_name: The name of the process. None means the name of the executable.
+        parameters: Dictionaries and parameter files. A later value replaces an earlier value.
+        remappings: Pairs of a name and its replacement.
         ros_arguments: Words to add after `--ros-args`.
         arguments: Words for the node itself.
-        options: As for `ExecuteProcess`.
+        options: The options of `ExecuteProcess`.
     """
 
     UNSPECIFIED_NODE_NAME = "<node_name_unspecified>"
@@ -71,7 +71,7 @@ class Node(ExecuteProcess):
         self.package = None if package is None else normalize(package)
         self.executable = normalize(executable)
         super().__init__(cmd=[self.executable], name=exec_name, **options)
-        # Tests of launch_ros look at both under its own names, `_Node__parameters`.
+        # Tests of launch_ros use both attributes by their mangled names, e.g. `_Node__parameters`.
         self.__parameters = normalize_parameters(parameters or ())
         self.__remappings = [_pair(one) for one in remappings or ()]
         self.arguments = [normalize(word) for word in _listed(arguments)]
@@ -84,19 +84,19 @@ class Node(ExecuteProcess):
 
     @classmethod
     def parse(cls, entity: Entity, parser: Parser) -> tuple[type[Action], dict[str, Any]]:
-        """Return the class and the options that the tag of a node stands for."""
+        """Return the class and the constructor options for a `node` tag."""
         from zbot.launch.frontend.ros_tags import node_options  # noqa: PLC0415 - cycle
 
         return cls, node_options(entity, parser)
 
     @property
     def parameters(self) -> list[Any]:
-        """Dictionaries and files; later ones win."""
+        """Dictionaries and files. A later value replaces an earlier value."""
         return self.__parameters
 
     @property
     def remappings(self) -> list[tuple[list[Substitution], list[Substitution]]]:
-        """Pairs of a name and the name to use instead."""
+        """Pairs of a name and its replacement."""
         return self.__remappings
 
     @property
@@ -111,19 +111,19 @@ class Node(ExecuteProcess):
 
     @property
     def is_fully_qualified(self) -> bool:
-        """Whether its whole name is known."""
+        """Whether the launch gives the node a name."""
         return self._name is not None
 
     def is_node_name_fully_specified(self) -> bool:
-        """Return whether the launch gave it a name and a namespace."""
+        """Return whether the launch gave the node a name and a namespace."""
         unknown = (self.UNSPECIFIED_NODE_NAME, self.UNSPECIFIED_NODE_NAMESPACE)
         return not any(text in self.node_name for text in unknown)
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
-        """Start the node, unless the launch is ending; a name that was there before is told.
+        """Start the node, unless the launch is ending. Warn if its name is in use.
 
         Raises:
-            ZbotError: There is no such package or executable.
+            ZbotError: The package or the executable does not exist.
         """
         following = super().execute(context)
         if self._name is not None and not context.is_shutdown:
@@ -132,10 +132,10 @@ class Node(ExecuteProcess):
         return following
 
     def prepare(self, context: LaunchContext) -> Prepared:
-        """Return the command line.
+        """Return the command line after substitution.
 
         Raises:
-            ZbotError: There is no such package or executable.
+            ZbotError: The package or the executable does not exist.
         """
         executable = perform(context, self.executable)
         words = [executable]
@@ -143,19 +143,19 @@ class Node(ExecuteProcess):
             package = perform(context, self.package)
             if context.find_program is not None:
                 context.find_program(package, executable)
-            words = self._quoted([*own_command(), "run", package, executable])
+            words = self._quoted([*zbot_command(), "run", package, executable])
         words += [perform(context, word) for word in self.arguments]
         description = self.process_description
         name = perform(context, description.name) if description.name else ""
         name = name or executable.replace("\\", "/").rpartition("/")[2]
         prepared = description.prepare(context, [*words, *self._ros_words(context)], name)
-        if prepared.cwd is not None:  # from there, the workspace could not be seen
+        if prepared.cwd is not None:  # zbot searches the workspace from the working directory
             roots = os.pathsep.join(str(root.absolute()) for root, _ in search_roots())
             prepared.env.setdefault("ZBOT_WORKSPACE", roots)
         return prepared
 
     def _quoted(self, words: list[str]) -> list[str]:
-        """Return words as a shell reads them, if there is one; what the user wrote is its line."""
+        """Return the words, with quotes if a shell runs them. The user's words get no quotes."""
         if not self.shell:
             return words
         return [list2cmdline([word]) if os.name == "nt" else quote(word) for word in words]
@@ -176,7 +176,7 @@ class Node(ExecuteProcess):
         return ["--ros-args", *words] if words else []
 
     def _perform_substitutions(self, context: LaunchContext) -> None:
-        """Set its names and remaps as the launch has them; extensions call this by its name."""
+        """Set the node's final names and remaps. Extensions use this private name of launch_ros."""
         pushed: str | None = context.launch_configurations.get(NAMESPACE)
         if pushed is not None or self._namespace is not None:
             own = perform(context, self._namespace or ())
@@ -204,7 +204,7 @@ def _optional(value: SomeSubstitutionsType | None) -> list[Substitution] | None:
 
 
 def _listed(words: Any) -> list[Any]:
-    """Return words as a list; a single text is one word."""
+    """Return words as a list. A string becomes a list of one word."""
     if words is None:
         return []
     return [words] if isinstance(words, str) or hasattr(words, "perform") else list(words)

@@ -1,4 +1,4 @@
-"""Python functions as actions."""
+"""Actions that call a Python function or run a coroutine."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class OpaqueFunction(Action):
-    """Call a function with the context; what it returns is done next.
+    """Call a function with the context and visit the entities that it returns.
 
     Args:
         function: Called as `function(context, *args, **kwargs)`.
@@ -37,7 +37,7 @@ class OpaqueFunction(Action):
         self.args, self.kwargs = tuple(args or ()), dict(kwargs or {})
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
-        """Call the function."""
+        """Call the function and return its entities."""
         returned = self.function(context, *self.args, **self.kwargs)
         return [returned] if isinstance(returned, LaunchDescriptionEntity) else returned
 
@@ -47,13 +47,13 @@ class OpaqueFunction(Action):
 
 
 class OpaqueCoroutine(Action):
-    """Run a coroutine beside the launch; it is cancelled when the launch ends.
+    """Run a coroutine in the launch's event loop. The end of the launch cancels the coroutine.
 
     Args:
         coroutine: Called as `coroutine(context, *args, **kwargs)`.
         args: More arguments.
         kwargs: More arguments by name.
-        ignore_context: Whether it is called without the context.
+        ignore_context: Whether to call `coroutine` without the context.
     """
 
     def __init__(

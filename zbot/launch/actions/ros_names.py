@@ -1,4 +1,4 @@
-"""Namespaces, remaps and parameters for all nodes that follow."""
+"""Actions that set namespace, remaps and parameters for all later nodes."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
     from zbot.launch.substitution import SomeSubstitutionsType
 
-#: Names of launch configurations, as launch_ros has them: so a group's end ends them too.
+#: Launch configurations with the names of launch_ros. A scoped group restores them.
 NAMESPACE, REMAPS, PARAMETERS = "ros_namespace", "ros_remaps", "global_params"
 
 
 def join_namespace(base: str, name: str) -> str:
-    """Return a namespace inside another; an absolute one stands for itself."""
+    """Return the namespace `base/name`. An absolute `name` stays unchanged."""
     if not name:
         return base
     if name.startswith("/") or not base:
@@ -28,12 +28,12 @@ def join_namespace(base: str, name: str) -> str:
 
 
 def absolute(namespace: str) -> str:
-    """Return a namespace with its first slash and without a last one."""
+    """Return a namespace with a leading slash and without a trailing slash."""
     return "/" + namespace.strip("/")
 
 
 def prefix_namespace(base_ns: str | None = None, ns: str | None = None) -> str | None:
-    """Return a namespace inside another, either of which may be missing; see above."""
+    """Return the same as `join_namespace`. Both arguments may be None."""
     if base_ns is None or ns is None:
         joined = base_ns if ns is None else ns
     else:
@@ -42,24 +42,24 @@ def prefix_namespace(base_ns: str | None = None, ns: str | None = None) -> str |
 
 
 def is_namespace_absolute(ns: str) -> bool:
-    """Return whether a namespace stands for itself."""
+    """Return whether a namespace is absolute."""
     return ns.startswith("/")
 
 
 def is_root_namespace(ns: str) -> bool:
-    """Return whether a namespace is that of all others."""
+    """Return whether a namespace is the root, `/`."""
     return ns == "/"
 
 
 class PushROSNamespace(Action):
-    """Put the nodes that follow into a namespace."""
+    """Put later nodes into a namespace."""
 
     def __init__(self, namespace: SomeSubstitutionsType, **options: Any) -> None:
         super().__init__(**options)
         self.namespace = normalize(namespace)
 
     def execute(self, context: LaunchContext) -> None:
-        """Add to the namespace that holds."""
+        """Append the namespace to the present namespace."""
         present = str(context.launch_configurations.get(NAMESPACE, ""))
         joined = join_namespace(present, perform(context, self.namespace))
         context.launch_configurations[NAMESPACE] = absolute(joined)
@@ -69,7 +69,7 @@ PushRosNamespace = PushROSNamespace
 
 
 class SetRemap(Action):
-    """Let the nodes that follow use another name for a topic or service."""
+    """Remap a topic or service name for later nodes."""
 
     def __init__(
         self, src: SomeSubstitutionsType, dst: SomeSubstitutionsType, **options: Any
@@ -78,26 +78,26 @@ class SetRemap(Action):
         self.src, self.dst = normalize(src), normalize(dst)
 
     def execute(self, context: LaunchContext) -> None:
-        """Add to the remaps that hold."""
+        """Append the remap to the present remaps."""
         remap = perform(context, self.src), perform(context, self.dst)
         present = context.launch_configurations.get(REMAPS, [])
         context.launch_configurations[REMAPS] = [*present, remap]
 
 
 class SetParameter(Action):
-    """Set a parameter of the nodes that follow."""
+    """Set a parameter of later nodes."""
 
     def __init__(self, name: SomeSubstitutionsType, value: Any, **options: Any) -> None:
         super().__init__(**options)
         self.name, self.value = normalize(name), value
 
     def execute(self, context: LaunchContext) -> None:
-        """Add to the parameters that hold."""
+        """Append the setting to the present parameters."""
         _add(context, (perform(context, self.name), evaluate(context, self.value)))
 
 
 class SetParametersFromFile(Action):
-    """Give a parameter file to the nodes that follow."""
+    """Set the parameters of later nodes from a file."""
 
     def __init__(
         self,
@@ -108,31 +108,31 @@ class SetParametersFromFile(Action):
     ) -> None:
         super().__init__(**options)
         self.filename = normalize(filename)
-        del node_name  # the file itself says which node gets what
+        del node_name  # the file itself names the nodes
 
     def execute(self, context: LaunchContext) -> None:
-        """Add to the parameters that hold."""
+        """Append the setting to the present parameters."""
         _add(context, ParameterFile(perform(context, self.filename)))
 
 
 class SetUseSimTime(Action):
-    """Let the nodes that follow take the time from `/clock`, or not."""
+    """Choose whether later nodes take the time from `/clock`."""
 
     def __init__(self, value: bool | SomeSubstitutionsType, **options: Any) -> None:
         super().__init__(**options)
         self.value = normalize(str(value) if isinstance(value, bool) else value)
 
     def execute(self, context: LaunchContext) -> None:
-        """Add to the parameters that hold."""
+        """Append the setting to the present parameters."""
         _add(context, ("use_sim_time", bool(to_bool(perform(context, self.value)))))
 
 
 class SetROSLogDir(Action):
-    """Let the processes that follow write their log files to a folder.
+    """Set the folder of the log files of later processes.
 
     Args:
-        new_log_dir: The folder; a relative one stands in the one that holds.
-        options: As for `Action`.
+        new_log_dir: The folder. A relative path starts in the present log folder.
+        options: The options of `Action`.
     """
 
     def __init__(self, new_log_dir: SomeSubstitutionsType, **options: Any) -> None:
@@ -140,7 +140,7 @@ class SetROSLogDir(Action):
         self.log_dir = normalize(new_log_dir)
 
     def execute(self, context: LaunchContext) -> None:
-        """Set the variable."""
+        """Set the variable `ROS_LOG_DIR`."""
         present = context.environment.get("ROS_LOG_DIR") or str(get_logging_directory())
         folder = Path(present) / perform(context, self.log_dir)
         context.environment["ROS_LOG_DIR"] = str(folder)

@@ -1,4 +1,4 @@
-"""Timers that follow the nodes' time, simulated or not."""
+"""Timer action that uses ROS time, which may be simulated."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ _INTERVAL_S = 0.02
 
 
 class RosTimer(TimerAction):
-    """Do several things after a while, measured by the clock of ROS; see `TimerAction`.
+    """Execute actions after a period of ROS time. See `TimerAction`.
 
-    The time is that of `/clock` where `SetUseSimTime`, or a parameter `use_sim_time` of all nodes,
-    says so.
+    The time comes from `/clock` if `SetUseSimTime`, or the parameter `use_sim_time` of all nodes,
+    is true.
     """
 
     _is_simulated = False
 
     def execute(self, context: LaunchContext) -> None:
-        """Start to wait."""
+        """Start the period."""
         self._is_simulated = _is_simulated(context)
         super().execute(context)
 
@@ -33,7 +33,7 @@ class RosTimer(TimerAction):
         from zbot.parameters.parameter import Parameter  # noqa: PLC0415 - as above
 
         node = launch_node(context).node
-        # What stands behind this action in the launch file has been read by now, and counts too.
+        # The second check includes later actions of the launch file, which were visited meanwhile.
         if self._is_simulated or _is_simulated(context):
             node.set_parameters([Parameter("use_sim_time", value=True)])
         clock = node.get_clock()

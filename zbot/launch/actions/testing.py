@@ -1,4 +1,4 @@
-"""What launch files under test use."""
+"""Action `ReadyToTest` of launch files under test, and its event."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
 
 
-class TestsMayBegin(Event):
+class ReadyToTestEvent(Event):
     """A launch reached its `ReadyToTest`."""
 
-    __test__ = False  # it is pytest's word for its own
-    name = "zbot.launch.TestsMayBegin"
+    __test__ = False  # not a test class of pytest
+    name = "zbot.launch.ReadyToTestEvent"
 
 
 class ReadyToTest(Action):
-    """Marks where tests may begin; a launch without tests passes it by."""
+    """Marks the point at which the tests may start. It has no effect without tests."""
 
     def execute(self, context: LaunchContext) -> None:
-        """Tell who runs the tests."""
-        context.emit_event_sync(TestsMayBegin())
+        """Emit the event for the test runner."""
+        context.emit_event_sync(ReadyToTestEvent())

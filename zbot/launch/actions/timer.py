@@ -1,4 +1,4 @@
-"""Actions that wait."""
+"""Timer action."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 
 
 class TimerAction(Action):
-    """Do several things after a while.
+    """Execute actions after a period.
 
     Args:
         period: Seconds to wait.
-        actions: What to do then.
-        cancel_on_shutdown: Whether a launch that ends does not wait for it.
+        actions: The actions.
+        cancel_on_shutdown: Whether the shutdown of the launch cancels the timer.
     """
 
     def __init__(
@@ -44,7 +44,7 @@ class TimerAction(Action):
         self._task: asyncio.Task[Any] | None = None
 
     def execute(self, context: LaunchContext) -> None:
-        """Start to wait."""
+        """Start the period."""
         seconds = _seconds(self.period, context)
         self._done = context.running_loop.create_future()
         context.add_completion_future(self._done)
@@ -67,25 +67,25 @@ class TimerAction(Action):
         await asyncio.sleep(seconds)
 
     def _finish(self, event: TimerEvent, context: LaunchContext) -> Sequence[Any]:  # noqa: ARG002
-        self._settle()
+        self._complete()
         return self.actions
 
     def cancel(self) -> None:
-        """Do nothing when the time comes."""
+        """Stop the timer without executing its actions."""
         if self._task is not None:
             self._task.cancel()
-        self._settle()
+        self._complete()
 
-    def _settle(self) -> None:
+    def _complete(self) -> None:
         if self._done is not None and not self._done.done():
             self._done.set_result(None)
 
     def get_asyncio_future(self) -> asyncio.Future[None] | None:
-        """Return a future that is done when the time has come."""
+        """Return a future that is done when the period is over or the timer is cancelled."""
         return self._done
 
     def describe(self) -> str:
-        """Return the kind of action."""
+        """Return the name of the class."""
         return f"{type(self).__name__}()"
 
     def describe_conditional_sub_entities(

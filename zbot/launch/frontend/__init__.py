@@ -1,4 +1,4 @@
-"""Launch files in XML and YAML."""
+"""Loaders of launch files in XML and YAML."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ _LOADERS = {"xml": xml_file.load, "yaml": yaml_file.load}
 
 
 def load_file(path: Path, kind: str) -> LaunchDescription:
-    """Return what a launch file describes.
+    """Return the launch description of a launch file.
 
     Args:
         path: The file.
         kind: `xml` or `yaml`.
 
     Raises:
-        LaunchFileError: It makes no sense.
+        LaunchFileError: The file is invalid.
     """
     return Parser().parse_description(_LOADERS[kind](path))

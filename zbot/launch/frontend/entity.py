@@ -1,4 +1,4 @@
-"""Launch files in XML and YAML as one kind of tree."""
+"""Tree of the tags in a launch file. XML and YAML files have the same tree."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from zbot.launch.frontend.errors import (
 from zbot.launch.substitution import to_bool
 from zbot.launch.typed_value import get_typed_value, is_instance_of, is_typing_list
 
-#: The arguments of `List` that make an attribute's type.
+#: Types of the items in an attribute's list. A list with another type contains children.
 _LISTS = ((bool,), (int,), (float,), (str,))
 
 
 class Entity:
-    """A tag with its attributes and what is inside it.
+    """A tag with its attributes and children.
 
     Args:
         type_name: The tag's name.
-        attributes: Its attributes, as they are written.
+        attributes: Its attributes, as they are in the file.
         children: The entities inside it.
         path: The file.
-        line: Its line in that, from 1.
-        parent: The entity that it is inside of.
+        line: The line number in the file, which starts at 1.
+        parent: The entity that contains it.
     """
 
     def __init__(
@@ -50,16 +50,16 @@ class Entity:
 
     @property
     def children(self) -> list[Entity]:
-        """The entities inside it; whoever asks for them takes any."""
+        """The entities inside this entity. After this call they all count as read."""
         self._all_used = True
         return self._children
 
     def add(self, child: Entity) -> None:
-        """Put an entity inside."""
+        """Append a child."""
         self._children.append(child)
 
     def text(self, name: str) -> str | None:
-        """Return an attribute as text; None if there is none."""
+        """Return an attribute as text, or None if it is missing."""
         self._used.add(name)
         value = self.attributes.get(name)
         if isinstance(value, bool):
@@ -70,7 +70,7 @@ class Entity:
         """Return an attribute as text.
 
         Raises:
-            InvalidFrontendLaunchFileError: There is none.
+            MissingAttributeError: The attribute is missing.
         """
         value = self.text(name)
         if value is None:
@@ -82,12 +82,12 @@ class Entity:
         return MissingAttributeError(self.path, self.line, reason)
 
     def value(self, name: str) -> Any:
-        """Return an attribute as it was written: in YAML it may be a number or a list."""
+        """Return an attribute without conversion. In YAML it may be a number or a list."""
         self._used.add(name)
         return self.attributes.get(name)
 
-    def inside(self, type_name: str) -> list[Entity]:
-        """Return those children that are of a kind."""
+    def children_of_type(self, type_name: str) -> list[Entity]:
+        """Return the children that have a given tag name."""
         self._used.add(type_name)
         return [child for child in self._children if child.type_name == type_name]
 
@@ -99,21 +99,22 @@ class Entity:
         optional: bool = False,
         can_be_str: bool = True,
     ) -> Any:
-        """Return an attribute, or children of a kind, as actions of other packages ask for them.
+        """Return an attribute or children. The arguments are the same as in launch.
 
         Args:
             name: Its name.
-            data_type: `str`, `int`, `float`, `bool` or a list of one, as in `List[int]`; what the
-                text means as YAML if None; `List[Entity]` for children.
-            optional: Whether None is returned where there is none.
-            can_be_str: Whether a text with substitutions will do for any type.
+            data_type: `str`, `int`, `float`, `bool`, or a list whose items have one of these types,
+                e.g. `List[int]`. None means the type that YAML reads. `List[Entity]` returns
+                children.
+            optional: Whether to return None if the attribute is missing.
+            can_be_str: Whether a string with substitutions is accepted for any type.
 
         Raises:
-            AttributeTypeError: It is of another type.
-            MissingAttributeError: There is none.
+            AttributeTypeError: The attribute has another type.
+            MissingAttributeError: The attribute is missing.
         """
         if is_typing_list(data_type) and get_args(data_type) not in _LISTS:
-            found = self.inside(name)
+            found = self.children_of_type(name)
             if not found and not optional:
                 raise MissingAttributeError(
                     self.path, self.line, f"`{self.type_name}` needs `{name}` inside it"
@@ -148,14 +149,14 @@ class Entity:
         return value
 
     def error(self, reason: str, hint: str = "") -> InvalidFrontendLaunchFileError:
-        """Return an error that names this place."""
+        """Return an error with the file and the line of this entity."""
         return InvalidFrontendLaunchFileError(self.path, self.line, reason, hint)
 
     def assert_entity_completely_parsed(self) -> None:
-        """Check that nobody wrote an attribute, or an entity inside, that nothing asks for.
+        """Check that every attribute and every child was read.
 
         Raises:
-            InvalidFrontendLaunchFileError: There is one.
+            InvalidFrontendLaunchFileError: An attribute or a child is unknown.
         """
         for child in () if self._all_used else self._children:
             if child.type_name not in self._used:

@@ -1,4 +1,4 @@
-"""What can be wrong with launch files in XML and YAML."""
+"""Errors in launch files in XML and YAML."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from zbot.launch.errors import LaunchFileError
 
 
 class InvalidFrontendLaunchFileError(LaunchFileError, ValueError):
-    """A launch file in XML or YAML makes no sense."""
+    """A launch file in XML or YAML is invalid."""
 
 
 class MissingAttributeError(InvalidFrontendLaunchFileError, AttributeError):
-    """An entity lacks an attribute, or children of a kind, that it needs."""
+    """A required attribute or child is missing."""
 
 
 class AttributeTypeError(InvalidFrontendLaunchFileError, TypeError):
-    """An attribute has a value of another type."""
+    """An attribute has the wrong type."""
 
 
 class SubstitutionSyntaxError(ValueError):
-    """A text with `$(...)` breaks the grammar."""
+    """A text with `$(...)` does not follow the grammar."""

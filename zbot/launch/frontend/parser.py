@@ -1,4 +1,4 @@
-"""Makes launch descriptions of the trees of XML and YAML files."""
+"""Parser that builds launch descriptions from the trees of XML and YAML files."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ _ROOT = "launch"
 
 
 class Parser:
-    """Makes actions of entities."""
+    """Builds actions from entities."""
 
-    extensions_loaded = False  #: whether packages were asked for tags of their own
+    extensions_loaded = False  #: whether tags of other packages were loaded
 
     @classmethod
     def load(cls, file: str | PathLike[str] | TextIO) -> tuple[Entity, Parser]:
@@ -40,8 +40,8 @@ class Parser:
             file: Its path, or an open file.
 
         Raises:
-            InvalidFrontendLaunchFileError: It is neither XML nor YAML.
-            OSError: It cannot be read.
+            InvalidFrontendLaunchFileError: The file is neither XML nor YAML.
+            OSError: The file cannot be read.
         """
         if isinstance(file, (str, PathLike)):
             content, path = Path(file).read_text(encoding="utf-8"), str(file)
@@ -51,22 +51,22 @@ class Parser:
         return parse_content(content, path), cls()
 
     def parse_substitution(self, value: Any) -> list[Substitution]:
-        """Return the substitutions that a text is made of."""
+        """Return the substitutions in a text. Plain parts become `TextSubstitution`."""
         return parse(str(value).lower() if isinstance(value, bool) else str(value))
 
     def parse_if_substitutions(self, value: Any) -> Any:
-        """Return the substitutions of a text that has any; other values as they are."""
+        """Return the substitutions in a text. Values without substitutions stay unchanged."""
         return parse_if_substitutions(value)
 
     def escape_characters(self, value: str) -> str:
-        """Return a text that is read as itself."""
+        """Return a text with escapes, so that `parse_substitution` reads it as plain text."""
         return value.replace("\\", "\\\\").replace("$", "\\$")
 
     def parse_description(self, entity: Entity) -> LaunchDescription:
-        """Return what a file describes.
+        """Return the launch description of the outermost entity.
 
         Raises:
-            LaunchFileError: It makes no sense.
+            LaunchFileError: The file is invalid.
         """
         if entity.type_name != _ROOT:
             raise entity.error(f"the outermost tag must be <launch>, not <{entity.type_name}>")
@@ -81,10 +81,10 @@ class Parser:
         return [self.parse_action(child) for child in entity.children]
 
     def parse_action(self, entity: Entity) -> LaunchDescriptionEntity:
-        """Return the action that an entity stands for.
+        """Return the action of an entity.
 
         Raises:
-            LaunchFileError: It makes no sense.
+            LaunchFileError: The entity is invalid.
         """
         name = entity.type_name.replace("-", "_")
         build = ACTIONS.get(entity.type_name) or ACTIONS.get(name)

@@ -1,4 +1,4 @@
-"""What tags and substitutions in XML and YAML stand for; packages may add their own."""
+"""Registry of the tags and substitutions in XML and YAML. Packages may add more of them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 from zbot.errors import close_matches
 from zbot.launch import substitutions as subs
-from zbot.launch.errors import ExposeError
+from zbot.launch.errors import LaunchUsageError
 from zbot.launch.frontend.errors import SubstitutionSyntaxError
 from zbot.launch.substitution import TextSubstitution
 
@@ -24,11 +24,11 @@ if TYPE_CHECKING:
 Exposed = TypeVar("Exposed", bound="Callable[..., Any]")
 
 ACTIONS: dict[str, Builder] = {}
-_ADDED: dict[str, Callable[[list[list[Substitution]]], Substitution]] = {}
+_EXPOSED: dict[str, Callable[[list[list[Substitution]]], Substitution]] = {}
 
 
 def action(*names: str) -> Callable[[Builder], Builder]:
-    """Let a function make the actions of these tags."""
+    """Register a function as the builder of actions for these tags."""
 
     def register(builder: Builder) -> Builder:
         ACTIONS.update(dict.fromkeys(names, builder))
@@ -40,16 +40,17 @@ def action(*names: str) -> Callable[[Builder], Builder]:
 def expose(
     name: str, exposed_parsers: dict[str, Callable[..., Any]], exposed_type: str
 ) -> Callable[[Exposed], Exposed]:
-    """Let a function, or the `parse` of a class, stand in a table under a name.
+    """Register a function, or the `parse` method of a class, in a table of parsers.
 
     Raises:
-        ExposeError: It is neither.
+        LaunchUsageError: The decorated object is not a function and has no `parse`.
     """
 
     def register(exposed: Exposed) -> Exposed:
         parse = getattr(exposed, "parse", exposed)
         if not callable(parse):
-            raise ExposeError(exposed_type, name)
+            text = f"Exposed {exposed_type} parser for {name} is not a callable or a class"
+            raise LaunchUsageError(f"{text} containing a parse method")
         exposed_parsers[name] = parse
         return exposed
 
@@ -57,9 +58,9 @@ def expose(
 
 
 def expose_action(name: str) -> Callable[[Exposed], Exposed]:
-    """Let a function, or a class with a classmethod `parse`, make the actions of a tag.
+    """Register a function for a tag, or a class with a classmethod `parse`.
 
-    It is given the entity and the parser, and returns a class and the arguments to make it with.
+    The function takes the entity and the parser, and returns a class and its keyword arguments.
     """
 
     def register(exposed: Exposed) -> Exposed:
@@ -77,9 +78,9 @@ def expose_action(name: str) -> Callable[[Exposed], Exposed]:
 
 
 def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
-    """Let a function, or a class with a classmethod `parse`, make the substitutions of a name.
+    """Register a function for a substitution, or a class with a classmethod `parse`.
 
-    It is given the arguments, and returns a class and the options to make it with.
+    The function takes the arguments, and returns a class and its keyword arguments.
     """
 
     def register(exposed: Exposed) -> Exposed:
@@ -90,14 +91,14 @@ def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
             substitution: Substitution = made(**options)
             return substitution
 
-        _ADDED[name] = build
+        _EXPOSED[name] = build
         return exposed
 
     return register
 
 
 def _joined(arguments: list[list[Substitution]]) -> list[Substitution]:
-    """Return arguments that are one text with blanks in it."""
+    """Return arguments joined by blanks."""
     parts: list[Substitution] = []
     for argument in arguments:
         parts += [*([TextSubstitution(text=" ")] if parts else []), *argument]
@@ -121,7 +122,7 @@ def _command(command: Any, on_stderr: Any = "fail") -> Substitution:
 
 
 def _expression(*words: Any) -> Substitution:
-    if len(words) == 2:  # as in ROS 2: the expression, and modules with commas between
+    if len(words) == 2:  # as in ROS 2, the second word has modules, separated by commas
         return subs.PythonExpression(words[0], python_modules=words[1])
     return subs.PythonExpression(_joined([*words]))
 
@@ -134,8 +135,8 @@ def _parameter(name: Any, default: Any = None) -> Substitution:
     return subs.Parameter(name, default=default)
 
 
-#: Name of a substitution: how it is made, the least and the largest number of arguments.
-_MAKERS: dict[str, tuple[Callable[..., Substitution], int, int]] = {
+#: For each substitution: its factory, its minimum and its maximum number of arguments.
+_FACTORIES: dict[str, tuple[Callable[..., Substitution], int, int]] = {
     "var": (_configuration, 1, 2),
     "arg": (_configuration, 1, 2),
     "env": (_environment, 1, 2),
@@ -176,18 +177,18 @@ _MAKERS: dict[str, tuple[Callable[..., Substitution], int, int]] = {
 
 
 def make_substitution(name: str, arguments: list[list[Substitution]]) -> Substitution:
-    """Return the substitution of a name.
+    """Return the substitution that has a given name.
 
     Raises:
-        SubstitutionSyntaxError: There is none of that name, or it takes other arguments.
+        SubstitutionSyntaxError: The name is unknown, or the number of arguments is wrong.
     """
-    if name in _ADDED:
-        return _ADDED[name](arguments)
-    if name not in _MAKERS:
-        near = close_matches(name, [*_MAKERS, *_ADDED], 1)
+    if name in _EXPOSED:
+        return _EXPOSED[name](arguments)
+    if name not in _FACTORIES:
+        near = close_matches(name, [*_FACTORIES, *_EXPOSED], 1)
         guess = f"; did you mean '$({near[0]} ...)'?" if near else ""
         raise SubstitutionSyntaxError(f"there is no substitution '$({name} ...)'{guess}")
-    make, least, largest = _MAKERS[name]
+    make, least, largest = _FACTORIES[name]
     if not least <= len(arguments) <= largest:
         count = str(least) if least == largest else f"{least} to {largest}"
         text = f"'$({name} ...)' takes {count} arguments, not {len(arguments)}"

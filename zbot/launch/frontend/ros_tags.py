@@ -1,4 +1,4 @@
-"""The tags of `launch_ros`: nodes, their parameters, remaps and namespaces."""
+"""Tags of `launch_ros` for nodes with their parameters, remaps and namespaces."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from zbot.errors import ZbotError
 from zbot.launch import actions
 from zbot.launch.actions.composable import ComposableNode
 from zbot.launch.frontend.registry import action, expose_action
-from zbot.launch.frontend.tags import needed, process_options, text, truth, words
+from zbot.launch.frontend.tags import boolean, process_options, required_text, text, words
 from zbot.launch.parameters import ParameterFile, ParameterValue
 from zbot.launch.substitution import TextSubstitution
 from zbot.parameters.file import parse_value
@@ -35,20 +35,20 @@ _TYPES: dict[str, Any] = {
 
 def _parameters(entity: Entity, parser: Parser) -> list[Any]:
     found: list[Any] = []
-    for one in entity.inside("param"):
+    for one in entity.children_of_type("param"):
         file = text(one, parser, "from")
         if file is None:
             found.append(_named(one, parser))
         else:
-            substitutes = truth(one, "allow_substs", default=False)
+            substitutes = boolean(one, "allow_substs", default=False)
             found.append(ParameterFile(file, allow_substs=substitutes))
         one.assert_entity_completely_parsed()
     return found
 
 
 def _named(entity: Entity, parser: Parser) -> dict[Any, Any]:
-    name = needed(entity, parser, "name")
-    nested = entity.inside("param")
+    name = required_text(entity, parser, "name")
+    nested = entity.children_of_type("param")
     if not nested:
         return {tuple(name): _value(entity, parser)}
     values: dict[Any, Any] = {}
@@ -81,9 +81,9 @@ def _text_parts(value: str, parser: Parser) -> Any:
 
 
 def _scalar(value: str, parser: Parser) -> Any:
-    """Return a text's substitutions; of one without any, what it is as YAML.
+    """Return the substitutions of a text, or the YAML value of a text without substitutions.
 
-    What YAML quotes is a text; an escaped quote is part of it.
+    A value in YAML quotes is a string. An escaped quote is part of the string.
     """
     parts = parser.parse_substitution(value)
     if not all(isinstance(part, TextSubstitution) for part in parts):
@@ -101,15 +101,16 @@ def _scalar(value: str, parser: Parser) -> Any:
 
 def _remaps(entity: Entity, parser: Parser) -> list[Any]:
     return [
-        (needed(one, parser, "from"), needed(one, parser, "to")) for one in entity.inside("remap")
+        (required_text(one, parser, "from"), required_text(one, parser, "to"))
+        for one in entity.children_of_type("remap")
     ]
 
 
 def node_options(entity: Entity, parser: Parser) -> dict[str, Any]:
-    """Return what the tag of a node says, as `Node` takes it."""
+    """Return the constructor options of `Node` for a `node` tag."""
     options = {
         "package": text(entity, parser, "pkg"),
-        "executable": needed(entity, parser, "exec"),
+        "executable": required_text(entity, parser, "exec"),
         "name": text(entity, parser, "name"),
         "namespace": text(entity, parser, "namespace"),
         "exec_name": text(entity, parser, "exec_name"),
@@ -125,11 +126,11 @@ def node_options(entity: Entity, parser: Parser) -> dict[str, Any]:
 
 
 def lifecycle_node_options(entity: Entity, parser: Parser) -> dict[str, Any]:
-    """Return what the tag of a managed node says, as `LifecycleNode` takes it."""
+    """Return the constructor options of `LifecycleNode` for a `lifecycle_node` tag."""
     entity.required("name")
     options = node_options(entity, parser)
     options["namespace"] = options["namespace"] or ""
-    return {**options, "autostart": truth(entity, "autostart", default=False)}
+    return {**options, "autostart": boolean(entity, "autostart", default=False)}
 
 
 expose_action("node")(actions.Node)
@@ -138,34 +139,36 @@ expose_action("lifecycle_node")(actions.LifecycleNode)
 
 @action("push_ros_namespace")
 def _push_namespace(entity: Entity, parser: Parser) -> Action:
-    return actions.PushROSNamespace(needed(entity, parser, "namespace"))
+    return actions.PushROSNamespace(required_text(entity, parser, "namespace"))
 
 
 @action("set_parameter")
 def _set_parameter(entity: Entity, parser: Parser) -> Action:
-    return actions.SetParameter(needed(entity, parser, "name"), _value(entity, parser))
+    return actions.SetParameter(required_text(entity, parser, "name"), _value(entity, parser))
 
 
 @action("set_parameters_from_file")
 def _set_parameters(entity: Entity, parser: Parser) -> Action:
     return actions.SetParametersFromFile(
-        needed(entity, parser, "filename"), node_name=text(entity, parser, "node")
+        required_text(entity, parser, "filename"), node_name=text(entity, parser, "node")
     )
 
 
 @action("set_remap")
 def _set_remap(entity: Entity, parser: Parser) -> Action:
-    return actions.SetRemap(needed(entity, parser, "from"), needed(entity, parser, "to"))
+    return actions.SetRemap(
+        required_text(entity, parser, "from"), required_text(entity, parser, "to")
+    )
 
 
 @action("set_use_sim_time")
 def _use_sim_time(entity: Entity, parser: Parser) -> Action:
-    return actions.SetUseSimTime(needed(entity, parser, "value"))
+    return actions.SetUseSimTime(required_text(entity, parser, "value"))
 
 
 @action("set_ros_log_dir")
 def _set_log_dir(entity: Entity, parser: Parser) -> Action:
-    return actions.SetROSLogDir(needed(entity, parser, "new_log_dir"))
+    return actions.SetROSLogDir(required_text(entity, parser, "new_log_dir"))
 
 
 @action("ros_timer")
@@ -176,18 +179,18 @@ def _ros_timer(entity: Entity, parser: Parser) -> Action:
 
 def _components(entity: Entity, parser: Parser) -> list[ComposableNode]:
     found: list[ComposableNode] = []
-    for one in entity.inside("composable_node"):
+    for one in entity.children_of_type("composable_node"):
         found.append(
             ComposableNode(
-                package=needed(one, parser, "pkg"),
-                plugin=needed(one, parser, "plugin"),
+                package=required_text(one, parser, "pkg"),
+                plugin=required_text(one, parser, "plugin"),
                 name=text(one, parser, "name"),
                 namespace=text(one, parser, "namespace"),
                 parameters=_parameters(one, parser),
                 remappings=_remaps(one, parser),
             )
         )
-        one.inside("extra_arg")
+        one.children_of_type("extra_arg")
     return found
 
 
@@ -205,5 +208,5 @@ def _node_container(entity: Entity, parser: Parser) -> Action:
 def _load_components(entity: Entity, parser: Parser) -> Action:
     return actions.LoadComposableNodes(
         composable_node_descriptions=_components(entity, parser),
-        target_container=needed(entity, parser, "target"),
+        target_container=required_text(entity, parser, "target"),
     )

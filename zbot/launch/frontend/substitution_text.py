@@ -1,8 +1,8 @@
-r"""Texts with substitutions: `$(find-pkg-share my_pkg)/config/$(var robot).yaml`.
+r"""Parser of texts with substitutions: `$(find-pkg-share my_pkg)/config/$(var robot).yaml`.
 
-An argument is separated by blanks; quotes keep blanks together, and substitutions may stand inside
-both: in one between quotes, quotes are plain text. A backslash takes its meaning from `$`,
-brackets, quotes and backslashes.
+Blanks separate arguments. An argument in quotes may contain blanks. Arguments with and without
+quotes may contain substitutions. Inside a substitution between quotes, quotes are plain text. After
+a backslash, the characters `$`, brackets, quotes and backslash are plain text.
 """
 
 from __future__ import annotations
@@ -25,25 +25,25 @@ _BLANKS = " \t\r\n"
 
 
 def parse(text: str) -> list[Substitution]:
-    """Return the substitutions that a text is made of.
+    """Return the substitutions in a text. Plain parts become `TextSubstitution`.
 
     Raises:
-        SubstitutionSyntaxError: It breaks the grammar.
+        SubstitutionSyntaxError: The text does not follow the grammar.
     """
     return _Parser(text).template("")
 
 
 def parse_if_substitutions(value: Any) -> Any:
-    """Return a value, or a list of values, with substitutions for the texts that have any.
+    """Return a value or a list of values. A text with substitutions becomes a list of them.
 
     Raises:
-        CoercionError: The items of a list are of several types.
-        SubstitutionSyntaxError: A text breaks the grammar.
+        CoercionError: The items of a list have different types.
+        SubstitutionSyntaxError: A text does not follow the grammar.
     """
     if isinstance(value, list):
         items = [parse_if_substitutions(one) for one in value]
         if not is_instance_of_valid_type([one for one in items if not isinstance(one, list)]):
-            raise CoercionError(f"the items of {value} are of several types")
+            raise CoercionError(f"the items of a list must have one type: {value}")
         return items
     if not isinstance(value, str):
         return value
@@ -56,14 +56,14 @@ class _Parser:
     def __init__(self, text: str) -> None:
         self._text = text
         self._at = 0
-        self._is_quoted = False  #: inside of quotes, where others are plain text
+        self._is_quoted = False  #: whether inside quotes, where other quotes are plain text
 
     @property
     def _next(self) -> str:
         return self._text[self._at : self._at + 1]
 
     def template(self, ends: str) -> list[Substitution]:
-        """Read up to one of the characters, or to the end of the text if there are none."""
+        """Read until a character of `ends`. If `ends` is empty, read the whole text."""
         parts: list[Substitution] = []
         plain = ""
         while self._next and self._next not in ends:

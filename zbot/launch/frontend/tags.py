@@ -1,4 +1,4 @@
-"""The tags of `launch`: arguments, groups, includes, environment, programs, timers."""
+"""Tags of `launch`, such as arguments, groups, includes, environment, programs and timers."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import warnings
 from typing import TYPE_CHECKING, Any, Final
 
 from zbot.launch import actions
-from zbot.launch.actions.loop import in_a_round
+from zbot.launch.actions.loop import loop_iteration
 from zbot.launch.frontend.errors import SubstitutionSyntaxError
 from zbot.launch.frontend.registry import action, expose_action
 from zbot.launch.source import AnyLaunchDescriptionSource
@@ -24,30 +24,30 @@ _QUOTES = "\"'"
 
 
 def text(entity: Entity, parser: Parser, name: str) -> list[Substitution] | None:
-    """Return an attribute with its substitutions; None if there is none."""
+    """Return an attribute as substitutions, or None if it is missing."""
     value = entity.text(name)
     return None if value is None else parser.parse_substitution(value)
 
 
-def needed(entity: Entity, parser: Parser, name: str) -> list[Substitution]:
-    """Return an attribute with its substitutions, which has to be there."""
+def required_text(entity: Entity, parser: Parser, name: str) -> list[Substitution]:
+    """Return a required attribute as substitutions."""
     return parser.parse_substitution(entity.required(name))
 
 
-def truth(entity: Entity, name: str, *, default: bool) -> bool:
-    """Return an attribute that says true or false."""
+def boolean(entity: Entity, name: str, *, default: bool) -> bool:
+    """Return an attribute that is true or false."""
     found: bool | None = entity.get_attr(name, data_type=bool, optional=True, can_be_str=False)
     return default if found is None else found
 
 
 def words(parts: list[Substitution], *, keeps_quotes: bool = False) -> list[list[Substitution]]:
-    """Return the words of a command line, of which each is made of substitutions.
+    """Return the words of a command line. Each word is a list of substitutions.
 
-    Blanks end a word, except between quotes or inside of what a substitution becomes.
+    Blanks end a word, but not between quotes or in the text of a substitution.
 
     Args:
         parts: The command line.
-        keeps_quotes: Whether quotes stay in the words, for a shell to read.
+        keeps_quotes: Whether quotes stay in the words, because a shell reads the words.
     """
     found: list[list[Substitution]] = [[]]
     quote, is_open = "", False
@@ -72,7 +72,7 @@ def words(parts: list[Substitution], *, keeps_quotes: bool = False) -> list[list
 
 
 def _merged(parts: list[Substitution]) -> list[Substitution]:
-    """Return a word with neighbouring texts as one."""
+    """Return a word in which adjacent texts are joined."""
     merged: list[Substitution] = []
     for part in parts:
         last = merged[-1] if merged else None
@@ -84,7 +84,7 @@ def _merged(parts: list[Substitution]) -> list[Substitution]:
 
 
 def process_options(entity: Entity, parser: Parser) -> dict[str, Any]:
-    """Return what every process may be given."""
+    """Return the constructor options that all process actions share."""
     options: dict[str, Any] = {}
     names = {
         "launch-prefix": "prefix",
@@ -116,14 +116,14 @@ def process_options(entity: Entity, parser: Parser) -> dict[str, Any]:
 
 def _environment(entity: Entity, parser: Parser) -> dict[Any, list[Substitution]]:
     return {
-        parser.parse_substitution(one.required("name"))[0]: needed(one, parser, "value")
-        for one in entity.inside("env")
+        parser.parse_substitution(one.required("name"))[0]: required_text(one, parser, "value")
+        for one in entity.children_of_type("env")
     }
 
 
 @action("arg")
 def _argument(entity: Entity, parser: Parser) -> Action:
-    choices = [choice.required("value") for choice in entity.inside("choice")]
+    choices = [choice.required("value") for choice in entity.children_of_type("choice")]
     return actions.DeclareLaunchArgument(
         entity.required("name"),
         default_value=text(entity, parser, "default"),
@@ -135,31 +135,31 @@ def _argument(entity: Entity, parser: Parser) -> Action:
 @action("let")
 def _let(entity: Entity, parser: Parser) -> Action:
     return actions.SetLaunchConfiguration(
-        needed(entity, parser, "name"), needed(entity, parser, "value")
+        required_text(entity, parser, "name"), required_text(entity, parser, "value")
     )
 
 
 @action("include")
 def _include(entity: Entity, parser: Parser) -> Action:
     pairs = [
-        (needed(one, parser, "name"), needed(one, parser, "value"))
-        for one in (*entity.inside("arg"), *entity.inside("let"))
+        (required_text(one, parser, "name"), required_text(one, parser, "value"))
+        for one in (*entity.children_of_type("arg"), *entity.children_of_type("let"))
     ]
-    source = AnyLaunchDescriptionSource(needed(entity, parser, "file"))
+    source = AnyLaunchDescriptionSource(required_text(entity, parser, "file"))
     return actions.IncludeLaunchDescription(source, launch_arguments=pairs)
 
 
 @action("group")
 def _group(entity: Entity, parser: Parser) -> Action:
     kept = {
-        parser.parse_substitution(one.required("name"))[0]: needed(one, parser, "value")
-        for one in entity.inside("keep")
+        parser.parse_substitution(one.required("name"))[0]: required_text(one, parser, "value")
+        for one in entity.children_of_type("keep")
     }
     inside = [one for one in entity.children if one.type_name != "keep"]
     return actions.GroupAction(
         [parser.parse_action(one) for one in inside],
-        scoped=truth(entity, "scoped", default=True),
-        forwarding=truth(entity, "forwarding", default=True),
+        scoped=boolean(entity, "scoped", default=True),
+        forwarding=boolean(entity, "forwarding", default=True),
         launch_configurations=kept,
     )
 
@@ -167,42 +167,42 @@ def _group(entity: Entity, parser: Parser) -> Action:
 @action("for")
 def _for(entity: Entity, parser: Parser) -> Action:
     name = entity.required("name")
-    parser.actions(entity)  # what is wrong inside shows even where there are no rounds
+    parser.actions(entity)  # reports errors inside a loop, even if the loop has no iterations
 
-    def one_round(i: int) -> list[LaunchDescriptionEntity]:
-        return in_a_round({name: i}, parser.actions(entity))
+    def one_iteration(i: int) -> list[LaunchDescriptionEntity]:
+        return loop_iteration({name: i}, parser.actions(entity))
 
-    return actions.ForLoop(needed(entity, parser, "len"), function=one_round, name=name)
+    return actions.ForLoop(required_text(entity, parser, "len"), function=one_iteration, name=name)
 
 
 @action("for_each")
 def _for_each(entity: Entity, parser: Parser) -> Action:
     parser.actions(entity)  # as above
 
-    def one_round(**values: Any) -> list[LaunchDescriptionEntity]:
-        return in_a_round(values, parser.actions(entity))
+    def one_iteration(**values: Any) -> list[LaunchDescriptionEntity]:
+        return loop_iteration(values, parser.actions(entity))
 
-    return actions.ForEach(needed(entity, parser, "values"), function=one_round)
+    return actions.ForEach(required_text(entity, parser, "values"), function=one_iteration)
 
 
 @action("set_env")
 def _set_env(entity: Entity, parser: Parser) -> Action:
     return actions.SetEnvironmentVariable(
-        needed(entity, parser, "name"), needed(entity, parser, "value")
+        required_text(entity, parser, "name"), required_text(entity, parser, "value")
     )
 
 
 @action("unset_env")
 def _unset_env(entity: Entity, parser: Parser) -> Action:
-    return actions.UnsetEnvironmentVariable(needed(entity, parser, "name"))
+    return actions.UnsetEnvironmentVariable(required_text(entity, parser, "name"))
 
 
 @action("append_env")
 def _append_env(entity: Entity, parser: Parser) -> Action:
     return actions.AppendEnvironmentVariable(
-        needed(entity, parser, "name"),
-        needed(entity, parser, "value"),
-        prepend=truth(entity, "prepend", default=False),
+        required_text(entity, parser, "name"),
+        required_text(entity, parser, "value"),
+        prepend=boolean(entity, "prepend", default=False),
         separator=text(entity, parser, "separator") or os.pathsep,
     )
 
@@ -229,14 +229,14 @@ def _reset_env(_: Entity, __: Parser) -> Action:
 
 @action("unset_let", "unset_launch_configuration")
 def _unset_let(entity: Entity, parser: Parser) -> Action:
-    return actions.UnsetLaunchConfiguration(needed(entity, parser, "name"))
+    return actions.UnsetLaunchConfiguration(required_text(entity, parser, "name"))
 
 
 @action("reset")
 def _reset(entity: Entity, parser: Parser) -> Action:
     kept = {
-        parser.parse_substitution(one.required("name"))[0]: needed(one, parser, "value")
-        for one in entity.inside("keep")
+        parser.parse_substitution(one.required("name"))[0]: required_text(one, parser, "value")
+        for one in entity.children_of_type("keep")
     }
     return actions.ResetLaunchConfigurations(kept)
 
@@ -245,10 +245,10 @@ def _reset(entity: Entity, parser: Parser) -> Action:
 def _log(entity: Entity, parser: Parser) -> Action:
     level = text(entity, parser, "level")
     if level is None:
-        said = "`log` without a level means INFO; ROS 2 will ask for one: write `log_info`"
-        warnings.warn(said, DeprecationWarning, stacklevel=2)
+        message = "`log` without a level means INFO; ROS 2 will require one: write `log_info`"
+        warnings.warn(message, DeprecationWarning, stacklevel=2)
         level = [TextSubstitution(text="INFO")]
-    return actions.Log(msg=needed(entity, parser, "message"), level=level)
+    return actions.Log(msg=required_text(entity, parser, "message"), level=level)
 
 
 _LOG_ACTIONS: Final[dict[str, type[actions.LogInfo]]] = {
@@ -262,7 +262,7 @@ _LOG_ACTIONS: Final[dict[str, type[actions.LogInfo]]] = {
 @action("log_debug", "log_info", "log_warning", "log_error")
 def _log_of_level(entity: Entity, parser: Parser) -> Action:
     level = entity.type_name.replace("-", "_").removeprefix("log_")
-    return _LOG_ACTIONS[level](msg=needed(entity, parser, "message"))
+    return _LOG_ACTIONS[level](msg=required_text(entity, parser, "message"))
 
 
 @action("timer")
@@ -277,9 +277,9 @@ def _shutdown(entity: Entity, parser: Parser) -> Action:
 
 
 def executable_options(entity: Entity, parser: Parser) -> dict[str, Any]:
-    """Return what the tag of a program says, as `ExecuteProcess` takes it."""
-    shell = truth(entity, "shell", default=False)
-    command = needed(entity, parser, "cmd")
+    """Return the constructor options of `ExecuteProcess` for an `executable` tag."""
+    shell = boolean(entity, "shell", default=False)
+    command = required_text(entity, parser, "cmd")
     arguments = text(entity, parser, "args")
     if arguments is not None:
         command = [*command, TextSubstitution(text=" "), *arguments]

@@ -1,4 +1,4 @@
-"""Launch files in XML."""
+"""Reader of launch files in XML."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ __all__ = ["Entity", "load", "parse"]
 
 
 def load(path: Path) -> Entity:
-    """Return the tree of a file; see `parse`."""
+    """Return the tree of a file. See `parse`."""
     return parse(path.read_bytes(), str(path))
 
 
 def parse(content: bytes | str, path: str) -> Entity:
-    """Return the tree of a file's content.
+    """Return the tree of XML content.
 
     Raises:
-        InvalidFrontendLaunchFileError: It is no XML.
+        InvalidFrontendLaunchFileError: The content is not XML.
     """
     parser = expat.ParserCreate()
     root = Entity("", {}, [], path, 0)

@@ -1,4 +1,4 @@
-"""Launch files in YAML."""
+"""Reader of launch files in YAML."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _ROOT, _CHILDREN = "launch", "children"
 
 
 def load(path: Path) -> Entity:
-    """Return the tree of a file; see `parse`."""
+    """Return the tree of a file. See `parse`."""
     try:
         return parse(path.read_text(encoding="utf-8"), str(path))
     except UnicodeDecodeError as error:
@@ -24,10 +24,10 @@ def load(path: Path) -> Entity:
 
 
 def parse(content: str, path: str) -> Entity:
-    """Return the tree of a file's content.
+    """Return the tree of YAML content.
 
     Raises:
-        InvalidFrontendLaunchFileError: It is no YAML, or no launch file.
+        InvalidFrontendLaunchFileError: The content is not YAML or is not a launch file.
     """
     import yaml  # noqa: PLC0415 - 15 ms; most launch files are Python
 
@@ -42,7 +42,7 @@ def parse(content: str, path: str) -> Entity:
 
 
 class _Reader:
-    """Turns YAML's nodes, which know their lines, into entities."""
+    """Converts YAML nodes, which have line numbers, into entities."""
 
     def __init__(self, path: str) -> None:
         import yaml  # noqa: PLC0415 - as above
@@ -75,7 +75,7 @@ class _Reader:
                 else:
                     attributes[key] = self._constructor.construct_object(value, deep=True)
         elif node.value:
-            reason = f"below `{name}` belongs `attribute: value`, not '{node.value}'"
+            reason = f"below `{name}` write `attribute: value`, not '{node.value}'"
             raise InvalidFrontendLaunchFileError(self._path, line, reason)
         return Entity(name, attributes, children, self._path, line)
 

@@ -1,6 +1,6 @@
-"""The log of a launch: the screen, and files in a folder of its own. It is `launch.logging`.
+"""Log of a launch on the screen and in files. The names are the same as in `launch.logging`.
 
-`launch_config` is the process's: every launch in it writes to the same folder, in the same form.
+All launches of a process share `launch_config`, so they write to one folder in one format.
 """
 
 from __future__ import annotations
@@ -31,16 +31,16 @@ __all__ = [
     "reset",
 ]
 
-_SCREEN_FORMS: Final = {
+_SCREEN_FORMATS: Final = {
     "default": "[{levelname}] [{name}]: {message}",
     "default_with_timestamp": "{created:.7f} [{levelname}] [{name}]: {message}",
 }
 _NOWHERE: Final = logging.NullHandler()
-_FILE_FORMS: Final = {"default": _SCREEN_FORMS["default_with_timestamp"]}
+_FILE_FORMATS: Final = {"default": _SCREEN_FORMATS["default_with_timestamp"]}
 
 
 class LaunchConfig:
-    """What can be set about the log of the launches of this process."""
+    """Settings of the log, which all launches in this process share."""
 
     file_handlers: dict[str, Any]
     screen_handler: Any
@@ -53,11 +53,11 @@ class LaunchConfig:
         self.reset()
 
     def reset(self) -> None:
-        """Return to what holds if nothing is set."""
+        """Restore the default settings."""
         self.close()
         self._log_dir: str | None = None
-        self._base: str | None = None  #: what the folder was made in
-        self._is_told = False  #: that there is no folder
+        self._base: str | None = None  #: parent of the folder
+        self._has_warned = False  #: whether a warning about a missing folder was shown
         self.file_handlers = {}
         self.screen_handler = None
         self.log_file_name = "launch.log"
@@ -67,14 +67,14 @@ class LaunchConfig:
         self.set_log_format("default")
 
     def reset_loggers(self) -> None:
-        """Take their handlers and levels from the loggers that were handed out."""
+        """Remove handlers and levels from all loggers that `logger` returned."""
         for logger in self._loggers.values():
             logger.setLevel(logging.NOTSET)
             logger.handlers.clear()
         self._loggers.clear()
 
     def close(self) -> None:
-        """Close the files; lines that come later open them again."""
+        """Close the files. A later line opens its file again."""
         for handler in self.file_handlers.values():
             handler.close()
 
@@ -87,26 +87,26 @@ class LaunchConfig:
 
     @property
     def level(self) -> int:
-        """Lines of a lower level are not written."""
+        """The lowest level that is written."""
         return self._level
 
     @level.setter
     def level(self, level: int) -> None:
         for logger in self._loggers.values():
-            if logger.level == self._level:  # nobody gave it one of its own
+            if logger.level == self._level:  # the user did not set another level
                 logger.setLevel(level)
         self._level = level
 
     @property
     def log_dir(self) -> str:
-        """The folder of the log files, made when it is first asked for.
+        """The folder of the log files. The first use creates it.
 
         Raises:
-            OSError: It cannot be made.
+            OSError: The folder cannot be created.
         """
         base = str(get_logging_directory())
         if self._log_dir is None or self._base not in {None, base}:
-            if self._log_dir is not None:  # the environment names another place by now
+            if self._log_dir is not None:  # the environment contains another folder now
                 self._forget_files()
             self._base = base
             self._log_dir = _make_unique_log_dir(base_path=base)
@@ -123,62 +123,62 @@ class LaunchConfig:
         self._log_dir, self._base = None if folder is None else str(folder), None
 
     def set_screen_format(self, screen_format: str, *, screen_style: Style | None = None) -> None:
-        """Set the form of lines on the screen.
+        """Set the format of lines on the screen.
 
-        `$OVERRIDE_LAUNCH_SCREEN_FORMAT` comes first, if it is set.
+        If `$OVERRIDE_LAUNCH_SCREEN_FORMAT` is set, it replaces this format.
 
         Args:
-            screen_format: `default`, `default_with_timestamp` or what `logging.Formatter` takes.
-            screen_style: The way the format names its fields: `{` unless told.
+            screen_format: `default`, `default_with_timestamp`, or a format for `logging.Formatter`.
+            screen_style: The style of the format's fields. None means `{`.
 
         Raises:
-            ValueError: A style was given for a form that has a name.
+            ValueError: A style was given, but the format is a name.
         """
         chosen = os.environ.get("OVERRIDE_LAUNCH_SCREEN_FORMAT")
-        self.screen_formatter = _formatter(chosen, screen_format, screen_style, _SCREEN_FORMS)
+        self.screen_formatter = _formatter(chosen, screen_format, screen_style, _SCREEN_FORMATS)
         if self.screen_handler is not None:
             self.screen_handler.setFormatter(self.screen_formatter)
 
     def set_log_format(self, log_format: str, *, log_style: Style | None = None) -> None:
-        """Set the form of lines in files.
+        """Set the format of lines in files.
 
-        `$OVERRIDE_LAUNCH_LOG_FORMAT` comes first, if it is set.
+        If `$OVERRIDE_LAUNCH_LOG_FORMAT` is set, it replaces this format.
 
         Args:
-            log_format: `default` or what `logging.Formatter` takes.
-            log_style: The way the format names its fields: `{` unless told.
+            log_format: `default`, or a format for `logging.Formatter`.
+            log_style: The style of the format's fields. None means `{`.
 
         Raises:
-            ValueError: A style was given for a form that has a name.
+            ValueError: A style was given, but the format is a name.
         """
         chosen = os.environ.get("OVERRIDE_LAUNCH_LOG_FORMAT")
-        self.file_formatter = _formatter(chosen, log_format, log_style, _FILE_FORMS)
+        self.file_formatter = _formatter(chosen, log_format, log_style, _FILE_FORMATS)
         for handler in self.file_handlers.values():
             handler.setFormatter(self.file_formatter)
 
     def get_screen_handler(self) -> Any:
-        """Return the one handler that writes to the screen."""
+        """Return the handler that writes to the screen."""
         if self.screen_handler is None:
             self.screen_handler = handlers.ScreenHandler()
             self.screen_handler.setFormatter(self.screen_formatter)
         return self.screen_handler
 
     def get_log_file_path(self, file_name: str = "launch.log") -> str:
-        """Return the path of a log file, which need not exist."""
-        return os.path.join(self.log_dir, file_name)  # noqa: PTH118 - a str, as in ROS 2
+        """Return the path of a log file. The file may not exist yet."""
+        return os.path.join(self.log_dir, file_name)  # noqa: PTH118 - a string, as in ROS 2
 
     def get_log_file_handler(self, file_name: str = "launch.log") -> Any:
-        """Return the one handler that writes to a file; `log_handler_factory` makes it.
+        """Return the handler that writes to a file. `log_handler_factory` creates the handler.
 
-        Where no folder can be made, that is told once, and the lines are dropped.
+        If the folder cannot be created, the log shows one warning and drops the lines.
         """
         try:
             path = self.get_log_file_path(file_name)
         except OSError as error:
-            if not self._is_told:
+            if not self._has_warned:
                 text = f"cannot write log files to {get_logging_directory()}: {error.strerror}"
                 handlers.show(f"[WARNING] [launch]: {text}")
-            self._is_told = True
+            self._has_warned = True
             return _NOWHERE
         if file_name not in self.file_handlers:
             handler = self.log_handler_factory(path, encoding="utf-8")
@@ -187,9 +187,9 @@ class LaunchConfig:
         return self.file_handlers[file_name]
 
     def logger(self, name: str) -> logging.Logger:
-        """Return a logger at the level of the launch, whose lines go nowhere yet."""
+        """Return a logger that has the level of the launch and no handlers."""
         if name not in self._loggers:
-            # launch calls this logger "root", too; the lines of libraries stay out of the launch
+            # Not Python's root logger, because libraries write to it. launch also uses "root".
             logger = logging.getLogger(name) if name != "root" else logging.Logger("root")
             logger.propagate = False
             if logger.level == logging.NOTSET:
@@ -204,7 +204,7 @@ def _formatter(
     if chosen:
         return logging.Formatter(chosen.encode("latin1").decode("unicode_escape"), style="{")
     if form in known and style is not None:
-        raise ValueError(f"the form '{form}' has its own style: leave out '{style}'")
+        raise ValueError(f"the format '{form}' has its own style: leave out '{style}'")
     return logging.Formatter(known.get(form, form), style=style or "{")
 
 
@@ -231,22 +231,22 @@ def get_output_loggers(
     output_config: str | Mapping[str, Any],
     main_log_file_name: str = "launch.log",
 ) -> tuple[logging.Logger, logging.Logger]:
-    """Return loggers for what a program writes to stdout and to stderr.
+    """Return the loggers for stdout and stderr of a program.
 
     Args:
-        process_name: What their files are called after: `NAME-stdout.log`, `NAME.log` for both.
-        output_config: Where lines go, as an action's `output`.
-        main_log_file_name: The file of the whole launch.
+        process_name: The name in `NAME-stdout.log`, and in `NAME.log` for both streams.
+        output_config: The sinks. The format is the same as in an action's `output`.
+        main_log_file_name: The log file of the launch.
 
     Raises:
-        ValueError: A word of the configuration is unknown.
+        ValueError: A word of `output_config` is unknown.
     """
     sinks = parse_output(output_config)
     both = sinks["both"]
     for stream in ("stdout", "stderr"):
         logger = launch_config.logger(f"{process_name}-{stream}")
         own = sinks[stream]
-        # a launch that runs the same program again may send it elsewhere
+        # a second run of the same program may use other sinks
         logger.handlers.clear()
         if "screen" in both | own:
             _add(logger, launch_config.get_screen_handler(), "{message}")
@@ -263,7 +263,7 @@ def get_output_loggers(
 
 
 def log_launch_config(*, logger: logging.Logger | None = None) -> None:
-    """Write where the log files are, and which lines are written."""
+    """Log the folder of the log files and the present level."""
     logger = logger or get_logger()
     if launch_config.file_handlers:
         logger.info(f"All log files can be found below {launch_config.log_dir}")
@@ -271,6 +271,6 @@ def log_launch_config(*, logger: logging.Logger | None = None) -> None:
 
 
 def reset() -> None:
-    """Return to what holds if nothing is set, for the loggers that were handed out, too."""
+    """Restore the default settings, and reset all loggers of the launch."""
     launch_config.reset_loggers()
     launch_config.reset()

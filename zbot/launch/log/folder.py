@@ -1,4 +1,4 @@
-"""The folder of a launch's log files."""
+"""Folder of a launch's log files, and the link `latest` to it."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from pathlib import Path
 
 
 def make_unique_log_dir(*, base_path: str) -> str:
-    """Make a folder that no other launch writes to, and return it.
+    """Create a folder for one launch, and return the path of the folder.
 
     Raises:
-        OSError: It cannot be made.
+        OSError: The folder cannot be created.
     """
     while True:
         stamp = time.time()
@@ -23,12 +23,12 @@ def make_unique_log_dir(*, base_path: str) -> str:
         try:
             folder.mkdir()
         except FileExistsError:
-            continue  # made in the same microsecond
+            continue  # another launch created it in the same microsecond
         return str(folder)
 
 
 def renew_latest_log_dir(*, log_dir: str) -> bool:
-    """Let `latest` beside a folder lead to it; return whether it does."""
+    """Set the link `latest`, which is next to the folder. Return whether that worked."""
     folder = Path(log_dir)
     latest = folder.parent / "latest"
     try:
@@ -36,6 +36,6 @@ def renew_latest_log_dir(*, log_dir: str) -> bool:
             latest.unlink()
         latest.symlink_to(folder.name)
     except OSError:
-        # A convenience: Windows allows no links, and another launch may have made its own.
+        # Not an error: Windows may forbid links, and another launch may replace the link.
         return False
     return True

@@ -1,7 +1,7 @@
-"""Handlers of log lines that can have a form of their own for each logger.
+"""Log handlers that can use a separate format for each logger.
 
-Every handler of Python's `logging` and `logging.handlers` is here by its name, with
-`setFormatterFor()`.
+The module contains every handler of Python's `logging` and `logging.handlers`. Each handler has its
+usual name, and the additional method `setFormatterFor()`.
 """
 
 from __future__ import annotations
@@ -20,27 +20,27 @@ _LEVEL_COLOURS: Final = {logging.WARNING: "\x1b[33m", logging.ERROR: "\x1b[31m"}
 _RESET: Final = "\x1b[0m"
 
 
-class _FormPerLogger:
-    """What is added to a handler."""
+class _FormatterPerLogger:
+    """Mixin for handlers that adds formatters for single loggers."""
 
     def __init__(self, *args: Any, **options: Any) -> None:
         super().__init__(*args, **options)
-        self._forms: dict[str, logging.Formatter] = {}
+        self._formatters: dict[str, logging.Formatter] = {}
 
-    # Named as `launch.logging` names them.
+    # The names are the same as in `launch.logging`.
     def setFormatterFor(  # noqa: N802
         self, logger: logging.Logger | str, formatter: logging.Formatter
     ) -> None:
-        """Give the lines of one logger a form of their own."""
-        self._forms[_name(logger)] = formatter
+        """Set the formatter for the lines of one logger."""
+        self._formatters[_name(logger)] = formatter
 
     def unsetFormatterFor(self, logger: logging.Logger | str) -> None:  # noqa: N802
-        """Give the lines of one logger the form of all others."""
-        self._forms.pop(_name(logger), None)
+        """Remove the formatter of one logger. Its lines get the common format again."""
+        self._formatters.pop(_name(logger), None)
 
     def format(self, record: logging.LogRecord) -> str:
-        """Return a line in its logger's form."""
-        own = self._forms.get(record.name)
+        """Return a line in the format of its logger."""
+        own = self._formatters.get(record.name)
         if own is not None:
             return own.format(record)
         text: str = super().format(record)  # type: ignore[misc] # the handler's
@@ -54,11 +54,11 @@ def _name(logger: logging.Logger | str) -> str:
 if TYPE_CHECKING:
     _StreamHandler = logging.StreamHandler[TextIO]
 else:
-    _StreamHandler = logging.StreamHandler  # no generic class before Python 3.11
+    _StreamHandler = logging.StreamHandler  # not generic before Python 3.11
 
 
-class ScreenHandler(_FormPerLogger, _StreamHandler):
-    """Writes to what is stdout now, as tests and programs replace it; warnings are coloured."""
+class ScreenHandler(_FormatterPerLogger, _StreamHandler):
+    """Writes to the present `sys.stdout`, even if it is replaced later. Colours warnings."""
 
     def emit(self, record: logging.LogRecord) -> None:
         """Write a line."""
@@ -67,8 +67,8 @@ class ScreenHandler(_FormPerLogger, _StreamHandler):
         show(f"{colour}{line}{_RESET}" if colour else line)
 
 
-class LogFileHandler(_FormPerLogger, logging.FileHandler):
-    """Appends to a file that is made for the first line; a full disk is told once."""
+class LogFileHandler(_FormatterPerLogger, logging.FileHandler):
+    """Appends to a file, which the first line creates. Warns once if the file is not writable."""
 
     def __init__(self, path: str | Path, encoding: str = "utf-8") -> None:
         super().__init__(path, encoding=encoding, delay=True, errors="backslashreplace")
@@ -81,24 +81,24 @@ class LogFileHandler(_FormPerLogger, logging.FileHandler):
         try:
             super().emit(record)
         except OSError as error:  # the file cannot be opened
-            self._give_up(error)
+            self._disable(error)
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802
-        """Tell what went wrong with a line."""
+        """Warn once about an OSError. Other errors go to Python's `handleError`."""
         error = sys.exc_info()[1]
         if isinstance(error, OSError):
-            self._give_up(error)
+            self._disable(error)
         else:
             super().handleError(record)
 
-    def _give_up(self, error: OSError) -> None:
+    def _disable(self, error: OSError) -> None:
         self._is_broken = True
         show(f"[WARNING] [launch]: cannot write to {self.baseFilename}: {error.strerror}")
 
 
 def show(line: str) -> None:
     """Write a line to the screen."""
-    # The launch goes on when nobody reads any more (`| head`): its end is not the reader's.
+    # The launch continues when the reader of stdout has exited, as with `| head`.
     try:
         print(line, flush=True)
     except (OSError, ValueError):
@@ -106,14 +106,14 @@ def show(line: str) -> None:
 
 
 def is_coloured() -> bool:
-    """Return whether the screen is a terminal that nobody wants without colour."""
+    """Return whether to use colours. An environment variable or a terminal as stdout decides."""
     if os.environ.get("NO_COLOR") or os.environ.get("RCUTILS_COLORIZED_OUTPUT") == "0":
         return False
     if os.environ.get("FORCE_COLOR") or os.environ.get("RCUTILS_COLORIZED_OUTPUT") == "1":
         return True
     try:
         return sys.stdout is not None and sys.stdout.isatty()
-    except ValueError:  # closed
+    except ValueError:  # stdout is closed
         return False
 
 
@@ -122,5 +122,5 @@ def __getattr__(name: str) -> type[logging.Handler]:
     for module in (logging, logging.handlers):
         found = getattr(module, name, None)
         if isinstance(found, type) and issubclass(found, logging.Handler):
-            return type(name, (_FormPerLogger, found), {"__doc__": found.__doc__})
+            return type(name, (_FormatterPerLogger, found), {"__doc__": found.__doc__})
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,4 +1,4 @@
-"""Texts that are known only when a launch file runs."""
+"""Substitutions of launch files, under the names of launch and launch_ros."""
 
 from zbot.launch.substitution import TextSubstitution as TextSubstitution
 from zbot.launch.substitutions.command import Command as Command

@@ -1,4 +1,4 @@
-"""What programs print, and where programs are."""
+"""Substitutions for the output of a command and for the path of a program."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import subprocess
 from typing import TYPE_CHECKING
 
 from zbot.launch.errors import SubstitutionError
-from zbot.launch.own_command import find_on_path
 from zbot.launch.substitution import Substitution, describe, normalize, perform
+from zbot.launch.zbot_command import find_on_path
 
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
@@ -17,11 +17,11 @@ if TYPE_CHECKING:
 
 
 class Command(Substitution):
-    """What a command prints to stdout.
+    """The text that a command prints to stdout.
 
     Args:
         command: The command line.
-        on_stderr: What to do when it prints to stderr: `fail`, `ignore`, `warn` or `capture`.
+        on_stderr: `fail`, `ignore`, `warn` or `capture`, if the command prints to stderr.
     """
 
     def __init__(
@@ -30,23 +30,24 @@ class Command(Substitution):
         self.command, self.on_stderr = normalize(command), normalize(on_stderr)
 
     def perform(self, context: LaunchContext) -> str:
-        """Return what it printed.
+        """Run the command and return its output.
 
         Raises:
-            SubstitutionError: It cannot be started, fails, or prints to stderr where that matters.
+            SubstitutionError: The command cannot start, or fails. With `fail`, also if the command
+                prints to stderr.
         """
         line = perform(context, self.command)
         mode = perform(context, self.on_stderr)
         done = self._run(line, context)
         if done.returncode:
-            told = done.stderr.strip() or done.stdout.strip()
-            raise SubstitutionError(f"command '{line}' failed with {done.returncode}: {told}")
+            output = done.stderr.strip() or done.stdout.strip()
+            raise SubstitutionError(f"command '{line}' failed with {done.returncode}: {output}")
         if done.stderr and mode == "capture":
             return done.stdout + done.stderr
         if done.stderr and mode == "fail":
             raise SubstitutionError(f"command '{line}' printed to stderr: {done.stderr.strip()}")
         if done.stderr and mode == "warn":
-            context.journal.warning("launch", f"command '{line}': {done.stderr.strip()}")
+            context.writer.warning("launch", f"command '{line}': {done.stderr.strip()}")
         return done.stdout
 
     def _run(self, line: str, context: LaunchContext) -> subprocess.CompletedProcess[str]:
@@ -66,7 +67,7 @@ class Command(Substitution):
 
 
 class FindExecutable(Substitution):
-    """The path of a program on the search path; `ros2` is found as zbot's own command."""
+    """The path of a program on the PATH. zbot's own command replaces a missing `ros2`."""
 
     def __init__(self, *, name: SomeSubstitutionsType) -> None:
         self.name = normalize(name)
@@ -75,7 +76,7 @@ class FindExecutable(Substitution):
         """Return the path.
 
         Raises:
-            SubstitutionError: There is no such program.
+            SubstitutionError: The program does not exist.
         """
         name = perform(context, self.name)
         path = find_on_path(name, context.environment)

@@ -1,4 +1,4 @@
-"""Texts that say true or false, and choices between texts."""
+"""Substitutions for logic, comparisons and choices between texts."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class _Operation(Substitution):
-    """Something made of other texts."""
+    """Base class of substitutions that have texts as operands."""
 
     def __init__(self, *operands: SomeSubstitutionsType) -> None:
         self.operands = [normalize(operand) for operand in operands]
@@ -46,7 +46,7 @@ class _Operation(Substitution):
 
 
 class NotSubstitution(_Operation):
-    """`true` if its value says false, and the other way round."""
+    """`true` if the value is false, and `false` if the value is true."""
 
     def __init__(self, value: SomeSubstitutionsType) -> None:
         super().__init__(value)
@@ -57,7 +57,7 @@ class NotSubstitution(_Operation):
 
 
 class AndSubstitution(_Operation):
-    """`true` if both sides say true."""
+    """`true` if both sides are true."""
 
     def __init__(self, left: SomeSubstitutionsType, right: SomeSubstitutionsType) -> None:
         super().__init__(left, right)
@@ -68,7 +68,7 @@ class AndSubstitution(_Operation):
 
 
 class OrSubstitution(AndSubstitution):
-    """`true` if one side says true."""
+    """`true` if at least one side is true."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return `true` or `false`."""
@@ -76,7 +76,7 @@ class OrSubstitution(AndSubstitution):
 
 
 class AllSubstitution(_Operation):
-    """`true` if every operand says true."""
+    """`true` if every operand is true."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return `true` or `false`."""
@@ -84,57 +84,57 @@ class AllSubstitution(_Operation):
 
 
 class AnySubstitution(_Operation):
-    """`true` if some operand says true."""
+    """`true` if at least one operand is true."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return `true` or `false`."""
         return str(any(list(self._truths(context)))).lower()
 
 
-class _Question(_Operation):
-    """Asks something of one text."""
+class _TextOperation(_Operation):
+    """Base class of operations with one operand."""
 
     def __init__(self, value: SomeSubstitutionsType) -> None:
         super().__init__(value)
 
     @property
     def value(self) -> list[Substitution]:
-        """The text."""
+        """The operand."""
         return self.operands[0]
 
     @classmethod
     def parse(cls, data: Sequence[SomeSubstitutionsType]) -> tuple[type[Self], dict[str, Any]]:
-        """Return the class and the options that `$(name value)` stands for.
+        """Return the class and the constructor options for `$(name value)`.
 
         Raises:
-            ArgumentCountError: There is not one argument.
+            ArgumentCountError: The number of arguments is not one.
         """
         if len(data) != 1:
             raise ArgumentCountError(cls.__name__, 1, len(data))
         return cls, {"value": data[0]}
 
 
-class IsEmptySubstitution(_Question):
-    """`true` if a text is empty; blanks are text."""
+class IsEmptySubstitution(_TextOperation):
+    """`true` if a text is empty. A text of blanks is not empty."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return `true` or `false`."""
         return str(not self._texts(context)[0]).lower()
 
 
-class NotEmptySubstitution(_Question):
-    """`true` if a text is not empty; blanks are text."""
+class NotEmptySubstitution(_TextOperation):
+    """`true` if a text has at least one character, e.g. a blank."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return `true` or `false`."""
         return str(bool(self._texts(context)[0])).lower()
 
 
-class StringStripSubstitution(_Question):
-    """A text without the blanks at its ends."""
+class StringStripSubstitution(_TextOperation):
+    """A text without leading and trailing blanks."""
 
     def perform(self, context: LaunchContext) -> str:
-        """Return what is left."""
+        """Return the stripped text."""
         return self._texts(context)[0].strip()
 
 
@@ -167,7 +167,7 @@ class EqualsSubstitution(_Operation):
 
 
 def _as_text(value: Any) -> SomeSubstitutionsType:
-    """Return what stands for a value of Python in a comparison."""
+    """Return the text of a Python value for a comparison."""
     if value is None:
         return ""
     return value if is_a_substitution(value) else str(value)
@@ -182,7 +182,7 @@ class NotEqualsSubstitution(EqualsSubstitution):
 
 
 class IfElseSubstitution(Substitution):
-    """One text if a condition says true, else another."""
+    """One text if a condition is true, and another text if it is false."""
 
     def __init__(
         self,
@@ -194,10 +194,10 @@ class IfElseSubstitution(Substitution):
         self.if_value, self.else_value = normalize(if_value), normalize(else_value)
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the text that was chosen.
+        """Return the chosen text.
 
         Raises:
-            SubstitutionError: The condition says neither true nor false.
+            SubstitutionError: The condition is neither true nor false.
         """
         text = perform(context, self.condition)
         value = to_bool(text)

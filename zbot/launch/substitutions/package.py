@@ -1,11 +1,11 @@
-"""Where packages are, and their programs."""
+"""Substitutions for the folders and executables of packages."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot.launch.own_command import program_file
 from zbot.launch.substitution import Substitution, describe, normalize, perform
+from zbot.launch.zbot_command import executable_wrapper
 from zbot.package import package_prefix, package_share
 
 if TYPE_CHECKING:
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class FindPackagePrefix(Substitution):
-    """The folder that a package is installed to."""
+    """The install prefix of a package."""
 
     def __init__(self, package: SomeSubstitutionsType) -> None:
         self.package = normalize(package)
@@ -23,15 +23,15 @@ class FindPackagePrefix(Substitution):
         """Return the folder.
 
         Raises:
-            PackageNotFoundError: There is no such package.
+            PackageNotFoundError: The package does not exist.
         """
         return self.find(perform(context, self.package))
 
     def find(self, package_name: str) -> str:
-        """Return the folder of any package, with no launch running.
+        """Return the folder of a package. No launch is needed.
 
         Raises:
-            PackageNotFoundError: There is no such package.
+            PackageNotFoundError: The package does not exist.
         """
         return str(package_prefix(package_name))
 
@@ -44,13 +44,13 @@ FindPackage = FindPackagePrefix
 
 
 class FindPackageShare(FindPackagePrefix):
-    """The folder with what a package shares: `launch`, `config` and the like."""
+    """The share folder of a package, which contains `launch`, `config` and similar folders."""
 
     def find(self, package_name: str) -> str:
-        """Return the folder of any package, with no launch running.
+        """Return the folder of a package. No launch is needed.
 
         Raises:
-            PackageNotFoundError: There is no such package.
+            PackageNotFoundError: The package does not exist.
         """
         return str(package_share(package_name))
 
@@ -67,4 +67,4 @@ class ExecutableInPackage(FindPackagePrefix):
         package, executable = perform(context, self.package), perform(context, self.executable)
         if context.find_program is not None:
             context.find_program(package, executable)
-        return str(program_file(package, executable))
+        return str(executable_wrapper(package, executable))

@@ -1,4 +1,4 @@
-"""Paths from parts, and texts from texts."""
+"""Substitutions that join paths and texts."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 
 
 class PathJoinSubstitution(Substitution):
-    """A path; `PathJoinSubstitution([FindPackageShare("p"), "config"]) / "x.yaml"` adds to it."""
+    """A path that consists of several parts. The operator `/` appends one more part."""
 
     def __init__(self, substitutions: Iterable[SomeSubstitutionsType]) -> None:
         self.substitutions = [normalize(part) for part in substitutions]
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the parts, joined."""
+        """Return the joined path."""
         parts = [perform(context, part) for part in self.substitutions]
         return os.path.join(*parts) if parts else ""  # noqa: PTH118 - "a/" stays "a/"
 
@@ -34,14 +34,14 @@ class PathJoinSubstitution(Substitution):
 
 
 class PathSubstitution(PathJoinSubstitution):
-    """A path to add parts to: `PathSubstitution(FindPackageShare("p")) / "x.yaml"`."""
+    """A path to which `/` appends parts: `PathSubstitution(FindPackageShare("p")) / "x.yaml"`."""
 
     def __init__(self, path: SomeSubstitutionsType) -> None:
         super().__init__([path])
 
 
 class StringJoinSubstitution(Substitution):
-    """Texts with a delimiter between them."""
+    """Several texts with a delimiter between them."""
 
     def __init__(
         self, substitutions: Iterable[SomeSubstitutionsType], delimiter: SomeSubstitutionsType = ""
@@ -50,6 +50,6 @@ class StringJoinSubstitution(Substitution):
         self.delimiter = normalize(delimiter)
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the texts, joined."""
+        """Return the joined text."""
         delimiter = perform(context, self.delimiter)
         return delimiter.join(perform(context, part) for part in self.substitutions)

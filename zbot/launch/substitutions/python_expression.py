@@ -1,4 +1,4 @@
-"""The value of a Python expression."""
+"""Substitution for the value of a Python expression."""
 
 from __future__ import annotations
 
@@ -19,8 +19,8 @@ class PythonExpression(Substitution):
 
     Args:
         expression: The expression.
-        python_modules: Modules that it may use, in a list or with commas between; of `math` the
-            names alone work too.
+        python_modules: Modules that the expression may use, as a list or separated by commas.
+            The names in `math` also work without `math.`.
     """
 
     def __init__(
@@ -37,8 +37,8 @@ class PythonExpression(Substitution):
         """Return the value.
 
         Raises:
-            SubstitutionError: The expression fails, or a module cannot be imported.
-            UnknownNameError: A name in it is not there.
+            SubstitutionError: The expression raises an error, or a module cannot be imported.
+            UnknownNameError: A name in the expression is undefined.
         """
         text = perform(context, self.expression)
         try:

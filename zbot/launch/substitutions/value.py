@@ -1,4 +1,4 @@
-"""Values that the launch holds: configurations, environment, locals, parameters."""
+"""Substitutions for values such as configurations, environment, locals and parameters."""
 
 from __future__ import annotations
 
@@ -16,22 +16,22 @@ if TYPE_CHECKING:
     from zbot.launch.substitution import SomeSubstitutionsType
 
 
-def _guess(name: str, known: Any) -> str:
+def _suggestion(name: str, known: Any) -> str:
     near = close_matches(name, known, 1)
     return f"did you mean '{near[0]}'?" if near else ""
 
 
 class LaunchConfiguration(Substitution):
-    """The value of a launch argument, or of what an action set.
+    """The value of a launch configuration, which a launch argument or an action sets.
 
     Args:
         variable_name: Its name.
-        default: The value where nothing has set it.
+        default: The value if the configuration is not set.
     """
 
     def __init__(self, variable_name: SomeSubstitutionsType, *, default: Any | None = None) -> None:
         self.variable_name = normalize(variable_name)
-        # launch takes numbers and truth values here, too
+        # launch also accepts numbers and bools here
         wants_text = isinstance(default, (bool, int, float))
         self.default = (
             None if default is None else normalize(str(default) if wants_text else default)
@@ -41,14 +41,14 @@ class LaunchConfiguration(Substitution):
         """Return the value.
 
         Raises:
-            SubstitutionError: Nothing has set it and it has no default.
+            SubstitutionError: The configuration is not set and has no default.
         """
         name = perform(context, self.variable_name)
         if name in context.launch_configurations:
             return str(context.launch_configurations[name])
         if self.default is not None:
             return perform(context, self.default)
-        hint = _guess(name, context.launch_configurations)
+        hint = _suggestion(name, context.launch_configurations)
         hint = hint or f"declare it: DeclareLaunchArgument('{name}', default_value=...)"
         raise SubstitutionError(f"launch configuration '{name}' does not exist", hint)
 
@@ -62,7 +62,7 @@ class EnvironmentVariable(Substitution):
 
     Args:
         name: Its name.
-        default_value: The value where it is not set.
+        default_value: The value if the variable is not set.
     """
 
     def __init__(
@@ -75,14 +75,14 @@ class EnvironmentVariable(Substitution):
         """Return the value.
 
         Raises:
-            SubstitutionError: It is not set and has no default.
+            SubstitutionError: The variable is not set and has no default.
         """
         name = perform(context, self.name)
         if name in context.environment:
             return context.environment[name]
         if self.default_value is not None:
             return perform(context, self.default_value)
-        hint = _guess(name, context.environment)
+        hint = _suggestion(name, context.environment)
         raise SubstitutionError(f"environment variable '{name}' does not exist", hint)
 
     def describe(self) -> str:
@@ -91,7 +91,7 @@ class EnvironmentVariable(Substitution):
 
 
 class LocalSubstitution(Substitution):
-    """A Python expression about the locals, e.g. `event.returncode` in an event handler."""
+    """The value of a local or of its attribute, e.g. `event.returncode` in an event handler."""
 
     def __init__(self, expression: str, description: str | None = None) -> None:
         self.expression, self.description = expression, description
@@ -100,7 +100,7 @@ class LocalSubstitution(Substitution):
         """Return the value as text.
 
         Raises:
-            SubstitutionError: There is nothing of that name here.
+            SubstitutionError: The local or the attribute does not exist.
         """
         value: Any = context.locals
         try:
@@ -116,11 +116,11 @@ class LocalSubstitution(Substitution):
 
 
 class ForEachVar(Substitution):
-    """A value of the round that a `for_each` loop of a launch file in XML or YAML is in.
+    """A value of the present iteration of a `for_each` loop in XML or YAML.
 
     Args:
-        name: The value's name.
-        default_value: What to return where a round has none; an error if left out.
+        name: The name of the value.
+        default_value: The value if the iteration has no value of this name. None raises an error.
     """
 
     def __init__(
@@ -134,21 +134,21 @@ class ForEachVar(Substitution):
 
     @staticmethod
     def get_local_arg_name(name: str) -> str:
-        """Return what the value is called among a launch's locals."""
+        """Return the name of the value in the locals of the launch."""
         return f"for_each_{name}"
 
     def perform(self, context: LaunchContext) -> str:
         """Return the value as text.
 
         Raises:
-            SubstitutionError: No round has a value of that name.
+            SubstitutionError: The loop has no value of this name.
         """
         name = perform(context, self.name)
         found = context.get_locals_as_dict().get(self.get_local_arg_name(name))
         if found is not None:
             return str(found)
         if self.default_value is None:
-            raise SubstitutionError(f"no loop around this has a value '{name}'")
+            raise SubstitutionError(f"no enclosing loop has a value '{name}'")
         return perform(context, self.default_value)
 
     def describe(self) -> str:
@@ -157,7 +157,7 @@ class ForEachVar(Substitution):
 
 
 class ForLoopIndex(ForEachVar):
-    """The number of the round that a `for` loop is in; the name is the loop's."""
+    """The number of the present iteration of a `for` loop. The argument is the loop's name."""
 
 
 class Parameter(Substitution):
@@ -165,7 +165,7 @@ class Parameter(Substitution):
 
     Args:
         name: Its name.
-        default: The value where none was set.
+        default: The value if the parameter is not set.
     """
 
     def __init__(
@@ -178,7 +178,7 @@ class Parameter(Substitution):
         """Return the value.
 
         Raises:
-            SubstitutionError: None was set, and there is no default.
+            SubstitutionError: The parameter is not set and has no default.
         """
         name = perform(context, self.name)
         found = [
@@ -198,13 +198,13 @@ class Parameter(Substitution):
 
 
 class AnonName(Substitution):
-    """A name that no other launch makes; the same name inside one launch is made once."""
+    """A unique name. Within one launch, the same argument gives the same result."""
 
     def __init__(self, name: SomeSubstitutionsType) -> None:
         self.name = normalize(name)
 
     def perform(self, context: LaunchContext) -> str:
-        """Return the name with host, process and a random number."""
+        """Return the name, which contains host name, process id and a random number."""
         name = perform(context, self.name)
         key = f"anon {name}"
         made: str | None = context.get_locals_as_dict().get(key)
@@ -216,7 +216,7 @@ class AnonName(Substitution):
 
 
 class ThisLaunchFile(Substitution):
-    """The path of the launch file that this stands in."""
+    """The path of the launch file that contains this substitution."""
 
     _local = "current_launch_file_path"
 
@@ -224,30 +224,30 @@ class ThisLaunchFile(Substitution):
         """Return the path.
 
         Raises:
-            SubstitutionError: This does not stand in a launch file.
+            SubstitutionError: The substitution is used outside of a launch file.
         """
         path: str | None = context.get_locals_as_dict().get(self._local)
         if path is None:
-            raise SubstitutionError(f"{self.describe()} stands outside of a launch file")
+            raise SubstitutionError(f"{self.describe()} is used outside of a launch file")
         return path
 
 
 class ThisLaunchFileDir(ThisLaunchFile):
-    """The folder of the launch file that this stands in."""
+    """The folder of the launch file that contains this substitution."""
 
     _local = "current_launch_file_directory"
 
 
 class LaunchLogDir(Substitution):
-    """The folder that this launch writes its log files to."""
+    """The folder of this launch's log files."""
 
     def perform(self, context: LaunchContext) -> str:
         """Return the folder."""
-        return str(context.journal.folder)
+        return str(context.writer.folder)
 
 
 class FileContent(Substitution):
-    """What stands in a file."""
+    """The content of a file."""
 
     def __init__(self, path: SomeSubstitutionsType) -> None:
         self.path = normalize(path)
@@ -260,7 +260,7 @@ class FileContent(Substitution):
         """
         path = perform(context, self.path)
         try:
-            with open(path, encoding="utf-8") as file:  # noqa: PTH123 - "" is to fail as it does
+            with open(path, encoding="utf-8") as file:  # noqa: PTH123 - Path("") would be "."
                 return file.read()
         except (OSError, UnicodeDecodeError) as error:
             reason = getattr(error, "strerror", None) or str(error)

@@ -1,8 +1,8 @@
-"""Tests of launch files, under the rules of ROS 2's `launch_testing` and `launch_pytest`.
+"""Tests of launch files. The names are the same as in `launch_testing` and `launch_pytest`.
 
-A test file describes a launch with a `ReadyToTest` in it; its test cases run while the launch does,
-those marked `post_shutdown_test` after it has ended. They are given what the processes wrote
-(`proc_output`) and how they ended (`proc_info`).
+A test file describes a launch that contains `ReadyToTest`. Its test cases run during the launch.
+Cases with the decorator `post_shutdown_test` run after the launch has ended. Test cases get the
+output of the processes (`proc_output`) and their exit codes (`proc_info`).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What tests assert about the processes of a launch, under launch_testing's names."""
+"""Assertions about the processes of a launch, under the names of launch_testing."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from zbot.launch.actions.execute import ExecuteLocal
     from zbot.launch.testing.record import ExitRecord, OutputRecord
 
-# A shell's 128 + number of the signal.
+# As in a shell, the exit code is 128 + the number of the signal.
 EXIT_OK, EXIT_SIGINT, EXIT_SIGQUIT, EXIT_SIGKILL, EXIT_SIGSEGV = 0, 130, 131, 137, 139
 
 
@@ -25,10 +25,10 @@ def assertInStdout(  # noqa: N802 - launch_testing's name
     cmd_args: Any = None,
     **options: Any,
 ) -> None:
-    """Assert that a process wrote something to stdout; options as for `OutputRecord.has`.
+    """Assert that stdout of a process contains a text. The options are those of `OutputRecord.has`.
 
     Raises:
-        AssertionError: It did not.
+        AssertionError: The text is missing.
     """
     _assert_in(proc_output, expected_output, process, cmd_args, stream="stdout", **options)
 
@@ -40,10 +40,10 @@ def assertInStderr(  # noqa: N802 - launch_testing's name
     cmd_args: Any = None,
     **options: Any,
 ) -> None:
-    """Assert that a process wrote something to stderr; options as for `OutputRecord.has`.
+    """Assert that stderr of a process contains a text. The options are those of `OutputRecord.has`.
 
     Raises:
-        AssertionError: It did not.
+        AssertionError: The text is missing.
     """
     _assert_in(proc_output, expected_output, process, cmd_args, stream="stderr", **options)
 
@@ -65,14 +65,14 @@ def assertExitCodes(  # noqa: N802 - launch_testing's name
     *,
     strict_proc_matching: bool = True,
 ) -> None:
-    """Assert how processes ended.
+    """Assert that the exit codes of processes are allowed.
 
-    A process that a signal ended has that signal's number, negative; as a shell tells it, 128
-    more than the number, does as well.
+    If a signal ended a process, its exit code is the negative number of the signal. An allowed
+    code of 128 + this number, as in a shell, matches too.
 
     Raises:
-        AssertionError: One ended otherwise.
-        ArgumentTypeError: An exit code is no number.
+        AssertionError: A process has another exit code.
+        ArgumentTypeError: An allowed exit code is not an integer.
     """
     for allowed in allowable_exit_codes:
         if not isinstance(allowed, int):
@@ -91,10 +91,10 @@ def _as_shell(code: int | None) -> int | None:
 
 
 class SequentialTextChecker:
-    """Finds texts in a longer one, each behind the former.
+    """Finds texts in an output. Each text must come after the previous text.
 
     Args:
-        output: Pieces of the longer text.
+        output: The output, in pieces.
     """
 
     def __init__(self, output: Sequence[str]) -> None:
@@ -102,22 +102,22 @@ class SequentialTextChecker:
         self._place = 0
 
     def assertInStdout(self, msg: str) -> None:  # noqa: N802 - launch_testing's name
-        """Assert that a text comes behind what was found before.
+        """Assert that a text comes after the texts that were found before.
 
         Raises:
-            AssertionError: It does not.
+            AssertionError: The text is missing.
         """
         found = self._text.find(msg, self._place)
         if found < 0:
             near = self.get_nearby_lines()
-            raise AssertionError(f"{msg!r} does not come behind what was found before:\n{near}")
+            raise AssertionError(f"{msg!r} does not come after the texts found before:\n{near}")
         self._place = found + len(msg)
 
     def get_nearby_lines(self) -> str:
-        """Return the line that was come to, with two lines before it and two behind."""
+        """Return the present line, the two lines before it and the two lines after it."""
         lines = self._text.splitlines()
         reached = self._text[: self._place].count("\n")
-        # Behind a whole line the next one is come to, unless there is none.
+        # At the end of a line, the next line is the present line, if it exists.
         if self._text[self._place : self._place + 1] == "\n":
             reached += 1
         reached = min(reached, len(lines) - 1)
@@ -130,6 +130,6 @@ class SequentialTextChecker:
 def assertSequentialStdout(  # noqa: N802 - launch_testing's name
     proc_output: OutputRecord, process: ExecuteLocal | str, cmd_args: Any = None
 ) -> Iterator[SequentialTextChecker]:
-    """Give out a `SequentialTextChecker` for what one process wrote."""
+    """Yield a `SequentialTextChecker` for the output of one process."""
     found = resolve_processes(proc_output, process=process, cmd_args=cmd_args)[0]
     yield SequentialTextChecker([proc_output.text_of(found)])

@@ -1,4 +1,4 @@
-"""What can go wrong with tests of launches, other than the tests themselves."""
+"""Errors that stop launch tests. A failed assertion is not such an error."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 class NoMatchingProcessError(ZbotError, LookupError):
-    """A test asks about a process of which nothing is known."""
+    """A test refers to an unknown process."""
 
     def __init__(self, process: str, known: Iterable[str]) -> None:
         self.process, self.known = process, sorted(known)
@@ -20,7 +20,7 @@ class NoMatchingProcessError(ZbotError, LookupError):
 
 
 class SeveralProcessesError(ZbotError, LookupError):
-    """A test asks about one process, and several match."""
+    """A test refers to one process, but several processes match."""
 
     def __init__(self, process: str, found: Iterable[str]) -> None:
         self.process, self.found = process, sorted(found)

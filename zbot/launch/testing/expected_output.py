@@ -1,4 +1,4 @@
-"""launch_testing's `expect_output`: whether lines or a text are there, in their order."""
+"""Search for expected lines or texts in an output, like `expect_output` in launch_testing."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 class ChoiceError(LaunchTestError, ValueError):
-    """One of two arguments is needed: neither was given, or both."""
+    """A function needs exactly one of two arguments, but it got none or both."""
 
     def __init__(self, text: str, lines: str) -> None:
         super().__init__(f"expect_output takes either {text} or {lines}")
@@ -30,21 +30,23 @@ def expect_output(
     strip_ansi_escape_sequences: bool = True,
     strict: bool = False,
 ) -> bool:
-    """Return whether an output has what is expected.
+    """Return whether an output contains the expected text or lines.
 
     Args:
         text: The output.
-        lines: The output in lines, instead of `text`.
-        expected_text: A text, a pattern, or several that come in that order.
-        expected_lines: The same for lines: a text may stand anywhere in its line, a pattern
-            matches from its beginning.
-        strip_ansi_escape_sequences: Whether colours of the output are left out first.
-        strict: Whether what is expected comes from the beginning and without gaps. More lines may
-            follow: the program may still be running.
+        lines: The output as lines, instead of `text`.
+        expected_text: A text, a pattern, or a list of texts and patterns. The output must contain
+            the items of the list in the same order.
+        expected_lines: The same for lines. A text may be anywhere in a line. A pattern must match
+            from the beginning of a line.
+        strip_ansi_escape_sequences: Whether to remove colours from the output first.
+        strict: Whether the output must start with the expected parts, without gaps between them.
+            More lines may follow, because the program may still be running.
 
     Raises:
-        ChoiceError: Not exactly one of `text` and `lines` was given, or of the expected ones.
-        ArgumentTypeError: The expected one is neither text nor pattern nor several of these.
+        ChoiceError: Exactly one of `text` and `lines` is required. The same is true for
+            `expected_text` and `expected_lines`.
+        ArgumentTypeError: The expected argument is not a text, a pattern or a list of them.
     """
     if (text is None) == (lines is None):
         raise ChoiceError("text", "lines")
@@ -60,14 +62,15 @@ def expect_output(
 
 
 def expected_output_from_file(path: str, encoding: str | None = None) -> list[Any]:
-    """Return the expected lines that a file holds.
+    """Return the expected lines in a file.
 
     Args:
-        path: The file without its suffix: `.txt` holds lines, `.regex` patterns.
-        encoding: Of the file, e.g. `unicode_escape` where characters are written as escapes.
+        path: The file without its suffix. A file `.txt` contains lines, a file `.regex` contains
+            patterns.
+        encoding: The encoding of the file, e.g. `unicode_escape` for characters as escapes.
 
     Raises:
-        LaunchTestError: There is neither.
+        LaunchTestError: Neither file exists.
     """
     texts, patterns = Path(f"{path}.txt"), Path(f"{path}.regex")
     if texts.is_file():
@@ -101,7 +104,7 @@ def _has_lines(expected: Any, lines: Sequence[str], *, strict: bool) -> bool:
     place = 0
     for one in _each("expected_lines", expected):
         within = lines[place : place + 1] if strict else lines[place:]
-        step = next((n for n, line in enumerate(within, start=1) if _fits(one, line)), None)
+        step = next((n for n, line in enumerate(within, start=1) if _matches_line(one, line)), None)
         if step is None:
             return False
         place += step
@@ -117,5 +120,5 @@ def _each(name: str, expected: Any) -> Iterable[Any]:
     raise ArgumentTypeError(name, "a text, a pattern or several of these", expected)
 
 
-def _fits(expected: Any, line: str) -> bool:
+def _matches_line(expected: Any, line: str) -> bool:
     return expected in line if isinstance(expected, str) else expected.match(line) is not None

@@ -1,4 +1,4 @@
-"""A process that does nothing until the launch ends."""
+"""Process that does nothing until the launch ends."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ _WAIT = "import signal, sys, threading\nsignal.signal(signal.SIGINT, lambda *_: 
 
 
 class KeepAliveProc(ExecuteProcess):
-    """Keeps a launch going that has nothing else to wait for."""
+    """Keeps a launch running, even if the launch has nothing else to wait for."""
 
     def __init__(self) -> None:
         super().__init__(cmd=[sys.executable, "-c", f"{_WAIT}threading.Event().wait()"])

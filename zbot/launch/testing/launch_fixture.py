@@ -1,4 +1,4 @@
-"""launch_pytest's `fixture`: a launch that runs as long as tests of pytest use it."""
+"""Fixture of pytest that runs a launch while tests use it, like `fixture` of launch_pytest."""
 
 from __future__ import annotations
 
@@ -14,21 +14,21 @@ from zbot.launch.testing.running_launch import RunningLaunch, ready_actions
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-#: The names and scopes of fixtures that `fixture` made, by ids; pytest's own objects hide them.
+#: From the id of a fixture object to object, name and scope. The object itself has no name.
 _names: dict[int, tuple[Any, str, str]] = {}
-#: The launches that run, the newest last, by the names of their fixtures.
+#: From the name of a fixture to its running launch. The newest launch is the last.
 running: dict[str, RunningLaunch] = {}
 
 
 def fixture(
     decorated: Callable[..., Any] | None = None, *, auto_shutdown: bool = True, **options: Any
 ) -> Any:
-    """Make a fixture of a function that returns a launch description.
+    """Turn a function that returns a launch description into a fixture.
 
     Args:
-        decorated: The function; it may return, or yield, a tuple with more than the description.
-        auto_shutdown: Whether the launch ends when all of its processes have.
-        options: As for `pytest.fixture`.
+        decorated: The function. It may return or yield a tuple that begins with the description.
+        auto_shutdown: Whether the launch ends when all its processes have ended.
+        options: The options of `pytest.fixture`.
     """
 
     def decorate(function: Callable[..., Any]) -> Any:
@@ -47,9 +47,9 @@ def fixture(
             finally:
                 launch.stop()
                 running.pop(name, None)
-            next(rest, None)  # what stands behind the function's own yield
+            next(rest, None)  # the code after the function's own yield
 
-        # Not functools.wraps: pytest would look through it, and take the function for the fixture.
+        # Not functools.wraps: pytest would unwrap it and use the function itself as the fixture.
         launched.__signature__ = inspect.signature(function)  # type: ignore[attr-defined]
         launched.__name__, launched.__doc__ = function.__name__, function.__doc__
         launched.__module__ = function.__module__
@@ -61,21 +61,21 @@ def fixture(
 
 
 def _description(name: str, value: Any) -> LaunchDescription:
-    """Return the description in what a fixture's function gave."""
+    """Return the launch description that a fixture's function returned or yielded."""
     first = value[0] if isinstance(value, (tuple, list)) and value else value
     if not isinstance(first, LaunchDescription):
         what = "must be either a launch description or a sequence that begins with one"
-        raise LaunchTestError(f"what the fixture {name} returns {what}, not {value!r}")
+        raise LaunchTestError(f"the value of the fixture {name} {what}, not {value!r}")
     if sum(1 for _ in ready_actions(first.entities)) > 1:
         raise LaunchTestError(f"the launch of {name} must have only one ReadyToTest action")
     return first
 
 
 def name_and_scope(made: Any) -> tuple[str, str]:
-    """Return the name of a fixture that `fixture` made, and its scope.
+    """Return name and scope of a fixture that `fixture` created.
 
     Raises:
-        LaunchTestError: It made no such.
+        LaunchTestError: The object is not such a fixture.
     """
     if id(made) not in _names:
         raise LaunchTestError("mark.launch needs fixture=..., made by @launch_pytest.fixture")

@@ -1,4 +1,4 @@
-"""What test files write above functions and test cases."""
+"""Decorators for the functions and test cases of launch tests."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ T = TypeVar("T")
 
 
 def keep_alive(test_description: T) -> T:
-    """Keep a launch going when all of its processes have ended, until the tests have."""
+    """Keep a launch running until its tests have ended, even without running processes."""
     _markers(test_description)["keep_alive"] = True
     return test_description
 
 
 def ready_to_test_action_timeout(timeout: float) -> Callable[[T], T]:
-    """Wait so many seconds for the launch's `ReadyToTest`, not 15."""
+    """Set the seconds to wait for the launch's `ReadyToTest`. The default is 15."""
 
     def decorate(test_description: T) -> T:
         _markers(test_description)["ready_timeout"] = timeout
@@ -31,7 +31,7 @@ def ready_to_test_action_timeout(timeout: float) -> Callable[[T], T]:
 
 
 def parametrize(argnames: str | Sequence[str], argvalues: Iterable[Any]) -> Callable[[T], T]:
-    """Run the launch and its tests once for each value of some arguments."""
+    """Run the launch and its tests once for each set of argument values."""
     names = (
         [name.strip() for name in argnames.split(",")]
         if isinstance(argnames, str)
@@ -47,7 +47,7 @@ def parametrize(argnames: str | Sequence[str], argvalues: Iterable[Any]) -> Call
 
 
 def markers_of(test_description: Any) -> dict[str, Any]:
-    """Return what was written above a function."""
+    """Return the markers that the decorators of this module set on a function."""
     return getattr(test_description, "__markers__", {})
 
 
@@ -71,13 +71,13 @@ def post_shutdown_test() -> Callable[[T], T]:
 def retry_on_failure(
     *, times: int, delay: float | None = None
 ) -> Callable[[Callable[..., T]], Callable[..., T]]:
-    """Try a test again when an assertion fails, `times` in all, `delay` seconds apart.
+    """Run a test up to `times` times until no assertion fails, with pauses of `delay` seconds.
 
     Raises:
         LaunchTestError: `times` is below 1.
     """
     if times < 1:
-        raise LaunchTestError(f"retry_on_failure tries at least once, not {times} times")
+        raise LaunchTestError(f"retry_on_failure needs times=1 or more, not {times}")
 
     def decorate(test: Callable[..., T]) -> Callable[..., T]:
         @functools.wraps(test)

@@ -1,4 +1,4 @@
-"""Whether a text has what a test expects: a text, a pattern, or several in their order."""
+"""Search for expected texts and patterns in an output, and filters that remove lines."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ from zbot.errors import ArgumentTypeError
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Sequence
 
-# Colours and cursor movements (ECMA-48, 5.4), and titles of windows (xterm's OSC).
+# Colours and cursor movements (ECMA-48, 5.4), and window titles (xterm's OSC).
 _ESCAPE = re.compile(r"\x1b(?:\[[0-?]*[ -/]*[@-~]|\][^\x07\x1b]*(?:\x07|\x1b\\))")
 
 
 def without_escapes(text: str) -> str:
-    """Return a text without a terminal's colours and movements."""
+    """Return a text without terminal escape sequences."""
     return _ESCAPE.sub("", text)
 
 
 def has_expected(expected: Any, text: str) -> bool:
-    """Return whether a text has what is expected.
+    """Return whether a text contains the expected texts or patterns.
 
     Args:
-        expected: A text or a compiled pattern, which may stand anywhere; a list of whole lines or
-            of patterns, which must come in that order.
-        text: Where to look.
+        expected: A text or a compiled pattern, which may be anywhere. A list contains complete
+            lines or patterns, which must come in the same order.
+        text: The text to search.
 
     Raises:
-        ArgumentTypeError: `expected` is none of these.
+        ArgumentTypeError: `expected` has another type.
     """
     text = text.replace("\r\n", "\n")
     if isinstance(expected, str):
@@ -45,7 +45,7 @@ def has_expected(expected: Any, text: str) -> bool:
 
 def _has_lines(expected: Sequence[str], text: str) -> bool:
     lines = iter(text.splitlines())
-    return all(one in lines for one in expected)  # each `in` goes on behind the former's line
+    return all(one in lines for one in expected)  # each `in` continues after the last line found
 
 
 def _has_patterns(expected: Sequence[Any], text: str) -> bool:
@@ -59,12 +59,12 @@ def _has_patterns(expected: Sequence[Any], text: str) -> bool:
 
 
 def get_default_filtered_prefixes() -> list[str]:
-    """Return how lines begin that `basic_output_filter` leaves out if it is not told."""
+    """Return the prefixes of lines that `basic_output_filter` removes by default."""
     return ["pid", "rc"]
 
 
 def get_default_filtered_patterns() -> list[str]:
-    """Return which lines `basic_output_filter` leaves out if it is not told: none."""
+    """Return the patterns of lines that `basic_output_filter` removes by default: none."""
     return []
 
 
@@ -76,11 +76,11 @@ def basic_output_filter(
     filtered_prefixes: Iterable[str | bytes] | None = None,
     filtered_patterns: Iterable[str | bytes] | None = None,
 ) -> Callable[[str], str]:
-    """Return a function that leaves out lines.
+    """Return a function that removes lines from a text.
 
     Args:
-        filtered_prefixes: Lines that begin with one of these go; `pid` and `rc` if left out.
-        filtered_patterns: So do lines that match one of these.
+        filtered_prefixes: Prefixes of lines to remove. None means `pid` and `rc`.
+        filtered_patterns: Patterns of lines to remove. They must match from the line's beginning.
     """
     if filtered_prefixes is None:
         filtered_prefixes = get_default_filtered_prefixes()
@@ -102,12 +102,12 @@ def ros_output_filter(
     filtered_patterns: Iterable[str | bytes] | None = None,
     filtered_rmw_implementation: str | None = None,
 ) -> Callable[[str], str]:
-    """Return a function that leaves out lines: launch_testing_ros's `basic_output_filter`.
+    """Return a function that removes lines, like `basic_output_filter` of launch_testing_ros.
 
     Args:
-        filtered_prefixes: As for `basic_output_filter`.
-        filtered_patterns: As for `basic_output_filter`.
-        filtered_rmw_implementation: The middleware whose own lines are left out; Zenoh writes none.
+        filtered_prefixes: The same as for `basic_output_filter`.
+        filtered_patterns: The same as for `basic_output_filter`.
+        filtered_rmw_implementation: Ignored, because Zenoh does not write lines to remove.
     """
     del filtered_rmw_implementation
     return basic_output_filter(filtered_prefixes, filtered_patterns)

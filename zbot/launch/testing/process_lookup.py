@@ -1,4 +1,4 @@
-"""Which processes a test means: by their action, or by a part of their name."""
+"""Lookup of processes by their action or by a part of their name."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from zbot.launch.testing.error import NoMatchingProcessError, SeveralProcessesEr
 if TYPE_CHECKING:
     from collections.abc import Collection
 
-#: As `cmd_args`: a process that was started without arguments.
+#: Value of `cmd_args` that selects processes without arguments.
 NO_CMD_ARGS: Any = object()
 
 
 class Records(Protocol):
-    """What is known of some processes."""
+    """Records about processes."""
 
     def processes(self) -> Collection[ExecuteLocal]:
-        """Return the processes of which something is known."""
+        """Return the processes that have a record."""
         ...
 
 
@@ -31,18 +31,18 @@ def resolve_processes(
     cmd_args: Any = None,
     strict_proc_matching: bool = True,
 ) -> list[ExecuteLocal]:
-    """Return the processes that are meant, at least one.
+    """Return the matching processes. The list has at least one process.
 
     Args:
-        info_obj: Where to look.
-        process: An action, a part of a process's name, or `None` for all.
-        cmd_args: Arguments that the process must have been started with, or `NO_CMD_ARGS`.
-        strict_proc_matching: Refuse a name that several processes match.
+        info_obj: The records to search.
+        process: An action, a part of a process's name, or `None` for all processes.
+        cmd_args: Arguments that the process must have, or `NO_CMD_ARGS`.
+        strict_proc_matching: Whether it is an error if several processes match a name.
 
     Raises:
-        NoMatchingProcessError: Nothing is known of such a process.
-        SeveralProcessesError: It is not clear which is meant.
-        ArgumentTypeError: `process` is none of the above.
+        NoMatchingProcessError: No process matches.
+        SeveralProcessesError: Several processes match the name.
+        ArgumentTypeError: `process` has another type.
     """
     known = list(info_obj.processes())
     if process is None:
@@ -54,23 +54,23 @@ def resolve_processes(
     else:
         raise ArgumentTypeError("process", "an ExecuteProcess or a name", process)
     if not found:
-        raise NoMatchingProcessError(_said(process), map(name_of, known))
+        raise NoMatchingProcessError(_described(process), map(name_of, known))
     if strict_proc_matching and isinstance(process, str) and len(found) > 1:
-        raise SeveralProcessesError(_said(process), map(name_of, found))
+        raise SeveralProcessesError(_described(process), map(name_of, found))
     return found
 
 
 def name_of(process: ExecuteLocal) -> str:
-    """Return the name of a process, `talker-1`; what it is to run if it has not started."""
-    told = process.process_details.get("name")
-    if told:
-        return str(told)
+    """Return the label of a process, e.g. `talker-1`. Before its start, return the command line."""
+    name = process.process_details.get("name")
+    if name:
+        return str(name)
     if all(isinstance(part, TextSubstitution) for word in process.cmd for part in word):
         return " ".join(part.text for word in process.cmd for part in word)
-    return "Unknown"  # what substitutions become is known when it starts
+    return "Unknown"  # substitutions have no text before the start
 
 
-def _said(process: ExecuteLocal | str | None) -> str:
+def _described(process: ExecuteLocal | str | None) -> str:
     if process is None:
         return ""
     return repr(process) if isinstance(process, str) else name_of(process)

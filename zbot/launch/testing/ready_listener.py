@@ -1,4 +1,4 @@
-"""Acts when a process has written that it is ready."""
+"""Event handler that reacts to a text in the stdout of a process."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ if TYPE_CHECKING:
 
 
 class StdoutReadyListener(EventHandler):
-    """Visits actions once, when a process has written a text to stdout.
+    """Visits actions when a process has written a text to stdout for the first time.
 
     Args:
-        target_action: The process.
+        target_action: The process. None means any process.
         ready_txt: The text.
-        actions: What to do, for example `ReadyToTest()`.
+        actions: The actions, for example `ReadyToTest()`.
     """
 
     def __init__(
@@ -35,7 +35,7 @@ class StdoutReadyListener(EventHandler):
         super().__init__(matcher=self._is_ready, entities=list(actions or ()), handle_once=True)
 
     def describe(self) -> tuple[str, list[LaunchDescriptionEntity]]:  # type: ignore[override]
-        """Return one line about it, and what it leads to, as launch_testing does."""
+        """Return a description in one line, and the actions, as launch_testing does."""
         actions = self.entities if isinstance(self.entities, list) else []
         return f"StdoutReadyListener(ready_txt={self._wanted.decode()!r})", actions
 

@@ -1,4 +1,4 @@
-"""What the processes of a launch wrote and how they ended, for tests in another thread."""
+"""Records of the output and the exit of processes, which tests in another thread read."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ if TYPE_CHECKING:
 
     from zbot.launch.actions.execute import ExecuteLocal
 
-_PATIENCE_S = 10.0  # launch_testing's
+_TIMEOUT_S = 10.0  # the default of launch_testing
 
 
 class OutputRecord:
-    """What the processes wrote: events with `text`, `from_stdout`, `process_name`, `action`."""
+    """Output events of the processes. They have `text`, `from_stdout`, `process_name`, `action`."""
 
     def __init__(self) -> None:
         self.io_event = threading.Condition()
@@ -27,14 +27,14 @@ class OutputRecord:
         self._processes: dict[ExecuteLocal, str] = {}
 
     def append(self, process_io: ProcessIO) -> None:
-        """Note something that was written."""
+        """Add an output event."""
         self.track(process_io)
         with self.io_event:
             self._events.append(process_io)
             self.io_event.notify_all()
 
     def track(self, started: object) -> None:
-        """Note a process, which may never write anything; its name alone tells nothing new."""
+        """Add a process that has no output yet. Objects that are not process events are ignored."""
         if isinstance(started, RunningProcessEvent):
             with self.io_event:
                 self._processes[started.action] = started.process_name
@@ -44,21 +44,21 @@ class OutputRecord:
             return iter(list(self._events))
 
     def __getitem__(self, key: ExecuteLocal | str) -> list[ProcessIO]:
-        """Return what a process wrote, given by its action or its whole name."""
+        """Return the output events of a process. The key is its action or its full label."""
         return [one for one in self if key in (one.process_name, one.action)]
 
     def processes(self) -> list[ExecuteLocal]:
-        """Return the processes that were started."""
+        """Return the actions of the processes that were started."""
         with self.io_event:
             return list(self._processes)
 
     def process_names(self) -> list[str]:
-        """Return their names."""
+        """Return the labels of the processes that were started."""
         with self.io_event:
             return list(self._processes.values())
 
     def text_of(self, process: ExecuteLocal, stream: str = "both") -> str:
-        """Return what a process wrote to `stdout`, `stderr` or `both`."""
+        """Return the output of a process on `stdout`, `stderr` or `both`."""
         wanted = {"stdout": (1,), "stderr": (2,)}.get(stream, (1, 2))
         pieces = b"".join(one.text for one in self[process] if one.fd in wanted)
         return pieces.decode(errors="replace")
@@ -74,11 +74,11 @@ class OutputRecord:
         strict_proc_matching: bool = True,
         strip_ansi_escape_sequences: bool = True,
     ) -> bool:
-        """Return whether one of the processes wrote what is expected; see `has_expected`.
+        """Return whether a matching process has the expected output. See `has_expected`.
 
         Raises:
-            NoMatchingProcessError: No such process was started.
-            SeveralProcessesError: It is not clear which is meant.
+            NoMatchingProcessError: No started process matches.
+            SeveralProcessesError: Several processes match the name.
         """
         found = resolve_processes(
             self, process=process, cmd_args=cmd_args, strict_proc_matching=strict_proc_matching
@@ -96,14 +96,14 @@ class OutputRecord:
         process: ExecuteLocal | str | None = None,
         cmd_args: Any = None,
         *,
-        timeout: float | None = _PATIENCE_S,
+        timeout: float | None = _TIMEOUT_S,
         stream: str = "both",
         **options: Any,
     ) -> bool:
-        """Wait until a process has written something, at most `timeout` seconds.
+        """Wait at most `timeout` seconds for expected output. Return whether the output came.
 
         Raises:
-            NoMatchingProcessError: No such process was started.
+            NoMatchingProcessError: No started process matches.
         """
         unknown: list[NoMatchingProcessError] = []
 
@@ -125,25 +125,25 @@ class OutputRecord:
     def assertWaitFor(  # noqa: N802 - launch_testing's name
         self, expected_output: Any = None, *args: Any, msg: Any = None, **options: Any
     ) -> None:
-        """Wait as `waitFor` does; fail if it does not come.
+        """Wait for expected output. The arguments are the same as for `waitFor`.
 
         Raises:
-            AssertionError: It did not come in time.
+            AssertionError: The output did not come in time.
         """
         expected = expected_output if expected_output is not None else msg
         if not self.waitFor(expected, *args, **options):
-            raise AssertionError(f"waited in vain for the output {expected!r}")
+            raise AssertionError(f"the output {expected!r} did not come in time")
 
 
 class ExitRecord:
-    """How the processes are: the event of their start, or of their end with its `returncode`."""
+    """Last event of each process, which is its start, or its exit with the `returncode`."""
 
     def __init__(self) -> None:
         self.proc_event = threading.Condition()
         self._events: dict[ExecuteLocal, RunningProcessEvent] = {}
 
     def append(self, process_info: RunningProcessEvent) -> None:
-        """Note that a process started or ended."""
+        """Add the start or the exit of a process."""
         with self.proc_event:
             self._events[process_info.action] = process_info
             self.proc_event.notify_all()
@@ -153,7 +153,7 @@ class ExitRecord:
             return iter(list(self._events.values()))
 
     def __getitem__(self, key: ExecuteLocal | str) -> RunningProcessEvent:
-        """Return the last event of a process, given by its action or a part of its name."""
+        """Return the last event of a process. The key is its action or a part of its label."""
         with self.proc_event:
             for process, event in self._events.items():
                 if process is key or (isinstance(key, str) and key in name_of(process)):
@@ -161,16 +161,16 @@ class ExitRecord:
         raise KeyError(key)
 
     def processes(self) -> list[ExecuteLocal]:
-        """Return the processes that were started."""
+        """Return the actions of the processes that were started."""
         with self.proc_event:
             return list(self._events)
 
     def process_names(self) -> list[str]:
-        """Return their names."""
+        """Return the labels of the processes that were started."""
         return list(map(name_of, self.processes()))
 
     def has_ended(self, process: ExecuteLocal) -> bool:
-        """Return whether a process was started, and has ended."""
+        """Return whether a process was started and has ended."""
         return isinstance(self._events.get(process), ProcessExited)
 
     def assertWaitForShutdown(  # noqa: N802 - launch_testing's name
@@ -178,12 +178,12 @@ class ExitRecord:
         process: ExecuteLocal | str,
         cmd_args: Any = None,
         *,
-        timeout: float | None = _PATIENCE_S,
+        timeout: float | None = _TIMEOUT_S,
     ) -> None:
         """Wait until a process has ended.
 
         Raises:
-            AssertionError: It has not in time.
+            AssertionError: The process did not end in time.
         """
         self._wait(process, cmd_args, timeout, self.has_ended, "end")
 
@@ -192,12 +192,12 @@ class ExitRecord:
         process: ExecuteLocal | str,
         cmd_args: Any = None,
         *,
-        timeout: float | None = _PATIENCE_S,
+        timeout: float | None = _TIMEOUT_S,
     ) -> None:
         """Wait until a process was started.
 
         Raises:
-            AssertionError: It was not in time.
+            AssertionError: The process was not started in time.
         """
         self._wait(process, cmd_args, timeout, lambda _: True, "start")
 

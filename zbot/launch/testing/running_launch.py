@@ -1,4 +1,4 @@
-"""A launch that runs in a thread beside its tests."""
+"""Launch that runs in its own thread while its tests run in another thread."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import asyncio
 import threading
 from typing import TYPE_CHECKING, Any
 
-from zbot.launch.actions.testing import ReadyToTest, TestsMayBegin
+from zbot.launch.actions.testing import ReadyToTest, ReadyToTestEvent
 from zbot.launch.event import Shutdown
 from zbot.launch.event_handler import EventHandler
 from zbot.launch.process_event import ProcessExited, ProcessIO, ProcessStarted
@@ -20,19 +20,19 @@ if TYPE_CHECKING:
     from zbot.launch.description import LaunchDescription
     from zbot.launch.entity import LaunchDescriptionEntity
 
-READY_TIMEOUT_S = 15.0  # launch_testing's
-# SIGINT, SIGTERM and SIGKILL come 5 s apart unless an action says otherwise.
+READY_TIMEOUT_S = 15.0  # the default of launch_testing
+# SIGINT, SIGTERM and SIGKILL come 5 s apart, unless an action sets other timeouts.
 _LONGEST_END_S = 60.0
 
 
 class RunningLaunch:
-    """A launch in a thread of its own.
+    """A launch in its own thread.
 
     Args:
-        description: What to launch.
-        arguments: Its launch arguments.
-        keep_alive: Whether it goes on when all of its processes have ended.
-        must_get_ready: Whether a description without `ReadyToTest` is a mistake.
+        description: The launch description.
+        arguments: The launch arguments.
+        keep_alive: Whether the launch continues when all its processes have ended.
+        must_get_ready: Whether a description without `ReadyToTest` is an error.
         debug: Whether debug lines are shown.
     """
 
@@ -49,9 +49,9 @@ class RunningLaunch:
         self.proc_info = ExitRecord()
         self.service = LaunchService(noninteractive=True, debug=debug)
         self._keep_alive = keep_alive
-        self._signs = threading.Condition()
+        self._state_changed = threading.Condition()
         self._is_ready = not (must_get_ready or any(ready_actions(description.entities)))
-        self.is_over = False  #: whether it has ended
+        self.is_over = False  #: whether the launch has ended
         context = self.service.context
         context.launch_configurations.update(arguments or {})
         for kind, function in (
@@ -59,7 +59,7 @@ class RunningLaunch:
             (ProcessStarted, self.proc_output.track),
             (ProcessExited, self.proc_info.append),
             (ProcessIO, self.proc_output.append),
-            (TestsMayBegin, self._on_ready),
+            (ReadyToTestEvent, self._on_ready),
         ):
             context.register_event_handler(_handler(kind, function))
         self.service.include_launch_description(description)
@@ -70,40 +70,40 @@ class RunningLaunch:
         try:
             asyncio.run(self.service.run_async(shutdown_when_idle=not self._keep_alive))
         finally:
-            with self._signs:
+            with self._state_changed:
                 self.is_over = True
-                self._signs.notify_all()
+                self._state_changed.notify_all()
 
     def _on_ready(self, event: object) -> None:
         del event
-        with self._signs:
+        with self._state_changed:
             self._is_ready = True
-            self._signs.notify_all()
+            self._state_changed.notify_all()
 
     def wait_until_ready(self, timeout_s: float = READY_TIMEOUT_S) -> None:
-        """Wait for the launch's `ReadyToTest`; one without is ready at once.
+        """Wait for `ReadyToTest`. A launch that does not need `ReadyToTest` is ready at once.
 
         Raises:
-            LaunchTestError: It did not come, or the launch ended first.
+            LaunchTestError: The launch did not reach `ReadyToTest` in time, or it ended first.
         """
-        with self._signs:
-            self._signs.wait_for(lambda: self._is_ready or self.is_over, timeout_s)
+        with self._state_changed:
+            self._state_changed.wait_for(lambda: self._is_ready or self.is_over, timeout_s)
             if self._is_ready:
                 return
         if self.is_over:
             raise LaunchTestError("the launch ended before its tests could begin")
         self.stop()
         raise LaunchTestError(
-            f"no ReadyToTest came within {timeout_s:g} s",
+            f"the launch did not reach ReadyToTest within {timeout_s:g} s",
             "put launch_testing.actions.ReadyToTest() into the launch description",
         )
 
     def stop(self) -> None:
-        """End the launch and wait until its processes have ended; may be called twice."""
-        with self._signs:
+        """End the launch and wait until its processes have ended. A second call does nothing."""
+        with self._state_changed:
             if not self.is_over:
                 self.service.emit_event(Shutdown(reason="the tests are over"))
-            self._signs.wait_for(lambda: self.is_over, _LONGEST_END_S)
+            self._state_changed.wait_for(lambda: self.is_over, _LONGEST_END_S)
         self._thread.join()
 
 
@@ -113,18 +113,18 @@ def _handler(kind: type[Any], function: Any) -> EventHandler:
     )
 
 
-def when_tests_may_begin(function: Callable[[], object]) -> EventHandler:
-    """Return what calls a function when a launch has come to its `ReadyToTest`."""
+def on_ready_to_test(function: Callable[[], object]) -> EventHandler:
+    """Return a handler that calls a function when the launch reaches `ReadyToTest`."""
 
     def begin(event: object) -> None:
         del event
         function()
 
-    return _handler(TestsMayBegin, begin)
+    return _handler(ReadyToTestEvent, begin)
 
 
 def ready_actions(entities: Iterable[LaunchDescriptionEntity]) -> Iterator[ReadyToTest]:
-    """Yield the actions of a description that let tests begin."""
+    """Yield the `ReadyToTest` actions of a description."""
     for entity in entities:
         if isinstance(entity, ReadyToTest):
             yield entity

@@ -1,4 +1,4 @@
-"""Tests of launch_pytest as functions that pytest can call: generators, coroutines, both."""
+"""Adapter that turns tests of launch_pytest, e.g. generators and coroutines, into functions."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ _YIELDED_TWICE = "must stop iteration after yielding once"
 
 
 class StagedTest:
-    """A test of a launch; what stands behind its `yield` comes after the launch has ended.
+    """A test of a launch. The code after its `yield` runs after the launch has ended.
 
     Args:
         function: The test.
-        fixture_name: Of the launch that it belongs to.
+        fixture_name: The name of the fixture with the launch.
     """
 
     def __init__(self, function: Callable[..., Any], fixture_name: str) -> None:
@@ -30,30 +30,31 @@ class StagedTest:
         self.has_two_stages = inspect.isgeneratorfunction(function) or inspect.isasyncgenfunction(
             function
         )
-        #: By the launch: where the tests stand, None for those that failed; in pytest's order.
+        #: From a launch's id to tests that wait at their `yield`. A failed test is None.
         self._waiting: defaultdict[int, deque[Any]] = defaultdict(deque)
 
-    def whole(self, *, shutdown: bool) -> Any:
+    def as_one_function(self, *, shutdown: bool) -> Any:
         """Return the test as one function.
 
         Args:
-            shutdown: Whether all of it runs after the launch.
+            shutdown: Whether the whole test runs after the end of the launch.
         """
 
         def plain(*args: Any, **given: Any) -> None:
             if shutdown and self.has_two_stages:
                 kind = "a generator or async generator"
-                pytest.fail(f"{kind} cannot be marked with shutdown=True: its yield says when")
+                reason = "its yield marks the shutdown already"
+                pytest.fail(f"{kind} cannot be marked with shutdown=True: {reason}")
             if shutdown:
                 self._launch.stop()
             steps = self._begin(args, given)
             if steps is not None:
                 self._end(steps)
 
-        return self._dressed(plain)
+        return self._with_metadata(plain)
 
-    def halves(self) -> tuple[Any, Any]:
-        """Return the test as two functions, for a launch that other tests need in between."""
+    def as_two_functions(self) -> tuple[Any, Any]:
+        """Return the test as two functions. Other tests use the launch between them."""
 
         def first(*args: Any, **given: Any) -> None:
             waiting = self._waiting[id(self._launch)]
@@ -64,17 +65,17 @@ class StagedTest:
             waiting = self._waiting[id(self._launch)]
             steps = waiting.popleft() if waiting else None
             if steps is None:
-                pytest.skip("what stands before its yield failed")
+                pytest.skip("the part before its yield failed")
             self._end(steps)
 
-        return self._dressed(first), self._dressed(second)
+        return self._with_metadata(first), self._with_metadata(second)
 
     @property
     def _launch(self) -> Any:
         return running[self._fixture_name]
 
     def _begin(self, args: Any, given: Any) -> Any:
-        """Run the test up to its `yield`; return what is left."""
+        """Run the test up to its `yield`. Return the rest, or None if the test has no `yield`."""
         made = self._function(*args, **given)
         if inspect.iscoroutine(made):
             asyncio.run(made)
@@ -82,19 +83,21 @@ class StagedTest:
         if inspect.isgenerator(made):
             return made if next(made, made) is not made else None
         if inspect.isasyncgen(made):
-            return _Loop(made).begun()
+            return _AsyncGeneratorRunner(made).begun()
         return None
 
     def _end(self, steps: Any) -> None:
-        """Run what stands behind the `yield`, after the launch."""
+        """End the launch and run the part after the `yield`."""
         self._launch.stop()
         nothing = object()
-        last = steps.end(nothing) if isinstance(steps, _Loop) else next(steps, nothing)
+        last = (
+            steps.end(nothing) if isinstance(steps, _AsyncGeneratorRunner) else next(steps, nothing)
+        )
         if last is not nothing:
             pytest.fail(f"{self._function.__name__} {_YIELDED_TWICE}")
 
-    def _dressed(self, plain: Any) -> Any:
-        # Not functools.wraps: pytest would look through it, and take the function for the test.
+    def _with_metadata(self, plain: Any) -> Any:
+        # Not functools.wraps: pytest would unwrap it and use the function itself as the test.
         function: Any = self._function
         plain.__signature__ = inspect.signature(function)
         plain.__name__, plain.__doc__ = function.__name__, function.__doc__
@@ -103,14 +106,14 @@ class StagedTest:
         return plain
 
 
-class _Loop:
-    """An asynchronous generator with the event loop that both of its halves run in."""
+class _AsyncGeneratorRunner:
+    """An asynchronous generator, with the event loop that runs both of its parts."""
 
     def __init__(self, made: AsyncGenerator[Any, Any]) -> None:
         self._made, self._loop = made, asyncio.new_event_loop()
 
-    def begun(self) -> _Loop | None:
-        """Run it up to its `yield`; return None if there is none."""
+    def begun(self) -> _AsyncGeneratorRunner | None:
+        """Run the generator up to its `yield`. Return None if it has no `yield`."""
         nothing = object()
         is_open = False
         try:
@@ -121,7 +124,7 @@ class _Loop:
         return self if is_open else None
 
     def end(self, nothing: object) -> object:
-        """Run the rest; return `nothing` if it ends there."""
+        """Run the rest of the generator. Return `nothing` if it has no second `yield`."""
         try:
             return self._next(nothing)
         finally:

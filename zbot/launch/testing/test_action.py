@@ -1,4 +1,4 @@
-"""Test programs as actions."""
+"""Actions that run test programs."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ if TYPE_CHECKING:
 
 
 class Test(ExecuteProcess):
-    """A test program, which may have a longest time.
+    """A test program that may have a time limit.
 
     Args:
-        timeout: Seconds after which it is ended; `None` for as long as it takes.
-        options: As for `ExecuteProcess`.
+        timeout: Seconds after which the launch ends the program. `None` means no limit.
+        options: The options of `ExecuteProcess`.
     """
 
-    __test__ = False  # it is pytest's word for its own
+    __test__ = False  # not a test class of pytest
 
     def __init__(self, *, timeout: float | None = None, **options: Any) -> None:
         super().__init__(**options)
         self.timeout = timeout
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
-        """Start the program, and what is to end it."""
+        """Start the program, and a timer that ends it."""
         following = list(super().execute(context) or ())
         if self.timeout is not None:
             end = EmitEvent(event=ShutdownProcess(process_matcher=matches_action(self)))
@@ -41,12 +41,12 @@ class Test(ExecuteProcess):
 
 
 class GTest(Test):
-    """A program of GoogleTest.
+    """A test program that uses GoogleTest.
 
     Args:
         path: The program.
-        timeout: Seconds after which it is ended.
-        options: As for `ExecuteProcess`.
+        timeout: Seconds after which the launch ends the program.
+        options: The options of `ExecuteProcess`.
     """
 
     def __init__(self, *, path: Any, timeout: float | None = None, **options: Any) -> None:
@@ -54,12 +54,12 @@ class GTest(Test):
 
 
 class PyTest(Test):
-    """A file or folder of pytest.
+    """A run of pytest.
 
     Args:
-        path: What pytest is to run.
-        timeout: Seconds after which it is ended.
-        options: As for `ExecuteProcess`.
+        path: The file or folder with the tests.
+        timeout: Seconds after which the launch ends pytest.
+        options: The options of `ExecuteProcess`.
     """
 
     def __init__(self, *, path: Any, timeout: float | None = None, **options: Any) -> None:

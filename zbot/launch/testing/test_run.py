@@ -1,4 +1,4 @@
-"""A test file: the launch that it describes, and the test cases for it."""
+"""Run of a test file, which consists of its launch and its test cases."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from zbot.launch.testing.marker import markers_of
 from zbot.launch.testing.running_launch import (
     READY_TIMEOUT_S,
     RunningLaunch,
+    on_ready_to_test,
     ready_actions,
-    when_tests_may_begin,
 )
 
 if TYPE_CHECKING:
@@ -33,13 +33,13 @@ def load_module(path: Path) -> ModuleType:
     """Import a test file.
 
     Raises:
-        LaunchTestError: It is no Python file, or describes no launch.
+        LaunchTestError: The file is not a Python file, or it does not describe a launch.
     """
     spec = importlib.util.spec_from_file_location(path.stem.replace(".", "_"), path)
     if spec is None or spec.loader is None:
-        raise LaunchTestError(f"{path} is no Python file")
+        raise LaunchTestError(f"{path} is not a Python file")
     module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # as `import` does: pickle and dataclasses look there
+    sys.modules[spec.name] = module  # pickle and dataclasses look modules up there
     spec.loader.exec_module(module)
     if not callable(getattr(module, _FUNCTION, None)):
         raise LaunchTestError(f"{path} has no function {_FUNCTION}()")
@@ -47,20 +47,20 @@ def load_module(path: Path) -> ModuleType:
 
 
 def test_runs(module: ModuleType) -> list[TestRun]:
-    """Return one run for each row of `parametrize`, or the only one."""
+    """Return one run for each set of values of `parametrize`. Without it, return one run."""
     function = getattr(module, _FUNCTION)
     return [TestRun(module, row) for row in markers_of(function).get("rows", [{}])]
 
 
 class TestRun:
-    """One launch with its tests.
+    """One launch and its tests.
 
     Args:
         module: The test file.
-        parameters: What `parametrize` gives the description and the tests.
+        parameters: The values of `parametrize`, which the description and the tests get.
     """
 
-    __test__ = False  # it is pytest's word for its own
+    __test__ = False  # not a test class of pytest
 
     def __init__(self, module: ModuleType, parameters: Mapping[str, Any]) -> None:
         self._module = module
@@ -69,7 +69,7 @@ class TestRun:
 
     @property
     def name(self) -> str:
-        """The parameters as pytest writes them, `[1-fast]`; empty without any."""
+        """The parameters as pytest writes them, e.g. `[1-fast]`. It is empty without parameters."""
         values = "-".join(map(str, self._parameters.values()))
         return f"[{values}]" if values else ""
 
@@ -80,18 +80,18 @@ class TestRun:
         verbosity: int = 2,
         debug: bool = False,
     ) -> list[unittest.TestResult]:
-        """Launch, run the tests, end the launch, and run those that come after it.
+        """Start the launch, run the tests, end the launch, and run the post-shutdown tests.
 
         Args:
-            arguments: Launch arguments; tests get them as `test_args`.
-            verbosity: unittest's: 2 writes a line for each test.
+            arguments: Launch arguments, which tests get as `test_args`.
+            verbosity: The same as in unittest, where 2 writes a line for each test.
             debug: Whether debug lines of the launch are shown.
 
         Returns:
-            The results of both.
+            The results of the tests during the launch and of the tests after the launch.
 
         Raises:
-            LaunchTestError: The description is none, or the launch ended before its tests.
+            LaunchTestError: The description is invalid, or the launch ended before its tests.
         """
         try:
             description, given = self._describe()
@@ -100,7 +100,7 @@ class TestRun:
         markers = markers_of(self._function)
         keep_alive = bool(markers.get("keep_alive"))
         launch = RunningLaunch(description, arguments, keep_alive=keep_alive, debug=debug)
-        things = {
+        attributes = {
             **given,
             **self._parameters,
             "proc_info": launch.proc_info,
@@ -110,7 +110,7 @@ class TestRun:
         }
         try:
             launch.wait_until_ready(markers.get("ready_timeout", READY_TIMEOUT_S))
-            active = self._run_cases(things, verbosity, after=False)
+            active = self._run_cases(attributes, verbosity, after=False)
             if launch.is_over:
                 raise LaunchTestError(
                     "the processes under test ended before their tests did",
@@ -118,13 +118,13 @@ class TestRun:
                 )
         finally:
             launch.stop()
-        return [active, self._run_cases(things, verbosity, after=True)]
+        return [active, self._run_cases(attributes, verbosity, after=True)]
 
     def validate(self) -> None:
-        """Check that the description takes what `parametrize` gives it, and nothing else.
+        """Check that the description has the same arguments as `parametrize`.
 
         Raises:
-            LaunchTestError: It does not.
+            LaunchTestError: The arguments differ.
         """
         taken = inspect.signature(self._function).parameters
         for name in self._parameters:
@@ -137,19 +137,19 @@ class TestRun:
     def normalized_test_description(
         self, *, ready_fn: Callable[[], object]
     ) -> tuple[LaunchDescription, dict[str, Any]]:
-        """Return the description, and the things for its tests.
+        """Return the description and the extra arguments for its tests.
 
         Args:
-            ready_fn: Called when the launch has come to its `ReadyToTest`.
+            ready_fn: Called when the launch reaches `ReadyToTest`.
 
         Raises:
-            LaunchTestError: There is no `ReadyToTest`.
+            LaunchTestError: The description has no `ReadyToTest`.
         """
         description, given = self._describe()
         if not any(ready_actions(description.entities)):
             what = "a LaunchDescription containing a ReadyToTest action"
             raise LaunchTestError(f"{_FUNCTION}() must return {what}")
-        description.add_action(RegisterEventHandler(when_tests_may_begin(ready_fn)))
+        description.add_action(RegisterEventHandler(on_ready_to_test(ready_fn)))
         return description, given
 
     def _skipped(self, reason: str) -> unittest.TestResult:
@@ -166,17 +166,17 @@ class TestRun:
         returned = self._function(**self._parameters)
         pair = returned if isinstance(returned, tuple) else (returned, {})
         if len(pair) != 2 or not isinstance(pair[0], LaunchDescription):
-            what = "a LaunchDescription, alone or with a dict of things for the tests"
+            what = "a LaunchDescription, alone or in a pair with a dict of arguments for the tests"
             raise LaunchTestError(f"{_FUNCTION}() must return {what}, not {returned!r}")
         return pair
 
     def _run_cases(
-        self, things: dict[str, Any], verbosity: int, *, after: bool
+        self, attributes: dict[str, Any], verbosity: int, *, after: bool
     ) -> unittest.TestResult:
         suite = unittest.TestSuite()
         for case in self._cases(after=after):
             names = unittest.defaultTestLoader.getTestCaseNames(case)
-            bound = _bound(case, names, things)
+            bound = _bound(case, names, attributes)
             suite.addTests(map(bound, names))
         return unittest.TextTestRunner(verbosity=verbosity).run(suite)
 
@@ -188,17 +188,19 @@ class TestRun:
 
 
 def _bound(
-    case: type[unittest.TestCase], names: Sequence[str], things: dict[str, Any]
+    case: type[unittest.TestCase], names: Sequence[str], attributes: dict[str, Any]
 ) -> type[unittest.TestCase]:
-    """Return a test case whose functions get what they have arguments for."""
+    """Return a subclass of a test case whose methods get values for their arguments."""
     members: dict[str, Any] = {
-        name: value for name, value in things.items() if not hasattr(case, name)
+        name: value for name, value in attributes.items() if not hasattr(case, name)
     }
     for name in (*_FIXTURES, *names):
         function = inspect.getattr_static(case, name)
         is_of_class = isinstance(function, classmethod)
         plain = function.__func__ if is_of_class else function
-        wanted = {key: things[key] for key in inspect.signature(plain).parameters if key in things}
+        wanted = {
+            key: attributes[key] for key in inspect.signature(plain).parameters if key in attributes
+        }
         if wanted:
             filled = _filled(plain, wanted)
             members[name] = classmethod(filled) if is_of_class else filled

@@ -1,4 +1,4 @@
-"""launch_testing's `LaunchTestRunner`: the runs of a test file, one after the other."""
+"""Runner of all runs of a test file, with the interface of `LaunchTestRunner` in ROS 2."""
 
 from __future__ import annotations
 
@@ -16,35 +16,35 @@ if TYPE_CHECKING:
 
 
 class RunResult(unittest.TestResult):
-    """What became of all tests of a run, those beside the launch and those after it."""
+    """Result of all tests of a run, both during the launch and after the launch."""
 
     def __init__(self) -> None:
         super().__init__()
         self._is_broken = False
 
     def include(self, results: Iterable[unittest.TestResult]) -> None:
-        """Count what other results say."""
+        """Add the counts of other results."""
         for one in results:
             self.testsRun += one.testsRun
             self.failures += one.failures
             self.errors += one.errors
             self.skipped += one.skipped
 
-    def break_off(self) -> None:
-        """Note that the launch ended before its tests did."""
+    def mark_incomplete(self) -> None:
+        """Mark the result as failed, because the launch ended before its tests."""
         self._is_broken = True
 
     def wasSuccessful(self) -> bool:  # noqa: N802 - unittest's name
-        """Return whether all tests came to their end, and none failed."""
+        """Return whether all tests ran and no test failed."""
         return super().wasSuccessful() and not self._is_broken
 
 
 class LaunchTestRunner:
-    """Runs the launches of a test file, each with its tests.
+    """Runs the launches of a test file. Each launch has its own tests.
 
     Args:
-        test_runs: What `LoadTestsFromPythonModule` returned.
-        launch_file_arguments: Launch arguments as on a command line, `name:=value`.
+        test_runs: The result of `LoadTestsFromPythonModule`.
+        launch_file_arguments: Launch arguments in the form `name:=value`.
         debug: Whether debug lines are shown.
     """
 
@@ -58,16 +58,16 @@ class LaunchTestRunner:
         self._arguments = parse_arguments(launch_file_arguments)
 
     def validate(self) -> None:
-        """Check that each description takes what `parametrize` gives it, and nothing else.
+        """Check that each description has the same arguments as `parametrize`.
 
         Raises:
-            LaunchTestError: One does not.
+            LaunchTestError: The arguments differ.
         """
         for run in self._test_runs:
             run.validate()
 
     def run(self) -> dict[TestRun, unittest.TestResult]:
-        """Launch, test, and launch the next; none follows one that ended before its tests did."""
+        """Run all runs in order. Stop if a launch ends before its tests."""
         results: dict[TestRun, unittest.TestResult] = {}
         for run in self._test_runs:
             result = results[run] = RunResult()
@@ -75,6 +75,6 @@ class LaunchTestRunner:
                 result.include(run.run(self._arguments, debug=self._debug))
             except LaunchTestError as error:
                 print(error, file=sys.stderr)
-                result.break_off()
+                result.mark_incomplete()
                 break
         return results

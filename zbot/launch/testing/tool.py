@@ -1,4 +1,4 @@
-"""Processes that a test starts itself, and what it waits for."""
+"""Tools for tests that start processes or wait for processes."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ class ProcessProxy:
 
     Args:
         process_action: Its action.
-        proc_info: Where its start and end are noted.
-        proc_output: Where its output is.
-        output_filter: Changes what the properties return of the output.
+        proc_info: The record of its start and exit.
+        proc_output: The record of its output.
+        output_filter: Function that changes the output before the properties return it.
     """
 
     def __init__(
@@ -50,14 +50,14 @@ class ProcessProxy:
         self._filter = output_filter or str
 
     def wait_for_shutdown(self, timeout: float | None = None) -> bool:
-        """Wait until the process has ended; return whether it did in time."""
+        """Wait at most `timeout` seconds for the end of the process. Return whether it ended."""
         with self._proc_info.proc_event:
             return self._proc_info.proc_event.wait_for(lambda: self.terminated, timeout)
 
     def wait_for_output(
         self, condition: Callable[[str], Any] | None = None, timeout: float | None = None
     ) -> bool:
-        """Wait until a condition is true of what the process wrote; any output without one."""
+        """Wait until a condition is true for the output. Without it, wait for any output."""
         is_so = condition or bool
 
         with self._proc_output.io_event:
@@ -66,36 +66,36 @@ class ProcessProxy:
 
     @property
     def stdout(self) -> str:
-        """What it wrote to stdout."""
+        """The output on stdout."""
         return self._filter(self._proc_output.text_of(self.target_process_action, "stdout"))
 
     @property
     def stderr(self) -> str:
-        """What it wrote to stderr."""
+        """The output on stderr."""
         return self._filter(self._proc_output.text_of(self.target_process_action, "stderr"))
 
     @property
     def output(self) -> str:
-        """What it wrote to both, in its order."""
+        """The output on stdout and stderr, in the order in which it came."""
         return self._filter(self._proc_output.text_of(self.target_process_action))
 
     @property
     def running(self) -> bool:
-        """Whether it was started and has not ended."""
+        """Whether the process was started and has not ended."""
         is_known = self.target_process_action in self._proc_info.processes()
         return is_known and not self.terminated
 
     @property
     def terminated(self) -> bool:
-        """Whether it has ended."""
+        """Whether the process has ended."""
         return self._proc_info.has_ended(self.target_process_action)
 
     @property
     def exit_code(self) -> int:
-        """How it ended.
+        """The exit code.
 
         Raises:
-            LaunchTestError: It has not.
+            LaunchTestError: The process has not ended.
         """
         if not self.terminated:
             raise LaunchTestError("the process has no exit code before it has ended")
@@ -111,14 +111,14 @@ def launch_process(
     proc_output: OutputRecord,
     **options: Any,
 ) -> Iterator[ProcessProxy]:
-    """Start a process in a running launch; it is ended when the block is left.
+    """Start a process in a running launch, and end it at the end of the `with` block.
 
     Args:
         launch_service: The launch.
-        process_action: What to start.
-        proc_info: Where its start and end are noted.
-        proc_output: Where its output is.
-        options: As for `ProcessProxy`.
+        process_action: The process.
+        proc_info: The record of its start and exit.
+        proc_output: The record of its output.
+        options: The options of `ProcessProxy`.
     """
     launch_service.include_launch_description(LaunchDescription([process_action]))
     proxy = ProcessProxy(process_action, proc_info, proc_output, **options)
@@ -130,7 +130,7 @@ def launch_process(
             launch_service.emit_event(ShutdownProcess(process_matcher=matcher))
 
 
-# -- waiting in tests of launch_pytest, which have the launch's context ----------------------------
+# Functions for tests of launch_pytest. These tests have the context of the launch.
 
 
 def _wait(
@@ -139,12 +139,12 @@ def _wait(
     is_so: Callable[[], Any],
     timeout: float | None,
 ) -> bool:
-    news = threading.Condition()
+    changed = threading.Condition()
 
     def tell(event: object, _: object) -> None:
         del event
-        with news:
-            news.notify_all()
+        with changed:
+            changed.notify_all()
 
     kinds = (ProcessStarted, ProcessExited, ProcessIO)
     handler = EventHandler(
@@ -152,8 +152,8 @@ def _wait(
     )
     context.register_event_handler(handler)
     try:
-        with news:
-            return bool(news.wait_for(is_so, timeout))
+        with changed:
+            return bool(changed.wait_for(is_so, timeout))
     finally:
         context.unregister_event_handler(handler)
 
@@ -172,16 +172,17 @@ def wait_for_output_sync(
     validate_output: Callable[[str], Any],
     timeout: float | None = None,
 ) -> bool:
-    """Wait until a function accepts what a process wrote to stdout.
+    """Wait until a function accepts the stdout of a process.
 
     Args:
-        launch_context: The fixture of that name.
-        execute_process_action: The process; it needs `cached_output=True`.
-        validate_output: Takes the text; raises `AssertionError` or returns false to refuse it.
-        timeout: Seconds.
+        launch_context: The value of the fixture `launch_context`.
+        execute_process_action: The process, which needs `cached_output=True`.
+        validate_output: Called with the text. It raises `AssertionError` or returns false to
+            reject the text.
+        timeout: Seconds to wait.
 
     Returns:
-        Whether it did in time.
+        Whether the function accepted the text in time.
     """
     process = execute_process_action
     return _wait(
@@ -195,7 +196,7 @@ def wait_for_stderr_sync(
     validate_output: Callable[[str], Any],
     timeout: float | None = None,
 ) -> bool:
-    """Wait until a function accepts what a process wrote to stderr; as `wait_for_output_sync`."""
+    """Wait until a function accepts the stderr of a process. See `wait_for_output_sync`."""
     process = execute_process_action
     return _wait(
         launch_context, process, lambda: _is_valid(validate_output, process.get_stderr()), timeout
@@ -207,7 +208,7 @@ def wait_for_start_sync(
     execute_process_action: ExecuteLocal,
     timeout: float | None = None,
 ) -> bool:
-    """Wait until a process was started; return whether it was in time."""
+    """Wait at most `timeout` seconds for the start of a process. Return whether it started."""
     process = execute_process_action
     return _wait(launch_context, process, lambda: "pid" in process.process_details, timeout)
 
@@ -217,7 +218,7 @@ def wait_for_exit_sync(
     execute_process_action: ExecuteLocal,
     timeout: float | None = None,
 ) -> bool:
-    """Wait until a process has ended; return whether it has in time."""
+    """Wait at most `timeout` seconds for the end of a process. Return whether it ended."""
     process = execute_process_action
     return _wait(launch_context, process, lambda: process.return_code is not None, timeout)
 
@@ -228,7 +229,7 @@ def assert_output_sync(
     validate_output: Callable[[str], Any],
     timeout: float | None = None,
 ) -> None:
-    """Wait as `wait_for_output_sync` does; fail with the function's own error in the end."""
+    """Wait like `wait_for_output_sync`. After the timeout, raise the function's own error."""
     context, process = launch_context, execute_process_action
     if not wait_for_output_sync(context, process, validate_output, timeout):
         _refuse(validate_output, process.get_stdout())
@@ -240,16 +241,16 @@ def assert_stderr_sync(
     validate_output: Callable[[str], Any],
     timeout: float | None = None,
 ) -> None:
-    """Wait as `wait_for_stderr_sync` does; fail with the function's own error in the end."""
+    """Wait like `wait_for_stderr_sync`. After the timeout, raise the function's own error."""
     context, process = launch_context, execute_process_action
     if not wait_for_stderr_sync(context, process, validate_output, timeout):
         _refuse(validate_output, process.get_stderr())
 
 
 def _refuse(validate: Callable[[str], Any], text: bytes) -> None:
-    said = text.decode(errors="replace")
-    validate(said)
-    raise AssertionError(f"the output was refused: {said!r}")
+    output = text.decode(errors="replace")
+    validate(output)
+    raise AssertionError(f"the output was rejected: {output!r}")
 
 
 def _awaitable(function: Callable[..., Any]) -> Callable[..., Any]:

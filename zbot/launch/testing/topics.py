@@ -1,4 +1,4 @@
-"""launch_testing_ros's `WaitForTopics`: whether messages come on some topics."""
+"""Wait for messages on several topics, like `WaitForTopics` of launch_testing_ros."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import threading
 from typing import TYPE_CHECKING, Any
 
 from zbot.context import Context
-from zbot.executor.executor import SingleThreadedExecutor
+from zbot.executor.single_threaded_executor import SingleThreadedExecutor
 from zbot.node.node import Node
 
 if TYPE_CHECKING:
@@ -17,14 +17,14 @@ if TYPE_CHECKING:
 
 
 class WaitForTopics:
-    """Listens on topics, in a context and a thread of its own.
+    """Subscribes to topics, in its own context and thread.
 
     Args:
-        topic_tuples: Names of topics, each with its message class.
-        timeout: Seconds that `wait` waits.
-        messages_received_buffer_length: How many messages of each topic are kept.
-        trigger: Called with the listening node when it listens, for example to ask for messages.
-        node_namespace: Of the listening node.
+        topic_tuples: Pairs of topic name and message class.
+        timeout: The longest wait of `wait`, in seconds.
+        messages_received_buffer_length: Number of messages to keep for each topic.
+        trigger: Called with the node after the node has subscribed, e.g. to request messages.
+        node_namespace: The namespace of the node.
     """
 
     def __init__(
@@ -39,7 +39,7 @@ class WaitForTopics:
         self._length = messages_received_buffer_length
         self._trigger = trigger
         self._messages: dict[str, list[Any]] = {name: [] for name, _ in self.topic_tuples}
-        self._news = threading.Condition()
+        self._changed = threading.Condition()
         self._context = Context()
         self._context.init()
         self._node = Node("wait_for_topics", context=self._context, namespace=node_namespace)
@@ -54,10 +54,10 @@ class WaitForTopics:
         self._executor.spin_until_future_complete(self._stop)
 
     def wait(self) -> bool:
-        """Wait until a message has come on each topic; return whether it has in time."""
+        """Wait until each topic has a message. Return False if the timeout passes first."""
         self._listen()
-        with self._news:
-            return self._news.wait_for(lambda: not self.topics_not_received(), self.timeout)
+        with self._changed:
+            return self._changed.wait_for(lambda: not self.topics_not_received(), self.timeout)
 
     def _listen(self) -> None:
         if self._is_listening:
@@ -70,33 +70,33 @@ class WaitForTopics:
 
     def _keeper(self, topic: str) -> Callable[[Any], None]:
         def keep(message: Any) -> None:
-            with self._news:
+            with self._changed:
                 kept = self._messages[topic]
                 kept.append(message)
                 del kept[: -self._length]
-                self._news.notify_all()
+                self._changed.notify_all()
 
         return keep
 
     def topics_received(self) -> set[str]:
-        """Return the topics on which a message has come."""
+        """Return the topics with at least one message."""
         return {name for name, kept in self._messages.items() if kept}
 
     def topics_not_received(self) -> set[str]:
-        """Return the topics on which none has."""
+        """Return the topics without a message."""
         return {name for name, kept in self._messages.items() if not kept}
 
     def received_messages(self, topic_name: str) -> list[Any]:
-        """Return the last messages of a topic, the oldest first.
+        """Return the last messages of a topic. The oldest message is the first.
 
         Raises:
-            KeyError: It is none of the topics.
+            KeyError: The constructor did not get this topic.
         """
-        with self._news:
+        with self._changed:
             return list(self._messages[topic_name])
 
     def shutdown(self) -> None:
-        """Listen no more; may be called twice."""
+        """Stop listening. A second call does nothing."""
         if self._thread.is_alive():
             self._executor.create_task(self._stop.set_result, True)
             self._thread.join()
@@ -107,7 +107,7 @@ class WaitForTopics:
         """Wait for the messages.
 
         Raises:
-            AssertionError: They did not come in time.
+            AssertionError: A topic had no message in time.
         """
         if not self.wait():
             missing = ", ".join(sorted(self.topics_not_received()))

@@ -1,4 +1,4 @@
-"""The panels of the live page, in the order of its list."""
+"""Panels of the live page, in the order of the page's list."""
 
 from zbot.web.panels import (
     actions,

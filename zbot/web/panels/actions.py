@@ -1,4 +1,4 @@
-"""The panel of actions: goals from a form, their feedback as it comes, and their end."""
+"""Panel of actions: sending a goal from a form, its feedback and its result."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ from nicegui import ui
 from zbot.action.goal_state import GoalState
 from zbot.errors import ZbotError
 from zbot.graph.snapshot import full_names
-from zbot.web.call import complain, in_thread
 from zbot.web.command_line import command_line
 from zbot.web.form_view import FormView
 from zbot.web.list_panel import ListPanel
 from zbot.web.message_view import MessageView
-from zbot.web.panel import Frame, Panel
-from zbot.web.system import answer
+from zbot.web.panel import Page, Panel
+from zbot.web.service_call import run_in_thread, show_error
+from zbot.web.system import await_future
 from zbot.web.table import Cell, Column
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from zbot.action import ActionClient
     from zbot.graph.snapshot import Snapshot
-    from zbot.web.lease import Lease
-    from zbot.web.panel import Part
+    from zbot.web.panel import Section
+    from zbot.web.shared_entities import EntityReference
 
 _FEEDBACK_HZ = 15.0
 _COLUMNS = (
@@ -38,9 +38,9 @@ _COLOURS = {
 }
 
 
-def _build(frame: Frame) -> None:
+def _build(page: Page) -> None:
     ListPanel(
-        frame,
+        page,
         columns=_COLUMNS,
         rows=_rows,
         details=_ActionDetails,
@@ -64,21 +64,21 @@ def _row(graph: Snapshot, name: str, types: list[str]) -> list[str | Cell]:
 
 
 class _ActionDetails:
-    def __init__(self, part: Part, name: str) -> None:
-        self.part, self.name = part, name
-        self.client: Lease[ActionClient[Any, Any, Any]] | None = None
+    def __init__(self, section: Section, name: str) -> None:
+        self.section, self.name = section, name
+        self.client: EntityReference[ActionClient[Any, Any, Any]] | None = None
         self.goal: Any = None
         self.feedback: Any = None
         self.count = 0
         self.type_name = ""
-        self.absent = ui.label("Nobody serves it now.").classes("zb-muted")
+        self.absent = ui.label("No node serves this action.").classes("zb-muted")
         self.place = ui.element("div").classes("zb-col")
-        part.frame.show_command(command_line("action", "info", name))
-        self.end_look = part.live(self.look, 5.0)
+        section.page.show_command(command_line("action", "info", name))
+        self.end_look = section.live(self.look, 5.0)
 
     def look(self) -> None:
-        """Wait for somebody who serves it."""
-        types = dict(self.part.system.snapshot().actions()).get(self.name)
+        """Wait until a node serves the action."""
+        types = dict(self.section.system.snapshot().actions()).get(self.name)
         if types is None:
             return
         self.end_look()
@@ -89,12 +89,12 @@ class _ActionDetails:
             ui.timer(0, self.build, once=True)
 
     async def build(self) -> None:
-        """Show the form, once the type is known: another machine may have to tell it."""
-        system = self.part.system
+        """Show the form when the type is known; its definition may come from another machine."""
+        system = self.section.system
         try:
-            self.action_type = await in_thread(system.interface, self.type_name)
+            self.action_type = await run_in_thread(system.interface, self.type_name)
             if not system.read_only:
-                self.client = self.part.keep(system.action_client(self.name, self.type_name))
+                self.client = self.section.keep(system.action_client(self.name, self.type_name))
         except ZbotError as error:
             with self.place:
                 ui.label(str(error)).classes("zb-bad")
@@ -103,7 +103,7 @@ class _ActionDetails:
             self.fill()
 
     def fill(self) -> None:
-        """Show the inputs, the buttons and the places for what comes."""
+        """Show the inputs, the buttons, and the views for feedback and result."""
         ui.label("Goal").classes("zb-heading")
         self.form = FormView(self.action_type.Goal, self.changed)
         if self.client is None:
@@ -114,24 +114,24 @@ class _ActionDetails:
             self.send_button.props("unelevated dense")
             self.cancel_button = ui.button("Cancel", on_click=self.cancel).props("outline dense")
             self.state = ui.label().classes("zb-goal-state")
-        self.feedback_view = MessageView(self.part, "Feedback")
-        self.result_view = MessageView(self.part, "Result")
+        self.feedback_view = MessageView(self.section, "Feedback")
+        self.result_view = MessageView(self.section, "Result")
         self.follow(None)
         self.changed()
-        self.part.live(self.update, _FEEDBACK_HZ)
+        self.section.live(self.update, _FEEDBACK_HZ)
 
     def changed(self) -> None:
-        """Follow what was typed."""
+        """Use the changed inputs."""
         if self.client is None:
             return
         is_right = not self.form.problems
         self.send_button.set_enabled(is_right and self.goal is None)
         if is_right:
             words = ["action", "send_goal", "--feedback", self.name, self.type_name]
-            self.part.frame.show_command(command_line(*words, self.form.yaml()))
+            self.section.page.show_command(command_line(*words, self.form.yaml()))
 
     def take(self, feedback: Any) -> None:
-        """Keep feedback; in zbot's thread."""
+        """Keep feedback; called in zbot's thread."""
         self.feedback = feedback.feedback
         self.count += 1
 
@@ -142,13 +142,13 @@ class _ActionDetails:
             self.feedback_view.show(feedback, f"number {self.count}")
 
     def follow(self, goal: Any) -> None:
-        """Let the buttons do what is possible now."""
+        """Set the active goal, and enable the buttons for it."""
         self.goal = goal
         self.cancel_button.set_enabled(goal is not None)
         self.send_button.set_enabled(goal is None)
 
     async def send(self) -> None:
-        """Send a goal and wait for its end."""
+        """Send a goal and wait for its result."""
         if self.client is None or self.form.problems:
             return
         self.count, self.feedback = 0, None
@@ -156,24 +156,24 @@ class _ActionDetails:
         self.result_view.clear()
         self.say("sent")
         try:
-            await self.reach(self.client.entity)
+            await self.run_goal(self.client.entity)
         except ZbotError as error:
-            complain(error)
+            show_error(error)
             self.say("failed", "zb-bad")
-            self.result_view.complain(error)
+            self.result_view.show_error(error)
         finally:
             self.follow(None)
 
-    async def reach(self, client: ActionClient[Any, Any, Any]) -> None:
-        """Send a goal, wait for its end, and show that."""
+    async def run_goal(self, client: ActionClient[Any, Any, Any]) -> None:
+        """Send a goal, wait for its result, and show it."""
         self.send_button.set_enabled(False)
-        goal = await answer(client.send_goal_async(self.form.message(), self.take))
+        goal = await await_future(client.send_goal_async(self.form.message(), self.take))
         if not goal.accepted:
             self.say("refused", "zb-bad")
             return
         self.follow(goal)
         self.say("accepted")
-        outcome: Any = await answer(goal.get_result_async())
+        outcome: Any = await await_future(goal.get_result_async())
         state = GoalState(outcome.status)
         self.update()
         self.say(state.name.lower(), _COLOURS.get(state, ""))
@@ -185,12 +185,12 @@ class _ActionDetails:
         if goal is None:
             return
         self.cancel_button.set_enabled(False)
-        response: Any = await answer(goal.cancel_goal_async())
+        response: Any = await await_future(goal.cancel_goal_async())
         if not response.goals_canceling:
-            ui.notify("The server goes on: it does not take this goal back.", type="warning")
+            ui.notify("The server refused to cancel: the goal goes on.", type="warning")
 
     def say(self, text: str, classes: str = "") -> None:
-        """Show what has become of the goal."""
+        """Show the state of the goal."""
         self.state.set_text(text)
         self.state.classes(replace=f"zb-goal-state {classes}")
 

@@ -1,4 +1,4 @@
-"""The panel of a class: a card for each student, and the graph of the one that was chosen."""
+"""Panel of a class: a card for each student, and the chosen student's graph."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from zbot.errors import ZbotError
 from zbot.graph.diagram import draw
 from zbot.graph.snapshot import Snapshot
 from zbot.graph.view import view
-from zbot.web.panel import Frame, Panel
+from zbot.web.panel import Page, Panel
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# A class is asked in a thread, this long after its last answer.
+# Seconds from the class's last answer to the next query.
 _PERIOD_S = 1.0
 _DRAW_HZ = 4.0
 _SECONDS_OF = {"s": 60.0, "min": 60.0, "h": 24.0, "d": float("inf")}
@@ -27,7 +27,7 @@ Student = dict[str, Any]
 
 
 class _Card:
-    """One student."""
+    """Card of one student."""
 
     def __init__(self, choose: Callable[[], None]) -> None:
         self.element = ui.element("div").classes("zb-card zb-student")
@@ -42,7 +42,7 @@ class _Card:
             self.error = ui.label().classes("zb-bad zb-cut")
 
     def show(self, student: Student, *, is_chosen: bool) -> None:
-        """Show how a student is now; text that is the same is not sent again."""
+        """Show a student's present state; unchanged text is not sent again."""
         error, here = student["last_error"], student["here"]
         self.number.set_text(str(student["number"]))
         self.name.set_text(student["name"])
@@ -54,11 +54,11 @@ class _Card:
 
 
 class _Class:
-    """The grid of cards, and below it a graph."""
+    """Cards of all students, and a graph below."""
 
-    def __init__(self, frame: Frame) -> None:
-        self.frame = frame
-        self.chosen = int(frame.query["student"]) if _is_number(frame.query) else None
+    def __init__(self, page: Page) -> None:
+        self.page = page
+        self.chosen = int(page.query["student"]) if _is_number(page.query) else None
         self.found: Student | None = None
         self.snapshot = Snapshot(())
         self.problem = ""
@@ -66,7 +66,7 @@ class _Class:
         self.is_asking = False
         self.cards: dict[int, _Card] = {}
         self.drawn: object = None
-        with frame.toolbar:
+        with page.toolbar:
             self.count = ui.label().classes("zb-muted")
         with ui.element("div").classes("zb-col"):
             self.empty = ui.label().classes("zb-empty")
@@ -74,25 +74,25 @@ class _Class:
             self.heading = ui.label().classes("zb-heading")
             self.picture = ui.element("img").props('alt="The student\'s graph"')
         self.choose(self.chosen)
-        frame.live(self.update, _DRAW_HZ)
+        page.live(self.update, _DRAW_HZ)
 
     # -- asking --------------------------------------------------------------------------------
 
     def update(self) -> None:
-        """Show what is known, and ask for what is new."""
+        """Show the last answer, and query the class again if this is due."""
         if not self.is_asking and time.monotonic() - self.asked_s > _PERIOD_S:
             self.is_asking = True
             background_tasks.create(self.ask(), name="zbot class")
         self.show()
 
     async def ask(self) -> None:
-        """Ask the class in a thread: it may take a second."""
+        """Query the class in a thread: this may take a second."""
         try:
             found = await run.io_bound(_look, self.chosen)
         except ZbotError as error:
             self.found, self.problem = None, str(error)
         else:
-            if found is not None:  # it is when the page's server ends
+            if found is not None:  # NiceGUI returns None while the server shuts down
                 (self.found, self.snapshot), self.problem = found, ""
         finally:
             self.is_asking, self.asked_s = False, time.monotonic()
@@ -100,9 +100,9 @@ class _Class:
     # -- showing -------------------------------------------------------------------------------
 
     def show(self) -> None:
-        """Show the class as it is known."""
+        """Show the last answer of the class."""
         students = self.found["students"] if self.found else []
-        self.empty.set_text(self.problem or ("" if students else "Nobody has joined yet"))
+        self.empty.set_text(self.problem or ("" if students else "No student has joined yet"))
         self.empty.set_visibility(not students)
         here = sum(student["here"] for student in students)
         title = f"{self.found['class']}: {here} of {len(students)} here" if self.found else ""
@@ -117,21 +117,21 @@ class _Class:
         self.show_graph()
 
     def new_card(self, number: int) -> _Card:
-        """Return a card in its place: by number."""
+        """Return a new card, in the order of the numbers."""
         with self.grid:
             card = _Card(lambda: self.choose(number))
         card.element.move(target_index=sum(other < number for other in self.cards))
         return card
 
     def show_graph(self) -> None:
-        """Draw the chosen student's graph if it is another than before."""
+        """Draw the chosen student's graph if it has changed."""
         state = (self.chosen, self.snapshot)
         is_shown = self.chosen in self.cards
         self.picture.set_visibility(is_shown)
         self.heading.set_text(f"Graph of {self.chosen}" if is_shown else "")
         if is_shown and state != self.drawn:
             self.drawn = state
-            # As an image, in which no script runs whatever a student calls his nodes.
+            # As an image: browsers run no scripts in it, so names of nodes can do no harm.
             svg = draw(view(self.snapshot)).svg().encode()
             address = f"data:image/svg+xml;base64,{base64.b64encode(svg).decode()}"
             self.picture.props(f'src="{address}"')
@@ -141,10 +141,10 @@ class _Class:
         self.chosen, self.asked_s = number, 0.0
         self.snapshot = Snapshot(())
         if number is None:
-            self.frame.show_command("zbot class list")
+            self.page.show_command("zbot class list")
         else:
-            self.frame.set_query(student=str(number))
-            self.frame.show_command(f"zbot graph /{number}")
+            self.page.set_query(student=str(number))
+            self.page.show_command(f"zbot graph /{number}")
 
 
 def _look(chosen: int | None) -> tuple[Student, Snapshot]:
@@ -179,8 +179,8 @@ def _absence(student: Student) -> str:
     return "lost"
 
 
-def _build(frame: Frame) -> None:
-    _Class(frame)
+def _build(page: Page) -> None:
+    _Class(page)
 
 
 PANEL = Panel("/class", "Class", "school", _build)

@@ -1,4 +1,4 @@
-"""The panel of log lines: /rosout of all nodes, with filters."""
+"""Panel of log lines: `/rosout` of all nodes, with filters."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from nicegui import ui
 
 from zbot.web.command_line import command_line
 from zbot.web.log_filter import LEVELS, LogFilter, counts, level_of
-from zbot.web.panel import Frame, Panel
+from zbot.web.panel import Page, Panel
 
 if TYPE_CHECKING:
     from zbot.web.log_ring import LogLine
 
 _HZ = 10.0
-#: Lines that a page shows at most, and gets at once: more than can be read.
+#: The most lines in a page, and the most lines in one update.
 _MOST_SHOWN = 1000
 _MOST_AT_ONCE = 300
 _ANY = "All nodes"
@@ -25,23 +25,23 @@ _COLOURS = {10: "zb-muted", 20: "", 30: "zb-warn", 40: "zb-bad", 50: "zb-bad"}
 
 
 class _Console:
-    def __init__(self, frame: Frame) -> None:
-        self.frame = frame
-        self.logs = frame.system.logs
-        self.filter = LogFilter(logger=frame.query.get("node", ""))
-        self.begin = 0  # lines up to this number were cleared
-        self.last = 0  # and up to this one looked at
+    def __init__(self, page: Page) -> None:
+        self.page = page
+        self.logs = page.system.logs
+        self.filter = LogFilter(logger=page.query.get("node", ""))
+        self.begin = 0  # the number of the last cleared line
+        self.last = 0  # the number of the last line that was read
         self.loggers: set[str] = set()
         self.counts: Counter[int] = Counter()
         self.is_paused = False
-        self.is_anew = True
-        with frame.toolbar:
+        self.is_reset = True
+        with page.toolbar:
             self.build_filters()
         with ui.element("div").classes("zb-card zb-console"):
             ui.element("table").classes("zb-log")
         self.empty = ui.label("No log line yet.").classes("zb-empty")
         self.show_command()
-        frame.live(self.update, _HZ)
+        page.live(self.update, _HZ)
 
     def build_filters(self) -> None:
         """Show the counts, the filters and the buttons."""
@@ -59,56 +59,56 @@ class _Console:
         self.pause = ui.button("Pause", on_click=self.toggle_pause).props("outline dense")
         ui.button("Clear", on_click=self.clear).props("outline dense")
 
-    # -- what the user wants -------------------------------------------------------------------
+    # -- filters and buttons -------------------------------------------------------------------
 
     def change(self) -> None:
-        """Show other lines."""
+        """Use the changed filter."""
         logger = "" if self.node.value in {_ANY, None} else str(self.node.value)
         self.filter = LogFilter(int(self.level.value), logger, (self.text.value or "").strip())
-        self.is_anew = True
+        self.is_reset = True
         self.show_command()
 
     def show_command(self) -> None:
-        """Show what prints these lines in a terminal."""
+        """Show the command that prints these lines."""
         condition = self.filter.condition
         words = ["--filter", condition] if condition else []
-        self.frame.show_command(command_line("topic", "echo", *words, "/rosout"))
+        self.page.show_command(command_line("topic", "echo", *words, "/rosout"))
 
     def toggle_pause(self) -> None:
-        """Stand still, or go on with what came meanwhile."""
+        """Hold the lines, or continue with all lines that came meanwhile."""
         self.is_paused = not self.is_paused
-        self.pause.set_text("Go on" if self.is_paused else "Pause")
+        self.pause.set_text("Resume" if self.is_paused else "Pause")
 
     def clear(self) -> None:
-        """Forget the lines that came up to now, in this page."""
+        """Remove all lines from this page."""
         self.begin = self.last = self.logs.last
         self.counts.clear()
-        self.is_anew = True
+        self.is_reset = True
 
-    # -- what is new ---------------------------------------------------------------------------
+    # -- updates -------------------------------------------------------------------------------
 
     def update(self) -> None:
-        """Show the new lines, or all that the filter leaves if that has changed."""
+        """Show the new lines, or all lines again if the filter has changed."""
         new = [] if self.is_paused else self.logs.since(self.last)
-        if not new and not self.is_anew:
+        if not new and not self.is_reset:
             return
         self.last = new[-1].number if new else self.last
         self.count(new)
-        if self.is_anew:
+        if self.is_reset:
             wanted = list(filter(self.filter.matches, self.logs.since(self.begin)))
             lines = [line for line in wanted if line.number <= self.last][-_MOST_SHOWN:]
         else:
             lines = list(filter(self.filter.matches, new))[-_MOST_AT_ONCE:]
         rows = [_row(line) for line in lines]
-        self.frame.call("zbotConsole.add", rows, self.is_anew, _MOST_SHOWN)
-        self.empty.set_visibility(self.is_anew and not rows)
-        self.is_anew = False
+        self.page.call("zbotConsole.add", rows, self.is_reset, _MOST_SHOWN)
+        self.empty.set_visibility(self.is_reset and not rows)
+        self.is_reset = False
 
     def count(self, new: list[LogLine]) -> None:
-        """Count lines, and offer the loggers that there are."""
+        """Count the new lines, and add their loggers to the filter's choices."""
         self.counts.update(counts(new))
         for level, label in self.numbers.items():
-            # What is worse than an error counts as one.
+            # Fatal lines count as errors.
             worse = (count for one, count in self.counts.items() if one > level == max(_COUNTED))
             number = self.counts[level] + sum(worse)
             word = _COUNTED[level] if number == 1 else f"{_COUNTED[level]}s"
@@ -129,8 +129,8 @@ def _row(line: LogLine) -> list[Any]:
     return [time, LEVELS[level].upper(), line.name, line.text, place, _COLOURS[level]]
 
 
-def _build(frame: Frame) -> None:
-    _Console(frame)
+def _build(page: Page) -> None:
+    _Console(page)
 
 
 PANEL = Panel("/console", "Console", "subject", _build)

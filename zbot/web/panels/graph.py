@@ -1,4 +1,4 @@
-"""The panel of the graph: who talks to whom, while it changes."""
+"""Panel of the graph: nodes and topics, redrawn at each change."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from zbot.web.graph_details import show_details
 from zbot.web.graph_menu import add_export_menu, add_filters, add_options_menu
 from zbot.web.graph_options import GraphOptions
 from zbot.web.graph_rates import GraphRates
-from zbot.web.panel import Frame, Panel
+from zbot.web.panel import Page, Panel
 
 if TYPE_CHECKING:
     from zbot.graph.diagram import Drawing
     from zbot.graph.view import GraphView
-    from zbot.web.panel import Part
+    from zbot.web.panel import Section
 
-# A change is seen within a quarter of a second, and a launch of many nodes is drawn in a few steps.
+# Shows a change within a quarter of a second, and draws a launch of many nodes in a few steps.
 _DRAW_HZ = 5.0
 _RATE_HZ = 1.0
 _CHOSEN = "chosen"
@@ -26,17 +26,17 @@ _RATES = "rates"
 
 
 class GraphPanel:
-    """The picture, what it shows, and the details of what was clicked."""
+    """Drawing of the graph, with its options and with the details of a clicked item."""
 
-    def __init__(self, frame: Frame) -> None:
-        self.frame = frame
-        self.options = GraphOptions.from_query(frame.query)
+    def __init__(self, page: Page) -> None:
+        self.page = page
+        self.options = GraphOptions.from_query(page.query)
         self.drawing: Drawing | None = None
-        self.rates = GraphRates(frame)
-        self.shows_rates = _RATES in frame.query
+        self.rates = GraphRates(page)
+        self.shows_rates = _RATES in page.query
         self._seen: tuple[int, GraphOptions] | None = None
         self._chosen = ""
-        self._details: Part | None = None
+        self._details: Section | None = None
         add_filters(self)
         add_options_menu(self)
         add_export_menu(self)
@@ -47,43 +47,43 @@ class GraphPanel:
                 self._left_out = ui.label().classes("zb-graph-left-out zb-muted")
             self._side = ui.element("div").classes("zb-card zb-side")
         self._id = self._canvas.html_id
-        frame.on_choose(self._id, self.choose)
-        frame.live(self.update, _DRAW_HZ)
-        frame.live(self.update_rates, _RATE_HZ)
-        self.choose(frame.query.get(_CHOSEN, ""))
+        page.on_choose(self._id, self.choose)
+        page.live(self.update, _DRAW_HZ)
+        page.live(self.update_rates, _RATE_HZ)
+        self.choose(page.query.get(_CHOSEN, ""))
 
     # -- drawing -------------------------------------------------------------------------------
 
     def update(self) -> None:
-        """Draw the graph anew if it, or what is wanted of it, has changed."""
-        state = (self.frame.system.revision, self.options)
+        """Draw the graph again if the graph or the options have changed."""
+        state = (self.page.system.revision, self.options)
         if state == self._seen:
             return
         self._seen = state
-        view = self.options.view(self.frame.system.snapshot())
-        self._tell(view)
+        view = self.options.view(self.page.system.snapshot())
+        self._show_notes(view)
         if self.drawing is None or self.drawing.view != view:
             self.drawing = draw(view, self.drawing)
             self._show()
 
     def tidy(self) -> None:
-        """Lay everything out anew, whatever moves."""
+        """Make a new layout, without keeping the places of items."""
         if self.drawing is not None:
             self.drawing = draw(self.drawing.view)
             self._show()
 
     def fit(self) -> None:
-        """Show all of it."""
-        self.frame.call("zbot.graph.fit", self._id)
+        """Show the whole drawing."""
+        self.page.call("zbot.graph.fit", self._id)
 
     def _show(self) -> None:
         if self.drawing is not None:
             if self.shows_rates:
                 self.rates.match(self.drawing.view)
-            self.frame.call("zbot.graph.show", self._id, self.svg(), self._chosen)
+            self.page.call("zbot.graph.show", self._id, self.svg(), self._chosen)
 
     def svg(self) -> str:
-        """Return the picture as it is shown, with rates if they are."""
+        """Return the drawing, with rates if they are shown."""
         if self.drawing is None:
             return ""
         labels = self.rates.labels(self.drawing.view) if self.shows_rates else None
@@ -94,10 +94,10 @@ class GraphPanel:
         if self.shows_rates and self.drawing is not None:
             labels = self.rates.labels(self.drawing.view)
             texts = {edge_key(edge): text for edge, text in labels.items()}
-            self.frame.call("zbot.graph.showRates", self._id, texts)
+            self.page.call("zbot.graph.showRates", self._id, texts)
 
-    def _tell(self, view: GraphView) -> None:
-        """Say what looks wrong, and what is there but not shown."""
+    def _show_notes(self, view: GraphView) -> None:
+        """Show the problems, and the names that are left out."""
         self._problems.clear()
         with self._problems:
             for problem in view.problems:
@@ -106,16 +106,16 @@ class GraphPanel:
         names = ", ".join(view.left_out)
         self._left_out.set_text(f"not shown: {names}" if names else "")
 
-    # -- what is shown -------------------------------------------------------------------------
+    # -- options -------------------------------------------------------------------------------
 
     def change(self, options: GraphOptions) -> None:
-        """Show something else of the graph, and keep it in the address."""
+        """Draw with other options, and put them into the address."""
         self.options = options
         self.remember()
         self.show_command()
 
     def switch_rates(self, event: Any) -> None:
-        """Measure and show rates, or no longer."""
+        """Start or stop showing rates."""
         self.shows_rates = bool(event.value)
         if not self.shows_rates:
             self.rates.match(None)
@@ -123,43 +123,43 @@ class GraphPanel:
         self.remember()
 
     def remember(self) -> None:
-        """Put into the address all that a reload or a bookmark needs."""
+        """Put the options, the rates' switch and the chosen item into the address."""
         query = self.options.query
         query |= {_RATES: "1"} if self.shows_rates else {}
         query |= {_CHOSEN: self._chosen} if self._chosen else {}
-        self.frame.set_query(**query)
+        self.page.set_query(**query)
 
     def show_command(self) -> None:
         """Show the command that prints what the page shows."""
-        self.frame.show_command(self.options.command)
+        self.page.show_command(self.options.command)
 
     # -- details -------------------------------------------------------------------------------
 
     def choose(self, key: str) -> None:
-        """Show the details of a node, topic or action; of nothing if the key is empty."""
+        """Show the details of a node, topic or action; close them if the key is empty."""
         if self._details is not None:
             self._details.close()
             self._details = None
         self._side.clear()
         self._chosen = ""
         if key:
-            self._details = self.frame.part()
+            self._details = self.page.section()
             with self._side:
                 command = show_details(self._details, key, lambda: self.choose(""))
             if command:
                 self._chosen = key
-                self.frame.show_command(command)
+                self.page.show_command(command)
         if self._chosen:
             self._split.classes(add="zb-split-open")
         else:
             self._split.classes(remove="zb-split-open")
             self.show_command()
-        self.frame.call("zbot.graph.choose", self._id, self._chosen)
+        self.page.call("zbot.graph.choose", self._id, self._chosen)
         self.remember()
 
 
-def _build(frame: Frame) -> None:
-    GraphPanel(frame)
+def _build(page: Page) -> None:
+    GraphPanel(page)
 
 
 PANEL = Panel("/graph", "Graph", "hub", _build)

@@ -1,4 +1,4 @@
-"""The panel of parameters: those of one node, each with an input for its type and range."""
+"""Panel of one node's parameters, each with an input for its type and range."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ from zbot.errors import ZbotError
 from zbot.parameters.parameter import Parameter, parameter_value_to_python
 from zbot.web.command_line import command_line
 from zbot.web.list_panel import ListPanel
-from zbot.web.panel import Frame, Panel
+from zbot.web.panel import Page, Panel
 from zbot.web.parameter_input import ParameterInput
 from zbot.web.remote_parameter import load, nodes_with_parameters
 from zbot.web.table import Cell, Column
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
-    from zbot.web.panel import Part
+    from zbot.web.panel import Section
 
 _EVENTS = "/parameter_events"
 _EVENTS_KEPT = 200
 _LIVE_HZ = 15.0
-#: Every node has them, and nobody looks for them.
+#: Parameters of every node; they are shown last.
 _EVERY_NODE_HAS = ("start_type_description_service", "use_sim_time", "qos_overrides.")
 
 
-def _build(frame: Frame) -> None:
+def _build(page: Page) -> None:
     ListPanel(
-        frame,
+        page,
         columns=(Column("Node", "zb-mono zb-cut"),),
         rows=_rows,
         details=_NodeParameters,
@@ -46,35 +46,35 @@ def _rows(graph: Snapshot, hidden: bool) -> dict[str, list[str | Cell]]:
 
 
 class _NodeParameters:
-    def __init__(self, part: Part, node: str) -> None:
-        self.part, self.node = part, node
+    def __init__(self, section: Section, node: str) -> None:
+        self.section, self.node = section, node
         self.inputs: dict[str, ParameterInput] = {}
-        self.watch = part.watch(_EVENTS, "rcl_interfaces/msg/ParameterEvent", keep=_EVENTS_KEPT)
+        self.watch = section.watch(_EVENTS, "rcl_interfaces/msg/ParameterEvent", keep=_EVENTS_KEPT)
         self.last = 0
         self.place = ui.element("div").classes("zb-parameters")
-        part.frame.show_command(command_line("param", "dump", node))
+        section.page.show_command(command_line("param", "dump", node))
         ui.timer(0, self.fill, once=True)
-        part.live(self.update, _LIVE_HZ)
+        section.live(self.update, _LIVE_HZ)
 
     async def fill(self) -> None:
-        """Ask the node for its parameters, and show them."""
+        """Get the node's parameters, and show them."""
         try:
-            found = await load(self.part.system, self.node)
+            found = await load(self.section.system, self.node)
         except ZbotError as error:
             self.place.clear()
             with self.place:
                 ui.label(str(error)).classes("zb-bad")
             return
-        # The node's own come first.
+        # The node's own parameters come first.
         found.sort(key=lambda one: (one.name.startswith(_EVERY_NODE_HAS), one.name))
         self.place.clear()
         with self.place:
-            self.inputs = {one.name: ParameterInput(self.part, self.node, one) for one in found}
+            self.inputs = {one.name: ParameterInput(self.section, self.node, one) for one in found}
             if not found:
                 ui.label("This node has no parameters.").classes("zb-muted")
 
     def update(self) -> None:
-        """Follow what is set, by whomever."""
+        """Show changed parameters."""
         for record in self.watch.since(self.last):
             self.last = record.number
             event = self.watch.read(record)
@@ -82,7 +82,7 @@ class _NodeParameters:
                 self.follow(event)
 
     def follow(self, event: Any) -> None:
-        """Show what an event tells; all anew if parameters came, went or changed their type."""
+        """Show an event's values; load all parameters again after new, deleted or retyped ones."""
         for message in event.changed_parameters:
             known = self.inputs.get(message.name)
             if known is not None and not known.show(

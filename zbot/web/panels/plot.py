@@ -1,4 +1,4 @@
-"""The panel of plots: numeric fields of topics over time."""
+"""Panel of a plot: numeric fields of topics over time."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nicegui import ui
 from zbot.errors import ZbotError
 from zbot.interfaces import get_message
 from zbot.web.curve import Curves, numeric_fields, split_curve
-from zbot.web.panel import Frame, Panel
+from zbot.web.panel import Page, Panel
 from zbot.web.value_text import number
 
 if TYPE_CHECKING:
@@ -20,26 +20,26 @@ if TYPE_CHECKING:
 
 _WINDOWS_S = {5: "5 s", 10: "10 s", 30: "30 s", 60: "1 min", 300: "5 min"}
 _DEFAULT_WINDOW_S = 10
-#: The axis moves on between the messages of a slow topic.
+#: Seconds between movements of the time axis, which also moves between messages of a slow topic.
 _SCROLL_S = 0.1
 _LEGEND_HZ = 4.0
 _COLOURS = 6
 
 
 class _Watcher:
-    """Watches for a page, also while it is hidden: a plot with holes would tell lies."""
+    """Watcher of topics for a page, also while it is hidden, so that curves have no gaps."""
 
-    def __init__(self, frame: Frame) -> None:
-        self._frame = frame
+    def __init__(self, page: Page) -> None:
+        self._page = page
 
     def watch(self, topic: str, *, keep: int) -> Watch:
-        return self._frame.watch(topic, keep=keep, even_hidden=True)
+        return self._page.watch(topic, keep=keep, even_hidden=True)
 
 
 class _Plot:
-    def __init__(self, frame: Frame) -> None:
-        self.frame = frame
-        self.curves = Curves(_Watcher(frame))
+    def __init__(self, page: Page) -> None:
+        self.page = page
+        self.curves = Curves(_Watcher(page))
         self.window_s = _DEFAULT_WINDOW_S
         self.paused = False
         self.sent: list[str] = []
@@ -57,16 +57,16 @@ class _Plot:
                 self.hint = ui.label(hint).classes("zb-muted")
             with ui.element("div").classes("zb-card zb-plot"):
                 self.chart = ui.echart({}, renderer="svg").classes("zb-chart")
-        frame.call("zbot.plot.start", self.chart.id, self.window_s)
-        for word in filter(None, frame.query.get("curve", "").split(",")):
+        page.call("zbot.plot.start", self.chart.id, self.window_s)
+        for word in filter(None, page.query.get("curve", "").split(",")):
             self.add(word)
-        self.tell()
-        frame.live(self.draw)
-        frame.live(self.update_legend, _LEGEND_HZ)
+        self.show_state()
+        page.live(self.draw)
+        page.live(self.update_legend, _LEGEND_HZ)
 
     def add_toolbar(self) -> None:
-        """Add what adds curves, and what changes how they are shown."""
-        with self.frame.toolbar:
+        """Add the input for curves, the length of time, and the buttons."""
+        with self.page.toolbar:
             self.entry = ui.input(placeholder="/topic.field", autocomplete=self.proposals())
             self.entry.props('dense outlined aria-label="Curve"').classes("zb-curve-entry")
             self.entry.on("keydown.enter", self.add_typed)
@@ -81,30 +81,30 @@ class _Plot:
                 ("CSV", "download", "zbot.plot.save"),
             ):
                 button = ui.button(text, icon=icon).props("outline dense")
-                button.on_click(lambda _, name=function: self.frame.call(name, self.chart.id))
+                button.on_click(lambda _, name=function: self.page.call(name, self.chart.id))
 
-    # -- which curves --------------------------------------------------------------------------
+    # -- curves --------------------------------------------------------------------------------
 
     def proposals(self) -> list[str]:
-        """Return the curves that could be added now."""
+        """Return the names of curves that can be added now."""
         found: list[str] = []
-        for topic, types in self.frame.system.snapshot().topics():
+        for topic, types in self.page.system.snapshot().topics():
             try:
                 message: Any = get_message(types[0])()
             except LookupError:
-                continue  # only the nodes that use it know it; its fields can be typed all the same
+                continue  # no definition on this machine; the user can still type a field's name
             found += [f"{topic}.{path}" for path in numeric_fields(message)]
         return found
 
     def add_typed(self) -> None:
-        """Add the curve that stands in the toolbar."""
+        """Add the curve in the toolbar's input."""
         if self.add(self.entry.value or ""):
             self.entry.set_value("")
-            self.tell()
+            self.show_state()
 
     def add(self, word: str) -> bool:
-        """Add a curve; return whether the word names one."""
-        topics = [name for name, _ in self.frame.system.snapshot().topics()]
+        """Add a curve; return False if the text is not the name of a curve."""
+        topics = [name for name, _ in self.page.system.snapshot().topics()]
         try:
             self.curves.add(*split_curve(word, topics))
         except ZbotError as error:
@@ -115,48 +115,48 @@ class _Plot:
     def remove(self, name: str) -> None:
         """Remove a curve."""
         self.curves.remove(name)
-        self.tell()
+        self.show_state()
 
-    def tell(self) -> None:
-        """Show the command and the address that give the same curves."""
+    def show_state(self) -> None:
+        """Show the command for the same curves, and put the curves into the address."""
         names = [*(curve.name for curve in self.curves.curves), *self.curves.waiting]
-        self.frame.show_command(shlex.join(["zbot", "plot", *names]))
+        self.page.show_command(shlex.join(["zbot", "plot", *names]))
         query = {"curve": ",".join(names)} if names else {}
-        if query != self.frame.query:
-            self.frame.set_query(**query)
+        if query != self.page.query:
+            self.page.set_query(**query)
 
-    # -- how they are shown --------------------------------------------------------------------
+    # -- display -------------------------------------------------------------------------------
 
     def change_window(self, event: Any) -> None:
         """Show another length of time."""
         self.window_s = event.value
-        self.frame.call("zbot.plot.setWindow", self.chart.id, self.window_s)
+        self.page.call("zbot.plot.setWindow", self.chart.id, self.window_s)
 
     def toggle_pause(self) -> None:
-        """Stop moving, or catch up; points are collected all the time."""
+        """Hold the plot, or continue; points are collected in both states."""
         self.paused = not self.paused
-        self.pause.set_text("Go on" if self.paused else "Pause")
+        self.pause.set_text("Resume" if self.paused else "Pause")
         self.pause.set_icon("play_arrow" if self.paused else "pause")
-        self.frame.call("zbot.plot.setPaused", self.chart.id, self.paused)
+        self.page.call("zbot.plot.setPaused", self.chart.id, self.paused)
 
     def draw(self) -> None:
-        """Send what is new."""
+        """Send the new points."""
         points = self.curves.take()
         names = [curve.name for curve in self.curves.curves]
         if names != self.sent:
             self.sent = names
-            self.frame.call("zbot.plot.setCurves", self.chart.id, names)
-            self.tell()
+            self.page.call("zbot.plot.setCurves", self.chart.id, names)
+            self.show_state()
         now_s = time.time()
         if points:
             self.came_s = now_s
         is_moving = now_s - self.came_s < self.window_s and now_s - self.moved_s >= _SCROLL_S
         if points or is_moving:
             self.moved_s = now_s
-            self.frame.call("zbot.plot.add", self.chart.id, points, now_s)
+            self.page.call("zbot.plot.add", self.chart.id, points, now_s)
 
     def update_legend(self) -> None:
-        """Show each curve's newest value, or why there is none."""
+        """Show each curve's newest value, or the reason why there is none."""
         names = [*(curve.name for curve in self.curves.curves), *self.curves.waiting]
         if names != self.listed:
             self.listed = names
@@ -168,7 +168,7 @@ class _Plot:
             label.classes(replace="zb-warn" if problem else "zb-mono")
 
     def fill_legend(self, names: list[str]) -> None:
-        """List the curves; a row that stays is the same element, so that no click on it is lost."""
+        """List the curves; rows of old curves stay the same elements, so that no click is lost."""
         for name in [name for name in self.rows if name not in names]:
             self.rows.pop(name).delete()
             del self.values[name], self.dots[name]
@@ -179,7 +179,7 @@ class _Plot:
                 self.rows[name].move(target_index=index)
             self.dots[name].style(f"background: var(--zb-curve-{index % _COLOURS + 1})")
             if name in self.curves.waiting:
-                self.values[name].set_text("nobody uses it yet")
+                self.values[name].set_text("no node uses it yet")
         self.hint.set_visibility(not names)
 
     def add_row(self, name: str) -> None:
@@ -193,8 +193,8 @@ class _Plot:
         self.rows[name] = row
 
 
-def _build(frame: Frame) -> None:
-    _Plot(frame)
+def _build(page: Page) -> None:
+    _Plot(page)
 
 
 PANEL = Panel("/plot", "Plot", "show_chart", _build)

@@ -1,4 +1,4 @@
-"""The panel of processes: what runs where, what it costs, and a way to stop it."""
+"""Panel of processes: their nodes, machines, use of CPU and memory, and stopping them."""
 
 from __future__ import annotations
 
@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING
 
 from nicegui import background_tasks, ui
 
-from zbot.web.call import guarded, in_thread
 from zbot.web.command_line import command_line
 from zbot.web.list_panel import ListPanel
-from zbot.web.panel import Frame, Panel
+from zbot.web.panel import Page, Panel
 from zbot.web.process_list import ProcessList, RunningProcess, stop
+from zbot.web.service_call import run_in_thread, with_errors_shown
 from zbot.web.system import ReadOnlyError
 from zbot.web.table import Cell, Column
 from zbot.web.value_text import amount
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
-    from zbot.web.panel import Part
+    from zbot.web.panel import Section
 
 _HZ = 1.0
 _COLUMNS = (
@@ -32,16 +32,16 @@ _COLUMNS = (
 
 
 class _Processes:
-    def __init__(self, frame: Frame) -> None:
-        self.frame = frame
+    def __init__(self, page: Page) -> None:
+        self.page = page
         self.list = ProcessList()
         self.found: dict[str, RunningProcess] = {}
-        self.number = 0  # of the last look
+        self.number = 0  # of finished looks
         self.is_looking = False
         self.revision = -1
-        frame.live(self.look, _HZ)
+        page.live(self.look, _HZ)
         ListPanel(
-            frame,
+            page,
             columns=_COLUMNS,
             rows=self.rows,
             details=self.details,
@@ -53,15 +53,15 @@ class _Processes:
         )
 
     def look(self) -> None:
-        """Begin to look at the processes; whoever is slow to answer holds nobody up."""
+        """Start to list the processes in the background, as some sessions may answer slowly."""
         if not self.is_looking:
             self.is_looking = True
             background_tasks.create(self.look_at_all(), name="zbot processes")
 
     async def look_at_all(self) -> None:
-        """Ask every session and the operating system."""
+        """List the processes, from all sessions and the operating system."""
         try:
-            found = await in_thread(self.list.look, self.frame.system)
+            found = await run_in_thread(self.list.look, self.page.system)
             self.found = {one.key: one for one in found}
             self.number += 1
         finally:
@@ -75,9 +75,9 @@ class _Processes:
             if hidden or any("/_" not in node for node in one.nodes)
         }
 
-    def details(self, part: Part, key: str) -> None:
+    def details(self, section: Section, key: str) -> None:
         """Show one process."""
-        _Details(part, self, key)
+        _Details(section, self, key)
 
 
 def _row(one: RunningProcess) -> list[str | Cell]:
@@ -93,69 +93,69 @@ def _row(one: RunningProcess) -> list[str | Cell]:
 
 
 class _Details:
-    def __init__(self, part: Part, owner: _Processes, key: str) -> None:
-        self.part, self.owner, self.key = part, owner, key
+    def __init__(self, section: Section, owner: _Processes, key: str) -> None:
+        self.section, self.owner, self.key = section, owner, key
         self.one: RunningProcess | None = None
         self.is_asked = False
         self.facts = ui.element("div").classes("zb-facts")
         with ui.element("div").classes("zb-row") as self.buttons:
-            self.stop_button = ui.button("Stop", on_click=guarded(self.stop))
-            self.stop_button.props("unelevated dense").tooltip("As Ctrl-C in its terminal")
-            self.kill_button = ui.button("Kill", on_click=guarded(self.kill), color=None)
+            self.stop_button = ui.button("Stop", on_click=with_errors_shown(self.stop))
+            self.stop_button.props("unelevated dense").tooltip("Same as Ctrl-C in the terminal")
+            self.kill_button = ui.button("Kill", on_click=with_errors_shown(self.kill), color=None)
             self.kill_button.props("outline dense").classes("zb-danger")
-            self.kill_button.tooltip("End it without a goodbye")
+            self.kill_button.tooltip("Ends the process at once")
         self.note = ui.label().classes("zb-muted")
         self.buttons.set_visibility(False)
-        part.live(self.update, 5.0)
+        section.live(self.update, 5.0)
 
     def update(self) -> None:
-        """Show what is known now."""
+        """Show the present state of the process."""
         found = self.owner.found.get(self.key)
         if found is None and self.one is not None:
             self.buttons.set_visibility(False)
-            self.note.set_text("It has ended.")
+            self.note.set_text("The process has ended.")
         if found is None or found.nodes == (self.one.nodes if self.one else None):
             return
         self.one = found
-        may_stop = found.is_here and not found.is_page and not self.part.frame.read_only
+        may_stop = found.is_here and not found.is_page and not self.section.page.read_only
         self.buttons.set_visibility(may_stop)
         if not may_stop:
-            self.note.set_text(_why_not(found, read_only=self.part.frame.read_only))
+            self.note.set_text(_why_not(found, read_only=self.section.page.read_only))
         self.facts.clear()
         with self.facts:
             _show_facts(found)
-        self.part.frame.show_command(command_line("node", "info", found.nodes[0]))
+        self.section.page.show_command(command_line("node", "info", found.nodes[0]))
 
     async def stop(self) -> None:
-        """Do what Ctrl-C does."""
+        """Stop the process, as Ctrl-C does."""
         self.end(force=False)
-        self.note.set_text("It was asked to stop.")
+        self.note.set_text("The process has been asked to stop.")
 
     async def kill(self) -> None:
-        """End it at once."""
+        """Kill the process."""
         self.end(force=True)
 
     def end(self, *, force: bool) -> None:
         """Stop the process.
 
         Raises:
-            ReadOnlyError: The page may only look.
-            StopError: It cannot be stopped from here.
+            ReadOnlyError: The page is read-only.
+            StopError: The process cannot be stopped from this machine.
         """
-        if self.part.frame.read_only:
+        if self.section.page.read_only:
             raise ReadOnlyError("stopping processes")
         if self.one is not None:
             words = ["node", "kill", *(["--force"] if force else []), self.one.nodes[0]]
-            self.part.frame.show_command(command_line(*words))
+            self.section.page.show_command(command_line(*words))
             stop(self.one, force=force)
 
 
 def _why_not(one: RunningProcess, *, read_only: bool) -> str:
     if one.is_page:
-        return "This process serves the page that you see."
+        return "This process serves this page."
     if read_only:
         return "This page is read-only."
-    return f"It runs on {one.host}: stop it there."
+    return f"This process runs on {one.host}: stop it there."
 
 
 def _show_facts(one: RunningProcess) -> None:
@@ -173,8 +173,8 @@ def _show_facts(one: RunningProcess) -> None:
         ui.label(text).classes("zb-mono zb-wrap")
 
 
-def _build(frame: Frame) -> None:
-    _Processes(frame)
+def _build(page: Page) -> None:
+    _Processes(page)
 
 
 PANEL = Panel("/processes", "Processes", "memory", _build)

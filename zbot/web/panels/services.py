@@ -1,4 +1,4 @@
-"""The panel of services: who serves them, and a form that calls them."""
+"""Panel of services: their servers, and a form for calls."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from nicegui import ui
 from zbot.errors import ZbotError
 from zbot.graph.snapshot import full_names
 from zbot.names import is_hidden
-from zbot.web.call import call, complain, in_thread
 from zbot.web.command_line import command_line
 from zbot.web.form_view import FormView
 from zbot.web.list_panel import ListPanel
 from zbot.web.message_view import MessageView
-from zbot.web.panel import Frame, Panel
+from zbot.web.panel import Page, Panel
+from zbot.web.service_call import call, run_in_thread, show_error
 from zbot.web.table import Cell, Column
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
-    from zbot.web.panel import Part
+    from zbot.web.panel import Section
 
-#: Packages of services that every node has.
+#: Packages of the services of every node.
 _OF_EVERY_NODE = ("rcl_interfaces/", "type_description_interfaces/")
 _COLUMNS = (
     Column("Service", "zb-mono zb-cut"),
@@ -32,16 +32,16 @@ _COLUMNS = (
 )
 
 
-def _build(frame: Frame) -> None:
+def _build(page: Page) -> None:
     ListPanel(
-        frame,
+        page,
         columns=_COLUMNS,
         rows=_rows,
         details=_ServiceDetails,
         key="service",
         command="zbot service list -t",
         empty="No service yet: start a node, e.g. zbot run add_two_ints_server",
-        hidden="Those that every node has",
+        hidden="Services of every node",
     )
 
 
@@ -60,17 +60,17 @@ def _row(graph: Snapshot, name: str, types: list[str]) -> list[str | Cell]:
 
 
 class _ServiceDetails:
-    def __init__(self, part: Part, name: str) -> None:
-        self.part, self.name = part, name
+    def __init__(self, section: Section, name: str) -> None:
+        self.section, self.name = section, name
         self.type_name = ""
-        self.absent = ui.label("Nobody serves it now.").classes("zb-muted")
+        self.absent = ui.label("No node serves this service.").classes("zb-muted")
         self.place = ui.element("div").classes("zb-col")
-        part.frame.show_command(command_line("service", "info", name))
-        self.end_look = part.live(self.look, 5.0)
+        section.page.show_command(command_line("service", "info", name))
+        self.end_look = section.live(self.look, 5.0)
 
     def look(self) -> None:
-        """Wait for somebody who serves it."""
-        types = dict(self.part.system.snapshot().services()).get(self.name)
+        """Wait until a node serves it."""
+        types = dict(self.section.system.snapshot().services()).get(self.name)
         if types is None:
             return
         self.end_look()
@@ -81,9 +81,9 @@ class _ServiceDetails:
             ui.timer(0, self.build, once=True)
 
     async def build(self) -> None:
-        """Show the form, once the type is known: another machine may have to tell it."""
+        """Show the form when the type is known; its definition may come from another machine."""
         try:
-            service_type = await in_thread(self.part.system.interface, self.type_name)
+            service_type = await run_in_thread(self.section.system.interface, self.type_name)
         except ZbotError as error:
             with self.place:
                 ui.label(str(error)).classes("zb-bad")
@@ -92,40 +92,40 @@ class _ServiceDetails:
             self.fill(service_type)
 
     def fill(self, service_type: Any) -> None:
-        """Show the inputs, the button and the place for the reply."""
+        """Show the inputs, the button, and the view for the response."""
         ui.label("Request").classes("zb-heading")
         self.form = FormView(service_type.Request, self.changed)
-        if self.part.frame.read_only:
+        if self.section.page.read_only:
             ui.label("This page is read-only.").classes("zb-muted")
             return
         self.button = ui.button("Call", on_click=self.call).props("unelevated dense")
         self.button.classes("zb-act")
-        self.reply = MessageView(self.part, "Reply")
+        self.reply = MessageView(self.section, "Reply")
         self.changed()
 
     def changed(self) -> None:
-        """Follow what was typed."""
+        """Use the changed inputs."""
         is_right = not self.form.problems
-        if self.part.frame.read_only:
+        if self.section.page.read_only:
             return
         self.button.set_enabled(is_right)
         if is_right:
             words = [self.form.yaml()] if self.form.form.members else []
             line = command_line("service", "call", self.name, self.type_name, *words)
-            self.part.frame.show_command(line)
+            self.section.page.show_command(line)
 
     async def call(self) -> None:
-        """Call the service, and show what it replies."""
+        """Call the service, and show its response."""
         if self.form.problems:
             return
         self.button.props("loading")
         begun = time.monotonic()
         try:
             request = self.form.message()
-            response = await call(self.part.system, self.name, self.type_name, request)
+            response = await call(self.section.system, self.name, self.type_name, request)
         except ZbotError as error:
-            complain(error)
-            self.reply.complain(error)
+            show_error(error)
+            self.reply.show_error(error)
         else:
             self.reply.show(response, f"after {1000 * (time.monotonic() - begun):.0f} ms")
         finally:

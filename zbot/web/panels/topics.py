@@ -1,4 +1,4 @@
-"""The panel of topics: who uses them, how much comes, and the details of the chosen one."""
+"""Panel of topics: nodes, rates and last messages, with the details of the chosen topic."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from typing import TYPE_CHECKING
 from nicegui import ui
 
 from zbot.names import is_hidden
-from zbot.web.panel import Frame, Panel
+from zbot.web.panel import Page, Panel
 from zbot.web.table import Cell, Column, Table
 from zbot.web.topic_details import show_topic
 from zbot.web.topic_rows import topic_rows
 from zbot.web.value_text import amount, brief
 
 if TYPE_CHECKING:
-    from zbot.web.panel import Part
+    from zbot.web.panel import Section
     from zbot.web.topic_rows import TopicRow
     from zbot.web.watch import Watch
 
-#: Rows whose messages are counted; whoever has more topics finds theirs by the filter.
+#: The most topics that the page subscribes to; with more topics, the user can set a filter.
 _MOST_WATCHED = 300
-# As fast as numbers can be read.
+# Users cannot read numbers that change more often.
 _LIST_HZ = 2.0
 _COLUMNS = (
     Column("Topic", "zb-mono zb-cut"),
@@ -35,46 +35,46 @@ _COLUMNS = (
 
 
 class _Topics:
-    """The list, and beside it the details of one topic."""
+    """List of topics, and the details of one topic."""
 
-    def __init__(self, frame: Frame) -> None:
-        self.frame = frame
+    def __init__(self, page: Page) -> None:
+        self.page = page
         self.filter = ""
         self.hidden = False
         self.watches: dict[str, Watch] = {}
-        self.details: Part | None = None
+        self.details: Section | None = None
         self.seen: tuple[int, str, bool] | None = None
         self.topics: list[TopicRow] = []
-        with frame.toolbar:
+        with page.toolbar:
             search = ui.input(placeholder="Filter", on_change=self.search)
             search.props('dense outlined clearable aria-label="Filter"').classes("zb-search")
             ui.checkbox("Hidden", on_change=self.toggle).props("dense")
         with ui.element("div").classes("zb-split") as self.split:
             with ui.element("div").classes("zb-card zb-list"):
-                self.table = Table(frame, _COLUMNS, self.choose)
+                self.table = Table(page, _COLUMNS, self.choose)
                 self.empty = ui.label("No topic yet: start a node, e.g. zbot run talker")
                 self.empty.classes("zb-empty")
             self.side = ui.element("div").classes("zb-card zb-side")
-        frame.live(self.update, _LIST_HZ)
-        chosen = frame.query.get("topic")
+        page.live(self.update, _LIST_HZ)
+        chosen = page.query.get("topic")
         if chosen:
             self.choose(chosen)
         else:
             self.close()
 
     def search(self, event: object) -> None:
-        """Show only topics whose name or type has a text."""
+        """Show only topics whose name or type contains the text."""
         self.filter = (getattr(event, "value", None) or "").strip().lower()
 
     def toggle(self, event: object) -> None:
-        """Show topics that tools hide, too."""
+        """Show hidden topics too, or not."""
         self.hidden = bool(getattr(event, "value", False))
 
-    # -- the list ------------------------------------------------------------------------------
+    # -- list ----------------------------------------------------------------------------------
 
     def update(self) -> None:
-        """Show the topics as they are now."""
-        system = self.frame.system
+        """Show the present topics."""
+        system = self.page.system
         state = (system.revision, self.filter, self.hidden)
         if state != self.seen:
             self.seen = state
@@ -84,8 +84,8 @@ class _Topics:
         self.empty.set_visibility(not self.topics)
 
     def find(self) -> list[TopicRow]:
-        """Return the topics that the filter leaves."""
-        system = self.frame.system
+        """Return the topics that pass the filter."""
+        system = self.page.system
         return [
             topic
             for topic in topic_rows(system.snapshot(), system.node_name)
@@ -94,12 +94,12 @@ class _Topics:
         ]
 
     def match_watches(self) -> None:
-        """Watch what is shown, and nothing else."""
+        """Watch exactly the shown topics."""
         names = {topic.name for topic in self.topics[:_MOST_WATCHED]}
         for name in self.watches.keys() - names:
-            self.frame.drop(self.watches.pop(name))
+            self.page.drop(self.watches.pop(name))
         for name in sorted(names - self.watches.keys()):
-            self.watches[name] = self.frame.watch(name)
+            self.watches[name] = self.page.watch(name)
 
     def row(self, topic: TopicRow) -> list[str | Cell]:
         """Return the cells of one topic."""
@@ -117,32 +117,32 @@ class _Topics:
             brief(message) if message is not None else "",
         ]
 
-    # -- the details ---------------------------------------------------------------------------
+    # -- details -------------------------------------------------------------------------------
 
     def choose(self, topic: str) -> None:
-        """Show a topic's details, or no longer if they are shown."""
-        if self.details is not None and self.frame.query.get("topic") == topic:
+        """Show a topic's details, or close them if they are shown."""
+        if self.details is not None and self.page.query.get("topic") == topic:
             self.close()
             return
         self.end_details()
-        self.frame.set_query(topic=topic)
-        self.frame.show_command(f"zbot topic echo {shlex.quote(topic)}")
+        self.page.set_query(topic=topic)
+        self.page.show_command(f"zbot topic echo {shlex.quote(topic)}")
         self.table.choose(topic)
         self.split.classes(add="zb-split-open")
-        self.details = self.frame.part()
+        self.details = self.page.section()
         with self.side:
             show_topic(self.details, topic, self.close)
 
     def close(self) -> None:
-        """Show the list alone."""
+        """Close the details."""
         self.end_details()
-        self.frame.set_query()
-        self.frame.show_command("zbot topic list -t")
+        self.page.set_query()
+        self.page.show_command("zbot topic list -t")
         self.table.choose(None)
         self.split.classes(remove="zb-split-open")
 
     def end_details(self) -> None:
-        """Take away what is shown of a topic."""
+        """Remove the details of a topic."""
         if self.details is not None:
             self.details.close()
         self.details = None
@@ -159,12 +159,12 @@ def _name(topic: TopicRow) -> Cell:
 def _types(topic: TopicRow) -> Cell:
     text = ", ".join(topic.types)
     if topic.has_clash:
-        return Cell(text, "zb-bad", hint=f"these types cannot hear each other: {text}")
+        return Cell(text, "zb-bad", hint=f"different types exchange no messages: {text}")
     return Cell(text, hint=text)
 
 
-def _build(frame: Frame) -> None:
-    _Topics(frame)
+def _build(page: Page) -> None:
+    _Topics(page)
 
 
 PANEL = Panel("/topics", "Topics", "lan", _build)

@@ -1,4 +1,4 @@
-"""The panel of turtles: their world as turtlesim has it, and everything one can do to them."""
+"""Panel of turtlesim: the turtles and lines, with controls for driving, pens and services."""
 
 from __future__ import annotations
 
@@ -6,24 +6,24 @@ from typing import TYPE_CHECKING, Any
 
 from nicegui import ui
 
-from zbot.web.call import guarded
-from zbot.web.panel import Frame, Panel
-from zbot.web.turtle_remote import (
+from zbot.web.panel import Page, Panel
+from zbot.web.service_call import with_errors_shown
+from zbot.web.turtle_control import (
     ARROWS,
     CANCEL,
     HEADINGS,
     Simulator,
-    TurtleRemote,
+    TurtleControl,
     simulators,
 )
-from zbot.web.turtle_stage import Stage
+from zbot.web.turtle_scene import SceneView
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine
 
     from nicegui.events import GenericEventArguments
 
-    from zbot.web.turtle_stage import SeenTurtle
+    from zbot.web.turtle_scene import SeenTurtle
 
 _RUN = "zbot run turtlesim turtlesim_node"
 _ARROW_ICONS = {
@@ -33,47 +33,47 @@ _ARROW_ICONS = {
     "ArrowRight": "keyboard_arrow_right",
 }
 _BLACK = "#000000"
-#: As the letters lie on a keyboard.
+#: Letters in the order of a keyboard.
 _WHEEL = ("e", "r", "t", "d", CANCEL, "g", "c", "v", "b")
 
 
 class TurtlePanel:
-    """One browser's page of turtles.
+    """Panel of turtlesim in one browser.
 
     Args:
-        frame: The page.
+        page: The page.
     """
 
-    def __init__(self, frame: Frame) -> None:
-        self._frame = frame
-        self._stage = Stage(frame)
-        self._remote: TurtleRemote | None = None
+    def __init__(self, page: Page) -> None:
+        self._page = page
+        self._scene_view = SceneView(page)
+        self._control: TurtleControl | None = None
         self._chosen = ""
         self._revision = -1
         self._names: list[str] = []
-        frame.show_command(_RUN)
-        with frame.toolbar:
+        page.show_command(_RUN)
+        with page.toolbar:
             self._simulator = ui.select([], on_change=self._on_simulator).props(
                 'dense outlined options-dense aria-label="Simulator"'
             )
         self._build()
         ui.on("zbot_turtle_key", lambda event: self.press(event.args))
         ui.on("zbot_turtle", lambda event: self._choose(str(event.args)))
-        frame.live(self._update)
+        page.live(self._update)
 
-    # -- what is seen --------------------------------------------------------------------------
+    # -- elements ------------------------------------------------------------------------------
 
     def _build(self) -> None:
         with ui.element("div").classes("zb-turtle-page"):
             with ui.element("div").classes("zb-col"):
-                self._build_stage()
+                self._build_scene()
             with ui.element("div").classes("zb-col zb-turtle-side") as self._side:
                 self._build_driving()
                 self._build_turtle()
                 self._build_world()
-        self._side.set_visibility(not self._frame.read_only)
+        self._side.set_visibility(not self._page.read_only)
 
-    def _build_stage(self) -> None:
+    def _build_scene(self) -> None:
         with ui.element("div").classes("zb-stage").props('aria-label="Turtles"'):
             ui.element("canvas").classes("zb-sheet")
             ui.element("svg").classes("zb-turtles").props('viewBox="0 0 500 500"')
@@ -117,18 +117,18 @@ class TurtlePanel:
                 ui.label("Pen").classes("zb-heading zb-caption")
                 self._pen_colour = _colour("Pen colour", self._set_pen)
                 self._pen_width = _number("width", 3, "px")
-                self._pen_width.on("change", guarded(self._set_pen))
+                self._pen_width.on("change", with_errors_shown(self._set_pen))
                 self._pen_down = ui.switch("draws", value=True).props("dense")
-                self._pen_down.on("click", guarded(self._set_pen))
+                self._pen_down.on("click", with_errors_shown(self._set_pen))
             with ui.element("div").classes("zb-row"):
                 ui.label("Place").classes("zb-heading zb-caption")
                 self._x = _number("x", 2.0, "m")
                 self._y = _number("y", 2.0, "m")
                 self._theta = _number("theta", 0.0, "rad")
             with ui.element("div").classes("zb-row zb-indented"):
-                self._button("Teleport", self._teleport, "Put the turtle there, drawing a line")
-                self._button("Spawn another", self._spawn, "Add a turtle there")
-                self._new_name = ui.input(placeholder="its name").props("dense outlined")
+                self._button("Teleport", self._teleport, "Move the turtle here, drawing a line")
+                self._button("Spawn another", self._spawn, "Add a turtle here")
+                self._new_name = ui.input(placeholder="name").props("dense outlined")
                 self._new_name.classes("zb-new-name").props('aria-label="Name of the new turtle"')
 
     def _build_world(self) -> None:
@@ -137,60 +137,60 @@ class TurtlePanel:
             self._background = _colour("Background colour", self._set_background)
             ui.label("background").classes("zb-muted")
             ui.element("div").classes("zb-grow")
-            self._button("Clear", self._clear, "Wipe out the lines")
-            self._button("Reset", self._reset, "Begin anew with one turtle")
+            self._button("Clear", self._clear, "Remove the lines")
+            self._button("Reset", self._reset, "Restart with one turtle")
 
     def _button(
         self, text: str, act: Callable[[], Coroutine[Any, Any, None]], hint: str
     ) -> ui.button:
-        button = ui.button(text, on_click=guarded(act), color=None)
+        button = ui.button(text, on_click=with_errors_shown(act), color=None)
         button.props("outline dense no-wrap")
         return button.classes("zb-button").tooltip(hint)
 
-    # -- what is new ---------------------------------------------------------------------------
+    # -- updates -------------------------------------------------------------------------------
 
     def _update(self) -> None:
-        if self._revision != self._frame.system.revision:
-            self._revision = self._frame.system.revision
+        if self._revision != self._page.system.revision:
+            self._revision = self._page.system.revision
             self._match_simulators()
-        self._stage.update()
-        if list(self._stage.turtles) != self._names:
+        self._scene_view.update()
+        if list(self._scene_view.turtles) != self._names:
             self._match_turtles()
-        seen = self._stage.turtles.get(self._chosen)
+        seen = self._scene_view.turtles.get(self._chosen)
         self._place.set_text(_place(seen) if seen is not None else "")
-        _keep(self._background, _hex(self._stage.background))
+        _keep(self._background, _hex(self._scene_view.background))
         if seen is not None:
             self._match_pen(seen)
 
     def _match_simulators(self) -> None:
-        found = {one.node: one for one in simulators(self._frame.system.snapshot())}
+        found = {one.node: one for one in simulators(self._page.system.snapshot())}
         self._simulator.set_options(list(found))
         self._simulator.set_visibility(len(found) > 1)
         self._empty.set_visibility(not found)
-        wanted = self._frame.query.pop("node", self._simulator.value)
+        wanted = self._page.query.pop("node", self._simulator.value)
         chosen = found.get(wanted) or next(iter(found.values()), None)
-        if chosen != (self._remote.simulator if self._remote is not None else None):
+        if chosen != (self._control.simulator if self._control is not None else None):
             self._look_at(chosen)
 
     def _on_simulator(self) -> None:
-        found = simulators(self._frame.system.snapshot())
+        found = simulators(self._page.system.snapshot())
         chosen = next((one for one in found if one.node == self._simulator.value), None)
-        if chosen is not None and self._remote is not None and chosen != self._remote.simulator:
+        if chosen is not None and self._control is not None and chosen != self._control.simulator:
             self._look_at(chosen)
 
     def _look_at(self, simulator: Simulator | None) -> None:
-        if self._remote is not None:
-            self._remote.close()
-        self._remote = TurtleRemote(self._frame, simulator) if simulator is not None else None
-        self._stage.look_at(simulator)
+        if self._control is not None:
+            self._control.close()
+        self._control = TurtleControl(self._page, simulator) if simulator is not None else None
+        self._scene_view.look_at(simulator)
         if simulator is not None:
             self._simulator.set_value(simulator.node)
             inside = simulator.namespace != "/"
             place = f" --ros-args -r __ns:={simulator.namespace}" if inside else ""
-            self._frame.show_command(_RUN + place)
+            self._page.show_command(_RUN + place)
 
     def _match_turtles(self) -> None:
-        self._names = list(self._stage.turtles)
+        self._names = list(self._scene_view.turtles)
         self._turtle.set_options(self._names)
         if self._chosen not in self._names:
             self._choose(self._names[0] if self._names else "")
@@ -204,41 +204,41 @@ class TurtlePanel:
     def _choose(self, name: str) -> None:
         self._chosen = name
         self._turtle.set_value(name or None)
-        self._frame.call("zbotTurtle.choose", name)
-        if name and self._remote is not None:
-            self._remote.prepare(name)
-            pose = self._remote.simulator.name(f"{name}/pose")
-            self._frame.show_command(f"zbot topic echo {pose}")
+        self._page.call("zbotTurtle.choose", name)
+        if name and self._control is not None:
+            self._control.prepare(name)
+            pose = self._control.simulator.name(f"{name}/pose")
+            self._page.show_command(f"zbot topic echo {pose}")
 
     def _match_pen(self, seen: SeenTurtle) -> None:
         _keep(self._pen_colour, _hex(seen.pen))
         _keep(self._pen_width, seen.pen_width)
         _keep(self._pen_down, seen.is_pen_down)
 
-    # -- what is done --------------------------------------------------------------------------
+    # -- buttons and keys ----------------------------------------------------------------------
 
     async def press(self, key: str) -> None:
-        """Do what a key stands for."""
-        await guarded(self._press)(key)
+        """Drive, turn or stop, depending on the key."""
+        await with_errors_shown(self._press)(key)
 
     async def _press(self, key: str) -> None:
-        if self._remote is None or not self._chosen:
+        if self._control is None or not self._chosen:
             return
         if key in ARROWS:
-            self._remote.drive(self._chosen, *ARROWS[key])
+            self._control.drive(self._chosen, *ARROWS[key])
         elif key in HEADINGS:
-            await self._remote.rotate(self._chosen, HEADINGS[key])
+            await self._control.rotate(self._chosen, HEADINGS[key])
         elif key == CANCEL:
-            await self._remote.cancel(self._chosen)
+            await self._control.cancel(self._chosen)
 
     async def _kill(self) -> None:
-        if self._remote is not None and self._chosen:
-            await self._remote.kill(self._chosen)
+        if self._control is not None and self._chosen:
+            await self._control.kill(self._chosen)
 
     async def _spawn(self) -> None:
-        if self._remote is None:
+        if self._control is None:
             return
-        name = await self._remote.spawn(*self._where(), self._new_name.value or "")
+        name = await self._control.spawn(*self._where(), self._new_name.value or "")
         if name:
             self._choose(name)
             self._new_name.set_value("")
@@ -246,40 +246,40 @@ class TurtlePanel:
             ui.notify(_why_no_turtle(self._new_name.value or "", self._names), type="negative")
 
     async def _teleport(self) -> None:
-        if self._remote is not None and self._chosen:
-            await self._remote.teleport(self._chosen, *self._where())
+        if self._control is not None and self._chosen:
+            await self._control.teleport(self._chosen, *self._where())
 
     def _where(self) -> tuple[float, float, float]:
         x, y, theta = (float(one.value or 0.0) for one in (self._x, self._y, self._theta))
         return x, y, theta
 
     async def _set_pen(self, _event: object = None) -> None:
-        if self._remote is not None and self._chosen:
+        if self._control is not None and self._chosen:
             colour, width = (
                 _channels(self._pen_colour.value or _BLACK),
                 int(self._pen_width.value or 0),
             )
             is_down = bool(self._pen_down.value)
             width = min(max(width, 0), 255)
-            await self._remote.set_pen(self._chosen, colour, width, is_down=is_down)
+            await self._control.set_pen(self._chosen, colour, width, is_down=is_down)
 
     async def _set_background(self) -> None:
-        if self._remote is not None:
-            await self._remote.set_background(_channels(self._background.value or _BLACK))
+        if self._control is not None:
+            await self._control.set_background(_channels(self._background.value or _BLACK))
 
     async def _clear(self) -> None:
-        if self._remote is not None:
-            await self._remote.clear()
+        if self._control is not None:
+            await self._control.clear()
 
     async def _reset(self) -> None:
-        if self._remote is not None:
-            await self._remote.reset()
+        if self._control is not None:
+            await self._control.reset()
 
 
 def _why_no_turtle(name: str, taken: list[str]) -> str:
     if name in taken:
         return f"A turtle named {name} already exists"
-    return f"No turtle can be named {name!r}: use letters, digits and underscores"
+    return f"{name!r} is not a valid name: use letters, digits and underscores"
 
 
 def _colour(label: str, on_choice: Callable[[], Coroutine[Any, Any, None]]) -> ui.input:
@@ -287,9 +287,9 @@ def _colour(label: str, on_choice: Callable[[], Coroutine[Any, Any, None]]) -> u
 
     async def choose(event: GenericEventArguments) -> None:
         box.set_value(event.args)
-        await guarded(on_choice)()
+        await with_errors_shown(on_choice)()
 
-    # Only at the end: while one looks for a colour, an input tells each that it passes.
+    # "change" comes once; "input" would come for each colour while the user moves the mouse.
     box.on("change", choose, js_handler="(value) => emit(value)")
     return box.classes("zb-colour")
 
@@ -301,10 +301,10 @@ def _number(label: str, value: float, unit: str) -> ui.number:
 
 
 def _keep(element: Any, value: object) -> None:
-    """Show what the simulator says, unless the user has just changed that very input."""
-    told = getattr(element, "told", None)
-    if told != value:
-        element.told = value
+    """Show a value of the simulator when it changes, so that the user's input stays meanwhile."""
+    shown = getattr(element, "last_shown", None)
+    if shown != value:
+        element.last_shown = value
         element.set_value(value)
 
 
@@ -320,8 +320,8 @@ def _channels(text: str) -> tuple[int, int, int]:
     return int(text[1:3], 16), int(text[3:5], 16), int(text[5:7], 16)
 
 
-def _build(frame: Frame) -> None:
-    TurtlePanel(frame)
+def _build(page: Page) -> None:
+    TurtlePanel(page)
 
 
 PANEL = Panel("/turtle", "Turtle", "pets", _build)

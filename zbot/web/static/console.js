@@ -1,4 +1,4 @@
-// Log lines: added at the end, removed at the beginning. Whatever is in a line is text, never HTML.
+// Table of log lines. New lines go to its end, old ones are removed. Contents are text, never HTML.
 "use strict";
 window.zbotConsole = (() => {
   function cell(row, text, classes) {
@@ -7,13 +7,13 @@ window.zbotConsole = (() => {
     element.className = classes;
   }
 
-  function add(lines, isAnew, most) {
+  function add(lines, isReset, most) {
     const table = document.querySelector(".zb-log");
     if (!table) return;
     const box = table.parentElement;
     const isAtEnd = box.scrollHeight - box.scrollTop - box.clientHeight < 40;
     const body = table.tBodies[0] ?? table.createTBody();
-    if (isAnew) body.replaceChildren();
+    if (isReset) body.replaceChildren();
     for (const [time, level, name, text, place, classes] of lines) {
       const row = body.insertRow();
       row.title = place;
@@ -23,8 +23,8 @@ window.zbotConsole = (() => {
       cell(row, text, `zb-mono zb-wrap zb-log-text ${classes}`);
     }
     while (body.rows.length > most) body.deleteRow(0);
-    // Who scrolls up wants to read: nothing moves then.
-    if (isAtEnd || isAnew) box.scrollTop = box.scrollHeight;
+    // If the user has scrolled up, the view stays.
+    if (isAtEnd || isReset) box.scrollTop = box.scrollHeight;
   }
 
   return { add };

@@ -1,36 +1,36 @@
-// The picture of the graph: it changes without jumping, is zoomed and moved, and lights up.
+// Drawing of the graph: smooth changes, zoom, movement, highlighting.
 "use strict";
 zbot.graph = (() => {
   const MOVE_MS = 350; // as in graph.css
-  const LARGEST = 1.7; // a graph of two nodes does not fill the wall
-  const LAYERS = ["frame", "edge", "item"]; // the later ones lie above
-  const MOST_MOVING = 300; // groups; a large picture would move in jerks
-  const MOST_PIXELS = 8000; // of a picture's longer side: all browsers can draw that
-  const pictures = new Map();
+  const LARGEST = 1.7; // scale limit, so that a graph of two nodes does not become huge
+  const LAYERS = ["frame", "edge", "item"]; // from the lowest to the highest
+  const MOST_MOVING = 300; // groups; larger drawings change without animation
+  const MOST_PIXELS = 8000; // of a PNG's longer side; all browsers can draw this
+  const drawings = new Map();
 
   const parse = (text) => {
     const svg = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
-    if (svg.localName !== "svg") throw new Error("the picture of the graph cannot be read");
+    if (svg.localName !== "svg") throw new Error("the drawing of the graph is not SVG");
     return document.importNode(svg, true);
   };
   const layerOf = (group) => LAYERS.find((one) => group.classList.contains(one)) ?? "item";
   const keyed = (root) => [...root.querySelectorAll("g[data-key]")];
 
-  class Picture {
+  class Drawing {
     constructor(place) {
       this.place = place;
       this.groups = new Map();
-      this.view = null; // what is seen of the picture: left, top, width, height
-      this.isFitted = true; // until somebody zooms or moves it
+      this.view = null; // the visible part of the drawing: left, top, width, height
+      this.isFitted = true; // until the user zooms or moves the drawing
       this.chosen = "";
       this.lit = "";
       new ResizeObserver(() => this.resize()).observe(place);
-      // The page switches between light and dark by a class of its body.
-      new MutationObserver(() => this.dress()).observe(document.body, { attributeFilter: ["class"] });
+      // A class of the page's body says whether the page is light or dark.
+      new MutationObserver(() => this.updateTheme()).observe(document.body, { attributeFilter: ["class"] });
       this.listen();
     }
 
-    // -- what is in it ----------------------------------------------------------------------
+    // -- content ----------------------------------------------------------------------------
 
     show(text) {
       const next = parse(text);
@@ -61,10 +61,10 @@ zbot.graph = (() => {
         this.svg.append(this.layers[name]);
       }
       this.place.replaceChildren(this.svg);
-      this.dress();
+      this.updateTheme();
     }
 
-    // A group keeps its element as long as it is there: so it can move instead of jumping.
+    // A group keeps its element while its key exists, so that CSS can animate its movement.
     put(next) {
       const key = next.dataset.key;
       const group = this.groups.get(key);
@@ -103,15 +103,15 @@ zbot.graph = (() => {
       }
     }
 
-    dress() {
+    updateTheme() {
       const isDark = zbot.isDark();
       this.svg?.classList.toggle("dark", isDark);
       this.svg?.classList.toggle("light", !isDark);
     }
 
-    // -- what lights up ---------------------------------------------------------------------
+    // -- highlighting -----------------------------------------------------------------------
 
-    // As rqt_graph has it: what leads here, what leads away from here, and what does both.
+    // As in rqt_graph: different colours for incoming, outgoing, and both.
     light(key) {
       this.lit = key;
       if (!this.svg) return;
@@ -155,7 +155,7 @@ zbot.graph = (() => {
       this.groups.get(key)?.classList.add("marked");
     }
 
-    // -- what is seen of it -----------------------------------------------------------------
+    // -- visible part -----------------------------------------------------------------------
 
     get size() {
       return [Math.max(1, this.place.clientWidth), Math.max(1, this.place.clientHeight)];
@@ -170,7 +170,7 @@ zbot.graph = (() => {
       this.isFitted = true;
       const [left, top, width, height] = this.content;
       const [w, h] = this.size;
-      // What is said lies over the picture, at its top and bottom: not to be drawn on.
+      // Texts lie over the top and the bottom of the drawing: keep these areas free.
       const above = this.heightOf(".zb-graph-problems");
       const below = this.heightOf(".zb-graph-left-out");
       const scale = Math.min(w / width, (h - above - below) / height, LARGEST);
@@ -221,7 +221,7 @@ zbot.graph = (() => {
 
     listen() {
       const target = (event) => event.target.closest?.("g[data-key]")?.dataset.key ?? "";
-      let held = null; // where the picture was taken hold of
+      let held = null; // the point at which the user holds the drawing
       let hasMoved = false;
       this.place.addEventListener("wheel", (event) => {
         if (!this.svg) return;
@@ -270,7 +270,7 @@ zbot.graph = (() => {
       event.preventDefault();
     }
 
-    // An arrow stands for its topic; a frame for nothing.
+    // A click on an arrow chooses its topic; a click on a frame chooses nothing.
     pick(key) {
       const group = this.groups.get(key);
       const isEdge = group?.classList.contains("edge");
@@ -282,7 +282,7 @@ zbot.graph = (() => {
   const LIGHTS = ["chosen", "incoming", "outgoing", "both"];
   const kindOf = (child) => `${child.localName}.${child.getAttribute("class") ?? ""}`;
 
-  // Only what CSS sets can glide.
+  // Set by CSS, as attributes of SVG are not animated.
   function place(group) {
     const at = /translate\(([-\d.]+),([-\d.]+)\)/.exec(group.getAttribute("transform") ?? "");
     if (at) group.style.transform = `translate(${at[1]}px, ${at[2]}px)`;
@@ -302,10 +302,10 @@ zbot.graph = (() => {
     else if (old.innerHTML !== next.innerHTML) old.replaceChildren(...next.childNodes);
   }
 
-  function pictureAt(id) {
+  function drawingAt(id) {
     const place = document.getElementById(id);
-    if (place && !pictures.has(id)) pictures.set(id, new Picture(place));
-    return pictures.get(id);
+    if (place && !drawings.has(id)) drawings.set(id, new Drawing(place));
+    return drawings.get(id);
   }
 
   function savePng(name, text) {
@@ -325,13 +325,13 @@ zbot.graph = (() => {
 
   return {
     show(id, text, chosen) {
-      const picture = pictureAt(id);
-      picture?.show(text);
-      picture?.choose(chosen);
+      const drawing = drawingAt(id);
+      drawing?.show(text);
+      drawing?.choose(chosen);
     },
-    showRates: (id, texts) => pictureAt(id)?.showRates(texts),
-    choose: (id, key) => pictureAt(id)?.choose(key),
-    fit: (id) => pictureAt(id)?.fit(),
+    showRates: (id, texts) => drawingAt(id)?.showRates(texts),
+    choose: (id, key) => drawingAt(id)?.choose(key),
+    fit: (id) => drawingAt(id)?.fit(),
     savePng,
   };
 })();

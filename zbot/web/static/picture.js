@@ -1,4 +1,4 @@
-// Images, and laser scans from above.
+// Pictures of topics: camera images, and laser scans from above.
 "use strict";
 (() => {
   zbot.showPicture = (id, address) => {
@@ -16,7 +16,7 @@
     return made;
   }
 
-  // x of the sensor points up, y to the left: as one stands behind it.
+  // The sensor's x axis points up, its y axis to the left.
   zbot.showScan = (id, points, reach, ring) => {
     const place = getHtmlElement(id);
     if (!place) return;

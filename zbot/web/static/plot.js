@@ -1,4 +1,4 @@
-// Curves that grow in the browser: the server sends only the points that are new.
+// Curves of a plot. The browser keeps their points, and the server sends only new ones.
 "use strict";
 zbot.plot = (() => {
   const MOST_POINTS = 200_000; // of a curve: half an hour of 100 Hz
@@ -14,7 +14,7 @@ zbot.plot = (() => {
     draw(id);
   }
 
-  // ECharts arrives a moment after the page.
+  // ECharts is loaded a little later than the page.
   function chartOf(id) {
     const chart = getElement(id)?.chart;
     return chart && !chart.isDisposed() ? chart : null;
@@ -67,7 +67,7 @@ zbot.plot = (() => {
     draw(id);
   }
 
-  // The first index whose time is not before the given one.
+  // Returns the first index with this time or a later one.
   function indexOf(times, time) {
     let low = 0;
     let high = times.length;
@@ -79,7 +79,7 @@ zbot.plot = (() => {
     return low;
   }
 
-  // The least and the greatest value in each column of pixels: what a line through all would show.
+  // Returns the least and the greatest value in each column of pixels; the line looks the same.
   function thinned(curve, fromS, startS, columns) {
     const first = Math.max(0, indexOf(curve.times, fromS) - 1);
     const count = curve.times.length - first;
@@ -133,7 +133,7 @@ zbot.plot = (() => {
   function tooltip() {
     return {
       trigger: "axis",
-      renderMode: "richText", // names of topics are never HTML
+      renderMode: "richText", // so that names of topics are never HTML
       backgroundColor: colour("--zb-surface"),
       borderColor: colour("--zb-line"),
       textStyle: { color: colour("--zb-text"), fontSize: 12 },
@@ -172,7 +172,7 @@ zbot.plot = (() => {
     plot.isNew = false;
   }
 
-  // One line for each time at which any curve has a value.
+  // Returns CSV with a line for each time at which a curve has a value.
   function csv(plot) {
     const lines = new Map();
     plot.names.forEach((name, index) => {
@@ -191,7 +191,7 @@ zbot.plot = (() => {
     zbot.save("plot.csv", csv(plots.get(id)), "text/csv");
   }
 
-  // Colours are in the drawing: another theme needs another one.
+  // The drawing contains colours, so it is drawn again when the theme changes.
   document.addEventListener("DOMContentLoaded", () => {
     const watcher = new MutationObserver(() => [...plots.keys()].forEach(draw));
     watcher.observe(document.body, { attributeFilter: ["class"] });

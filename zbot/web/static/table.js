@@ -1,7 +1,7 @@
-// Tables whose rows the server changes one by one. Whatever is in a cell is text, never HTML.
+// Tables whose cells the server changes. Contents are text, never HTML.
 "use strict";
 zbot.table = (() => {
-  // A cell is a text, or {t: text, c: classes, i: indent, h: address on this page, d: title}.
+  // A cell is a text, or {t: text, c: classes, i: indent, h: address on this server, d: title}.
   function fill(element, cell) {
     const one = typeof cell === "string" ? { t: cell } : cell;
     let inner = element;
@@ -28,7 +28,7 @@ zbot.table = (() => {
     return row;
   }
 
-  // `order` has the keys of all rows, or is null if they stay; `changed` has the cells of some.
+  // `order`: the keys of all rows, or null if they are unchanged. `changed`: new cells by key.
   function show(id, columns, order, changed, chosen) {
     const body = getHtmlElement(id)?.querySelector("tbody");
     if (!body) return;
@@ -44,7 +44,7 @@ zbot.table = (() => {
     for (const row of body.children) row.classList.toggle("zb-chosen", row.dataset.key === chosen);
   }
 
-  // Rows that stay in place are left alone: the browser keeps what is selected and scrolled to.
+  // Rows in the right place are not touched, so that selection and scrolling stay.
   function arrange(body, rows) {
     const kept = new Set(rows);
     for (const row of [...body.children]) if (!kept.has(row)) row.remove();

@@ -1,4 +1,4 @@
-// The turtles' world: lines on a canvas, turtles as SVG above it.
+// Scene of turtlesim: lines on a canvas, turtles as SVG above.
 "use strict";
 window.zbotTurtle = (() => {
   const SIDE = 500; // pixels
@@ -8,7 +8,7 @@ window.zbotTurtle = (() => {
   let canvas, context, overlay;
   let chosen = "";
   let turtles = new Map();
-  // A picture takes time to be decoded, and what was drawn later has to lie above it.
+  // A chain of drawings: decoding an image takes time, and later lines must lie above the image.
   let work = Promise.resolve();
 
   function start() {
@@ -84,7 +84,7 @@ window.zbotTurtle = (() => {
     return (sum * 47 + 95) % 360;
   }
 
-  // A turtle that looks to the right, 45 pixels long.
+  // Returns a new turtle that looks to the right, 45 pixels long.
   function hatch(name) {
     const turtle = part("g", { class: "zb-turtle", "data-turtle": name, tabindex: 0 }, overlay);
     turtle.setAttribute("role", "button");

@@ -1,4 +1,4 @@
-"""`zbot action`: which actions there are, who serves them, and sending goals."""
+"""Verbs of `zbot action`: list actions, show their servers and clients, and send goals."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.action_types import UnknownActionError, suggestion
 from zbot_cli.domain.client import full_name, snapshot
 from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
+from zbot_cli.input.option_groups import with_option_groups
 from zbot_cli.output.listing import (
     AsJson,
     ShowTypes,
@@ -25,7 +26,7 @@ from zbot_cli.output.listing import (
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
 
-app = new_app("Look at actions, and send goals")
+app = new_app("Look at actions and send goals")
 
 ActionName = Annotated[str, typer.Argument(help="Name of the action, e.g. /fibonacci")]
 Count = Annotated[bool, typer.Option("-c", "--count", help="Print the number")]
@@ -39,7 +40,7 @@ def list_actions(
     ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """List the actions that somebody uses."""
+    """List the actions that have servers or clients."""
     graph = snapshot()
     facts = partial(_facts, graph)
     print_entries(graph.actions(), facts, show_types=show_types, count=count, as_json=as_json)
@@ -55,7 +56,7 @@ def _facts(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
 
 
 def _nodes(graph: Snapshot, name: str, kind: EntityKind) -> dict[str, list[str]]:
-    """Return the nodes that serve an action or are its clients, with the types they use."""
+    """Return the nodes that are servers or clients of an action, with the types that they use."""
     found: dict[str, list[str]] = {}
     for node in graph.nodes:
         full = fully_qualified(node.namespace, node.node)
@@ -131,7 +132,7 @@ def send_goal(
         typer.Argument(help="Type and goal; both may be left out", metavar="[TYPE] [GOAL]"),
     ] = None,
     feedback: Annotated[
-        bool, typer.Option("-f", "--feedback", help="Print how it goes, too")
+        bool, typer.Option("-f", "--feedback", help="Print the feedback too")
     ] = False,
     timeout: Annotated[
         float | None, typer.Option("-t", "--timeout", help="Seconds to wait for a server")
@@ -145,7 +146,7 @@ def send_goal(
     as_json: AsJson = False,
 ) -> None:
     """Send a goal; Ctrl-C cancels it."""
-    from zbot_cli.commands.action.send_goal import SendGoal  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.action.send_goal import SendGoal  # noqa: PLC0415 - not needed by `list`
 
     code = SendGoal(
         _checked(action_name),
@@ -160,10 +161,11 @@ def send_goal(
 
 
 @app.command("echo")
+@with_option_groups
 def echo(
     action_name: ActionName,
     action_type: Annotated[
-        str | None, typer.Argument(help="Type of the action, if nobody uses it yet")
+        str | None, typer.Argument(help="Type of the action, if no node uses it yet")
     ] = None,
     interfaces: Annotated[
         str | None,
@@ -173,6 +175,6 @@ def echo(
     as_json: AsJson = False,
 ) -> None:
     """Print an action's feedback, status and service events."""
-    from zbot_cli.commands.action.echo import ActionEcho  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.action.echo import ActionEcho  # noqa: PLC0415 - not needed by `list`
 
     ActionEcho(_checked(action_name), action_type, interfaces, form.form(as_json=as_json)).run()

@@ -1,4 +1,4 @@
-"""`zbot action echo`: what an action's server and its clients say to each other."""
+"""`zbot action echo`: the messages between the server and the clients of an action."""
 
 from __future__ import annotations
 
@@ -18,9 +18,10 @@ if TYPE_CHECKING:
     from zbot_cli.output.message_text import Form, Formatter
 
 _DEPTH = QoSProfile(depth=100)
-_STEP_S = 0.5  # a signal does not end waiting for the graph
+_STEP_S = 0.5  # Ctrl-C is noticed after each step, because it does not end a wait for the graph
 
-#: ros2's word for each part: topic, type, quality of service. `{}` is the action's type.
+#: Topic, type and quality of service of each part of an action, by ros2's names for the parts.
+#: `{}` is the type of the action.
 _PARTS: dict[str, tuple[str, str, QoSProfile]] = {
     "GOAL_SERVICE": ("send_goal/_service_event", "{}_SendGoal_Event", _DEPTH),
     "CANCEL_SERVICE": ("cancel_goal/_service_event", "action_msgs/srv/CancelGoal_Event", _DEPTH),
@@ -35,7 +36,7 @@ _PARTS: dict[str, tuple[str, str, QoSProfile]] = {
 
 
 class ActionInterfaceError(ZbotError):
-    """A word is not the name of one of an action's five parts."""
+    """A word is not one of ros2's names for the five parts of an action."""
 
     def __init__(self, word: str) -> None:
         self.word = word
@@ -44,17 +45,17 @@ class ActionInterfaceError(ZbotError):
 
 
 class ActionEcho:
-    """Prints an action's feedback and status, and its services' events if they are switched on.
+    """Printer of an action's feedback and status, and of service events if introspection is on.
 
     Args:
         name: The action's full name.
-        type_word: Its type; `None` to ask the graph.
+        type_word: The action's type; `None` to take it from the graph.
         interfaces: Names of parts, separated by `|`; `None` for all.
         form: How to show messages.
 
     Raises:
-        ActionInterfaceError: There is no part of such a name.
-        InvalidActionTypeError: There is no such type.
+        ActionInterfaceError: `interfaces` contains an unknown name.
+        InvalidActionTypeError: `type_word` is not the name of an action type.
     """
 
     def __init__(
@@ -72,8 +73,8 @@ class ActionEcho:
         self._format: Formatter = Formatter(form)
 
     def run(self) -> None:
-        """Listen and print until Ctrl-C."""
-        from zbot.runtime import spin  # noqa: PLC0415 - lists do without
+        """Print messages until Ctrl-C."""
+        from zbot.runtime import spin  # noqa: PLC0415 - not needed by `list`
 
         with hidden_node("action_echo") as node:
             type_name = self._type or self._wait_for_type(node)
@@ -96,7 +97,7 @@ class ActionEcho:
         return found
 
     def _subscribe(self, node: Node, part: str, type_name: str) -> None:
-        from zbot.interfaces import get_message  # noqa: PLC0415 - lists do without
+        from zbot.interfaces import get_message  # noqa: PLC0415 - not needed by `list`
 
         topic, message_type, qos = _PARTS[part]
         subscription = node.create_subscription(
@@ -105,7 +106,7 @@ class ActionEcho:
             lambda message, info: self._show(part, message, info),
             qos,
         )
-        subscription.report_losses_to(_take_no_notice)
+        subscription.report_losses_to(_ignore_lost_messages)
 
     def _show(self, part: str, message: Any, info: Any) -> None:
         is_event = part.endswith("_SERVICE")
@@ -122,5 +123,5 @@ class ActionEcho:
         sys.stdout.flush()
 
 
-def _take_no_notice(missing: int) -> None:
+def _ignore_lost_messages(missing: int) -> None:
     return

@@ -1,4 +1,4 @@
-"""`zbot action send_goal`: one goal, from its values to its result."""
+"""`zbot action send_goal`: sends one goal, and prints its feedback and result."""
 
 from __future__ import annotations
 
@@ -25,12 +25,12 @@ if TYPE_CHECKING:
     from zbot.executor.task import Future
     from zbot.node.node import Node
 
-_STEP_S = 0.5  # between two looks whether a signal came while the graph stays as it is
+_STEP_S = 0.5  # Ctrl-C is noticed after each step, because it does not end a wait for the graph
 _REPR_OF = {True: "AttributeError", False: "ValueError"}
 
 
 class NoActionServerError(ZbotError):
-    """No server came in time."""
+    """No server appeared in time."""
 
     def __init__(self, name: str, timeout_s: float, hint: str | None) -> None:
         self.name, self.timeout_s, self.hint = name, timeout_s, hint
@@ -50,7 +50,7 @@ class GoalValuesError(ZbotError):
 
 
 class CancelError(ZbotError):
-    """The server did not agree to end the goal."""
+    """The server did not accept the request to cancel the goal."""
 
     def __init__(self) -> None:
         self.hint = "its server has no cancel_callback that accepts, or the goal has just ended"
@@ -58,13 +58,13 @@ class CancelError(ZbotError):
 
 
 class SendGoal:
-    """Waits for a server, sends a goal, and follows it to its end.
+    """Client that waits for a server, sends a goal, and waits for its result.
 
     Args:
         name: The action's full name.
-        words: A type and values; the type may be left out if somebody serves the action.
+        words: A type and values; the type may be left out if the action has a server.
         with_feedback: Print feedback.
-        timeout_s: How long to wait for a server; `None` for ever.
+        timeout_s: Seconds to wait for a server; `None` for no limit.
         stdin: Read the values from standard input.
         goal_file: Read the values from a file.
         as_json: Print one JSON document for each event.
@@ -87,7 +87,7 @@ class SendGoal:
         self._timeout_s = timeout_s
         self._as_json = as_json
         self._is_accepted = False
-        self._early: list[Any] = []  # feedback may overtake the answer to the goal
+        self._early: list[Any] = []  # feedback that arrived before the response to the goal
         if stdin:
             self._values = [sys.stdin.read()]
         elif goal_file is not None:
@@ -96,12 +96,12 @@ class SendGoal:
             self._values = [read_values(goal_file)]
 
     def run(self) -> Status:
-        """Send the goal and return how the command ends.
+        """Send the goal; return the exit code of the command.
 
         Raises:
-            NoActionServerError: No server came in time.
+            NoActionServerError: No server appeared in time.
             GoalValuesError: The values do not fit the goal.
-            CancelError: The goal was to be canceled, and was not.
+            CancelError: The server did not accept the request to cancel the goal.
             ServiceError: The server ended before the goal did.
         """
         import zbot  # noqa: F401, PLC0415 - makes the message packages importable
@@ -110,14 +110,14 @@ class SendGoal:
         deadline = None if self._timeout_s is None else time.monotonic() + self._timeout_s
         with hidden_node("send_goal", survives_ctrl_c=True) as node:
             self._node = node
-            self._say("Waiting for an action server to become available...")
+            self._print_text("Waiting for an action server to become available...")
             if template is None:
                 self._type = self._wait_for_type(deadline)
                 template = self._template(self._type)
             client = self._client(node)
-            if not client.wait_for_server(_left(deadline)):
+            if not client.wait_for_server(_remaining(deadline)):
                 raise self._no_server()
-            return self._follow(client, template.make(lambda: node.get_clock().now().nanoseconds))
+            return self._run_goal(client, template.make(lambda: node.get_clock().now().nanoseconds))
 
     def _template(self, type_name: str) -> Template:
         try:
@@ -126,14 +126,14 @@ class SendGoal:
             raise GoalValuesError(error) from None
 
     def _client(self, node: Node) -> ActionClient[Any, Any, Any]:
-        from zbot.action import ActionClient  # noqa: PLC0415 - lists do without
+        from zbot.action import ActionClient  # noqa: PLC0415 - not needed by `list`
 
         return ActionClient(node, action_class(self._type or ""), self._name)
 
     def _wait_for_type(self, deadline: float | None) -> str:
         graph = self._node.context.graph
         while (found := only_action_type(graph.snapshot(), self._name)) is None:
-            left = _left(deadline)
+            left = _remaining(deadline)
             if left == 0:
                 raise self._no_server()
             graph.wait_for(
@@ -148,36 +148,36 @@ class SendGoal:
 
     # -- the goal ------------------------------------------------------------------------------
 
-    def _follow(self, client: ActionClient[Any, Any, Any], goal: Any) -> Status:
-        self._say(f"Sending goal:\n     {_text(goal)}")
+    def _run_goal(self, client: ActionClient[Any, Any, Any], goal: Any) -> Status:
+        self._print_text(f"Sending goal:\n     {_text(goal)}")
         callback = self._show_feedback if self._with_feedback else None
         handle = self._wait(client.send_goal_async(goal, callback))
         if not handle.accepted:
             self._show("Goal was rejected.", {"accepted": False})
             return Status.ERROR
         try:
-            self._tell_acceptance(handle.key.hex())
+            self._show_acceptance(handle.key.hex())
             return self._end(self._wait(handle.get_result_async()))
         except KeyboardInterrupt:
             self._cancel(handle)
             self._end(self._wait(handle.get_result_async()))
             return Status.INTERRUPTED
 
-    def _tell_acceptance(self, goal_id: str) -> None:
+    def _show_acceptance(self, goal_id: str) -> None:
         self._show(f"Goal accepted with ID: {goal_id}\n", {"accepted": True, "goal_id": goal_id})
         self._is_accepted = True
         for message in self._early:
             self._show_feedback(message)
 
     def _cancel(self, handle: ClientGoalHandle[Any, Any, Any]) -> None:
-        self._say("Canceling goal...")
+        self._print_text("Canceling goal...")
         response = self._wait(handle.cancel_goal_async())
         if not response.goals_canceling:
             raise CancelError
-        self._say("Goal canceled.")
+        self._print_text("Goal canceled.")
 
     def _end(self, response: Any) -> Status:
-        from zbot.action import GoalState  # noqa: PLC0415 - lists do without
+        from zbot.action import GoalState  # noqa: PLC0415 - not needed by `list`
 
         state = GoalState(response.status)
         self._show(
@@ -187,7 +187,7 @@ class SendGoal:
         return Status.OK if state is GoalState.SUCCEEDED else Status.ERROR
 
     def _wait(self, future: Future[Any]) -> Any:
-        from zbot.runtime import spin_until_future_complete  # noqa: PLC0415 - lists do without
+        from zbot.runtime import spin_until_future_complete  # noqa: PLC0415 - not needed by `list`
 
         spin_until_future_complete(self._node, future)
         return future.result()
@@ -200,7 +200,7 @@ class SendGoal:
             return
         self._show(f"Feedback:\n    {_text(message.feedback)}", {"feedback": message.feedback})
 
-    def _say(self, text: str) -> None:
+    def _print_text(self, text: str) -> None:
         if not self._as_json:
             print(text, flush=True)
 
@@ -215,14 +215,14 @@ class SendGoal:
 
 
 def _split(words: Sequence[str]) -> tuple[str | None, list[str]]:
-    from zbot_cli.domain.types import looks_like_type  # noqa: PLC0415 - only here
+    from zbot_cli.domain.types import looks_like_type  # noqa: PLC0415 - needed only here
 
     if words and looks_like_type(words[0]):
         return resolve_action_type(words[0]), list(words[1:])
     return None, list(words)
 
 
-def _left(deadline: float | None) -> float | None:
+def _remaining(deadline: float | None) -> float | None:
     return None if deadline is None else max(0.0, deadline - time.monotonic())
 
 
@@ -230,11 +230,11 @@ def _text(message: Any) -> str:
     from zbot.interfaces.plain_value import plain  # noqa: PLC0415 - only goals are printed
     from zbot.interfaces.yaml_text import dump  # noqa: PLC0415 - as above
 
-    return dump(_unfolded(plain(message)))
+    return dump(_as_block_lists(plain(message)))
 
 
-def _unfolded(value: Any) -> Any:
-    """Return values without the lists that stand on one line: ros2 writes each item on its own."""
+def _as_block_lists(value: Any) -> Any:
+    """Return values whose lists are printed with an item on each line, as ros2 prints them."""
     if isinstance(value, dict):
-        return {name: _unfolded(item) for name, item in value.items()}
-    return [_unfolded(item) for item in value] if isinstance(value, list) else value
+        return {name: _as_block_lists(item) for name, item in value.items()}
+    return [_as_block_lists(item) for item in value] if isinstance(value, list) else value

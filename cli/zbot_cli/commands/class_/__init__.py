@@ -1,4 +1,4 @@
-"""`zbot class`: open a class, see who is there, and look after it."""
+"""Verbs of `zbot class`: start a class, list and check its students, and stop it."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ if TYPE_CHECKING:
     from zbot.classroom.class_record import ClassRecord
     from zbot.transport.membership import Membership
 
-app = new_app("Open a class, and look after it")
+app = new_app("Start and manage a class")
 
 
 @app.callback()
 def options() -> None:
-    """Open a class, and look after it."""
+    """Start and manage a class."""
 
 
 @app.command("start")
 def start(
-    name: Annotated[str, typer.Argument(help="What the class is called")] = "class",
+    name: Annotated[str, typer.Argument(help="Name of the class")] = "class",
     pin: Annotated[
-        bool, typer.Option("--pin", help="Ask students for a PIN, which is made and shown")
+        bool, typer.Option("--pin", help="Make a PIN, which students must enter")
     ] = False,
     port: Annotated[
         int | None, typer.Option("--port", min=1, max=65535, help="TCP port; 7447 by default")
@@ -41,8 +41,8 @@ def start(
     ] = None,
     as_json: AsJson = False,
 ) -> None:
-    """Open a class."""
-    from zbot.classroom import teacher  # noqa: PLC0415 - help is quick
+    """Start a class."""
+    from zbot.classroom import teacher  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.register import clean_name, load_roster  # noqa: PLC0415 - as above
     from zbot.security.pin import random_pin  # noqa: PLC0415 - as above
     from zbot.transport.config import hub_port  # noqa: PLC0415 - as above
@@ -52,13 +52,13 @@ def start(
     opened, record = teacher.start(
         clean_name(name), port or hub_port(), pin=chosen, expected=expected, keystore=keystore
     )
-    board = _board(opened, record)
-    print_json(board) if as_json else print(_board_text(board))
+    facts = _join_facts(opened, record)
+    print_json(facts) if as_json else print(_join_text(facts))
 
 
-def _board(opened: Membership, record: ClassRecord) -> dict[str, object]:
-    """Return what a teacher writes on the board."""
-    from zbot.classroom.join_code import long_code, short_code  # noqa: PLC0415 - help is quick
+def _join_facts(opened: Membership, record: ClassRecord) -> dict[str, object]:
+    """Return what students need to join: codes, address and PIN."""
+    from zbot.classroom.join_code import long_code, short_code  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.teacher import address_of  # noqa: PLC0415 - as above
 
     address = address_of(opened)
@@ -72,26 +72,26 @@ def _board(opened: Membership, record: ClassRecord) -> dict[str, object]:
     }
 
 
-def _board_text(board: dict[str, object]) -> str:
-    lines = [f'Class "{board["class"]}" is open. Students type:', ""]
-    if board["code"]:
-        lines.append(f"    zbot join {board['code']}")
-    lines += [f"    zbot join {board['host']}:{board['port']}    (if the code does not work)", ""]
-    if board["pin"]:
-        lines.append(f"PIN: {board['pin']}")
-    return "\n".join([*lines, "`zbot class list` shows who is there, `zbot class stop` ends it"])
+def _join_text(facts: dict[str, object]) -> str:
+    lines = [f'Class "{facts["class"]}" is open. Students type:', ""]
+    if facts["code"]:
+        lines.append(f"    zbot join {facts['code']}")
+    lines += [f"    zbot join {facts['host']}:{facts['port']}    (if the code does not work)", ""]
+    if facts["pin"]:
+        lines.append(f"PIN: {facts['pin']}")
+    return "\n".join([*lines, "`zbot class list` lists the students, `zbot class stop` ends it"])
 
 
 @app.command("list")
 def list_students(as_json: AsJson = False) -> None:
-    """List the students and how they are."""
-    from zbot.classroom.teacher import command  # noqa: PLC0415 - help is quick
+    """List the students and their machines."""
+    from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
 
     found = command({"op": "list"})
     if as_json:
         print_json(found)
         return
-    from zbot_cli.commands.class_.table import table  # noqa: PLC0415 - help is quick
+    from zbot_cli.commands.class_.table import table  # noqa: PLC0415 - not needed by `--help`
 
     print(table(found))
 
@@ -103,8 +103,8 @@ def check(
     ],
     as_json: AsJson = False,
 ) -> None:
-    """Check what everybody's programs do."""
-    from zbot.classroom.expectation import parse_expectations  # noqa: PLC0415 - help is quick
+    """Check the programs of all students."""
+    from zbot.classroom.expectation import parse_expectations  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.teacher import check_class  # noqa: PLC0415 - as above
 
     verdicts = check_class(parse_expectations(expected))
@@ -121,27 +121,27 @@ def check(
 
 
 @app.command("say")
-def say(text: Annotated[list[str], typer.Argument(help="What everybody is to read")]) -> None:
-    """Say something to everybody."""
-    from zbot.classroom.teacher import command  # noqa: PLC0415 - help is quick
+def say(text: Annotated[list[str], typer.Argument(help="Text of the message")]) -> None:
+    """Send a message to all students."""
+    from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
 
     heard = command({"op": "say", "text": " ".join(text)})["heard"]
-    print(f"said to {heard} student{'' if heard == 1 else 's'}")
+    print(f"sent to {heard} student{'' if heard == 1 else 's'}")
 
 
 @app.command("free")
 def free(
     number: Annotated[int, typer.Argument(min=1, max=232, help="Number of a student")],
 ) -> None:
-    """Take a number back from a lost laptop."""
-    from zbot.classroom.teacher import command  # noqa: PLC0415 - help is quick
+    """Free the number of a lost laptop."""
+    from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
 
     print(f"number {number} is free; {command({'op': 'free', 'number': number})['name']} had it")
 
 
 @app.command("stop")
 def stop() -> None:
-    """Close the class."""
-    from zbot.classroom import teacher  # noqa: PLC0415 - help is quick
+    """Stop the class."""
+    from zbot.classroom import teacher  # noqa: PLC0415 - not needed by `--help`
 
     print(f'Class "{teacher.stop().class_name}" is closed')

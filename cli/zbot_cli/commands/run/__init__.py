@@ -1,6 +1,6 @@
-"""`zbot run`: find a node and become it.
+"""`zbot run`: finds an executable and runs it in this process.
 
-No typer here: the words after the executable belong to the node, and the node should start at once.
+It does not use typer: the words after the executable belong to the node, and typer starts slowly.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 from zbot.errors import ZbotError
-from zbot_cli.commands.run.execution import become
+from zbot_cli.commands.run.execution import run_and_exit
 from zbot_cli.output.exit_status import Status
 from zbot_cli.packages import executables
 from zbot_cli.packages.executables import BUNDLED, Executable, Package
@@ -24,7 +24,7 @@ _USAGE = """\
 Usage: zbot run [--prefix COMMAND] [PACKAGE] EXECUTABLE [ARGS]...
        zbot run [--prefix COMMAND] PATH.py [ARGS]...
 
-  Run a node. Everything after the executable is handed to it, --ros-args too.
+  Run a node. Everything after the executable is passed to it, --ros-args too.
 
 Options:
   --prefix COMMAND  Put a command before the program, e.g. --prefix 'nice -n 5'
@@ -33,20 +33,20 @@ Options:
 Examples:
   zbot run sensor
   zbot run my_package my_node --ros-args -r __node:=other -p rate:=2.0"""
-#: Where a name is looked up: nearer places come first, and hide what is farther.
+#: Places that are searched for a name, in this order; the first place that has the name is used.
 _PLACES: tuple[Callable[[], list[Package]], ...] = (
     executables.workspace_packages,
     executables.bundled_packages,
     executables.installed_packages,
 )
-# Python with the `zbot` command and without the current folder on its path.
+# Program that runs the `zbot` command without the current folder on Python's path.
 _ZBOT = (
     "import sys; sys.path[:] = filter(None, sys.path); from zbot_cli.__main__ import main; main()"
 )
 
 
 class PackageNotFoundError(ZbotError):
-    """No package of that name is installed or in the workspace."""
+    """No package of that name is in the workspace or installed."""
 
     def __init__(self, package: str, known: Sequence[str]) -> None:
         self.package = package
@@ -55,7 +55,7 @@ class PackageNotFoundError(ZbotError):
 
 
 class ExecutableNotFoundError(ZbotError):
-    """There is no such executable, in one package or at all."""
+    """The package has no executable of that name; without a package: no package has it."""
 
     def __init__(self, name: str, known: Sequence[str], packages: Sequence[Package] = ()) -> None:
         self.name = name
@@ -73,7 +73,7 @@ class ExecutableNotFoundError(ZbotError):
 
 
 class SeveralExecutablesError(ZbotError):
-    """A name stands for more than one program."""
+    """Several packages have an executable of that name."""
 
     def __init__(self, found: Sequence[Executable]) -> None:
         self.hint = f"name the package too: zbot run {found[0].package} {found[0].name}"
@@ -82,14 +82,14 @@ class SeveralExecutablesError(ZbotError):
 
 
 class ProgramNotFoundError(ZbotError):
-    """A file or prefix command is not there."""
+    """A file or a prefix command does not exist."""
 
     def __init__(self, what: str, name: str) -> None:
         super().__init__(f"{what} '{name}' not found")
 
 
 class PrefixError(ZbotError):
-    """A prefix is no command line."""
+    """The value of --prefix is not a command line."""
 
     def __init__(self, prefix: str, reason: str) -> None:
         super().__init__(f"cannot read --prefix {prefix!r}: {reason}")
@@ -103,14 +103,14 @@ def _hint(word: str, known: Iterable[str], otherwise: str) -> str:
 
 
 def run(words: list[str]) -> int | Callable[[], NoReturn]:
-    """Find what to run.
+    """Find the executable of a command line.
 
     Args:
         words: The words after `zbot run`.
 
     Returns:
-        The program, to be called outside of all that concerns the command line; or an exit code
-        where there is nothing to run.
+        A function that runs the executable and ends the process, to be called outside of the
+        command's error handling; or an exit code if there is nothing to run.
     """
     prefix: list[str] = []
     while words and words[0].startswith("-"):
@@ -119,23 +119,23 @@ def run(words: list[str]) -> int | Callable[[], NoReturn]:
             print(_USAGE)
             return Status.OK
         if option != "--prefix":
-            _refuse(f"No such option: {option}")
+            _exit_with_usage_error(f"No such option: {option}")
         prefix = _split(value if equals or not words else words.pop(0))
     if not words:
-        _refuse("name a node to run: zbot run sensor")
+        _exit_with_usage_error("name a node to run: zbot run sensor")
     executable, arguments = find(words)
     if prefix:
         return _run_behind(prefix, words)
-    return lambda: become(executable, arguments)
+    return lambda: run_and_exit(executable, arguments)
 
 
-def _refuse(text: str) -> NoReturn:
+def _exit_with_usage_error(text: str) -> NoReturn:
     print(f"{_USAGE.splitlines()[0]}\n\nError: {text}", file=sys.stderr)
     sys.exit(Status.USAGE)
 
 
 def _split(prefix: str) -> list[str]:
-    import shlex  # noqa: PLC0415 - few prefixes are given
+    import shlex  # noqa: PLC0415 - seldom used
 
     try:
         return shlex.split(prefix, posix=os.name != "nt")
@@ -144,13 +144,13 @@ def _split(prefix: str) -> list[str]:
 
 
 def find(words: Sequence[str]) -> tuple[Executable, list[str]]:
-    """Return the executable that a command line begins with, and the words that are its own.
+    """Return the executable that a command line begins with, and its arguments.
 
     Raises:
         ProgramNotFoundError: There is no file of that path.
         PackageNotFoundError: There is no package of that name.
         ExecutableNotFoundError: There is no executable of that name.
-        SeveralExecutablesError: There are several, and nothing says which.
+        SeveralExecutablesError: Several packages have it, and the words name no package.
     """
     first, rest = words[0], list(words[1:])
     if _is_path(first):
@@ -174,7 +174,7 @@ def _find_farther(
     if rest and (found := _named(rest[0], inside)):
         return _single(found), rest[1:]
     is_meant = bool(inside and rest and rest[0].isidentifier())  # an executable of the package
-    if not is_meant and (found := _named(first, packages)):  # a package that is named like a node
+    if not is_meant and (found := _named(first, packages)):  # a package that has the name of a node
         return _single(found), rest
     if inside:
         raise ExecutableNotFoundError(rest[0] if rest else "", _names(inside), inside)
@@ -200,7 +200,7 @@ def _file(word: str) -> Executable:
 
 
 def _named(name: str, packages: Iterable[Package]) -> list[Executable]:
-    """Return the executables of that name, each program once; `.py` may be left out."""
+    """Return the executables of a name, each program once; the name may lack `.py`."""
     found: dict[str, Executable] = {}
     for package in packages:
         for one in package.executables:
@@ -220,7 +220,7 @@ def _single(found: list[Executable]) -> Executable:
 
 
 def _run_behind(prefix: list[str], words: list[str]) -> int:
-    """Let a command such as `nice` or a debugger run `zbot run` with the same words."""
+    """Run `zbot run` with the same words behind a prefix such as `nice` or a debugger."""
     import shutil  # noqa: PLC0415 - as above
     import subprocess  # noqa: PLC0415 - as above
 
@@ -239,4 +239,4 @@ def _wait(child: subprocess.Popen[bytes]) -> int:
         try:
             return child.wait()
         except KeyboardInterrupt:
-            continue  # the child got Ctrl-C too; it decides when to end
+            continue  # the child process got Ctrl-C too, and ends itself

@@ -1,7 +1,7 @@
-"""Where the `zbot` command turns into the program that it was asked to run.
+"""Execution of a program in the process of `zbot run`.
 
-The program takes over this very process: signals, exit code and what `ps` shows are its own, on
-Windows too, and nothing is started twice.
+No second process is started, so the program gets the signals and sets the exit code, on Windows
+too, and `ps` shows it.
 """
 
 from __future__ import annotations
@@ -13,8 +13,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn
 
 from zbot.errors import ZbotError
-from zbot.package.workspace import stay_in_workspace
-from zbot_cli.input import interruption
+from zbot.package.workspace import set_workspace_variable
+from zbot_cli.input import keyboard_interrupt
 from zbot_cli.packages.executables import is_file
 
 if TYPE_CHECKING:
@@ -27,29 +27,29 @@ _HERE = str(Path(__file__).parents[2]) + os.sep
 
 
 class EntryPointError(ZbotError):
-    """A package declares a program that it does not have."""
+    """A package declares an entry point that does not exist."""
 
     def __init__(self, executable: Executable, reason: str) -> None:
         self.executable, self.reason = executable, reason
-        self.hint = "zbot build tells where, and what may have been meant"
+        self.hint = "run `zbot build`: it names the line and similar names"
         where = f"{executable.package} {executable.name}"
         super().__init__(f"cannot run {where} ({executable.target}): {reason}")
 
 
-def become(executable: Executable, arguments: Sequence[str]) -> NoReturn:
-    """Run a program in this process, and end with it.
+def run_and_exit(executable: Executable, arguments: Sequence[str]) -> NoReturn:
+    """Run a program in this process, and exit with its exit code.
 
     Args:
-        executable: What to run.
-        arguments: Its command line, without its own name.
+        executable: The program.
+        arguments: The arguments of the program.
     """
-    import zbot.compat  # noqa: F401, PLC0415 - `import rclpy` and its like are zbot from now on
-    from zbot.process import at_exit, signals  # noqa: PLC0415 - Ctrl-C may come from now on
+    import zbot.compat  # noqa: F401, PLC0415 - makes `import rclpy` import zbot
+    from zbot.process import at_exit, signals  # noqa: PLC0415 - after the handler of Ctrl-C is set
 
-    interruption.raise_exception()
+    keyboard_interrupt.raise_on_ctrl_c()
     signals.install(signals.SignalHandlerOptions.SIGINT)
     _leave_out_own_frames()
-    stay_in_workspace(_place(executable))
+    set_workspace_variable(_folder_of(executable))
     _set_path(executable)
     try:
         _run(executable, arguments)
@@ -72,15 +72,15 @@ def _run(executable: Executable, arguments: Sequence[str]) -> NoReturn:
     sys.exit(function())
 
 
-def _place(executable: Executable) -> Path:
-    """Return a folder in the workspace that a program is from, if it is from any."""
+def _folder_of(executable: Executable) -> Path:
+    """Return the folder that contains a program, to look for its workspace from there."""
     if is_file(executable.target):
         return Path(executable.target).parent
     return Path(next(iter(executable.folders), "."))
 
 
 def _run_file(path: str) -> NoReturn:
-    from zbot_cli.commands.run.script import NothingToRunError, run_script  # noqa: PLC0415 - packages do without
+    from zbot_cli.commands.run.script import NothingToRunError, run_script  # noqa: PLC0415 - not needed for packages
 
     try:
         sys.exit(run_script(path))
@@ -94,8 +94,8 @@ def _set_path(executable: Executable) -> None:
     folders = list(executable.folders)
     if is_file(executable.target):
         folders.insert(0, str(Path(executable.target).resolve().parent))
-    # Its first entry is the folder of the `zbot` command itself, or the current one: a random.py
-    # that lies there must not become everybody's `random`.
+    # The first entry is the folder of the `zbot` command or the current folder: a random.py there
+    # must not replace Python's `random`.
     has_own_entry = not getattr(sys.flags, "safe_path", False)
     sys.path[: int(has_own_entry)] = folders
 
@@ -106,7 +106,7 @@ def _function(executable: Executable) -> Any:
         found: Any = importlib.import_module(module_name)
     except ModuleNotFoundError as error:
         if not f"{module_name}.".startswith(f"{error.name}."):
-            raise  # the program's own import
+            raise  # an import inside the program failed
         raise EntryPointError(executable, f"there is no module {error.name}") from None
     for name in (attributes or "main").split("."):
         if not hasattr(found, name):
@@ -116,7 +116,7 @@ def _function(executable: Executable) -> Any:
 
 
 def _leave_out_own_frames() -> None:
-    """Let tracebacks begin in the program, as if Python had started it."""
+    """Remove the frames of zbot from tracebacks, which then begin in the program."""
     report = sys.excepthook
 
     def shortened(

@@ -1,4 +1,4 @@
-"""A file run as Python runs it, except that one which only defines a node is started too."""
+"""Execution of a Python file, which also starts the node of a file that only defines one."""
 
 from __future__ import annotations
 
@@ -17,22 +17,22 @@ if TYPE_CHECKING:
 
 
 class NothingToRunError(ZbotError):
-    """A file defines things, and starts nothing."""
+    """A file contains only definitions, without a `main()` and without exactly one node class."""
 
     def __init__(self, path: str) -> None:
         self.path = path
-        self.hint = "give it a main() function, and call it at the end of the file"
+        self.hint = "write a main() function, and call it at the end of the file"
         super().__init__(f"{path} has nothing to run: no main(), and not exactly one node class")
 
 
 def run_script(path: str) -> Any:
     """Run a file as `__main__`.
 
-    A file that consists of definitions only, as lesson sheets print them, would end at once: its
-    `main()` is called, or its one node class is spun.
+    A file with only definitions, as in many lesson sheets, would end at once. So its `main()` is
+    called or, without one, its only node class is created and spun.
 
     Raises:
-        NothingToRunError: It has neither.
+        NothingToRunError: The file has neither.
     """
     with io.open_code(str(Path(path).resolve())) as file:
         source = file.read()
@@ -47,7 +47,7 @@ def run_script(path: str) -> Any:
 
 
 def _only_defines(source: bytes) -> bool:
-    import ast  # noqa: PLC0415 - 8 ms; a program that runs does not come back before its end
+    import ast  # noqa: PLC0415 - 8 ms; most files end the process before
 
     return all(_is_definition(statement) for statement in ast.parse(source).body)
 

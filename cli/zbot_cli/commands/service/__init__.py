@@ -1,4 +1,4 @@
-"""`zbot service`: which services there are, calling them, and listening to others' calls."""
+"""Verbs of `zbot service`: list and show services, call them, and print their calls."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from zbot.wire.tokens import EntityKind
 from zbot_cli.domain.client import full_name, snapshot
 from zbot_cli.domain.service_types import NODE_SERVICE_TYPES, UnknownServiceError, known_services
 from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
-from zbot_cli.input.qos_options import NOT_TOLD, Choice, profile_lines
+from zbot_cli.input.option_groups import noun_option, with_option_groups
+from zbot_cli.input.qos_options import DEFAULT_QOS, QosOptions, profile_lines
 from zbot_cli.output.listing import (
     NO_DAEMON,
     AsJson,
@@ -28,18 +29,16 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import NamesAndTypes, Snapshot
     from zbot.wire.tokens import EndpointToken
 
-app = new_app("Look at services, and call them")
+app = new_app("Look at services and call them")
 
 IncludeHidden = Annotated[
     bool,
     typer.Option(
-        "-a", "--include-hidden-services", help="Those that every node has, and hidden ones, too"
+        "-a", "--include-hidden-services", help="Include hidden services and those of every node"
     ),
 ]
 Count = Annotated[bool, typer.Option("-c", "--count-services", "--count", help="Print the number")]
 ServiceName = Annotated[str, typer.Argument(help="Name of the service, e.g. /add_two_ints")]
-
-_state = {"include_hidden": False}
 
 
 @app.callback()
@@ -48,30 +47,30 @@ def options(
         bool, typer.Option("--include-hidden-services", help="Consider hidden services too")
     ] = False,
 ) -> None:
-    """Look at services, and call them."""
-    _state["include_hidden"] = include_hidden_services
+    """Look at services and call them."""
 
 
 def _shown(services: NamesAndTypes, include_hidden: bool) -> NamesAndTypes:
-    everything = include_hidden or _state["include_hidden"]
-    return [entry for entry in services if everything or not is_hidden(entry[0])]
+    return [entry for entry in services if include_hidden or not is_hidden(entry[0])]
 
 
 @app.command("list")
+@with_option_groups
 def list_services(
+    ctx: typer.Context,
     show_types: ShowTypes = False,
     count: Count = False,
     include_hidden_services: IncludeHidden = False,
     as_json: AsJson = False,
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
-    """List the services that somebody serves."""
+    """List the services that have a server."""
     graph = snapshot()
-    everything = include_hidden_services or _state["include_hidden"]
+    hidden = include_hidden_services or noun_option(ctx, "include_hidden_services")
     services = [
         (name, types)
-        for name, types in _shown(graph.services(), everything)
-        if everything or not NODE_SERVICE_TYPES.issuperset(types)
+        for name, types in _shown(graph.services(), hidden)
+        if hidden or not NODE_SERVICE_TYPES.issuperset(types)
     ]
     facts = partial(_facts, graph)
     print_entries(services, facts, show_types=show_types, count=count, as_json=as_json)
@@ -87,6 +86,7 @@ def _facts(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
 
 
 @app.command("type")
+@with_option_groups
 def type_of(
     service_name: ServiceName,
     daemon: DaemonOptions = NO_DAEMON,
@@ -103,6 +103,7 @@ def _types(graph: Snapshot, name: str) -> list[str]:
 
 
 @app.command("info")
+@with_option_groups
 def info(
     service_name: ServiceName,
     verbose: Annotated[
@@ -157,7 +158,9 @@ def _endpoint_text(end: EndpointToken) -> str:
 
 
 @app.command("find")
+@with_option_groups
 def find(
+    ctx: typer.Context,
     service_type: Annotated[
         str, typer.Argument(help="Type of the service, e.g. std_srvs/srv/SetBool")
     ],
@@ -169,15 +172,13 @@ def find(
     """List the services that have a type."""
     short = service_type.count("/") == 1
     wanted = service_type.replace("/", "/srv/", 1) if short else service_type
-    found = [
-        name
-        for name, types in _shown(snapshot().services(), include_hidden_services)
-        if wanted in types
-    ]
+    hidden = include_hidden_services or noun_option(ctx, "include_hidden_services")
+    found = [name for name, types in _shown(snapshot().services(), hidden) if wanted in types]
     print_names(found, count=count, as_json=as_json)
 
 
 @app.command("call")
+@with_option_groups
 def call(
     service_name: ServiceName,
     words: Annotated[
@@ -185,7 +186,7 @@ def call(
         typer.Argument(help="Type and request; both may be left out", metavar="[TYPE] [REQUEST]"),
     ] = None,
     rate: Annotated[
-        float | None, typer.Option("-r", "--rate", metavar="N", help="Repeat this often a second")
+        float | None, typer.Option("-r", "--rate", metavar="N", help="Call N times a second")
     ] = None,
     timeout: Annotated[
         float | None,
@@ -194,11 +195,11 @@ def call(
     stdin: Annotated[
         bool, typer.Option("--stdin", help="Read the request from standard input")
     ] = False,
-    qos: Choice = NOT_TOLD,
+    qos: QosOptions = DEFAULT_QOS,
     as_json: AsJson = False,
 ) -> None:
     """Call a service."""
-    from zbot_cli.commands.service.call import ServiceCall  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.service.call import ServiceCall  # noqa: PLC0415 - not needed by `list`
 
     ServiceCall(
         full_name(service_name),
@@ -212,16 +213,17 @@ def call(
 
 
 @app.command("echo")
+@with_option_groups
 def echo(
     service_name: ServiceName,
     service_type: Annotated[
-        str | None, typer.Argument(help="Type of the service, if nobody uses it yet")
+        str | None, typer.Argument(help="Type of the service, if no node uses it yet")
     ] = None,
-    qos: Choice = NOT_TOLD,
+    qos: QosOptions = DEFAULT_QOS,
     form: FormOptions = DEFAULT_FORM,
     as_json: AsJson = False,
 ) -> None:
     """Print the calls of a service."""
-    from zbot_cli.commands.service.echo import ServiceEcho  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.service.echo import ServiceEcho  # noqa: PLC0415 - not needed by `list`
 
     ServiceEcho(full_name(service_name), service_type, form.form(as_json=as_json), qos).run()

@@ -1,4 +1,4 @@
-"""`zbot service call`: a request from the command line, once or at a rate, and its response."""
+"""`zbot service call`: sends a request once or at a rate, and prints the responses."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     from zbot.node.client import Client
     from zbot.node.node import Node
     from zbot_cli.input.message_values import Template
-    from zbot_cli.input.qos_options import Choice
+    from zbot_cli.input.qos_options import QosOptions
 
-_STEP_S = 0.5  # between two looks whether a signal came while the graph stays as it is
+_STEP_S = 0.5  # Ctrl-C is noticed after each step, because it does not end a wait for the graph
 
 
 class CallRateError(ZbotError):
@@ -38,7 +38,7 @@ class CallRateError(ZbotError):
 
 
 class NoServerError(ZbotError):
-    """No server came in time."""
+    """No server appeared in time."""
 
     def __init__(self, name: str, timeout_s: float) -> None:
         self.name, self.timeout_s = name, timeout_s
@@ -54,14 +54,14 @@ class NoResponseError(ZbotError):
 
 
 class ServiceCall:
-    """Waits for a server, and calls it once or until Ctrl-C.
+    """Client that waits for a server, and calls it once or until Ctrl-C.
 
     Args:
         name: The service's full name.
-        words: A type and values; the type may be left out if somebody serves the service.
-        choice: Quality of service options.
-        rate_hz: Calls a second; `None` for a single one.
-        timeout_s: How long to wait for the server and for each response; `None` for ever.
+        words: A type and values; the type may be left out if the service has a server.
+        qos: Quality of service options.
+        rate_hz: Calls a second; `None` for a single call.
+        timeout_s: Seconds to wait for the server and for each response; `None` for no limit.
         stdin: Read the values from standard input.
         as_json: Print one JSON document for each call.
     """
@@ -70,7 +70,7 @@ class ServiceCall:
         self,
         name: str,
         words: Sequence[str],
-        choice: Choice,
+        qos: QosOptions,
         *,
         rate_hz: float | None,
         timeout_s: float | None,
@@ -81,7 +81,7 @@ class ServiceCall:
             raise CallRateError
         self._name = name
         self._type, self._values = _split(words)
-        self._choice = choice
+        self._qos = qos
         self._rate_hz = rate_hz
         self._timeout_s = timeout_s
         self._as_json = as_json
@@ -92,9 +92,9 @@ class ServiceCall:
         """Check everything, wait for the server, and call.
 
         Raises:
-            NoServerError: No server came in time.
+            NoServerError: No server appeared in time.
             NoResponseError: The server did not answer in time.
-            ServiceError: Its callback raised, or it ended before it answered.
+            ServiceError: The server's callback raised, or the server ended before it answered.
             OtherServiceTypeError: The servers have another type.
         """
         import zbot  # noqa: F401, PLC0415 - makes the message packages importable
@@ -107,23 +107,23 @@ class ServiceCall:
             type_name = self._wait_for_server(node, deadline)
             template = template or self._template(type_name)
             client = node.create_client(
-                service_class(type_name), self._name, qos_profile=self._choice.to_publish()
+                service_class(type_name), self._name, qos_profile=self._qos.to_publish()
             )
-            if not client.wait_for_service(_left(deadline)):
+            if not client.wait_for_service(_remaining(deadline)):
                 raise self._no_server()
             self._call(node, client, template)
 
     def _template(self, type_name: str) -> Template:
-        from zbot_cli.input.message_values import Template  # noqa: PLC0415 - lists do without
+        from zbot_cli.input.message_values import Template  # noqa: PLC0415 - not needed by `list`
 
         return Template(service_class(type_name).Request, self._values)
 
     def _wait_for_server(self, node: Node, deadline: float | None) -> str:
-        """Return the type to call with, once there is a server."""
+        """Wait for a server, and return the type to call with."""
         graph = node.context.graph
         self._hint(graph.snapshot())
         while (found := served_type_of(graph.snapshot(), self._name, self._type)) is None:
-            left = _left(deadline)
+            left = _remaining(deadline)
             if left == 0:
                 raise self._no_server()
             graph.wait_for(
@@ -133,7 +133,7 @@ class ServiceCall:
         return found
 
     def _hint(self, graph: Snapshot) -> None:
-        """Say on stderr which name may have been meant if nobody serves this one."""
+        """Print the most similar name on stderr if the service has no server."""
         guess = suggestion(self._name, graph)
         if guess is not None and self._name not in dict(graph.services()):
             print(f"hint: {guess}", file=sys.stderr, flush=True)
@@ -146,14 +146,14 @@ class ServiceCall:
     def _call(self, node: Node, client: Client[Any, Any], template: Template) -> None:
         now_ns = lambda: node.get_clock().now().nanoseconds  # noqa: E731 - one expression
         pause = Pause(node.context)
-        begun, count = time.monotonic(), 0
+        started, count = time.monotonic(), 0
         while node.context.ok():
             self._call_once(client, template.make(now_ns))
             count += 1
             if self._rate_hz is None:
                 return
-            # Reckoned from the beginning, so that the mean rate is exact.
-            pause.until(begun + count / self._rate_hz)
+            # Computed from the start time, so that the mean rate is exact.
+            pause.until(started + count / self._rate_hz)
 
     def _call_once(self, client: Client[Any, Any], request: Any) -> None:
         if not self._as_json:
@@ -172,16 +172,16 @@ class ServiceCall:
 
 
 def served_type_of(graph: Snapshot, name: str, wanted: str | None) -> str | None:
-    """Return the type to call a service with; `None` while nobody serves it.
+    """Return the type to call a service with; `None` while it has no server.
 
     Args:
-        graph: Who serves what.
-        name: The service.
-        wanted: The type that was named on the command line, if any.
+        graph: The graph of the domain.
+        name: The full name of the service.
+        wanted: The type that the command line names, if any.
 
     Raises:
-        OtherServiceTypeError: Another one was named.
-        SeveralServiceTypesError: None was named, and there are several.
+        OtherServiceTypeError: The servers have another type than `wanted`.
+        SeveralServiceTypesError: The service has several types, and `wanted` is `None`.
     """
     if wanted is None:
         return served_type(graph, name)
@@ -190,12 +190,12 @@ def served_type_of(graph: Snapshot, name: str, wanted: str | None) -> str | None
 
 
 def _split(words: Sequence[str]) -> tuple[str | None, list[str]]:
-    from zbot_cli.domain.types import looks_like_type  # noqa: PLC0415 - only here
+    from zbot_cli.domain.types import looks_like_type  # noqa: PLC0415 - needed only here
 
     if words and looks_like_type(words[0]):
         return resolve_service_type(words[0]), list(words[1:])
     return None, list(words)
 
 
-def _left(deadline: float | None) -> float | None:
+def _remaining(deadline: float | None) -> float | None:
     return None if deadline is None else max(0.0, deadline - time.monotonic())

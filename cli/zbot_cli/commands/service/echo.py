@@ -1,4 +1,4 @@
-"""`zbot service echo`: the steps of a service's calls, as its servers and clients report them."""
+"""`zbot service echo`: prints the service events that servers and clients publish."""
 
 from __future__ import annotations
 
@@ -19,50 +19,50 @@ from zbot_cli.output.service_event import event_json, event_text
 
 if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
+    from zbot.node.message_info import MessageInfo
     from zbot.node.node import Node
-    from zbot.node.subscription import MessageInfo
-    from zbot_cli.input.qos_options import Choice
+    from zbot_cli.input.qos_options import QosOptions
     from zbot_cli.output.message_text import Form
 
-_STEP_S = 0.5  # a signal does not end waiting for the graph
+_STEP_S = 0.5  # Ctrl-C is noticed after each step, because it does not end a wait for the graph
 
 
 class ServiceEcho:
-    """Prints what servers and clients with introspection switched on tell of their calls.
+    """Printer of the calls of servers and clients whose introspection is on.
 
     Args:
         name: The service's full name.
-        type_word: Its type; `None` to ask the graph.
+        type_word: The service's type; `None` to take it from the graph.
         form: How to show events.
-        choice: Quality of service options.
+        qos: Quality of service options.
 
     Raises:
-        InvalidServiceTypeError: There is no such type.
+        InvalidServiceTypeError: `type_word` is not the name of a service type.
     """
 
-    def __init__(self, name: str, type_word: str | None, form: Form, choice: Choice) -> None:
+    def __init__(self, name: str, type_word: str | None, form: Form, qos: QosOptions) -> None:
         self._name = name
         self._topic = f"{name}/_service_event"
         self._type = None if type_word is None else resolve_service_type(type_word)
         self._form = form
-        self._choice = choice
+        self._qos = qos
         self._format = Formatter(form)
 
     def run(self) -> None:
-        """Listen and print until Ctrl-C."""
+        """Print events until Ctrl-C."""
         import zbot  # noqa: F401, PLC0415 - makes the message packages importable
-        from zbot.runtime import spin  # noqa: PLC0415 - lists do without
+        from zbot.runtime import spin  # noqa: PLC0415 - not needed by `list`
 
         with hidden_node("service_echo") as node:
             event_type = service_class(self._type or self._wait_for_type(node)).Event
             publishers = node.context.graph.snapshot().publishers(self._topic)
             if not publishers:
-                _note(
+                _print_note(
                     f"No publishers on topic '{self._topic}'; is service introspection on the "
                     "client or server enabled?"
                 )
             node.create_subscription(
-                event_type, self._topic, self._show, self._choice.to_subscribe(publishers)
+                event_type, self._topic, self._show, self._qos.to_subscribe(publishers)
             )
             spin(node)
 
@@ -71,7 +71,7 @@ class ServiceEcho:
         found = _known_type(graph.snapshot(), self._name)
         if found is None:
             hint = suggestion(self._name, graph.snapshot())
-            _note(f"waiting for {self._name} to appear" + (f"; {hint}" if hint else ""))
+            _print_note(f"waiting for {self._name} to appear" + (f"; {hint}" if hint else ""))
         while found is None:
             graph.wait_for(lambda snapshot: _known_type(snapshot, self._name) is not None, _STEP_S)
             found = _known_type(graph.snapshot(), self._name)
@@ -94,5 +94,5 @@ def _known_type(graph: Snapshot, name: str) -> str | None:
     return None if types is None else types[0]
 
 
-def _note(text: str) -> None:
+def _print_note(text: str) -> None:
     print(text, file=sys.stderr, flush=True)

@@ -1,4 +1,4 @@
-"""`zbot topic`: which topics there are, what is on them, and saying something oneself."""
+"""Verbs of `zbot topic`: list and show topics, print, measure and publish messages."""
 
 from __future__ import annotations
 
@@ -12,7 +12,8 @@ from zbot.names import is_hidden, nearest
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.domain.client import client, full_name, snapshot, snapshot_of
 from zbot_cli.input.form_options import DEFAULT_FORM, FormOptions
-from zbot_cli.input.qos_options import NOT_TOLD, Choice, profile_lines
+from zbot_cli.input.option_groups import noun_option, with_option_groups
+from zbot_cli.input.qos_options import DEFAULT_QOS, QosOptions, profile_lines
 from zbot_cli.output.listing import (
     NO_DAEMON,
     AsJson,
@@ -27,7 +28,7 @@ from zbot_cli.output.listing import (
 if TYPE_CHECKING:
     from zbot.graph.snapshot import NamesAndTypes, Snapshot
 
-app = new_app("Look at topics, listen and publish")
+app = new_app("Look at topics, print and publish messages")
 
 IncludeHidden = Annotated[
     bool, typer.Option("--include-hidden-topics", help="Consider hidden topics too")
@@ -38,11 +39,9 @@ ListHidden = Annotated[
 TopicName = Annotated[str, typer.Argument(help="Name of the topic, e.g. /chatter")]
 UNKNOWN_TYPE = "unknown"
 
-_state = {"include_hidden": False}
-
 
 class UnknownTopicError(ZbotError):
-    """Nobody publishes or subscribes to a topic of that name."""
+    """No topic of that name has a publisher or a subscription."""
 
     def __init__(self, name: str, known: list[str]) -> None:
         self.name = name
@@ -53,17 +52,17 @@ class UnknownTopicError(ZbotError):
 
 @app.callback()
 def options(include_hidden_topics: IncludeHidden = False) -> None:
-    """Look at topics, listen and publish."""
-    _state["include_hidden"] = include_hidden_topics
+    """Look at topics, print and publish messages."""
 
 
 def _shown(topics: NamesAndTypes, include_hidden: bool) -> NamesAndTypes:
-    everything = include_hidden or _state["include_hidden"]
-    return [entry for entry in topics if everything or not is_hidden(entry[0])]
+    return [entry for entry in topics if include_hidden or not is_hidden(entry[0])]
 
 
 @app.command("list")
+@with_option_groups
 def list_topics(
+    ctx: typer.Context,
     show_types: ShowTypes = False,
     count: Annotated[
         bool, typer.Option("-c", "--count-topics", "--count", help="Print the number")
@@ -75,23 +74,23 @@ def list_topics(
     as_json: AsJson = False,
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
-    """List the topics that somebody uses."""
+    """List the topics that have publishers or subscriptions."""
     with client() as context:
         graph = snapshot_of(context)
         foreign = _foreign(context, graph)
-    topics = _shown(
-        sorted([*graph.topics(), *((name, [UNKNOWN_TYPE]) for name in foreign)]),
-        include_hidden_topics,
-    )
+    hidden = include_hidden_topics or noun_option(ctx, "include_hidden_topics")
     if verbose and not (count or as_json):
-        _print_verbose(graph, include_hidden_topics)
+        _print_verbose(graph, hidden)
         return
+    topics = [*graph.topics(), *((name, [UNKNOWN_TYPE]) for name in foreign)]
     facts = partial(_facts, graph)
-    print_entries(topics, facts, show_types=show_types, count=count, as_json=as_json)
+    print_entries(
+        _shown(sorted(topics), hidden), facts, show_types=show_types, count=count, as_json=as_json
+    )
 
 
 def _foreign(context: object, graph: Snapshot) -> dict[str, set[EntityKind]]:
-    from zbot.graph.snapshot import foreign_topics  # noqa: PLC0415 - only lists ask for it
+    from zbot.graph.snapshot import foreign_topics  # noqa: PLC0415 - needed only for lists
 
     if context.is_closed:  # type: ignore[attr-defined]
         return {}
@@ -120,6 +119,7 @@ def _print_verbose(graph: Snapshot, include_hidden: bool) -> None:
 
 
 @app.command("info")
+@with_option_groups
 def info(
     topic_name: TopicName,
     verbose: Annotated[
@@ -177,13 +177,14 @@ def _endpoint_text(end: EndpointToken, title: str) -> str:
 
 
 @app.command("type")
+@with_option_groups
 def type_of(
     topic_name: TopicName,
     include_hidden_topics: IncludeHidden = False,
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Print a topic's type."""
-    topics = dict(_shown(snapshot().topics(), True))
+    topics = dict(snapshot().topics())
     types = topics.get(full_name(topic_name))
     if types is None:
         raise UnknownTopicError(full_name(topic_name), list(topics))
@@ -191,7 +192,9 @@ def type_of(
 
 
 @app.command("find")
+@with_option_groups
 def find(
+    ctx: typer.Context,
     topic_type: Annotated[
         str, typer.Argument(help="Type of the messages, e.g. std_msgs/msg/String")
     ],
@@ -204,23 +207,21 @@ def find(
 ) -> None:
     """List the topics that have a type."""
     wanted = topic_type if topic_type.count("/") == 2 else topic_type.replace("/", "/msg/", 1)
-    found = [
-        name
-        for name, types in _shown(snapshot().topics(), include_hidden_topics)
-        if wanted in types
-    ]
+    hidden = include_hidden_topics or noun_option(ctx, "include_hidden_topics")
+    found = [name for name, types in _shown(snapshot().topics(), hidden) if wanted in types]
     print_names(found, count=count, as_json=as_json)
 
 
 @app.command("echo")
+@with_option_groups
 def echo(
     topics: Annotated[
         list[str],
         typer.Argument(
-            help="Topics, `*` and `**` included; a type may follow", metavar="TOPIC... [TYPE]"
+            help="Topics, also with `*` and `**`; a type may follow", metavar="TOPIC... [TYPE]"
         ),
     ],
-    qos: Choice = NOT_TOLD,
+    qos: QosOptions = DEFAULT_QOS,
     form: FormOptions = DEFAULT_FORM,
     field: Annotated[
         list[str] | None, typer.Option("--field", help="Only this field, e.g. pose.position")
@@ -228,7 +229,7 @@ def echo(
     no_lost_messages: Annotated[
         bool, typer.Option("--no-lost-messages", help="Do not report losses")
     ] = False,
-    raw: Annotated[bool, typer.Option("--raw", help="Print the bytes as they come")] = False,
+    raw: Annotated[bool, typer.Option("--raw", help="Print the bytes of each message")] = False,
     filter_expression: Annotated[
         str | None,
         typer.Option("--filter", metavar="EXPR", help="Only messages `m` for which this is true"),
@@ -238,19 +239,20 @@ def echo(
         float | None, typer.Option("--timeout", help="End after this many seconds")
     ] = None,
     include_message_info: Annotated[
-        bool, typer.Option("-i", "--include-message-info", help="Show times and numbers")
+        bool,
+        typer.Option("-i", "--include-message-info", help="Show time stamps and sequence numbers"),
     ] = False,
     clear: Annotated[
         bool, typer.Option("-c", "--clear", help="Clear the screen before each message")
     ] = False,
     node_name: Annotated[
-        str | None, typer.Option("-n", "--node-name", help="Name of the listening node")
+        str | None, typer.Option("-n", "--node-name", help="Name of the subscribing node")
     ] = None,
     as_json: AsJson = False,
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
-    """Print the messages of a topic."""
-    from zbot_cli.commands.topic.echo import Echo  # noqa: PLC0415 - lists do without
+    """Print the messages of topics."""
+    from zbot_cli.commands.topic.echo import Echo  # noqa: PLC0415 - not needed by `list`
 
     shown = form.form(
         as_json=as_json,
@@ -273,31 +275,32 @@ def echo(
 
 
 @app.command("pub")
+@with_option_groups
 def pub(
     topic_name: TopicName,
     words: Annotated[
         list[str] | None,
         typer.Argument(help="Type and values; both may be left out", metavar="[TYPE] [VALUES]"),
     ] = None,
-    qos: Choice = NOT_TOLD,
+    qos: QosOptions = DEFAULT_QOS,
     rate: Annotated[float, typer.Option("-r", "--rate", help="Messages a second")] = 1.0,
     print_every: Annotated[
         int, typer.Option("-p", "--print", help="Print every N-th message; 0: none")
     ] = 1,
     once: Annotated[bool, typer.Option("-1", "--once", help="Publish one message and end")] = False,
     times: Annotated[
-        int, typer.Option("-t", "--times", help="Publish so many messages and end")
+        int, typer.Option("-t", "--times", help="Publish this many messages and end")
     ] = 0,
     wait_matching_subscriptions: Annotated[
         int | None,
         typer.Option(
             "-w",
             "--wait-matching-subscriptions",
-            help="Wait for so many subscriptions first; 1 with --once or --times",
+            help="Subscriptions to wait for first; 1 with --once or --times",
         ),
     ] = None,
     max_wait_time_secs: Annotated[
-        float | None, typer.Option("--max-wait-time-secs", help="Wait no longer than this")
+        float | None, typer.Option("--max-wait-time-secs", help="Seconds to wait for them at most")
     ] = None,
     keep_alive: Annotated[
         float, typer.Option("--keep-alive", help="Seconds to stay after the last message")
@@ -309,12 +312,12 @@ def pub(
         bool, typer.Option("--stdin", help="Read the values from standard input")
     ] = False,
     yaml_file: Annotated[
-        str | None, typer.Option("--yaml-file", help="Publish each document of a file")
+        str | None, typer.Option("--yaml-file", help="Publish each YAML document of a file")
     ] = None,
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
     """Publish messages on a topic."""
-    from zbot_cli.commands.topic.pub import Pace, Pub  # noqa: PLC0415 - lists do without
+    from zbot_cli.commands.topic.pub import Pace, Pub  # noqa: PLC0415 - not needed by `list`
 
     pace = Pace(
         rate_hz=rate,
@@ -345,6 +348,7 @@ AllTopics = Annotated[bool, typer.Option("-a", "--all", help="All topics known a
 
 
 @app.command("hz")
+@with_option_groups
 def hz(
     topics: Topics = None,
     window: Annotated[
@@ -355,15 +359,16 @@ def hz(
         typer.Option("--filter", metavar="EXPR", help="Only messages `m` for which this is true"),
     ] = None,
     wall_time: Annotated[
-        bool, typer.Option("--wall-time", help="Use the system's clock under simulated time")
+        bool, typer.Option("--wall-time", help="Use the system's clock despite simulated time")
     ] = False,
     all_topics: AllTopics = False,
-    qos: Choice = NOT_TOLD,
+    qos: QosOptions = DEFAULT_QOS,
     as_json: AsJson = False,
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
-    """Measure how often messages come."""
-    from zbot_cli.commands.topic.measurement import Rates, measure  # noqa: PLC0415 - lists do without
+    """Measure the rate of messages."""
+    from zbot_cli.commands.topic.hz import Rates  # noqa: PLC0415 - not needed by `list`
+    from zbot_cli.commands.topic.measurement import measure  # noqa: PLC0415 - not needed by `list`
 
     measure(
         Rates(window, filter_expression),
@@ -376,16 +381,18 @@ def hz(
 
 
 @app.command("bw")
+@with_option_groups
 def bw(
     topics: Topics = None,
     window: Annotated[int, typer.Option("-w", "--window", help="Messages to measure over")] = 100,
     all_topics: AllTopics = False,
-    qos: Choice = NOT_TOLD,
+    qos: QosOptions = DEFAULT_QOS,
     as_json: AsJson = False,
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
-    """Measure how many bytes come."""
-    from zbot_cli.commands.topic.measurement import Bandwidths, measure  # noqa: PLC0415 - lists do without
+    """Measure the bandwidth of topics."""
+    from zbot_cli.commands.topic.bw import Bandwidths  # noqa: PLC0415 - not needed by `list`
+    from zbot_cli.commands.topic.measurement import measure  # noqa: PLC0415 - not needed by `list`
 
     measure(
         Bandwidths(window),
@@ -398,15 +405,17 @@ def bw(
 
 
 @app.command("delay")
+@with_option_groups
 def delay(
     topic_name: TopicName,
     window: Annotated[int, typer.Option("-w", "--window", help="Messages to measure over")] = 10000,
-    qos: Choice = NOT_TOLD,
+    qos: QosOptions = DEFAULT_QOS,
     as_json: AsJson = False,
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
-    """Measure how old messages are when they come."""
-    from zbot_cli.commands.topic.measurement import Delays, measure  # noqa: PLC0415 - lists do without
+    """Measure the age of messages when they arrive."""
+    from zbot_cli.commands.topic.delay import Delays  # noqa: PLC0415 - not needed by `list`
+    from zbot_cli.commands.topic.measurement import measure  # noqa: PLC0415 - not needed by `list`
 
     measure(
         Delays(window),

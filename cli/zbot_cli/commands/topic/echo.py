@@ -1,4 +1,4 @@
-"""`zbot topic echo`: the messages of one topic or several, as text."""
+"""`zbot topic echo`: prints the messages of one topic or several."""
 
 from __future__ import annotations
 
@@ -8,44 +8,44 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING, Any
 
 from zbot.errors import ZbotError
-from zbot.executor.executor import SingleThreadedExecutor
-from zbot.node.qos_events import SubscriptionEventCallbacks
-from zbot.terminal_text import harmless
+from zbot.executor.single_threaded_executor import SingleThreadedExecutor
+from zbot.node.event_callbacks import SubscriptionEventCallbacks
+from zbot.terminal_text import escape_control_characters
 from zbot.wire.tokens import EndpointToken, EntityKind
 from zbot_cli.domain.client import full_name, hidden_node
-from zbot_cli.domain.topic_types import message_class, only_type, tell_waiting
+from zbot_cli.domain.topic_types import message_class, only_type, print_waiting
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from zbot.graph.snapshot import Token
+    from zbot.node.message_info import MessageInfo
     from zbot.node.node import Node
     from zbot.node.qos_events import QoSMessageLostInfo
-    from zbot.node.subscription import MessageInfo
     from zbot_cli.input.filter import Filter
-    from zbot_cli.input.qos_options import Choice
+    from zbot_cli.input.qos_options import QosOptions
     from zbot_cli.output.message_text import Form
 
 _CLEAR = "\033[H\033[2J"
 
 
 class NothingReceivedError(ZbotError):
-    """No message came before the time was over."""
+    """No message arrived within the time limit."""
 
     def __init__(self, topics: Sequence[str], timeout_s: float) -> None:
         super().__init__(f"no message on {', '.join(topics)} within {timeout_s:g} s")
 
 
 class Echo:
-    """Prints what comes until Ctrl-C, the first message, or a time limit.
+    """Printer of messages until Ctrl-C, the first message, or a time limit.
 
     Args:
-        words: Topics, possibly with wildcards, and a type behind the last one.
+        words: Topics, possibly with wildcards, and optionally a type after the last topic.
         form: How to show messages.
-        choice: Quality of service options.
-        once: End after the first message that is shown.
-        timeout_s: End after so many seconds; having seen nothing is an error.
-        node_name: A visible name for the listening node.
+        qos: Quality of service options.
+        once: End after the first message that is printed.
+        timeout_s: End after this many seconds; it is an error if no message was printed by then.
+        node_name: A visible name for the subscribing node.
         use_sim_time: Whether the node follows `/clock`.
     """
 
@@ -53,7 +53,7 @@ class Echo:
         self,
         words: Sequence[str],
         form: Form,
-        choice: Choice,
+        qos: QosOptions,
         *,
         once: bool,
         timeout_s: float | None,
@@ -61,7 +61,7 @@ class Echo:
         use_sim_time: bool,
     ) -> None:
         self._names, self._type = _split(list(words))
-        self._choice = choice
+        self._qos = qos
         self._once = once
         self._timeout_s = timeout_s
         self._node_name = node_name
@@ -76,7 +76,7 @@ class Echo:
         return len(self._names) > 1 or any(map(_is_pattern, self._names))
 
     def run(self) -> None:
-        """Listen and print.
+        """Print messages until the end.
 
         Raises:
             NothingReceivedError: The time limit passed without a message.
@@ -88,13 +88,13 @@ class Echo:
         with hidden_node("echo", self._node_name, use_sim_time=self._use_sim_time) as node:
             executor = SingleThreadedExecutor(context=node.context)
             executor.add_node(node)
-            self._begin(node)
+            self._start(node)
             deadline = None if self._timeout_s is None else time.monotonic() + self._timeout_s
             self._spin(executor, deadline)
         if self._timeout_s is not None and not self._shown:
             raise NothingReceivedError(self._names, self._timeout_s)
 
-    def _begin(self, node: Node) -> None:
+    def _start(self, node: Node) -> None:
         graph = node.context.graph
         snapshot = graph.snapshot()
         for name in self._names:
@@ -102,13 +102,13 @@ class Echo:
             if type_name is not None:
                 self._subscribe(node, name, type_name)
             elif not _is_pattern(name):
-                tell_waiting(snapshot, name)
+                print_waiting(snapshot, name)
         if self._subscribed != set(self._names):
             self._node = node
             graph.add_listener(self._on_change)
 
     def _on_change(self, token: Token, appeared: bool) -> None:
-        # Zenoh's thread: subscribing there could wait for itself.
+        # Called in Zenoh's thread, in which creating a subscription could deadlock.
         if (
             not appeared
             or not isinstance(token, EndpointToken)
@@ -129,7 +129,7 @@ class Echo:
         if self._filter is not None:
             self._filter.check(message_type, self._format.subject)
         self._subscribed.add(name)
-        qos = self._choice.to_subscribe(node.context.graph.snapshot().publishers(name))
+        qos = self._qos.to_subscribe(node.context.graph.snapshot().publishers(name))
         callbacks = SubscriptionEventCallbacks(message_lost=self._on_lost)
         node.create_subscription(
             message_type,
@@ -151,8 +151,8 @@ class Echo:
         if self._done or not self._is_wanted(message):
             return
         text = self._format.text(name, message, info)
-        if sys.stdout.isatty():  # a text field may hold what clears screens or retitles windows
-            text = harmless(text)
+        if sys.stdout.isatty():  # a text field may contain control sequences of terminals
+            text = escape_control_characters(text)
         if self._form.clear:
             text = _CLEAR + text
         sys.stdout.write(text)
@@ -182,7 +182,7 @@ def _filter(form: Form) -> Filter | None:
 
 
 def _split(words: list[str]) -> tuple[list[str], str | None]:
-    """Tell the type from the topics: it comes last, without a leading slash."""
+    """Return the topics and the type; the type is the last word and has no leading slash."""
     if len(words) > 1 and not words[-1].startswith("/") and "*" not in words[-1]:
         from zbot_cli.domain.types import resolve_message_type  # noqa: PLC0415 - only with a type
 

@@ -1,4 +1,4 @@
-"""`zbot topic pub`: messages from the command line, at the rate that was asked for."""
+"""`zbot topic pub`: publishes messages from the command line or a file, at a rate."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from zbot.node.node import Node
     from zbot.node.publisher import Publisher
     from zbot_cli.input.message_values import Template
-    from zbot_cli.input.qos_options import Choice
+    from zbot_cli.input.qos_options import QosOptions
 
 
 class RateError(ZbotError):
@@ -29,7 +29,7 @@ class RateError(ZbotError):
 
 
 class WaitOptionError(ZbotError):
-    """A limit for waiting is given where nothing is waited for."""
+    """A time limit for waiting is given, but the command does not wait."""
 
     def __init__(self) -> None:
         super().__init__(
@@ -39,7 +39,7 @@ class WaitOptionError(ZbotError):
 
 
 class NoSubscriberError(ZbotError):
-    """Not enough subscriptions came in time."""
+    """Not enough subscriptions appeared in time."""
 
     def __init__(self, expected: int, found: int) -> None:
         self.expected, self.found = expected, found
@@ -50,15 +50,15 @@ class NoSubscriberError(ZbotError):
 
 
 class UntypedTopicError(ZbotError):
-    """No type was given, and nobody uses the topic yet."""
+    """The command line names no type, and no node uses the topic yet."""
 
     def __init__(self, name: str) -> None:
         self.hint = f'name the type: zbot topic pub {name} std_msgs/msg/String "data: hello"'
-        super().__init__(f"Could not determine the type of {name}: nobody uses it yet")
+        super().__init__(f"Could not determine the type of {name}: no node uses it yet")
 
 
 class ValuesFileError(ZbotError):
-    """A file of values cannot be read."""
+    """A file of values cannot be read, or contains no message."""
 
     def __init__(self, path: str, reason: str) -> None:
         super().__init__(f"cannot read {path}: {reason}")
@@ -66,7 +66,7 @@ class ValuesFileError(ZbotError):
 
 @dataclass(frozen=True)
 class Pace:
-    """How often, and when to begin and end."""
+    """Rate of publishing, and conditions to start and end it."""
 
     rate_hz: float = 1.0
     print_every: int = 1
@@ -77,15 +77,15 @@ class Pace:
 
     @property
     def subscriptions(self) -> int:
-        """How many subscriptions to wait for."""
+        """Number of subscriptions to wait for."""
         return (1 if self.times else 0) if self.wait_for is None else self.wait_for
 
     def check(self) -> None:
-        """Refuse what makes no sense.
+        """Check that the values fit together.
 
         Raises:
             RateError: The rate is not above 0.
-            WaitOptionError: A limit without waiting.
+            WaitOptionError: `max_wait_s` is given, but there is nothing to wait for.
         """
         if not self.rate_hz > 0:
             raise RateError
@@ -94,13 +94,13 @@ class Pace:
 
 
 class Pub:
-    """Publishes until Ctrl-C, a number of messages, or the end of a file.
+    """Publisher of messages until Ctrl-C, a number of messages, or the end of a file.
 
     Args:
         topic: The topic's name.
-        words: A type and values; the type may be left out if somebody uses the topic.
-        pace: How often.
-        choice: Quality of service options.
+        words: A type and values; the type may be left out if a node uses the topic.
+        pace: Rate of publishing, and conditions to start and end it.
+        qos: Quality of service options.
         node_name: A visible name for the publishing node.
         stdin: Read the values from standard input.
         yaml_file: Publish each document of a file.
@@ -112,7 +112,7 @@ class Pub:
         topic: str,
         words: Sequence[str],
         pace: Pace,
-        choice: Choice,
+        qos: QosOptions,
         *,
         node_name: str | None,
         stdin: bool,
@@ -122,7 +122,7 @@ class Pub:
         self._topic = full_name(topic)
         self._words = list(words)
         self._pace = pace
-        self._choice = choice
+        self._qos = qos
         self._node_name = node_name
         self._stdin = stdin
         self._yaml_file = yaml_file
@@ -138,7 +138,7 @@ class Pub:
         message_type = message_class(type_name)
         templates = self._templates(message_type, values)
         with hidden_node("pub", self._node_name, use_sim_time=self._use_sim_time) as node:
-            publisher = node.create_publisher(message_type, self._topic, self._choice.to_publish())
+            publisher = node.create_publisher(message_type, self._topic, self._qos.to_publish())
             self._wait(node, publisher)
             self._publish(node, publisher, templates)
 
@@ -190,7 +190,7 @@ class Pub:
         messages = [template.make(now_ns) for template in templates]
         limit = len(templates) if self._yaml_file is not None else self._pace.times
         print("publisher: beginning loop", flush=True)
-        begun, sent = time.monotonic(), 0
+        started, sent = time.monotonic(), 0
         pause = Pause(node.context)
         while node.context.ok():
             index = sent % len(templates)
@@ -203,15 +203,15 @@ class Pub:
             if limit and sent >= limit:
                 pause.until(time.monotonic() + self._pace.keep_alive_s)
                 return
-            # Reckoned from the beginning, so that the mean rate is exact.
-            pause.until(begun + sent / self._pace.rate_hz)
+            # Computed from the start time, so that the mean rate is exact.
+            pause.until(started + sent / self._pace.rate_hz)
 
 
 def read_values(path: str) -> str:
     """Return the text of a file of values.
 
     Raises:
-        ValuesFileError: It cannot be read.
+        ValuesFileError: The file cannot be read.
     """
     try:
         return Path(path).read_text(encoding="utf-8")

@@ -1,1 +1,1 @@
-"""What would fail in a package: each module looks at one kind of file."""
+"""Checks of a package for errors that would show when it runs, by kind of file."""

@@ -1,4 +1,4 @@
-"""Packages that the sources import, and package.xml does not name."""
+"""Check for packages that the sources import and package.xml does not declare."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ if TYPE_CHECKING:
 
     from zbot_cli.packages.check.subject import Subject
 
-#: What launch files import comes with the `ros2 launch` that runs them.
+#: Packages that launch files import: `ros2 launch` brings them, so they need no declaration.
 _OF_LAUNCH = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")
 
 
 def check_dependencies(subject: Subject, known: Container[str]) -> Iterator[Problem]:
-    """Yield a warning for each package that is imported, and not declared.
+    """Yield a warning for each package that is imported but not declared.
 
     Args:
-        subject: What to check.
-        known: The packages of ROS 2 and of the workspace: others are none of package.xml's.
+        subject: The package to check.
+        known: The packages of ROS 2 and of the workspace; only these have to be declared.
     """
     if subject.manifest is None:
         return

@@ -1,4 +1,4 @@
-"""Programs that setup files declare: is there such a module, and such a function in it."""
+"""Check of the entry points in setup files: their modules and functions must exist."""
 
 from __future__ import annotations
 
@@ -19,28 +19,28 @@ if TYPE_CHECKING:
 
 
 def check_entry_points(subject: Subject) -> Iterator[Problem]:
-    """Yield what is wrong with the programs that a package declares; nothing is imported."""
+    """Yield the problems of a package's entry points; nothing is imported."""
     try:
         declared = script_lines(subject.folder)
     except SetupFileError as error:
         yield Problem(error.path, error.line, error.reason)
         return
     for path, text in declared:
-        reason = _fault(subject, text)
+        reason = _problem_text(subject, text)
         if reason:
             yield Problem(path, line_of(path, *text.split("=")), reason)
 
 
-def _fault(subject: Subject, text: str) -> str:
+def _problem_text(subject: Subject, text: str) -> str:
     name, equals, target = (part.strip() for part in text.partition("="))
     module, colon, function = (part.strip() for part in target.partition("[")[0].partition(":"))
     if not (name and equals and module and colon and function):
         return f"'{text.strip()}' must have the form 'name = package.module:function'"
     path = module_file(module, tuple(import_paths(subject.folder)))
     if path is None:
-        return f"'{name}' names the module {module}, which is not there{_hint(subject, module)}"
+        return f"'{name}' names the module {module}, which does not exist{_hint(subject, module)}"
     if path not in subject.modules:
-        return ""  # it cannot be parsed, which is told elsewhere, or belongs to another package
+        return ""  # a module of another package, or one with a syntax error, reported elsewhere
     names = set(_names(subject.modules[path].body))
     first = function.partition(".")[0]
     if "*" in names or first in names:
@@ -63,7 +63,7 @@ def _hint(subject: Subject, module: str) -> str:
 
 
 def _names(statements: Iterable[ast.stmt]) -> Iterator[str]:
-    """Yield the names that a module has once it was imported, whichever way conditions go."""
+    """Yield the names that a module may define at import, in any branch of its conditions."""
     for statement in statements:
         match statement:
             case (

@@ -1,4 +1,4 @@
-"""What setup.py and CMakeLists.txt install: is it there, and is nothing left out."""
+"""Check of the files that setup.py and CMakeLists.txt install: none is missing or left out."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from zbot.package.cmake_file import read_cmake
-from zbot.package.places import Origin, Package
+from zbot.package.finder import Origin, Package
 from zbot.package.setup_file import SetupFileError, setup_arguments
-from zbot.package.view import files_below, installed_files
+from zbot.package.symlink_install import files_below, installed_files
 from zbot.package.workspace import MANIFEST
 from zbot_cli.packages.check.problem import Problem
 from zbot_cli.packages.check.subject import line_of
@@ -26,7 +26,7 @@ _BUILD_FILES = {
 
 
 def check_installation(subject: Subject) -> Iterator[Problem]:
-    """Yield what the build would not find, or leave out."""
+    """Yield the files that a build would not find, and those that it would not install."""
     file = _BUILD_FILES.get(subject.build_type)
     if file and not (subject.folder / file).is_file():
         text = f"the build type is {subject.build_type}, but there is no {file}"
@@ -42,7 +42,7 @@ def check_installation(subject: Subject) -> Iterator[Problem]:
         yield Problem(error.path, error.line, error.reason)
     installation = read_cmake(subject.folder)
     for name, line in installation.missing.items():
-        yield Problem(cmake, line, f"install() names {name}, which is not there")
+        yield Problem(cmake, line, f"install() names {name}, which does not exist")
     for name, line in installation.compiled.items():
         text = f"{name} is not compiled: C++ needs ROS 2, zbot runs Python programs"
         yield Problem(cmake, line, text, is_error=False)
@@ -72,7 +72,7 @@ def _missing(subject: Subject, arguments: dict[str, object]) -> Iterator[tuple[s
         files = entry[1] if isinstance(entry, tuple) and len(entry) == 2 else None
         for name in files if isinstance(files, (list, tuple)) else ():
             if isinstance(name, str) and not (subject.folder / name).is_file():
-                yield f"data_files names {name}, which is not there", name
+                yield f"data_files names {name}, which does not exist", name
 
 
 def _check_left_out(subject: Subject) -> Iterator[Problem]:

@@ -1,4 +1,4 @@
-"""The message, service and action definitions of a package."""
+"""Check of the message, service and action definitions of a package."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _GROUP = "rosidl_interface_packages"
 
 
 def check_interfaces(subject: Subject) -> Iterator[Problem]:
-    """Yield what is wrong with a package's definitions, and with what is said about them."""
+    """Yield the problems of a package's definitions, also in CMakeLists.txt and package.xml."""
     files = [path for kind in KINDS for path in sorted((subject.folder / kind).glob(f"*.{kind}"))]
     own = {_name(subject, path) for path in files}
     for path in files:
@@ -77,7 +77,7 @@ def _check_type(subject: Subject, path: Path, field: Field, own: set[str]) -> It
         yield Problem(path, field.line, f"there is no type {field.type.base}{hint}")
     elif package != subject.name and subject.manifest and package not in subject.manifest.named():
         text = f"{field.type.base} is used: add <depend>{package}</depend> to {MANIFEST}"
-        # colcon does not read it for this, so a workspace without it builds under ROS 2 as well.
+        # A warning only: colcon builds a workspace without this declaration too.
         yield Problem(path, field.line, text, is_error=False)
 
 
@@ -87,7 +87,7 @@ def _check_cmake(subject: Subject, files: list[Path]) -> Iterator[Problem]:
     for name, line in named.items():
         if not (subject.folder / name).is_file():
             yield Problem(
-                path, line, f"rosidl_generate_interfaces names {name}, which is not there"
+                path, line, f"rosidl_generate_interfaces names {name}, which does not exist"
             )
     for file in files:
         name = file.relative_to(subject.folder).as_posix()

@@ -1,4 +1,4 @@
-"""Everything that is looked at in one package."""
+"""All checks of one package."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
 
 
 def check_package(folder: Path, known: Container[str]) -> list[Problem]:
-    """Return what is wrong with a package, errors first.
+    """Return the problems of a package, errors first.
 
     Args:
-        folder: Where it is.
-        known: The names of packages that it would have to declare.
+        folder: The folder of the package.
+        known: Names of the packages that must be declared if they are imported.
     """
     problems: list[Problem] = []
     manifest = None

@@ -1,4 +1,4 @@
-"""One thing that is wrong with a package."""
+"""Problem that a check found in a package."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from pathlib import Path
 
 @dataclass(frozen=True, order=True)
 class Problem:
-    """What is wrong, and where."""
+    """Problem in a file of a package."""
 
     path: Path
-    line: int  #: counted from 1; 0 if it is the whole file
+    line: int  #: counted from 1; 0 for the whole file
     text: str
-    is_error: bool = True  #: False: it works here, whether or not it would in ROS 2
+    is_error: bool = True  #: False: it works in zbot, but may fail in ROS 2
 
     def __str__(self) -> str:
         try:
             shown = self.path.relative_to(Path.cwd())
-        except (ValueError, FileNotFoundError):  # elsewhere, or there is no current folder
+        except (ValueError, FileNotFoundError):  # outside of the current folder, or that is deleted
             shown = self.path
         where = f"{shown}:{self.line}" if self.line else str(shown)
         return f"{where}: {'' if self.is_error else 'warning: '}{self.text}"

@@ -1,4 +1,4 @@
-"""A service that adds two numbers, and a client that has it add 2 and 3.
+"""A service that adds two numbers, and a client that calls it with 2 and 3.
 
 Run: zbot launch demo_nodes_cpp add_two_ints_launch.py
 """

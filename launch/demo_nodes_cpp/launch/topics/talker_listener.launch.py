@@ -1,4 +1,4 @@
-"""A talker and a listener, where the tutorials of ROS 2 include them from until Humble.
+"""A talker and a listener, at the path that the tutorials of ROS 2 up to Humble include.
 
 Run: zbot launch demo_nodes_cpp talker_listener.launch.py
 """

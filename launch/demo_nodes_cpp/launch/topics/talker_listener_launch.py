@@ -1,4 +1,4 @@
-"""A talker and a listener, where the tutorials of ROS 2 include them from.
+"""A talker and a listener, at the path that the tutorials of ROS 2 include.
 
 Run: zbot launch demo_nodes_cpp talker_listener_launch.py
 """

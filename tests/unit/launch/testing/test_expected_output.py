@@ -20,8 +20,8 @@ RATE = re.compile(r"rate: \d")
 @pytest.mark.parametrize(
     ("expected", "somewhere", "from_the_beginning"),
     [
-        (["ready", RATE], True, True),  # more may follow: the program still runs
-        (["ready", "2.00"], True, False),  # a gap; a text may stand anywhere in its line
+        (["ready", RATE], True, True),  # more output may follow: the program still runs
+        (["ready", "2.00"], True, False),  # a gap; a text may be anywhere in its line
         ([RATE, RATE], True, False),
         ([RATE, RATE, RATE], False, False),
         (["rate", "ready"], False, False),
@@ -55,7 +55,7 @@ def test_texts_come_in_order(expected: Any, *, somewhere: bool, from_the_beginni
     assert expect_output(OUTPUT, expected_text=expected, strict=True) is from_the_beginning
 
 
-def test_the_output_comes_as_a_text_or_in_lines() -> None:
+def test_the_output_may_be_a_text_or_lines() -> None:
     is_there = partial(expect_output, expected_lines=["ready"], strict=True)
     assert is_there(OUTPUT)
     assert is_there(lines=["ready"])
@@ -79,12 +79,12 @@ def test_one_output_is_compared_with_one_expectation(arguments: dict[str, Any]) 
 
 
 @pytest.mark.parametrize("expected", [5, [], ["x", None]])
-def test_what_is_no_expectation_of_lines_is_refused(expected: Any) -> None:
+def test_an_invalid_expectation_is_refused(expected: Any) -> None:
     with pytest.raises(ArgumentTypeError):
         expect_output("x", expected_lines=expected)
 
 
-def test_what_is_expected_is_read_from_files(tmp_path: Path) -> None:
+def test_expectations_are_read_from_files(tmp_path: Path) -> None:
     (tmp_path / "lines.txt").write_text("ready\nrate\n")
     (tmp_path / "patterns.regex").write_text("r.*y\n")
     assert expected_output_from_file(str(tmp_path / "lines")) == ["ready", "rate"]

@@ -42,7 +42,7 @@ def test_a_case_can_come_after_the_launch() -> None:
     assert Case.__post_shutdown_test__ is True  # type: ignore[attr-defined]
 
 
-def test_a_test_is_tried_again_as_often_as_it_may_be() -> None:
+def test_a_failed_test_is_repeated_up_to_its_limit() -> None:
     tries: list[int] = []
 
     @retry_on_failure(times=3)

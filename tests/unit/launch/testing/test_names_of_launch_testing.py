@@ -1,4 +1,4 @@
-"""What launch_testing's own tests look at."""
+"""Tests of names that launch_testing's own tests use."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
         (["five"], "three\nfour\nfive"),
     ],
 )
-def test_a_text_that_is_missing_is_told_with_the_lines_come_to(found: list[str], near: str) -> None:
+def test_a_missing_text_is_reported_with_the_nearby_lines(found: list[str], near: str) -> None:
     checker = SequentialTextChecker(["one\ntwo\n", "three\nfour\n", "five\n"])
     for text in found:
         checker.assertInStdout(text)
@@ -43,15 +43,17 @@ def test_a_text_that_is_missing_is_told_with_the_lines_come_to(found: list[str],
 
 
 @pytest.mark.parametrize(
-    ("words", "told"),
+    ("words", "expected"),
     [(["python", "-c", ""], "python -c"), ([LocalSubstitution("x"), "y"], "Unknown")],
 )
-def test_a_process_that_never_started_is_told_by_its_command(words: list[str], told: str) -> None:
-    with pytest.raises(NoMatchingProcessError, match=f"Did not find any process matching {told}"):
+def test_a_process_that_never_started_is_named(words: list[str], expected: str) -> None:
+    with pytest.raises(
+        NoMatchingProcessError, match=f"Did not find any process matching {expected}"
+    ):
         resolve_processes(ExitRecord(), process=ExecuteProcess(cmd=words))
 
 
-def test_a_listener_describes_itself_and_what_it_leads_to() -> None:
+def test_a_listener_describes_itself_and_its_actions() -> None:
     action = Action()
     text, actions = StdoutReadyListener(ready_txt="ready", actions=[action]).describe()
     assert "ready" in text

@@ -35,12 +35,12 @@ def test_texts_lines_and_patterns_are_found(expected: Any, *, found: bool) -> No
 
 
 @pytest.mark.parametrize("expected", [5, None, [], ["a", 5]])
-def test_what_is_no_expectation_is_refused(expected: Any) -> None:
+def test_an_invalid_expectation_is_refused(expected: Any) -> None:
     with pytest.raises(ArgumentTypeError):
         has_expected(expected, TEXT)
 
 
-def test_escapes_of_terminals_are_left_out() -> None:
+def test_escape_sequences_are_left_out() -> None:
     assert without_escapes("\x1b[33m[WARN]\x1b[0m x\x1b]0;title\x07y") == "[WARN] xy"
 
 

@@ -77,7 +77,7 @@ def test_processes_are_found_by_action_name_and_arguments(
     ]
 
 
-def test_what_is_unclear_or_unknown_is_refused(output: OutputRecord) -> None:
+def test_ambiguous_and_unknown_processes_are_refused(output: OutputRecord) -> None:
     with pytest.raises(SeveralProcessesError, match="talker-1, talker-2"):
         resolve_processes(output, process="talker")
     with pytest.raises(NoMatchingProcessError, match="Known are: talker-1, talker-2"):
@@ -89,7 +89,7 @@ def test_what_is_unclear_or_unknown_is_refused(output: OutputRecord) -> None:
         resolve_processes(output, process=wrong)
 
 
-def test_assertions_know_both_streams(
+def test_assertions_search_both_streams(
     output: OutputRecord, talker: ExecuteProcess, other: ExecuteProcess
 ) -> None:
     assertInStdout(output, "Hello 2", talker)
@@ -103,13 +103,11 @@ def test_assertions_know_both_streams(
         assertInStderr(output, "Hello", talker)
 
 
-def test_texts_can_be_asked_for_in_their_order(
-    output: OutputRecord, talker: ExecuteProcess
-) -> None:
+def test_texts_can_be_expected_in_order(output: OutputRecord, talker: ExecuteProcess) -> None:
     with assertSequentialStdout(output, talker) as checker:
         checker.assertInStdout("Hello 1")
         checker.assertInStdout("Hello 2")
-        with pytest.raises(AssertionError, match="does not come behind"):
+        with pytest.raises(AssertionError, match="does not come after"):
             checker.assertInStdout("Hello 1")
 
 
@@ -129,13 +127,11 @@ def test_exit_codes_are_compared(
         assertExitCodes(exits, wrong)
 
 
-def test_output_that_comes_later_is_waited_for(
-    output: OutputRecord, talker: ExecuteProcess
-) -> None:
+def test_later_output_is_waited_for(output: OutputRecord, talker: ExecuteProcess) -> None:
     late = event(ProcessStdout, talker, text=b"late\n")
     threading.Timer(0.02, output.append, [late]).start()
     output.assertWaitFor("late", process=talker, timeout=5)
-    with pytest.raises(AssertionError, match="waited in vain"):
+    with pytest.raises(AssertionError, match="did not come in time"):
         output.assertWaitFor(msg="never", process=talker, timeout=0.01)
     with pytest.raises(NoMatchingProcessError):
         output.waitFor("x", process="listener", timeout=0.01)

@@ -1,4 +1,4 @@
-"""`LaunchTestRunner`: the launches of a test file, one after the other."""
+"""Tests of `LaunchTestRunner`, which runs the launches of a test file in order."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def test_each_run_has_one_result() -> None:
     assert [one.testsRun for one in results.values()] == [2, 2, 2]
 
 
-def test_no_launch_follows_one_that_ended_early(capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_launch_that_ended_early_is_the_last(capsys: pytest.CaptureFixture[str]) -> None:
     describe = parametrize("number", [1, 2])(
         lambda number: LaunchDescription([Shutdown(reason=f"{number}")])
     )
@@ -72,7 +72,7 @@ def test_no_launch_follows_one_that_ended_early(capsys: pytest.CaptureFixture[st
     assert "the launch ended before its tests could begin" in capsys.readouterr().err
 
 
-def test_a_description_that_is_skipped_skips_its_tests() -> None:
+def test_a_skipped_description_skips_its_tests() -> None:
     describe = unittest.skip("no robot here")(ready)
     (result,) = LaunchTestRunner(runs_of(describe, A=TestBeside, B=TestAfter)).run().values()
     assert result.wasSuccessful()

@@ -11,7 +11,7 @@ from zbot.errors import ZbotError as RCLError
 from zbot.errors import ZbotError as RMWError
 from zbot.executor.clock import ClockChange as ClockChange
 from zbot.executor.errors import TimerCancelledError as TimerCancelledError
-from zbot.executor.executor import SingleThreadedExecutor as EventsExecutor
+from zbot.executor.single_threaded_executor import SingleThreadedExecutor as EventsExecutor
 from zbot.executor.wait_set import WaitSet as WaitSet
 from zbot.lifecycle import TransitionCallbackReturn as TransitionCallbackReturnType
 from zbot.log import get_logger_effective_level as rclpy_logging_get_logger_effective_level
@@ -21,7 +21,7 @@ from zbot.log import set_logger_level as rclpy_logging_set_logger_level
 from zbot.names import expand_topic_name as rclpy_expand_topic_name
 from zbot.node.errors import UnknownNodeError as NodeNameNonExistentError
 from zbot.node.errors import UnsupportedEventTypeError as UnsupportedEventTypeError
-from zbot.node.qos_events import EventHandle as EventHandle
+from zbot.node.event_handlers import EventHandle as EventHandle
 from zbot.node.qos_events import QoSPublisherEventType as rcl_publisher_event_type_t  # noqa: N813 - rclpy
 from zbot.node.qos_events import QoSSubscriptionEventType as rcl_subscription_event_type_t  # noqa: N813
 from zbot.parameters.errors import ArgumentsError as RCLInvalidROSArgsError

@@ -6,10 +6,11 @@ from zbot.executor.waitable import NumberOfEntities as NumberOfEntities
 from zbot.executor.waitable import Waitable as Waitable
 from zbot.log import get_logger as get_logger
 from zbot.node.errors import UnsupportedEventTypeError as UnsupportedEventTypeError
-from zbot.node.qos_events import EventHandler as EventHandler
-from zbot.node.qos_events import EventHandler as QoSEventHandler
+from zbot.node.event_callbacks import PublisherEventCallbacks as PublisherEventCallbacks
+from zbot.node.event_callbacks import SubscriptionEventCallbacks as SubscriptionEventCallbacks
+from zbot.node.event_handlers import EventHandler as EventHandler
+from zbot.node.event_handlers import EventHandler as QoSEventHandler
 from zbot.node.qos_events import IncompatibleTypeInfo as IncompatibleTypeInfo
-from zbot.node.qos_events import PublisherEventCallbacks as PublisherEventCallbacks
 from zbot.node.qos_events import QoSLivelinessChangedInfo as QoSLivelinessChangedInfo
 from zbot.node.qos_events import QoSLivelinessLostInfo as QoSLivelinessLostInfo
 from zbot.node.qos_events import QoSMatchedInfo as QoSPublisherMatchedInfo
@@ -21,5 +22,4 @@ from zbot.node.qos_events import QoSRequestedDeadlineMissedInfo as QoSRequestedD
 from zbot.node.qos_events import QoSRequestedIncompatibleQoSInfo as QoSOfferedIncompatibleQoSInfo
 from zbot.node.qos_events import QoSRequestedIncompatibleQoSInfo as QoSRequestedIncompatibleQoSInfo
 from zbot.node.qos_events import QoSSubscriptionEventType as QoSSubscriptionEventType
-from zbot.node.qos_events import SubscriptionEventCallbacks as SubscriptionEventCallbacks
 from zbot.qos import qos_policy_name_from_kind as qos_policy_name_from_kind

@@ -3,10 +3,10 @@
 from zbot.executor.callback_group import CallbackGroup as CallbackGroup
 from zbot.executor.task import Future as Future
 from zbot.node.client import Client as Client
+from zbot.node.event_callbacks import SubscriptionEventCallbacks as SubscriptionEventCallbacks
+from zbot.node.message_info import MessageInfo as MessageInfo
 from zbot.node.node import Node as Node
 from zbot.node.parameter_client import AsyncParameterClient as AsyncParameterClient
-from zbot.node.qos_events import SubscriptionEventCallbacks as SubscriptionEventCallbacks
-from zbot.node.subscription import MessageInfo as MessageInfo
 from zbot.node.subscription import Subscription as Subscription
 from zbot.parameters.parameter import Parameter as Parameter
 from zbot.parameters.parameter import parameter_dict_from_yaml_file as parameter_dict_from_yaml_file

@@ -1,3 +1,3 @@
 """Which messages a subscription wants."""
 
-from zbot.node.subscription import ContentFilterOptions as ContentFilterOptions
+from zbot.node.content_filter_options import ContentFilterOptions as ContentFilterOptions

@@ -1,0 +1,80 @@
+"""Delays that `zbot topic delay` prints: seconds from a message's stamp to its arrival."""
+
+from __future__ import annotations
+
+from collections import deque
+from typing import TYPE_CHECKING, Any
+
+from zbot.errors import ZbotError
+from zbot_cli.commands.topic.measurement import statistics
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot_cli.commands.topic.measurement import Meter
+
+
+class MissingHeaderError(ZbotError):
+    """The messages of a topic have no header, so they have no stamp to compare with."""
+
+    def __init__(self) -> None:
+        super().__init__("msg does not have header")
+
+
+class _DelayMeter:
+    def __init__(self, window: int, now_ns: Callable[[], int]) -> None:
+        self._delays: deque[float] = deque(maxlen=max(window, 1))
+        self._now_ns = now_ns
+        self._started = self._changed = False
+
+    def add(self, message: Any) -> None:
+        header = getattr(message, "header", None)
+        if header is None:
+            raise MissingHeaderError
+        age_ns = self._now_ns() - (header.stamp.sec * 10**9 + header.stamp.nanosec)
+        if self._started:  # ROS 2 does not count the first message either
+            self._delays.append(age_ns / 1e9)
+            self._changed = True
+        self._started = True
+
+    def figures(self) -> dict[str, float] | None:
+        if not self._changed:
+            return None
+        self._changed = False
+        mean, low, high, deviation = statistics(self._delays)
+        return {
+            "delay": mean,
+            "min": low,
+            "max": high,
+            "std_dev": deviation,
+            "window": len(self._delays),
+        }
+
+
+class Delays:
+    """Measurement of the age of messages when they arrive."""
+
+    prints_subscription = False
+    decodes = compares_stamps = True
+    columns: tuple[str, ...] = ("topic", "delay", "min", "max", "std_dev", "window")
+
+    def __init__(self, window: int) -> None:
+        self._window = window
+
+    def meter(self, now_ns: Callable[[], int]) -> Meter:
+        """Return a meter for one topic."""
+        return _DelayMeter(self._window, now_ns)
+
+    def text(self, figures: dict[str, float]) -> str:
+        """Return the two lines that `ros2 topic` prints."""
+        return (
+            f"average delay: {figures['delay']:.3f}\n"
+            f"\tmin: {figures['min']:.3f}s max: {figures['max']:.3f}s "
+            f"std dev: {figures['std_dev']:.5f}s window: {figures['window']}"
+        )
+
+    def cells(self, figures: dict[str, float]) -> list[str]:
+        """Return a row of the table, without the name of the topic."""
+        return [f"{figures[key]:.5f}" for key in ("delay", "min", "max", "std_dev")] + [
+            f"{figures['window']}"
+        ]

@@ -1,0 +1,114 @@
+"""Queue of the entities that an executor runs, with their timers and their callback groups."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections import deque
+from typing import TYPE_CHECKING, Any
+
+from zbot.executor.callback_group import GroupReservations
+from zbot.executor.timer_queue import TimerQueue
+from zbot.transport.wakeup import BinarySemaphore
+
+if TYPE_CHECKING:
+    from zbot.executor.ready_queue import Entity, ReadyQueue
+
+
+class EntityQueue:
+    """Entities that may have work, in the order in which they were posted.
+
+    Any thread may post. Only the thread that spins takes work, or sleeps until the next post or
+    the next timer.
+    """
+
+    def __init__(self) -> None:
+        self._ready: deque[Entity] = deque()
+        self._queued: set[Entity] = set()
+        self._groups = GroupReservations()
+        self._timers = TimerQueue()
+        self._wakeup = BinarySemaphore()
+        # Whether the running entity goes back to the queue after its present callback.
+        self._must_requeue = True
+
+    def _post(self, entity: Entity) -> None:
+        self._queue(entity)
+        self._wakeup.set()
+
+    def _queue(self, entity: Entity) -> None:
+        # One entry is enough, because an entity leaves the set before it is asked for work.
+        if entity not in self._queued:
+            self._queued.add(entity)
+            self._ready.append(entity)
+            self._must_requeue = True
+
+    def _pop_ready(self) -> Entity | None:
+        try:
+            entity = self._ready.popleft()
+        except IndexError:
+            return None
+        self._queued.discard(entity)
+        return entity
+
+    def _pop_due_or_ready(self) -> Entity | None:
+        due = self._timers.pop_due(time.monotonic_ns())
+        if due is not None:
+            self._queue(due)
+        return self._pop_ready()
+
+    def _take_work(self, entity: Entity) -> tuple[Entity, Any] | None:
+        ready_queue = entity.ready_queue
+        if ready_queue is not None and ready_queue.executor is not self:
+            self._forward(entity, ready_queue)
+            return None
+        if not self._groups.reserve(entity):
+            return None  # it is posted again when the group is free
+        taken = entity.take()
+        if taken is not None:
+            return entity, taken
+        for waiting in self._groups.release(entity):
+            self._queue(waiting)
+        due = entity.due_ns
+        if due is not None:
+            self._timers.put(entity, due)
+        return None
+
+    def _forward(self, entity: Entity, ready_queue: ReadyQueue) -> None:
+        """Post an entity to the executor that its node now belongs to."""
+        ready_queue.post(entity)
+        for waiting in self._groups.skip(entity):
+            self._queue(waiting)
+
+    def _finish(self, entity: Entity) -> None:
+        """Release an entity's callback group after its callback, and queue the entity again."""
+        # Entities that the group refused go to the front of the queue, because they were selected
+        # before the other entities.
+        for waiting in reversed(self._groups.release(entity)):
+            if waiting not in self._queued:
+                self._queued.add(waiting)
+                self._ready.appendleft(waiting)
+                self._must_requeue = True
+        self._queue(entity)  # it may have more work
+
+    def _discard(self, entities: list[Entity]) -> None:
+        """Remove entities from the queue and from the timers."""
+        self._must_requeue = True
+        self._timers.forget(entities)
+        # Other threads post and take at the same time. So take each entity from the front once,
+        # in atomic steps, and put back the entities that stay.
+        for _ in range(len(self._ready)):
+            entity = EntityQueue._pop_ready(self)
+            if entity is not None:
+                for kept in self._groups.skip(entity) if entity in entities else [entity]:
+                    self._post(kept)
+
+    def _sleep(self, deadline_ns: int | None) -> bool:
+        """Sleep until a post, a timer or the deadline. Return `False` at the deadline."""
+        wakes = [due for due in (deadline_ns, self._timers.earliest_ns()) if due is not None]
+        if not wakes:
+            self._wakeup.wait(threading.TIMEOUT_MAX)
+            return True
+        left = min(wakes) - time.monotonic_ns()
+        if left > 0:
+            self._wakeup.wait(left / 1e9)
+        return deadline_ns is None or time.monotonic_ns() < deadline_ns

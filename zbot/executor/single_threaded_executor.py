@@ -1,0 +1,41 @@
+"""Executor that runs all callbacks in one thread."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING
+
+from zbot.executor.executor import Executor
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+
+class SingleThreadedExecutor(Executor):
+    """Runs every callback in the thread that spins."""
+
+    def spin(self) -> None:
+        """Run callbacks until the context or this executor is shut down.
+
+        Raises:
+            ExternalShutdownException: The context was shut down while no callback was running.
+        """
+        with self._hold_spin_lock():
+            while self._context.ok() and not self._is_shutdown:
+                self._must_requeue = False
+                work = self._next_work(None)
+                if work is not None:
+                    self._due_ns = self._timers.earliest_ns()
+                    self._must_requeue = self._must_requeue or bool(self._ready)
+                    self._execute(*work)
+        self._raise_interruption()
+
+    def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
+        if self._spinning_thread == threading.get_ident():
+            self._serve_next(deadline_ns, stop)
+            return
+        with self._hold_spin_lock():
+            work = self._next_work(deadline_ns, stop)
+            self._must_requeue = True  # run one callback only
+            if work is not None:
+                self._execute(*work)

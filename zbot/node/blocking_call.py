@@ -1,0 +1,120 @@
+"""Functions that make a thread wait for the reply to a service request.
+
+The executor of the thread that waits may also run a server of the same service. So the thread runs
+the requests of these servers during the wait; otherwise the call would never end.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import time
+from functools import partial
+from queue import Empty, SimpleQueue
+from typing import TYPE_CHECKING, Any, cast
+
+from zbot.errors import NotInitializedError
+from zbot.executor.callback_stack import current_executor
+from zbot.transport.wakeup import LONGEST_WAIT_S
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    import zenoh
+
+    from zbot.executor.executor import Executor
+    from zbot.node.client import Client
+    from zbot.node.service import Service
+    from zbot.node.service_request import ServiceRequest
+
+_WOKEN = object()  # in the queue: a server has a request, or the context was shut down
+
+
+def wait_for_reply(
+    client: Client[Any, Any], request: ServiceRequest, timeout_sec: float | None
+) -> zenoh.Reply | None:
+    """Send a request and return its reply, or `None` if the server ended without a reply.
+
+    Raises:
+        TimeoutError: No reply came within `timeout_sec`.
+        NotInitializedError: The context was shut down during the wait.
+    """
+    # Zenoh's thread puts each reply into the queue. When an attempt ends, it puts the attempt's
+    # number. `put` is written in C. A Python function would cost 20 us each time, because
+    # that thread would need a new frame.
+    arrivals: SimpleQueue[Any] = SimpleQueue()
+    executor = current_executor()
+    own = [] if executor is None else _servers_of(executor, client.service_name)
+    serve = partial(_serve, executor, own)
+    deadline = None if timeout_sec is None or timeout_sec < 0 else time.monotonic() + timeout_sec
+    with _waking(client, own, partial(arrivals.put, _WOKEN)):
+        attempt = 0
+        while True:
+            client.send(request, arrivals.put, partial(arrivals.put, attempt))
+            reply = _wait(client, arrivals, attempt, deadline, serve)
+            if reply is None or not request.is_to_be_repeated(reply):
+                return reply
+            attempt += 1
+
+
+def _wait(
+    client: Client[Any, Any],
+    arrivals: SimpleQueue[Any],
+    attempt: int,
+    deadline: float | None,
+    serve: Callable[[], bool],
+) -> zenoh.Reply | None:
+    while True:
+        while serve():
+            pass
+        left = LONGEST_WAIT_S if deadline is None else deadline - time.monotonic()
+        client.busy_wait.begin(arrivals.qsize)
+        try:
+            arrived = arrivals.get(timeout=max(0.0, min(left, LONGEST_WAIT_S)))
+        except Empty:
+            if left <= 0:
+                sentence = f"{client.service_name}: there was no response in time"
+                raise TimeoutError(sentence) from None
+            continue
+        client.busy_wait.end(came=True)
+        if arrived == attempt:
+            return None
+        if arrived is _WOKEN:
+            if client.context.is_over:
+                raise NotInitializedError("a service call")
+        elif not isinstance(arrived, int):
+            return cast("zenoh.Reply", arrived)
+
+
+@contextlib.contextmanager
+def _waking(
+    client: Client[Any, Any], own: list[Service[Any, Any]], wake: Callable[[], None]
+) -> Iterator[None]:
+    context = client.context
+    context.add_waker(wake)
+    for service in own:
+        service.watchers.append(wake)
+    try:
+        yield
+    finally:
+        context.remove_waker(wake)
+        for service in own:
+            service.watchers.remove(wake)
+
+
+def _servers_of(executor: Executor, service_name: str) -> list[Service[Any, Any]]:
+    return [
+        service
+        for node in executor.get_nodes()
+        for service in node.handle.services
+        if service.service_name == service_name
+    ]
+
+
+def _serve(executor: Executor | None, own: list[Service[Any, Any]]) -> bool:
+    """Run the next request of the thread's own servers. Return whether there was a request."""
+    if executor is None:
+        return False
+    # An exception of the server's callback reaches this caller as an error reply.
+    with contextlib.suppress(Exception):
+        return any(executor.serve(service) for service in own)
+    return True

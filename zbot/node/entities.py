@@ -1,0 +1,382 @@
+"""Creation and destruction of a node's entities: publishers, timers and all others."""
+
+from __future__ import annotations
+
+from operator import attrgetter
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, cast
+
+from zbot.errors import ArgumentTypeError, InvalidHandleError
+from zbot.executor.guard_condition import GuardCondition
+from zbot.executor.timer import Rate, Timer
+from zbot.interfaces.type_support import check_is_valid_msg_type, check_is_valid_srv_type
+from zbot.node.client import Client
+from zbot.node.errors import InvalidPeriodError
+from zbot.node.event_callbacks import PublisherEventCallbacks, SubscriptionEventCallbacks
+from zbot.node.private_aliases import PrivateAliases
+from zbot.node.publisher import Publisher
+from zbot.node.service import Service
+from zbot.node.subscription import Subscription
+from zbot.qos import QoSProfile, as_profile, qos_profile_services_default
+from zbot.time import S_TO_NS
+from zbot.wire.tokens import EntityKind
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from zbot.executor.callback_group import CallbackGroup
+    from zbot.executor.clock import Clock
+    from zbot.executor.waitable import Waitable
+    from zbot.node.content_filter_options import ContentFilterOptions
+    from zbot.node.state import NodeState
+    from zbot.parameters.qos_overrides import QoSOverridingOptions
+
+MsgT = TypeVar("MsgT")
+EntityT = TypeVar("EntityT")
+
+
+class _Listing:
+    """Read-only view of a node's entities. A subclass may set an attribute of the same name."""
+
+    def __init__(self, attribute: str) -> None:
+        self._read: Callable[[Any], list[Any]] = attrgetter(f"_zbot_state.{attribute}")
+
+    def __get__(self, node: NodeEntities, owner: type[NodeEntities]) -> Iterator[Any]:
+        return iter(self._read(node).copy())
+
+
+class NodeEntities(PrivateAliases):
+    """rclpy's methods of a node that create and destroy entities."""
+
+    _zbot_state: NodeState
+
+    publishers = _Listing("publishers")
+    subscriptions = _Listing("subscriptions")
+    services = _Listing("services")
+    clients = _Listing("clients")
+    timers = _Listing("timers")
+    guards = _Listing("guards")
+
+    def create_publisher(
+        self,
+        msg_type: type[MsgT],
+        topic: str,
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: Any = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
+        publisher_class: type[Publisher[Any]] = Publisher,
+    ) -> Publisher[MsgT]:
+        """Create a publisher.
+
+        Args:
+            msg_type: Message class.
+            topic: Relative, `~/private` or absolute name.
+            qos_profile: A profile, or a depth for the default profile.
+            callback_group: Group of the event callbacks. `None` means the node's default group.
+            event_callbacks: Callbacks for QoS events, a `PublisherEventCallbacks`.
+            qos_overriding_options: Which policies parameters may override.
+            publisher_class: The class of the publisher, `Publisher` or a subclass.
+
+        Raises:
+            InvalidTopicNameError: The name breaks ROS 2's grammar.
+            NotAMessageTypeError: `msg_type` is not a message class.
+            InvalidHandleError: The node was destroyed.
+        """
+        handle = self._zbot_alive()
+        check_is_valid_msg_type(msg_type)
+        name = handle.resolve(topic, is_service=False)
+        qos = self._zbot_overridden("publisher", name, qos_profile, qos_overriding_options)
+        token = handle.endpoint(EntityKind.PUBLISHER, name, msg_type, qos)
+        publisher = publisher_class(
+            handle.context,
+            msg_type,
+            token,
+            logger_name=handle.logger_name,
+            callback_group=callback_group or self.default_callback_group,
+        )
+        publisher.topic = topic
+        handle.publishers.append(publisher)
+        handle.diagnostics.add(token, handle.logger_name)
+        events = event_callbacks or PublisherEventCallbacks()
+        events.attach(publisher, handle.ready_queue, handle.context.graph)
+        return cast("Publisher[MsgT]", publisher)
+
+    def create_subscription(
+        self,
+        msg_type: type[MsgT],
+        topic: str,
+        callback: Callable[..., Any],
+        qos_profile: QoSProfile | int,
+        *,
+        callback_group: CallbackGroup | None = None,
+        event_callbacks: Any = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
+        raw: bool | Literal["payload"] = False,
+        content_filter_options: ContentFilterOptions | None = None,
+    ) -> Subscription[MsgT]:
+        """Create a subscription.
+
+        Args:
+            msg_type: Message class.
+            topic: Relative, `~/private` or absolute name.
+            callback: Takes the message, or the message and its `MessageInfo`.
+            qos_profile: A profile, or a depth for the default profile.
+            callback_group: Group of the callback. `None` means the node's default group.
+            event_callbacks: Callbacks for QoS events, a `SubscriptionEventCallbacks`.
+            qos_overriding_options: Which policies parameters may override.
+            raw: Whether the callback takes each message as bytes in ROS 2's CDR. With
+                `"payload"`, it takes the bytes that were sent.
+            content_filter_options: Expression that selects messages. `None` selects all messages.
+
+        Raises:
+            InvalidTopicNameError: The name breaks ROS 2's grammar.
+            CallbackSignatureError: The number of the callback's arguments is not 1 or 2.
+            ContentFilterError: The expression does not fit the type.
+            NotAMessageTypeError: `msg_type` is not a message class.
+            InvalidHandleError: The node was destroyed.
+        """
+        handle = self._zbot_alive()
+        check_is_valid_msg_type(msg_type)
+        name = handle.resolve(topic, is_service=False)
+        qos = self._zbot_overridden("subscription", name, qos_profile, qos_overriding_options)
+        subscription = Subscription(
+            handle.context,
+            msg_type,
+            callback,
+            handle.endpoint(EntityKind.SUBSCRIPTION, name, msg_type, qos),
+            ready_queue=handle.ready_queue,
+            callback_group=callback_group or self.default_callback_group,
+            raw=raw,
+            logger_name=handle.logger_name,
+            content_filter=content_filter_options,
+        )
+        subscription.topic = topic
+        handle.subscriptions.append(subscription)
+        handle.diagnostics.add(subscription.token, handle.logger_name)
+        handle.add(subscription)
+        events = event_callbacks or SubscriptionEventCallbacks()
+        events.attach(subscription, handle.ready_queue, handle.context.graph)
+        subscription.start()
+        return subscription
+
+    def create_service(
+        self,
+        srv_type: type[Any],
+        srv_name: str,
+        callback: Callable[[Any, Any], Any],
+        *,
+        qos_profile: QoSProfile | int = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> Service[Any, Any]:
+        """Create a service.
+
+        Args:
+            srv_type: Service class.
+            srv_name: Relative, `~/private` or absolute name.
+            callback: Takes a request and an empty response, and returns a response. The
+                callback may be a coroutine function.
+            qos_profile: A profile, or a depth for the default profile. Only the graph shows it.
+            callback_group: Group of the callback. `None` means the node's default group.
+
+        Raises:
+            InvalidServiceNameError: The name breaks ROS 2's grammar.
+            NotAMessageTypeError: `srv_type` is not a service class.
+            InvalidHandleError: The node was destroyed.
+        """
+        handle = self._zbot_alive()
+        check_is_valid_srv_type(srv_type)
+        name = handle.resolve(srv_name, is_service=True)
+        service: Service[Any, Any] = Service(
+            handle.context,
+            srv_type,
+            callback,
+            handle.endpoint(EntityKind.SERVICE, name, srv_type, as_profile(qos_profile)),
+            ready_queue=handle.ready_queue,
+            callback_group=callback_group or self.default_callback_group,
+            logger_name=handle.logger_name,
+        )
+        service.srv_name = srv_name
+        handle.services.append(service)
+        handle.add(service)
+        return service
+
+    def create_client(
+        self,
+        srv_type: type[Any],
+        srv_name: str,
+        *,
+        qos_profile: QoSProfile | int = qos_profile_services_default,
+        callback_group: CallbackGroup | None = None,
+    ) -> Client[Any, Any]:
+        """Create a client of a service.
+
+        Args:
+            srv_type: Service class.
+            srv_name: Relative, `~/private` or absolute name.
+            qos_profile: A profile, or a depth for the default profile. Only the graph shows it.
+            callback_group: Group of the futures' callbacks. `None` means the node's default group.
+
+        Raises:
+            InvalidServiceNameError: The name breaks ROS 2's grammar.
+            NotAMessageTypeError: `srv_type` is not a service class.
+            InvalidHandleError: The node was destroyed.
+        """
+        handle = self._zbot_alive()
+        check_is_valid_srv_type(srv_type)
+        name = handle.resolve(srv_name, is_service=True)
+        client: Client[Any, Any] = Client(
+            handle.context,
+            srv_type,
+            handle.endpoint(EntityKind.CLIENT, name, srv_type, as_profile(qos_profile)),
+            ready_queue=handle.ready_queue,
+            callback_group=callback_group or self.default_callback_group,
+            logger_name=handle.logger_name,
+        )
+        client.srv_name = srv_name
+        handle.clients.append(client)
+        handle.add(client)
+        return client
+
+    def create_timer(
+        self,
+        timer_period_sec: float,
+        callback: Callable[..., Any] | None,
+        callback_group: CallbackGroup | None = None,
+        clock: Clock | None = None,
+        autostart: bool = True,
+    ) -> Timer:
+        """Create a timer.
+
+        Args:
+            timer_period_sec: Seconds, 0 or more.
+            callback: Called without arguments, or with a `TimerInfo`.
+            callback_group: Group of the callback. `None` means the node's default group.
+            clock: The clock that measures the period. `None` means the node's clock.
+            autostart: Whether the timer starts now. Otherwise `reset()` starts it.
+
+        Raises:
+            InvalidPeriodError: The period is negative or not a number.
+            InvalidHandleError: The node was destroyed.
+        """
+        handle = self._zbot_alive()
+        if not isinstance(timer_period_sec, (int, float)) or not 0 <= timer_period_sec < 2**33:
+            raise InvalidPeriodError("a timer's period", timer_period_sec)
+        timer = Timer(
+            callback,
+            callback_group or self.default_callback_group,
+            int(float(timer_period_sec) * S_TO_NS),
+            clock or handle.clock,
+            handle.ready_queue,
+            autostart=autostart,
+        )
+        handle.timers.append(timer)
+        handle.add(timer)
+        return timer
+
+    def create_guard_condition(
+        self, callback: Callable[[], Any], callback_group: CallbackGroup | None = None
+    ) -> GuardCondition:
+        """Create a guard condition. Its callback runs when any thread calls `trigger()`."""
+        handle = self._zbot_alive()
+        group = callback_group or self.default_callback_group
+        guard = GuardCondition(callback, group, ready_queue=handle.ready_queue)
+        handle.guards.append(guard)
+        handle.add(guard)
+        return guard
+
+    def add_waitable(self, waitable: Waitable[Any]) -> None:
+        """Let the node's executor run a waitable that the program defines."""
+        self._zbot_alive().add_waitable(waitable)
+
+    def remove_waitable(self, waitable: Waitable[Any]) -> None:
+        """Remove a waitable. Nothing happens if the node does not have it."""
+        self._zbot_state.remove_waitable(waitable)
+
+    @property
+    def waitables(self) -> Iterator[Waitable[Any]]:
+        """The waitables of the node."""
+        return iter([entity.waitable for entity in self._zbot_state.waitables])
+
+    def create_rate(self, frequency: float, clock: Clock | None = None) -> Rate:
+        """Create a rate whose `sleep()` makes a loop run `frequency` times a second.
+
+        Raises:
+            ArgumentTypeError: The frequency is not a number.
+            InvalidPeriodError: The frequency is not greater than 0.
+        """
+        handle = self._zbot_alive()
+        if not isinstance(frequency, (int, float)):
+            raise ArgumentTypeError("a rate's frequency", "a number", frequency)
+        if not 0 < frequency <= S_TO_NS:
+            raise InvalidPeriodError("a rate's frequency", frequency)
+        timer = NodeEntities.create_timer(self, 1 / frequency, None, clock=clock)
+        rate = Rate(timer, handle.context)
+        handle.rates.append(rate)
+        return rate
+
+    # -- destroying ----------------------------------------------------------------------------
+
+    def destroy_publisher(self, publisher: Publisher[Any]) -> bool:
+        """Destroy a publisher, and return whether the node had it."""
+        if publisher in self._zbot_state.publishers:
+            self._zbot_state.diagnostics.remove(publisher.token)
+        return self._zbot_remove(self._zbot_state.publishers, publisher)
+
+    def destroy_subscription(self, subscription: Subscription[Any]) -> bool:
+        """Destroy a subscription, and return whether the node had it."""
+        if subscription in self._zbot_state.subscriptions:
+            self._zbot_state.diagnostics.remove(subscription.token)
+        return self._zbot_remove(self._zbot_state.subscriptions, subscription)
+
+    def destroy_service(self, service: Service[Any, Any]) -> bool:
+        """Destroy a service, and return whether the node had it."""
+        return self._zbot_remove(self._zbot_state.services, service)
+
+    def destroy_client(self, client: Client[Any, Any]) -> bool:
+        """Destroy a client, and return whether the node had it."""
+        return self._zbot_remove(self._zbot_state.clients, client)
+
+    def destroy_timer(self, timer: Timer) -> bool:
+        """Destroy a timer, and return whether the node had it."""
+        return self._zbot_remove(self._zbot_state.timers, timer)
+
+    def destroy_guard_condition(self, guard: GuardCondition) -> bool:
+        """Destroy a guard condition, and return whether the node had it."""
+        return self._zbot_remove(self._zbot_state.guards, guard)
+
+    def destroy_rate(self, rate: Rate) -> bool:
+        """Destroy a rate, and return whether the node had it."""
+        handle = self._zbot_state
+        return self._zbot_remove(handle.rates, rate) and self._zbot_remove(
+            handle.timers, rate.timer
+        )
+
+    def _zbot_remove(self, owned: list[EntityT], entity: EntityT) -> bool:
+        if entity not in owned:
+            return False
+        owned.remove(entity)
+        self._zbot_state.ready_queue.remove(cast("Any", entity))
+        cast("Any", entity).destroy()
+        return True
+
+    def _zbot_overridden(
+        self,
+        entity: str,
+        topic: str,
+        qos: QoSProfile | int,
+        options: QoSOverridingOptions | None,
+    ) -> QoSProfile:
+        """Return a profile with the policies that the node's parameters override."""
+        profile = as_profile(qos)
+        if options is None:
+            return profile
+        from zbot.parameters.qos_overrides import overridden  # noqa: PLC0415 - few nodes have options
+
+        return overridden(self._zbot_state.parameters, entity, topic, profile, options)
+
+    def _zbot_alive(self) -> NodeState:
+        handle = self._zbot_state
+        if handle.is_destroyed:
+            raise InvalidHandleError(f"the node {handle.full_name}")
+        return handle

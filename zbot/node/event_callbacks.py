@@ -1,0 +1,134 @@
+"""Callbacks for the QoS events of a publisher or a subscription, as in rclpy."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from zbot.node.event_handlers import LOGGED_BY_DEFAULT, InactiveHandler, ignore, make_handler
+from zbot.node.qos_events import QoSPublisherEventType, QoSSubscriptionEventType
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from zbot.executor.ready_queue import ReadyQueue
+    from zbot.graph.snapshot import Graph
+    from zbot.node.qos_events import (
+        EventKind,
+        IncompatibleTypeInfo,
+        QoSLivelinessChangedInfo,
+        QoSLivelinessLostInfo,
+        QoSMessageLostInfo,
+        QoSOfferedDeadlineMissedInfo,
+        QoSOfferedIncompatibleQoSInfo,
+        QoSPublisherMatchedInfo,
+        QoSRequestedDeadlineMissedInfo,
+        QoSRequestedIncompatibleQoSInfo,
+        QoSSubscriptionMatchedInfo,
+    )
+
+_P, _S = QoSPublisherEventType, QoSSubscriptionEventType
+
+
+class _EventCallbacks:
+    """Base class of the callbacks of publishers and subscriptions."""
+
+    use_default_callbacks: bool
+
+    def _by_kind(self) -> dict[EventKind, Callable[[Any], Any] | None]:
+        raise NotImplementedError
+
+    def attach(self, endpoint: Any, ready_queue: ReadyQueue, graph: Graph) -> None:
+        """Create the handlers of a publisher or subscription. Its `destroy()` ends them."""
+        for kind, callback in self._by_kind().items():
+            if callback is not None:
+                handler = make_handler(kind, callback, endpoint, ready_queue, graph)
+            elif self.use_default_callbacks and kind in LOGGED_BY_DEFAULT:
+                # zbot.node.diagnostics logs different types of a topic, for all endpoints.
+                handler = InactiveHandler(ignore, endpoint.callback_group, ready_queue)
+            else:
+                continue
+            endpoint.event_handlers.append(handler)
+
+
+class PublisherEventCallbacks(_EventCallbacks):
+    """Callbacks for the QoS events of a publisher. Each callback takes the event's info.
+
+    Args:
+        deadline: Nothing was published for a deadline period.
+        liveliness: The lease of a `MANUAL_BY_TOPIC` profile expired.
+        incompatible_qos: Never called, because all profiles are compatible in zbot.
+        incompatible_type: A subscription has another type.
+        matched: A subscription of the topic was created or destroyed.
+        use_default_callbacks: Whether handlers of default callbacks are listed, as in rclpy.
+            Different types of a topic are always logged.
+    """
+
+    def __init__(
+        self,
+        *,
+        deadline: Callable[[QoSOfferedDeadlineMissedInfo], Any] | None = None,
+        liveliness: Callable[[QoSLivelinessLostInfo], Any] | None = None,
+        incompatible_qos: Callable[[QoSOfferedIncompatibleQoSInfo], Any] | None = None,
+        incompatible_type: Callable[[IncompatibleTypeInfo], Any] | None = None,
+        matched: Callable[[QoSPublisherMatchedInfo], Any] | None = None,
+        use_default_callbacks: bool = True,
+    ) -> None:
+        self.deadline = deadline
+        self.liveliness = liveliness
+        self.incompatible_qos = incompatible_qos
+        self.incompatible_type = incompatible_type
+        self.matched = matched
+        self.use_default_callbacks = use_default_callbacks
+
+    def _by_kind(self) -> dict[EventKind, Callable[[Any], Any] | None]:
+        return {
+            _P.RCL_PUBLISHER_OFFERED_DEADLINE_MISSED: self.deadline,
+            _P.RCL_PUBLISHER_LIVELINESS_LOST: self.liveliness,
+            _P.RCL_PUBLISHER_OFFERED_INCOMPATIBLE_QOS: self.incompatible_qos,
+            _P.RCL_PUBLISHER_INCOMPATIBLE_TYPE: self.incompatible_type,
+            _P.RCL_PUBLISHER_MATCHED: self.matched,
+        }
+
+
+class SubscriptionEventCallbacks(_EventCallbacks):
+    """Callbacks for the QoS events of a subscription. Each callback takes the event's info.
+
+    Args:
+        deadline: Nothing was received for a deadline period.
+        incompatible_qos: Never called, because all profiles are compatible in zbot.
+        liveliness: A publisher of the topic was created or destroyed.
+        message_lost: Messages were published but not received.
+        incompatible_type: A publisher has another type.
+        matched: A publisher of the topic was created or destroyed.
+        use_default_callbacks: Whether handlers of default callbacks are listed, as in rclpy.
+            Different types of a topic are always logged.
+    """
+
+    def __init__(
+        self,
+        *,
+        deadline: Callable[[QoSRequestedDeadlineMissedInfo], Any] | None = None,
+        incompatible_qos: Callable[[QoSRequestedIncompatibleQoSInfo], Any] | None = None,
+        liveliness: Callable[[QoSLivelinessChangedInfo], Any] | None = None,
+        message_lost: Callable[[QoSMessageLostInfo], Any] | None = None,
+        incompatible_type: Callable[[IncompatibleTypeInfo], Any] | None = None,
+        matched: Callable[[QoSSubscriptionMatchedInfo], Any] | None = None,
+        use_default_callbacks: bool = True,
+    ) -> None:
+        self.deadline = deadline
+        self.incompatible_qos = incompatible_qos
+        self.liveliness = liveliness
+        self.message_lost = message_lost
+        self.incompatible_type = incompatible_type
+        self.matched = matched
+        self.use_default_callbacks = use_default_callbacks
+
+    def _by_kind(self) -> dict[EventKind, Callable[[Any], Any] | None]:
+        return {
+            _S.RCL_SUBSCRIPTION_REQUESTED_DEADLINE_MISSED: self.deadline,
+            _S.RCL_SUBSCRIPTION_REQUESTED_INCOMPATIBLE_QOS: self.incompatible_qos,
+            _S.RCL_SUBSCRIPTION_LIVELINESS_CHANGED: self.liveliness,
+            _S.RCL_SUBSCRIPTION_MESSAGE_LOST: self.message_lost,
+            _S.RCL_SUBSCRIPTION_INCOMPATIBLE_TYPE: self.incompatible_type,
+            _S.RCL_SUBSCRIPTION_MATCHED: self.matched,
+        }

@@ -1,0 +1,107 @@
+"""Request of a service call, and the future of its response."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from zbot.executor.task import Future
+from zbot.transport.foreign_call import called_by_zenoh, keep_thread_state
+from zbot.wire.attachment import LAYOUT
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import zenoh
+    from typing_extensions import Self
+
+    from zbot.node.client import Client
+
+ResponseT = TypeVar("ResponseT")
+
+# Zenoh keeps 0.8 kB for each query until its timeout, even if the reply came long before. So the
+# timeout is short, and the request is repeated at growing intervals (docs/wire.md).
+_FIRST_TIMEOUT_S = 2.0
+_LONGEST_TIMEOUT_S = 60.0
+_TIMEOUT_REPLY = b"Timeout"  # Zenoh's own error reply after the timeout
+
+
+class ServiceRequest:
+    """Encoded request, which is sent again after each timeout of its Zenoh query.
+
+    Args:
+        payload: The encoded request.
+        attachment: Number and gid, which stay the same so that the server runs its callback once.
+    """
+
+    __slots__ = ("attachment", "payload", "timeout_s")
+
+    def __init__(self, payload: Any, attachment: bytes) -> None:
+        self.payload = payload
+        self.attachment = attachment
+        self.timeout_s = _FIRST_TIMEOUT_S
+
+    def is_to_be_repeated(self, reply: zenoh.Reply) -> bool:
+        """Return whether a reply is a timeout of Zenoh. If it is, double the next timeout."""
+        if reply.ok is not None or reply.err is None:
+            return False
+        if reply.err.payload.to_bytes() != _TIMEOUT_REPLY:
+            return False
+        self.timeout_s = min(2 * self.timeout_s, _LONGEST_TIMEOUT_S)
+        return True
+
+
+class ResponseFuture(Future[ResponseT]):
+    """Future of a response. The client's executor runs its callbacks."""
+
+    def __init__(self, client: Client[Any, ResponseT], request: ServiceRequest) -> None:
+        super().__init__()
+        self._client = client
+        self._request = request
+        self._attempt = 0
+
+    @property
+    def number(self) -> int:
+        """The request's number. The first request of a client has the number 1."""
+        number: int = LAYOUT.unpack(self._request.attachment)[0]
+        return number
+
+    def send(self) -> None:
+        """Send the request, for the first time or again."""
+        self._attempt += 1
+        ended = partial(self._on_end, self._attempt)
+        self._client.send(self._request, self._on_reply, ended)
+
+    @called_by_zenoh
+    def _on_reply(self, reply: zenoh.Reply) -> None:
+        keep_thread_state()
+        if not self._request.is_to_be_repeated(reply):
+            self._client.complete(self, reply)
+        elif self._client.is_pending(self):
+            self.send()
+
+    @called_by_zenoh
+    def _on_end(self, attempt: int) -> None:
+        if attempt == self._attempt and not self.is_over:
+            self._client.complete(self, None)
+
+    @property
+    def has_callbacks(self) -> bool:
+        """Whether a callback is to run when the call is over."""
+        return bool(self._callbacks)
+
+    def _run_callbacks(self) -> None:
+        # The executor runs the callbacks. Even without callbacks, `spin_once` returns after this.
+        self._client.post(self)
+
+    def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
+        """Call `callback(self)` in the executor when the future is done, or now if it is done."""
+        with self._lock:
+            self._callbacks.append(callback)
+            if not self.is_over:
+                return
+        self._client.post(self)
+
+    def pop_callbacks(self) -> list[Callable[[Any], Any]]:
+        """Return and forget the callbacks that have not run."""
+        return self._pop_callbacks()

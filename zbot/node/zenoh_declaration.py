@@ -1,0 +1,82 @@
+"""Declaration of Zenoh publishers and subscribers that behave as a QoS profile says."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import zenoh
+
+from zbot.process import blocked_put
+from zbot.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
+
+if TYPE_CHECKING:
+    from zbot.context import Context
+    from zbot.wire.tokens import EndpointToken
+
+# Time from a burst to a heartbeat, as in rmw_zenoh. It lets a subscriber notice missing samples.
+_HEARTBEAT_S = 0.5
+# How many messages a keep-all publisher keeps for late subscribers, as Zenoh needs a bound.
+_KEEP_ALL_CACHE = 1000
+
+
+def declare_publisher(context: Context, token: EndpointToken) -> Any:
+    """Return a Zenoh publisher with the reliability, history and durability in a token."""
+    qos = token.qos
+    reliable = qos.reliability is not ReliabilityPolicy.BEST_EFFORT
+    keep_all = qos.history is HistoryPolicy.KEEP_ALL
+    block = reliable and keep_all
+    if block:
+        blocked_put.watch_signals()
+    options: dict[str, Any] = {
+        "encoding": context.dialect.encoding(token.type_name),
+        "reliability": zenoh.Reliability.RELIABLE if reliable else zenoh.Reliability.BEST_EFFORT,
+        "congestion_control": (
+            zenoh.CongestionControl.BLOCK if block else zenoh.CongestionControl.DROP
+        ),
+    }
+    key = context.dialect.topic_key(context.get_domain_id(), token.name)
+    if qos.durability is not DurabilityPolicy.TRANSIENT_LOCAL:
+        return context.session.declare_publisher(key, **options)
+    import zenoh.ext as advanced  # noqa: PLC0415 - only latched topics need it
+
+    # Miss detection numbers the samples. So they need no timestamps, which cost time in every
+    # publisher of the session.
+    options["sample_miss_detection"] = advanced.MissDetectionConfig(
+        heartbeat=None, sporadic_heartbeat=_HEARTBEAT_S if reliable else None
+    )
+    depth = _KEEP_ALL_CACHE if keep_all else max(qos.depth, 1)
+    return advanced.declare_advanced_publisher(
+        context.session,
+        key,
+        cache=advanced.CacheConfig(depth),
+        publisher_detection=True,
+        **options,
+    )
+
+
+def declare_subscriber(context: Context, token: EndpointToken, keep_all_depth: int) -> Any:
+    """Return a Zenoh subscriber with the history and durability in a token.
+
+    Args:
+        context: The session to subscribe through.
+        token: The subscription's token.
+        keep_all_depth: How many samples the queue of a keep-all subscription holds.
+    """
+    qos = token.qos
+    depth = max(qos.depth, 1)
+    channel: Any = zenoh.handlers.RingChannel(depth)
+    if qos.history is HistoryPolicy.KEEP_ALL:
+        channel, depth = zenoh.handlers.FifoChannel(keep_all_depth), keep_all_depth
+    key = context.dialect.topic_key(context.get_domain_id(), token.name)
+    if qos.durability is not DurabilityPolicy.TRANSIENT_LOCAL:
+        return context.session.declare_subscriber(key, channel)
+    import zenoh.ext as advanced  # noqa: PLC0415 - only latched topics need it
+
+    return advanced.declare_advanced_subscriber(
+        context.session,
+        key,
+        channel,
+        history=advanced.HistoryConfig(detect_late_publishers=True, max_samples=depth),
+        recovery=advanced.RecoveryConfig(periodic_queries=None, heartbeat=True),
+        subscriber_detection=True,
+    )
