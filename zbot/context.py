@@ -28,7 +28,6 @@ from zbot.wire.dialect import CLASSROOM, NATIVE
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from types import TracebackType
 
     from typing_extensions import Self
 
@@ -106,7 +105,7 @@ class Context:
         """Read the arguments and the domain, without opening a session.
 
         Args:
-            args: The command line with its `--ros-args`; `None` means `sys.argv`.
+            args: The command line with its `--ros-args`. `None` means `sys.argv`.
             initialize_logging: Whether the log options of the arguments apply.
             domain_id: 0 to 232. `None` means `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
 
@@ -221,12 +220,7 @@ class Context:
             self.init()
         return self
 
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *exc_info: object) -> None:
         self.shutdown()
 
     @property

@@ -1,8 +1,8 @@
-"""Exceptions that several parts of zbot raise, in one tree below `ZbotError`.
+"""Exceptions that several parts of zbot raise. All are subclasses of `ZbotError`.
 
 Each class also inherits the builtin exception that fits, e.g. `ValueError`. A constructor takes
-facts and keeps them as attributes. The class writes the message: what is wrong, the value, and what
-to do.
+facts and keeps them as attributes. The class writes the message. It says what is wrong, what the
+value is and what to do.
 """
 
 from __future__ import annotations
@@ -26,12 +26,12 @@ def close_matches(name: str, known: Iterable[str], count: int = 3) -> tuple[str,
 
 
 def did_you_mean(suggestions: tuple[str, ...]) -> str:
-    """Return `; did you mean 'a' or 'b'?` for the suggestions; empty if there are none."""
+    """Return `; did you mean 'a' or 'b'?`, or an empty string if there are no suggestions."""
     return f"; did you mean {' or '.join(map(repr, suggestions))}?" if suggestions else ""
 
 
 def shortened(value: object, limit: int = 80) -> str:
-    """Return the `repr` of a value, cut to `limit` characters."""
+    """Return at most `limit` characters of the `repr` of a value."""
     text = repr(value)
     return text if len(text) <= limit else f"{text[: limit - 3]}..."
 
@@ -57,7 +57,7 @@ class InvalidNameError(ZbotError, ValueError):
     def __init__(self, name_type: str, name: str, error_msg: str, invalid_index: int) -> None:
         self.name_type, self.name = name_type, name
         self.error_msg, self.invalid_index = error_msg, invalid_index
-        # repr may escape characters: count the printed characters before the invalid one.
+        # repr may escape characters, so the column is counted in the printed text.
         column = len(repr(name[:invalid_index])) - 1
         super().__init__(f"Invalid {name_type}: {error_msg}:\n  {name!r}\n  {' ' * column}^")
 
@@ -95,7 +95,7 @@ class ParameterError(ZbotError):
 
     Attributes:
         error_msg: The problem.
-        parameters: Names of the parameters that have it.
+        parameters: Names of the parameters that have the problem.
     """
 
     def __init__(self, error_msg: str, parameters: str | list[str]) -> None:
@@ -152,7 +152,7 @@ class NotInitializedError(ZbotError, RuntimeError):
 
 
 class InvalidHandleError(ZbotError, RuntimeError):
-    """An object was used after it, or its node, was destroyed."""
+    """An object was used after the object or its node was destroyed."""
 
     def __init__(self, what: str = "the object") -> None:
         self.what = what
@@ -179,7 +179,7 @@ class QoSArgumentError(ZbotError, TypeError):
 
 
 class UnknownQoSKeyError(ZbotError, KeyError):
-    """A short key names no policy value or profile, e.g. `relaible`."""
+    """A short key does not exist for a policy value or a profile, e.g. `relaible`."""
 
     def __init__(self, kind: str, key: str, known: list[str]) -> None:
         self.kind, self.key, self.known = kind, key, known
@@ -200,4 +200,4 @@ class ContextInitializedError(ZbotError, RuntimeError):
 
 
 class ExternalShutdownException(ZbotError):  # noqa: N818 - rclpy's name
-    """The context was shut down, by a signal or another thread, while an executor was waiting."""
+    """A signal or another thread shut down the context while an executor was waiting."""

@@ -17,8 +17,8 @@ def lazy_names(
 
     Args:
         package: Name of the package, such as `zbot`.
-        homes: The module of each name, such as `zbot.node.node`.
-        present: Public names that the package defines itself.
+        homes: For each public name, its module, such as `zbot.node.node`.
+        present: Public names that the package itself defines.
     """
 
     def imported(name: str) -> Any:

@@ -1,7 +1,7 @@
 """Rules of ROS 2 for node, namespace, topic, service and parameter names.
 
-The rules and their order are those of ROS 2's own validators. Only ASCII letters and digits are
-letters and digits. An error names the wrong character and points at it.
+The rules and their order are those of ROS 2's own validators. Only ASCII letters and ASCII digits
+count as letters and digits. An error shows the wrong character and its position.
 """
 
 from __future__ import annotations
@@ -41,9 +41,9 @@ ROSOUT_TOPIC = "/rosout"
 #: suffix of an action's name in the name of its send-goal service
 SEND_GOAL = "/_action/send_goal"
 
-MAX_TOPIC_NAME_LENGTH = 247  # ROS 2: 255 less 8 for a middleware's own prefix
+MAX_TOPIC_NAME_LENGTH = 247  # as in ROS 2: 255 minus 8 for a middleware's own prefix
 MAX_NODE_NAME_LENGTH = 255
-MAX_NAMESPACE_LENGTH = 245  # ROS 2: a topic's length less "/" and one character
+MAX_NAMESPACE_LENGTH = 245  # as in ROS 2: a topic's length minus "/" and one character
 
 _WORD = re.compile(r"[A-Za-z0-9_]*")
 _ABSOLUTE = re.compile(r"[A-Za-z0-9_/]*")
@@ -90,12 +90,13 @@ def validate_namespace(namespace: str) -> Literal[True]:
 def validate_topic_name(name: str, *, is_service: bool = False) -> Literal[True]:
     """Check a topic or service name as a program writes it, before its expansion.
 
-    The name is relative (`scan`), private (`~/scan`) or absolute (`/scan`), with or without
-    `{substitutions}`. A repeated `/` is accepted here, as in ROS 2, and rejected after expansion.
+    The name is relative (`scan`), private (`~/scan`) or absolute (`/scan`). It may have
+    `{substitutions}`. As in ROS 2, this check accepts a repeated `/`. The check after the expansion
+    rejects it.
 
     Raises:
         InvalidTopicNameError: The name breaks the grammar.
-        InvalidServiceNameError: The same, if `is_service` is set.
+        InvalidServiceNameError: The same, but for a service (`is_service`).
         ArgumentTypeError: The name is not a string.
     """
     kind = "service name" if is_service else "topic name"
@@ -110,7 +111,7 @@ def validate_full_topic_name(name: str, *, is_service: bool = False) -> Literal[
 
     Raises:
         InvalidTopicNameError: The name breaks the grammar or has more than 247 characters.
-        InvalidServiceNameError: The same, if `is_service` is set.
+        InvalidServiceNameError: The same, but for a service (`is_service`).
         ArgumentTypeError: The name is not a string.
     """
     kind = "service name" if is_service else "topic name"
@@ -133,7 +134,7 @@ def validate_parameter_name(name: str) -> Literal[True]:
 
 
 def expand_topic_name(topic_name: str, node_name: str, node_namespace: str) -> str:
-    """Return the absolute form of a name: `~`, `{node}` and `{ns}` replaced, namespace added.
+    """Return the absolute form of a name, with its namespace, and without `~`, `{node}` and `{ns}`.
 
     The result may still break the rules for full names (`/{ns}/a` gives `//ns/a`), as in ROS 2.
     Pass the result to `validate_full_topic_name` after remapping.
@@ -162,21 +163,21 @@ def fully_qualified(namespace: str, node: str) -> str:
 
 
 def split_fully_qualified(name: str) -> tuple[str, str]:
-    """Return namespace and base name: `/ns/a` gives `("/ns", "a")`, `a` gives `("/", "a")`."""
+    """Return the namespace and the base name: `("/ns", "a")` for `/ns/a`, `("/", "a")` for `a`."""
     namespace, _, base = name.rpartition("/")
     return namespace or "/", base
 
 
 def is_hidden(name: str) -> bool:
-    """Return whether tools leave the name out of their lists: one of its tokens starts with `_`."""
+    """Return whether a token of the name starts with `_`. Tools do not list such names."""
     return name.startswith("_") or "/_" in name
 
 
 def nearest(name: str, candidates: Iterable[str]) -> str | None:
-    """Return the candidate that is most similar to a mistyped `name`, or None.
+    """Return the candidate that is most similar to a mistyped `name`, or None if none is similar.
 
-    At most two characters may differ, or one in a name shorter than six. Names that differ only in
-    their numbers (`/robot1/scan`, `/robot2/scan`) are not typos of each other.
+    At most two characters may differ. In names with fewer than six characters, only one may differ.
+    Names that differ only in their numbers (`/robot1/scan`, `/robot2/scan`) are not similar.
     """
     limit = min(2, len(name.replace("/", "")) // 3)
     pattern = _NUMBERS.sub("0", name)
@@ -290,7 +291,7 @@ def _substitute(original: str, name: str, node: str, namespace: str) -> str:
 
 
 def _edit_distance(a: str, b: str, limit: int) -> int:
-    """Return the number of edits from a to b, or `limit + 1` if there are more than `limit`."""
+    """Return the number of edits from a to b. Return `limit + 1` for more than `limit` edits."""
     row = list(range(len(b) + 1))
     for i, left in enumerate(a, 1):
         previous, row[0] = row[0], i

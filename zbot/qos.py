@@ -1,6 +1,6 @@
 """Quality of service (QoS) profiles: how messages are queued, delivered and monitored.
 
-In zbot all profiles are compatible. A profile says how its own side treats messages.
+In zbot all profiles are compatible. A profile says how its own endpoint treats messages.
 """
 
 # ruff: noqa: PLE0237  the policies are descriptors that keep their values in the slots
@@ -67,7 +67,7 @@ class QoSPolicyKind(IntEnum):
 
 
 class QoSPolicyEnum(IntEnum):
-    """Base of a policy's values; each has a short key: `best_effort` for `BEST_EFFORT`."""
+    """Base class of a policy's values. Each value has a short key, e.g. `best_effort`."""
 
     @classmethod
     def short_keys(cls) -> list[str]:
@@ -94,7 +94,7 @@ class QoSPolicyEnum(IntEnum):
 
 # The RMW_... members are old ROS 2 names that programs still use.
 class HistoryPolicy(QoSPolicyEnum):
-    """Which messages a queue keeps for a slow receiver: the last `depth` or all."""
+    """Policy for the messages that a queue keeps for a slow receiver: the last `depth` or all."""
 
     SYSTEM_DEFAULT = 0
     KEEP_LAST = 1
@@ -107,7 +107,7 @@ class HistoryPolicy(QoSPolicyEnum):
 
 
 class ReliabilityPolicy(QoSPolicyEnum):
-    """Whether a message lost by the network is sent again."""
+    """Policy that says whether a message is sent again if the network loses it."""
 
     SYSTEM_DEFAULT = 0
     RELIABLE = 1
@@ -121,7 +121,7 @@ class ReliabilityPolicy(QoSPolicyEnum):
 
 
 class DurabilityPolicy(QoSPolicyEnum):
-    """Whether a late subscriber still gets the messages sent before it existed."""
+    """Policy that says whether a late subscriber gets messages that were sent before it existed."""
 
     SYSTEM_DEFAULT = 0
     TRANSIENT_LOCAL = 1
@@ -135,7 +135,7 @@ class DurabilityPolicy(QoSPolicyEnum):
 
 
 class LivelinessPolicy(QoSPolicyEnum):
-    """Who asserts that a publisher is alive: the library or the program."""
+    """Policy that says whether the library or the program asserts that a publisher is alive."""
 
     SYSTEM_DEFAULT = 0
     AUTOMATIC = 1
@@ -153,7 +153,7 @@ QoSReliabilityPolicy = ReliabilityPolicy
 QoSDurabilityPolicy = DurabilityPolicy
 QoSLivelinessPolicy = LivelinessPolicy
 
-#: As strict as the endpoints allow that exist at creation.
+#: The strictest value that the endpoints allow at the time of creation.
 DeadlineBestAvailable = Duration(nanoseconds=2**63 - 2)
 LivelinessLeaseDurationeBestAvailable = Duration(nanoseconds=2**63 - 2)  # spelt as in rclpy
 
@@ -167,7 +167,7 @@ def _default_if_none(value: _DefaultT | None, default: _DefaultT) -> _DefaultT:
 
 
 class _Policy(Generic[_PolicyT]):
-    """Descriptor of a policy that is a member of an enum; it can be set to the number too."""
+    """Descriptor of a policy whose value is an enum member. The member's number is accepted too."""
 
     def __init__(self, policy: type[_PolicyT]) -> None:
         self._policy = policy
@@ -197,7 +197,7 @@ class _Policy(Generic[_PolicyT]):
 
 
 class _Value(Generic[_ValueT]):
-    """Descriptor of a policy that has one Python type."""
+    """Descriptor of a policy whose value has one Python type."""
 
     def __init__(self, kind: type[_ValueT]) -> None:
         self._kind: type[_ValueT] = kind
@@ -225,16 +225,16 @@ class QoSProfile:
     """A set of policies for a publisher, subscription, service or client.
 
     Args:
-        history: Which messages the queue keeps; `KEEP_LAST` if only `depth` is given.
+        history: Messages that the queue keeps. It is `KEEP_LAST` if only `depth` is given.
         depth: Length of the queue with `KEEP_LAST`, in messages.
         reliability: `RELIABLE` by default.
-        durability: `VOLATILE` by default; `TRANSIENT_LOCAL` serves late subscribers.
-        lifespan: Age after which a message is not delivered any more; zero means no limit.
-        deadline: Longest time between two messages; zero means no limit.
-        liveliness: Who asserts that a publisher is alive.
-        liveliness_lease_duration: Time without an assertion after which a publisher counts as dead;
-            zero means no limit.
-        avoid_ros_namespace_conventions: No effect, because zbot adds no prefixes to names.
+        durability: `VOLATILE` by default. `TRANSIENT_LOCAL` serves late subscribers.
+        lifespan: Age after which a message is not delivered any more. Zero means no limit.
+        deadline: Longest time between two messages. Zero means no limit.
+        liveliness: Policy that says who asserts that a publisher is alive.
+        liveliness_lease_duration: A publisher counts as dead after this time without an assertion.
+            Zero means no limit.
+        avoid_ros_namespace_conventions: It has no effect, because zbot adds no prefixes to names.
 
     Raises:
         InvalidQoSProfileError: Neither history nor depth is given, `KEEP_LAST` has no depth, or
@@ -374,14 +374,14 @@ qos_profile_system_default = QoSProfile(
     reliability=ReliabilityPolicy.SYSTEM_DEFAULT,
     durability=DurabilityPolicy.SYSTEM_DEFAULT,
 )
-#: For sensors: the newest readings matter, and a lost reading does not.
+#: For sensors: the newest values matter, and a lost value does not matter.
 qos_profile_sensor_data = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
 qos_profile_services_default = QoSProfile(depth=10)
-#: For parameters: like services, with a longer queue for many requests at once.
+#: For parameters: the profile of services, but with a longer queue for many requests at once.
 qos_profile_parameters = QoSProfile(depth=1000)
 qos_profile_parameter_events = QoSProfile(depth=1000)
 qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-#: As strict as the endpoints allow that exist at creation.
+#: The strictest profile that the endpoints allow at the time of creation.
 qos_profile_best_available = QoSProfile(
     depth=10,
     reliability=ReliabilityPolicy.BEST_AVAILABLE,
@@ -397,7 +397,7 @@ qos_profile_rosout_default = QoSProfile(
 
 
 class QoSPresetProfiles(Enum):
-    """Predefined profiles of ROS 2; equal profiles are aliases of one member."""
+    """Predefined profiles of ROS 2. Equal profiles are aliases of one member."""
 
     UNKNOWN = qos_profile_unknown
     DEFAULT = qos_profile_default
@@ -429,7 +429,7 @@ class QoSPresetProfiles(Enum):
 
 
 class PlainQoSProfile:
-    """Policies of a profile by name, in place of rclpy's C structure.
+    """Policies of a profile by name. It replaces the C structure of rclpy.
 
     Args:
         profile: The profile whose policies are copied.
@@ -464,7 +464,7 @@ def qos_check_compatible(
     publisher_qos: QoSProfile,  # noqa: ARG001 - rclpy's signature
     subscription_qos: QoSProfile,  # noqa: ARG001 - rclpy's signature
 ) -> tuple[QoSCompatibility, str]:
-    """Return whether two profiles are compatible, and the reason if not: in zbot all are."""
+    """Return whether two profiles are compatible, and a reason. In zbot all are compatible."""
     return QoSCompatibility.OK, ""
 
 

@@ -15,7 +15,6 @@ from zbot.process.signals import SignalHandlerOptions
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
-    from types import TracebackType
 
     from zbot.context import Context
     from zbot.executor.executor import Executor
@@ -37,12 +36,7 @@ class InitContextManager:
     def __enter__(self) -> InitContextManager:
         return self
 
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *exc_info: object) -> None:
         try_shutdown(context=self.context)
 
 
@@ -56,7 +50,7 @@ def init(
     """Initialise a context from the command line, and install signal handlers.
 
     Args:
-        args: The command line with its `--ros-args`; `None` means `sys.argv`.
+        args: The command line with its `--ros-args`. `None` means `sys.argv`.
         context: The context to initialise. `None` means the default context.
         domain_id: 0 to 232. `None` means `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
         signal_handler_options: Signals to handle. `None` means all signals for the default context,

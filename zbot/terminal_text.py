@@ -1,4 +1,4 @@
-"""Text from other programs, made safe to print on a terminal."""
+"""Functions that make text from other programs safe to print on a terminal."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from __future__ import annotations
 def single_line(text: str, longest: int) -> str:
     """Return a text in one line, without control or direction characters.
 
-    Every character that is not printable becomes a space; several spaces become one.
+    Every character that is not printable becomes a space. Several spaces become one space.
 
     Args:
         text: Text from any source.

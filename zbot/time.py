@@ -22,19 +22,19 @@ _LONGEST_IN_MESSAGE = 2**31 * S_TO_NS - 1  # builtin_interfaces keeps seconds in
 
 
 class ClockType(Enum):
-    """Type of a clock; only times of the same clock type can be compared."""
+    """Type of a clock. Only times of the same clock type can be compared."""
 
     UNINITIALIZED = 0
     ROS_TIME = 1  #: the node's time: system time, or simulated time from `/clock`
-    SYSTEM_TIME = 2  #: since the Unix epoch; jumps when the system's clock is set
-    STEADY_TIME = 3  #: since an arbitrary moment before the program's start; never jumps
+    SYSTEM_TIME = 2  #: time since the Unix epoch. It jumps when the system's clock is set.
+    STEADY_TIME = 3  #: time since any moment before the program's start. It never jumps.
 
 
 class Duration:
     """A span of time, which can be negative."""
 
     def __init__(self, *, seconds: float = 0, nanoseconds: float = 0) -> None:
-        """Add seconds and nanoseconds; fractions of a nanosecond are cut off.
+        """Add seconds and nanoseconds. Fractions of a nanosecond are cut off.
 
         Raises:
             ArgumentTypeError: An argument is not a number.
@@ -55,7 +55,7 @@ class Duration:
     def to_msg(self) -> Any:
         """Return a `builtin_interfaces/msg/Duration`, whose range is about -68 to 68 years.
 
-        `Infinite` becomes the longest such message, and `from_msg` turns that into `Infinite`.
+        `Infinite` becomes the longest possible message. `from_msg` converts it to `Infinite` again.
         """
         infinite = self._nanoseconds == _LIMIT - 1
         return _to_message("Duration", _LONGEST_IN_MESSAGE if infinite else self._nanoseconds)
@@ -129,7 +129,7 @@ class Time:
         nanoseconds: float = 0,
         clock_type: ClockType = ClockType.SYSTEM_TIME,
     ) -> None:
-        """Add seconds and nanoseconds; fractions of a nanosecond are cut off.
+        """Add seconds and nanoseconds. Fractions of a nanosecond are cut off.
 
         Raises:
             ArgumentTypeError: An argument is not a number, or `clock_type` is not a `ClockType`.
@@ -145,7 +145,7 @@ class Time:
 
     @classmethod
     def from_msg(cls, msg: Any, clock_type: ClockType = ClockType.ROS_TIME) -> Time:
-        """Return the value of a `builtin_interfaces/msg/Time`, which does not name its clock.
+        """Return the value of a `builtin_interfaces/msg/Time`. The message has no clock type.
 
         Raises:
             ArgumentTypeError: The message has no `sec` and `nanosec`.
@@ -155,7 +155,7 @@ class Time:
         return cls(nanoseconds=nanoseconds, clock_type=clock_type)
 
     def to_msg(self) -> Any:
-        """Return a `builtin_interfaces/msg/Time`; its range ends in 2038."""
+        """Return a `builtin_interfaces/msg/Time`. The range of this message ends in 2038."""
         return _to_message("Time", self._nanoseconds)
 
     @property
@@ -243,7 +243,7 @@ def _total(what: str, seconds: float, nanoseconds: float) -> int:
 
 
 def _number(argument: str, value: float) -> float:
-    """Return the value as a Python number: a numpy int32 would overflow in a multiplication."""
+    """Return the value as a Python number, because a numpy int32 can overflow in a product."""
     if isinstance(value, (int, float)):
         return value
     if isinstance(value, numbers.Integral):
@@ -268,12 +268,12 @@ def _to_message(name: str, nanoseconds: int) -> Any:
     return message(sec=seconds, nanosec=rest)
 
 
-#: The longest duration; a deadline or lifespan of this length never expires.
+#: The longest duration. A deadline or lifespan of this length never expires.
 Infinite = Duration(nanoseconds=_LIMIT - 1)
 
 
 def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
-    """Return a timeout in nanoseconds, or -1 (no timeout) for `None` and for less than 0."""
+    """Return a timeout in nanoseconds. Return -1 (no timeout) for `None` and negative values."""
     return -1 if timeout_sec is None or timeout_sec < 0 else int(timeout_sec * S_TO_NS)
 
 

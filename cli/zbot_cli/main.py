@@ -1,6 +1,6 @@
-"""Entry point of the `zbot` command: finds the noun, runs it, and prints errors.
+"""Entry point of the `zbot` command. It finds the noun, runs it, and prints errors.
 
-Only the module of the noun that is used gets imported, so that `zbot --help` is fast.
+It imports only the module of this noun, so that `zbot --help` is fast.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from zbot_cli.output.exit_status import Status
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-#: All nouns, with the line that `zbot --help` shows.
+#: All nouns. Each has the line that `zbot --help` shows for it.
 NOUNS = {
     "action": "Look at actions and send goals",
     "build": "Check packages; nothing needs building",
@@ -147,8 +147,8 @@ def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
 
 
 def _report_usage(error: Any) -> int:
-    # typer contains a copy of click whose module name depends on its version, so click's error
-    # classes cannot be imported: their attributes are used instead.
+    # typer contains a copy of click, and the name of this module depends on typer's version. So
+    # click's error classes cannot be imported, and their attributes are used instead.
     if type(error).__name__ == "NoArgsIsHelpError":
         print(error.format_message())
         return Status.OK
@@ -187,10 +187,11 @@ def run_command(words: list[str]) -> int | Callable[[], NoReturn]:
     """Run one command line.
 
     Args:
-        words: Everything after `zbot`.
+        words: All words after `zbot`.
 
     Returns:
-        The exit code. For `zbot run`: a function that runs the program and ends the process.
+        The exit code. `zbot run` gives a function instead, which runs the program and ends the
+            process.
     """
     options = _Options(words)
     if not options.words:
@@ -218,9 +219,9 @@ def main() -> NoReturn:
     try:
         keyboard_interrupt.raise_on_ctrl_c()
         outcome = run_command(sys.argv[1:])
-    except KeyboardInterrupt:  # `run_command` catches those during the command
+    except KeyboardInterrupt:  # during the command, `run_command` catches it
         outcome = Status.INTERRUPTED
-    # From here on Ctrl-C ends the process: nothing is left to clean up.
+    # Nothing is left to clean up, so Ctrl-C ends the process from here on.
     keyboard_interrupt.end_process_on_ctrl_c()
     if callable(outcome):
         outcome()  # the program's exceptions are not caught: Python prints their tracebacks

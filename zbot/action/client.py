@@ -37,7 +37,6 @@ from unique_identifier_msgs.msg import UUID
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from types import TracebackType
 
     from typing_extensions import Self
 
@@ -468,12 +467,7 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *exc_info: object) -> None:
         self.destroy()
 
 

@@ -1,1 +1,1 @@
-"""Classes and hubs: many machines, each with a hub (a Zenoh router) that dials one common hub."""
+"""Classes of students, and hubs. Each machine's hub (a Zenoh router) dials one common hub."""

@@ -1,7 +1,7 @@
-"""`python -m zbot.classroom ROLE`: the hub that `zbot join` and `zbot class start` leave running.
+"""Hub in the background. `zbot join` and `zbot class start` run `python -m zbot.classroom ROLE`.
 
-The hub reads its settings and secrets from files that only its user can read. They are never on
-its command line.
+The hub reads its settings and secrets from files that only its user can read. Its command line
+never contains them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from zbot.transport import membership
 
 
 def main() -> int:
-    """Run the hub of this machine's role, teacher or student; return the exit code."""
+    """Run the hub of this machine's role (teacher or student), and return the exit code."""
     try:
         joined = membership.load()
         if joined is None:

@@ -10,12 +10,12 @@ from dataclasses import dataclass
 from zbot.classroom.errors import AddressError
 from zbot.transport.config import HUB_PORT
 
-#: Targets for UDP sockets. Connecting a UDP socket sends nothing, but the system chooses the local
-#: address for it. The first target is a documentation address (RFC 5737): its route is the default.
+#: Targets for UDP sockets. To connect a UDP socket sends nothing, but the system chooses its local
+#: address. The first target is a documentation address (RFC 5737), which uses the default route.
 _PROBES = ("192.0.2.1", "10.255.255.254", "172.31.255.254", "192.168.255.254")
 _MAX_PORT = 65535
 
-EVERYWHERE = "0.0.0.0"  #: all interfaces of a machine  # noqa: S104 - the user asks for it
+EVERYWHERE = "0.0.0.0"  #: all interfaces of a machine  # noqa: S104 - the user wants this
 
 
 @dataclass(frozen=True)
@@ -63,10 +63,10 @@ def _split(text: str) -> tuple[str, str | None]:
 
 
 def own_addresses() -> list[str]:
-    """Return this machine's IPv4 addresses without loopback; the default route's comes first.
+    """Return this machine's IPv4 addresses without loopback. The default route's address is first.
 
-    Sends nothing: all addresses come from the operating system. An interface without a route may be
-    missing.
+    The function sends nothing, because all addresses come from the operating system. An interface
+    without a route may be missing.
     """
     found = [_source_towards(probe) for probe in _PROBES]
     found += _addresses_of_interfaces() or _addresses_of_host_name()
@@ -86,8 +86,8 @@ def _source_towards(target: str) -> str:
 def _addresses_of_host_name() -> list[str]:
     """Return the addresses of the host's own name.
 
-    Used on Windows only, which needs no name server for its own name. Other systems may ask one,
-    and wait 10 s when it is unreachable.
+    Only Windows uses this, because it needs no name server for its own name. Other systems may ask
+    a name server, and wait 10 s if the server is unreachable.
     """
     try:
         return socket.gethostbyname_ex(socket.gethostname())[2]
@@ -96,7 +96,7 @@ def _addresses_of_host_name() -> list[str]:
 
 
 def _addresses_of_interfaces() -> list[str]:
-    """Return the address of each interface; empty on Windows."""
+    """Return the address of each interface. Empty on Windows."""
     try:
         import fcntl  # noqa: PLC0415 - Windows has none
     except ImportError:

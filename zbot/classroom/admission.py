@@ -1,8 +1,8 @@
-"""Service that admits laptops to a class; the only one that a user who has not joined may query.
+"""Admission service of a class. Laptops that have not joined may query only this service.
 
 Each query and reply is a JSON object. `hello` returns the name of the class. `enrol` and `claim`
-are the two steps of the PIN check (`zbot.security.pin`); the student gets a number and a secret at
-its end. `release` gives a number back. A class without a PIN uses the same steps with an empty PIN.
+are the two steps of the PIN check (`zbot.security.pin`). After these steps the student has a number
+and a secret. `release` frees a number. A class without a PIN uses the same steps with an empty PIN.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ _MACHINE_LENGTH = 64
 
 Document = dict[str, Any]
 
-# The value of `refused` in a reply, for each class of errors; the first match counts.
+# The value of `refused` in a reply, for each kind of error. The first match counts.
 _REFUSALS: tuple[tuple[type[SetupError], str], ...] = (
     (WrongPinError, "pin"),
     (TooManyGuessesError, "wait"),
@@ -39,12 +39,12 @@ class AdmissionRequest:
 
     machine: str  #: identifies the laptop
     host: str  #: the laptop's host name
-    name: str | None = None  #: the student's
-    number: int | None = None  #: the student's; `None`: the class chooses one
+    name: str | None = None  #: the student's name
+    number: int | None = None  #: the student's, or `None` if the class shall choose a number
 
     @classmethod
     def of(cls, document: Document) -> AdmissionRequest:
-        """Return the request in a document from a laptop; invalid fields get their defaults."""
+        """Return the request in a document from a laptop. Invalid fields get their defaults."""
         number = document.get("number")
         return cls(
             str(document.get("machine"))[:_MACHINE_LENGTH],
@@ -57,20 +57,20 @@ class AdmissionRequest:
 def release_proof(claim: str) -> str:
     """Return the proof that the sender of a `release` owns the number.
 
-    Only the owner knows the claim, because the class encrypted it for this laptop alone.
+    Only the owner knows the claim, because the class encrypted it for this laptop.
     """
     return hmac.new(claim.encode(), b"release", "sha256").hexdigest()
 
 
 class AdmissionService:
-    """Admission of laptops to a class.
+    """Service that admits laptops to a class.
 
     Args:
-        class_name: The class's name, returned by `hello`.
-        pin: The class's PIN; empty if it has none.
+        class_name: The class's name, which `hello` returns.
+        pin: The class's PIN. Empty if the class has no PIN.
         register: The numbers of the class.
-        credentials: Returns the credentials of a number, which its laptop needs to use the hub.
-        changed: Called with the number after the register has changed.
+        credentials: Takes a number and returns the credentials that its laptop needs for the hub.
+        changed: Called with a student's number after the register has changed.
     """
 
     def __init__(
@@ -90,7 +90,7 @@ class AdmissionService:
         self._changed = changed
 
     def answer(self, question: Document) -> Document:
-        """Return the reply to a query; a refusal is `{"refused": kind, "sentence": reason}`."""
+        """Return the reply to a query. A refusal is `{"refused": kind, "sentence": reason}`."""
         steps = {
             "hello": self._hello,
             "enrol": self._pin_server.challenge,

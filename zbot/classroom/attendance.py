@@ -1,4 +1,4 @@
-"""Attendance of a class: which laptops the teacher's hub sees, and the facts that they report."""
+"""Attendance of a class: the laptops that the teacher's hub sees, and the facts they report."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class ConnectedLaptop:
     """Facts about a student's laptop."""
 
     is_here: bool = False
-    since_ns: int = 0  #: when it was connected or lost, since the epoch; 0 if it was never seen
+    since_ns: int = 0  #: when it was connected or lost, since the epoch (0 if it was never seen)
     version: str = ""
     system: str = ""
     last_error: dict[str, Any] | None = field(default=None)
@@ -41,7 +41,7 @@ class ConnectedLaptop:
 
 
 class Attendance:
-    """Records which laptops are connected; all methods may be called from any thread."""
+    """Records which laptops are connected. All methods may be called from any thread."""
 
     def __init__(self) -> None:
         self._laptops: dict[int, ConnectedLaptop] = {}
@@ -59,12 +59,12 @@ class Attendance:
             self.watch(number)
 
     def watch(self, number: int) -> None:
-        """Watch for a student's laptop; does nothing when it is watched already."""
+        """Watch a student's laptop. Do nothing if it is watched already."""
         serving = self._serving
         with self._lock:
             if serving is None or number in self._watched:
                 return
-            # `history`: tokens that exist already are reported too.
+            # `history` means that tokens which exist already are reported too.
             self._watched[number] = serving.session.liveliness().declare_subscriber(
                 here_key(number), self._token_callback(number), history=True
             )
@@ -101,7 +101,7 @@ class Attendance:
             return [number for number, laptop in self._laptops.items() if laptop.is_here]
 
     def refresh(self) -> None:
-        """Query the facts of all connected laptops; takes as long as the slowest, at most 1 s."""
+        """Query the facts of all connected laptops. Wait for the slowest laptop, at most 1 s."""
         serving = self._serving
         if serving is None:
             return
@@ -136,7 +136,7 @@ class Attendance:
         laptop.system = clean_name(str(facts.get("system", "")))
         their_ns = facts.get("time_ns")
         if isinstance(their_ns, int) and 0 <= their_ns < _MAX_TIME_NS:
-            # The laptop read its clock half-way between query and reply, as NTP assumes.
+            # As in NTP: assume that the laptop read its clock half-way between query and reply.
             laptop.clock_offset_s = (their_ns - (asked_ns + came_ns) // 2) / 1e9
         error = facts.get("last_error")
         if isinstance(error, dict):
@@ -146,7 +146,7 @@ class Attendance:
             }
 
     def nodes(self) -> dict[int, list[str]]:
-        """Return the full names of all nodes by domain, without hidden ones."""
+        """Return the full names of all nodes by domain. Hidden nodes are left out."""
         serving = self._serving
         found: dict[int, list[str]] = {}
         if serving is None:

@@ -1,7 +1,7 @@
-"""Hub process in the background, which keeps running when its terminal is closed.
+"""Hub process in the background. It keeps running when its terminal is closed.
 
-A user has at most one hub on a machine. The hub holds a lock on a file for as long as it runs; the
-system releases the lock however the process ends.
+A user has at most one hub on a machine. The hub locks a file as long as it runs. The system
+releases the lock when the process ends, also after a crash.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def _state_path() -> Path:
 
 
 def _lock(file: IO[str]) -> bool:
-    """Lock a file until this process ends; `False` if another holds it."""
+    """Lock a file until this process ends. Return `False` if another process has locked it."""
     try:
         if sys.platform == "win32":
             import msvcrt  # noqa: PLC0415 - Windows only
@@ -67,7 +67,7 @@ def _lock(file: IO[str]) -> bool:
 
 
 def _lock_within_timeout(file: IO[str]) -> bool:
-    """Lock a file, with retries: `find` in another process holds the lock for a short time."""
+    """Lock a file. Retry, because `find` in another process may hold the lock for a short time."""
     deadline = time.monotonic() + _LOCK_TIMEOUT_S
     while not _lock(file):
         if time.monotonic() > deadline:
@@ -78,7 +78,7 @@ def _lock_within_timeout(file: IO[str]) -> bool:
 
 @contextlib.contextmanager
 def hub_lock() -> Iterator[None]:
-    """Hold the lock of this machine's hub for the length of a block.
+    """Hold the lock of this machine's hub during a `with` block.
 
     Raises:
         AlreadyJoinedError: Another hub runs.
@@ -101,7 +101,7 @@ def write_state(role: str, listen: tuple[str, ...], connect: tuple[str, ...]) ->
 
 
 def find() -> RunningHub | None:
-    """Return this machine's hub; `None` if none runs."""
+    """Return this machine's hub, or `None` if no hub runs."""
     if not _is_locked():
         return None
     try:
@@ -119,10 +119,10 @@ def _is_locked() -> bool:
 
 
 def start(role: str) -> None:
-    """Start the hub and wait until it is ready; its settings are in the membership file.
+    """Start the hub and wait until it is ready. Its settings are in the membership file.
 
     Raises:
-        HubStartError: The hub ended before it was ready; its last line is the reason.
+        HubStartError: The hub ended before it was ready. Its last line of output is the reason.
     """
     make_private_folder(folder())
     write_private(log_path(), b"")
@@ -148,10 +148,10 @@ def start(role: str) -> None:
 
 
 def _environment() -> dict[str, str]:
-    """Return the hub's environment: this process's without the PIN, with a path to zbot."""
+    """Return this process's environment without the PIN, but with a path to zbot."""
     kept = {name: value for name, value in os.environ.items() if name != "ZBOT_PIN"}
     root = Path(__file__).parents[2]
-    if root.name != "site-packages":  # a checkout, which may be importable from its folder only
+    if root.name != "site-packages":  # a checkout, which may be importable only from its folder
         kept["PYTHONPATH"] = os.pathsep.join(filter(None, [str(root), kept.get("PYTHONPATH")]))
     return {**kept, "PYTHONUNBUFFERED": "1"}
 
@@ -163,14 +163,14 @@ def _detached() -> dict[str, Any]:
 
 
 def report_ready() -> None:
-    """Tell the parent process that the hub is ready; further output goes to the log."""
+    """Tell the parent process that the hub is ready. Further output goes to the log."""
     print(READY, flush=True)
     sys.stdout = sys.stderr
     os.dup2(2, 1)
 
 
 def stop() -> bool:
-    """End the hub and wait for its end; return whether one ran."""
+    """End the hub and wait for its end. Return whether a hub was running."""
     hub = find()
     if hub is None:
         return False

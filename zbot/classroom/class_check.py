@@ -1,4 +1,4 @@
-"""Check of a whole class: whether each student's domain meets the teacher's expectations."""
+"""Check whether the domain of each student of a class meets the teacher's expectations."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class Verdict:
 
     number: int
     name: str
-    problems: tuple[str, ...]  #: empty if the student passes
+    problems: tuple[str, ...]  #: empty if the student has passed
 
     @property
     def passes(self) -> bool:
@@ -48,11 +48,11 @@ def check(
 ) -> list[Verdict]:
     """Return a verdict for each student.
 
-    Expectations with a rate take 2.5 to 20 s, in which messages are counted.
+    If an expectation has a rate, the check takes 2.5 to 20 s, because it counts messages.
 
     Args:
         session: A client of the teacher's hub.
-        students: Rows of the class's list, with `number`, `name` and `here`.
+        students: Rows of the class's list. Each row has `number`, `name` and `here`.
         expectations: The expectations for every student.
     """
     here = [student["number"] for student in students if student["here"]]
@@ -70,7 +70,7 @@ def check(
 
 
 def snapshots(session: zenoh.Session, numbers: Iterable[int]) -> dict[int, Snapshot]:
-    """Return the graphs of some students' domains, seen by a client of the teacher's hub."""
+    """Return the graphs of some students' domains, as a client of the teacher's hub sees them."""
     asked = {
         number: admin_query.tokens(session, token_selector(number), _TOKENS_TIMEOUT_S)
         for number in numbers
@@ -105,7 +105,7 @@ class _Counter:
             self._count += 1
 
     def rate_hz(self, window_s: float) -> float:
-        """Return the mean rate; with fewer than two messages, their number per window."""
+        """Return the mean rate. With 0 or 1 message, divide the number by the window."""
         with self._lock:
             if self._count < 2:
                 return self._count / window_s

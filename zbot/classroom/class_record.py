@@ -1,4 +1,4 @@
-"""Record of an open class in a file, which survives a restart of the teacher's machine."""
+"""Record of an open class. Its file survives a restart of the teacher's machine."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
     from pathlib import Path
 
-#: Notices that are kept for students who join later.
+#: Maximum number of notices that are kept for students who join later.
 MAX_NOTICES = 20
-_ID_DIGITS = 31  # after the first digit; Zenoh's ids have 16 bytes
+_ID_DIGITS = 31  # after the first digit, because Zenoh's ids have 16 bytes
 
 
 class RecordError(ClassroomError, ValueError):
@@ -39,7 +39,7 @@ class ClassRecord:
     name: str
     master: str = field(repr=False)  #: the key from which every user's secret is derived
     pin: str = field(default="", repr=False)
-    keystore: str = ""  #: folder of the teacher's certificate; empty if hubs use none
+    keystore: str = ""  #: folder of the teacher's certificate (empty without certificates)
     register: Register = field(default_factory=Register)
     is_open: bool = False  #: whether students may publish in the shared space
     shares: list[tuple[int, int]] = field(default_factory=list)  #: (owner, reader) of a domain
@@ -48,10 +48,10 @@ class ClassRecord:
     renewals: dict[int, int] = field(default_factory=dict)  #: how often a secret was renewed
 
     def assign(self, number: int, machine: str) -> bool:
-        """Assign a number to a machine; its secret is renewed if another machine knows it.
+        """Assign a number to a machine. If another machine knows the number's secret, renew it.
 
         Returns:
-            Whether the secret was renewed; the hub has to be reopened then.
+            Whether the secret was renewed. Then the hub must be reopened.
         """
         is_new = self.holders.get(number, machine) != machine
         if is_new:
@@ -69,18 +69,18 @@ class ClassRecord:
         return self.secret_of(f"{purpose}{user_of(number)}" + f" {renewed}" * bool(renewed))
 
     def secret_of(self, user: str) -> str:
-        """Return a user's secret; the same for each call with one name."""
+        """Return a user's secret. Calls with the same name return the same secret."""
         return hmac.new(self.master.encode(), user.encode(), hashlib.sha256).hexdigest()
 
     def hub_id(self, number: int) -> str:
-        """Return the Zenoh id of a student's hub: lower-case hex that does not begin with 0."""
+        """Return the Zenoh id of a student's hub, in lower-case hex digits. The first is not 0."""
         return "f" + self._student_secret("hub of ", number)[:_ID_DIGITS]
 
     def credentials(self, number: int) -> dict[str, str]:
-        """Return what a student's laptop needs to be accepted by the teacher's hub.
+        """Return the credentials with which the teacher's hub accepts a student's laptop.
 
-        With a PIN: the hub's id, user name and secret. Without a PIN: only the hub's id, so any
-        Zenoh program can talk to a laptop's nodes without a secret.
+        If the class has a PIN, they are the id of the laptop's hub, user name and secret. Without a
+        PIN they are only the id, so any Zenoh program can use a laptop's nodes without a secret.
         """
         found = {"hub_id": self.hub_id(number)}
         if self.pin:
@@ -88,14 +88,14 @@ class ClassRecord:
         return found
 
     def users(self) -> Iterator[tuple[str, str]]:
-        """Yield every user of the hub with its secret."""
+        """Yield the name and the secret of every user of the hub."""
         yield LOBBY, LOBBY_SECRET.reveal()
         yield TEACHER, self.secret_of(TEACHER)
         for number in range(1, MAX_DOMAIN_ID + 1):
             yield user_of(number), self._student_secret("", number)
 
     def save(self) -> None:
-        """Write the file; only its user can read it."""
+        """Write the file. Only its user can read the file."""
         make_private_folder(folder())
         write_private(record_path(), json.dumps(asdict(self), indent=1).encode())
 

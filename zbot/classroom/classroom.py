@@ -1,4 +1,4 @@
-"""Open class in the process of the teacher's hub: admission, and the teacher's commands."""
+"""Open class in the process of the teacher's hub: admission and the teacher's commands."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Classroom:
     """An open class.
 
     Args:
-        record: The class's data, which are kept in a file.
+        record: The class's data, which are stored in a file.
         port: TCP port of the hub.
     """
 
@@ -68,7 +68,7 @@ class Classroom:
         return HubSettings(listen, extra=settings)
 
     def _use_hub_ids(self, access: Document) -> None:
-        """Apply the rules to hubs by their Zenoh ids, and to this machine, instead of to users."""
+        """Apply the rules to Zenoh ids of hubs, and to this machine, instead of to user names."""
         ids = {user_of(number): self._record.hub_id(number) for number in _NUMBERS}
         for subject in access["subjects"]:
             user = subject["id"]
@@ -77,7 +77,7 @@ class Classroom:
                 subject["zids"] = [ids[user]]
             elif user == TEACHER:
                 subject["interfaces"] = list(_LOOPBACK_INTERFACES)
-            # The rules of the lobby apply to everybody: a subject without conditions matches all.
+            # The rules of the lobby apply to everybody, because its subject has no conditions.
 
     def attach(self, serving: HubProcess) -> None:
         """Begin to answer laptops and the teacher through a hub that was opened."""
@@ -113,7 +113,8 @@ class Classroom:
         verb = verbs.get(str(question.get("op")))
         if verb is None:
             return {"error": "the class does not know this command: its zbot may be older"}
-        # Commands that change something run one at a time. A list waits for slow laptops, unlocked.
+        # Commands that change something run one at a time. `list` waits for slow laptops, so it
+        # does not take the lock.
         try:
             with contextlib.nullcontext() if verb == self._list else self._lock:
                 return verb(question)
@@ -182,7 +183,7 @@ class Classroom:
         return {"open": self._record.is_open}
 
     def _apply(self) -> None:
-        """Save the rules and reopen the hub: Zenoh reads rules when a session opens."""
+        """Save the rules and reopen the hub, because Zenoh reads rules when a session opens."""
         assert self._serving is not None
         self._record.save()
         membership.save_users(self._record.users())

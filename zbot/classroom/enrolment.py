@@ -1,4 +1,4 @@
-"""Enrolment in a class, on the laptop's side."""
+"""Laptop's side of the enrolment in a class."""
 
 from __future__ import annotations
 
@@ -30,22 +30,23 @@ if TYPE_CHECKING:
 
 _ANSWER_TIMEOUT_S = 5.0
 _RELEASE_TIMEOUT_S = 1.0
-_LONGEST_WAIT_S = 30.0  # while wrong PINs of others slow the class down
+_LONGEST_WAIT_S = 30.0  # after wrong PINs of others, the class makes laptops wait
 
 
 def request_admission(
     address: Address, request: AdmissionRequest, ask_pin: AskPin, link: Link = PLAINTEXT
 ) -> Membership:
-    """Join the class or the plain hub at an address.
+    """Join the class at an address, or the hub without a class.
 
     Args:
         address: Address of the hub.
-        request: Name and number.
-        ask_pin: Called with the class's name if it has a PIN; returns `None` if the PIN is unknown.
+        request: The student's name and number.
+        ask_pin: Called with the class's name if the class has a PIN. Returns the PIN, or `None` if
+            it is unknown.
         link: Plain TCP or TLS.
 
     Returns:
-        The membership: of a class, or of a plain hub, which needs no number.
+        The membership in a class or in a hub without a class. The latter has no number.
 
     Raises:
         NoHubError: The program at the address is not a hub.
@@ -54,7 +55,8 @@ def request_admission(
         RefusedError: The number is taken or invalid.
         SilentHubError: The class does not answer.
     """
-    # A hub with users refuses clients without one; a hub without users refuses clients with one.
+    # A hub with users refuses clients without a user name. A hub without users refuses clients
+    # with a user name.
     for settings in ({}, credentials(LOBBY, LOBBY_SECRET)):
         session = open_hub_client(link.endpoint(address), {**settings, **link.settings})
         if session is not None:
@@ -75,7 +77,7 @@ class _Enrolment:
         if not greetings:
             if self._is_class or time.monotonic() - begun > _ANSWER_TIMEOUT_S / 2:
                 raise SilentHubError(self._address.host, self._address.port)
-            # The query ended before its timeout: no queryable for admission exists there.
+            # The query ended before its timeout, so there is no queryable for admission.
             return Membership("partner", self._address.host, self._address.port)
         hello = greetings[0]
         pin = ask_pin(clean_name(str(hello.get("class")))) if hello.get("pin") else ""
@@ -135,7 +137,7 @@ def _membership(address: Address, given: dict[str, Any]) -> Membership:
 
 
 def release(session: zenoh.Session, joined: Membership) -> bool:
-    """Release this laptop's number; return whether the class confirmed it.
+    """Release this laptop's number. Return whether the class confirmed the release.
 
     Args:
         session: A client of this machine's hub.

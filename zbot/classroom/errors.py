@@ -1,4 +1,4 @@
-"""Errors of classes and hubs; each message says what to do."""
+"""Errors of classes and hubs. Each message says what to do."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ class HubStartError(ClassroomError, OSError):
 
 
 class AlreadyJoinedError(ClassroomError):
-    """This machine has joined something or runs a hub already."""
+    """This machine has already joined a class or hub, or already runs a hub."""
 
     def __init__(self, what: str) -> None:
         self.what = what
@@ -96,7 +96,7 @@ class AlreadyJoinedError(ClassroomError):
 
 
 class NotJoinedError(ClassroomError):
-    """This machine has not joined anything."""
+    """This machine has not joined a class or hub."""
 
     def __init__(self) -> None:
         super().__init__("this machine has not joined anything: join with `zbot join CODE`")
@@ -117,7 +117,7 @@ class PinNeededError(ClassroomError, PermissionError):
 
 
 class RefusedError(ClassroomError, PermissionError):
-    """The class refuses this machine; the message comes from the class."""
+    """The class refuses this machine. The message comes from the class."""
 
     def __init__(self, kind: str, sentence: str) -> None:
         self.kind = kind
@@ -133,4 +133,4 @@ class SilentHubError(ClassroomError, TimeoutError):
 
 
 class ClassCommandError(ClassroomError):
-    """The class cannot carry out a command of its teacher; the message says why."""
+    """The class cannot carry out a command of its teacher. The message says why."""

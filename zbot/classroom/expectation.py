@@ -1,11 +1,11 @@
-"""Expectations that a student's programs should meet: their parser and their check.
+"""Parser and check of expectations that a student's programs should meet, such as these.
 
     publishes std_msgs/String on /student_id at >= 1 Hz
     subscribes geometry_msgs/Twist on /cmd_vel
     serves example_interfaces/AddTwoInts on /add_two_ints
     runs /talker
 
-`and` joins several expectations. Nothing here uses the network.
+`and` joins several expectations. This module does not use the network.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
     from zbot.graph.snapshot import Snapshot
 
-#: Accepted relative deviation from a rate: a timer of 1 Hz is sometimes late.
+#: Accepted relative deviation from a rate, because a timer of 1 Hz is sometimes late.
 TOLERANCE = 0.05
 
 _KINDS = {
@@ -56,18 +56,18 @@ class Expectation:
     """One endpoint or node that a student's programs should have."""
 
     kind: EntityKind  #: `NODE` for a node that should run
-    name: str  #: of the topic, service or node
+    name: str  #: name of the topic, service or node
     type_name: str = ""  #: `std_msgs/msg/String`
-    sign: str = ""  #: `>=`, `<=`, `>`, `<` or `=`; empty if no rate is expected
+    sign: str = ""  #: `>=`, `<=`, `>`, `<` or `=`, or empty if no rate is expected
     rate_hz: float = 0.0
 
     @property
     def has_rate(self) -> bool:
-        """Whether a rate is expected, so that messages have to be counted."""
+        """Whether a rate is expected. Then messages have to be counted."""
         return bool(self.sign)
 
     def problem(self, snapshot: Snapshot, rates_hz: Mapping[str, float]) -> str:
-        """Return how the expectation is not met; empty if it is met.
+        """Return the problem if the expectation is not met. Return an empty string if it is met.
 
         Args:
             snapshot: The graph of the student's domain.
@@ -175,7 +175,7 @@ def _missing(kind: EntityKind, name: str, present: list[str]) -> str:
 
 
 def _same_letters(name: str, present: list[str]) -> str | None:
-    """Return a name that differs only in case, underscores or namespace, or `None`."""
+    """Return a name that differs only in case, underscores or namespace, if there is any."""
 
     def bare(one: str) -> str:
         return one.rpartition("/")[2].replace("_", "").lower()

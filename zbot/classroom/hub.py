@@ -1,7 +1,7 @@
-"""Hub: a Zenoh router in a Python process that links this machine with others.
+"""Hub: a Zenoh router in a Python process that links this machine with other machines.
 
 Nodes connect on loopback only. Each domain's meeting point dials the hub of its machine, and the
-hub dials one other hub at a given address. So nothing depends on multicast, and an access point may
+hub dials one other hub at a given address. So hubs need no multicast, and an access point may
 isolate its clients from each other.
 """
 
@@ -19,12 +19,14 @@ from zbot.version import __version__
 if TYPE_CHECKING:
     import zenoh
 
-# A link without messages for this long is closed. The time is short enough to notice a laptop that
-# went to sleep, and long enough for TCP to repeat three times what Wi-Fi loses.
+# A link without messages for this time is closed. The time is short enough to notice soon that a
+# laptop sleeps, and long enough for TCP to repeat a packet three times that Wi-Fi loses.
 _LEASE_MS = 4000
-# In a lease. Each is acknowledged: thirty idle laptops cause 4 kB/s at the teacher's hub.
+# Messages in a lease. TCP acknowledges each message, so thirty idle laptops cause 4 kB/s at the
+# teacher's hub.
 _KEEP_ALIVES = 2
-# Short, so that laptops are linked soon after the other hub is back; a hundred must not flood it.
+# Short, so that laptops are linked soon after the other hub is back. But not so short that a
+# hundred laptops flood that hub.
 _RETRY = {"period_init_ms": 250, "period_max_ms": 500, "period_increase_factor": 2}
 _HANDSHAKE_MS = 3000  # networks lose packets
 # All laptops redial at the same time after a restart of the teacher's hub.
@@ -35,8 +37,8 @@ _ADMIN_MESSAGES = ["declare_queryable", "query", "reply"]
 def open_access() -> dict[str, Any]:
     """Return access rules that allow everything except the admin space.
 
-    Each session has an admin space. Without this rule, one query of a student would be answered by
-    the sessions of the whole class.
+    Each session has an admin space. Without this rule, all sessions of the class would answer one
+    query of a student.
     """
     rule = {
         "id": "admin space",
@@ -58,7 +60,7 @@ def open_access() -> dict[str, Any]:
 class HubSettings:
     """Endpoints and Zenoh settings of a hub."""
 
-    listen: tuple[str, ...]  #: Zenoh endpoints; this machine's nodes dial one of them
+    listen: tuple[str, ...]  #: Zenoh endpoints (this machine's nodes dial one of them)
     connect: tuple[str, ...] = ()  #: endpoints of the hub that this hub dials
     extra: dict[str, Any] = field(default_factory=dict)  #: Zenoh settings that override the others
 

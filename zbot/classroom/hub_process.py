@@ -1,4 +1,4 @@
-"""Process of a hub: it takes the lock, opens the session, and closes it on a signal."""
+"""Process of a hub. It takes the lock, opens the session, and closes the session on a signal."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class HubProcess:
     Args:
         session: The router's session.
         settings: The endpoints and Zenoh settings of the session.
-        reopen: Called to close the hub and open it with new settings.
+        reopen: Function that closes the hub and opens it with new settings.
     """
 
     def __init__(
@@ -45,20 +45,20 @@ class HubProcess:
         self._settings = settings
         self._threads: list[threading.Thread] = []
         self._queries: list[HubQueries] = []
-        #: Functions that return further facts for `zbot status`, by the name of the fact.
+        #: Functions that return further facts for `zbot status`. The keys are names of facts.
         self.extra_facts: dict[str, Callable[[], Any]] = {}
         self.answer_queries(f"{HUB_KEY}/{os.getpid()}", self._facts)
 
     def answer_queries(
         self, key: str, answer: Callable[[dict[str, Any]], dict[str, Any] | None]
     ) -> None:
-        """Answer queries on a key for as long as the hub is open."""
+        """Answer queries on a key while the hub is open."""
         queries = HubQueries(self.session, key, answer)
         self._queries.append(queries)
         self.join_on_close(queries.thread)
 
     def join_on_close(self, thread: threading.Thread) -> None:
-        """Have `close` wait for a thread that ends with the session."""
+        """Let `close` wait for a thread that ends when the session is closed."""
         self._threads.append(thread)
 
     def _facts(self, _question: dict[str, Any]) -> dict[str, Any]:
@@ -101,7 +101,7 @@ class _Signals:
 
 @contextlib.contextmanager
 def _signals() -> Iterator[_Signals]:
-    """Yield the events that SIGTERM and SIGINT set; restore the former handlers afterwards."""
+    """Yield the events that SIGTERM and SIGINT set. Restore the former handlers afterwards."""
     caught = _Signals()
     numbers = (signal.SIGTERM, signal.SIGINT)
     before = {number: signal.signal(number, caught.end) for number in numbers}
@@ -122,9 +122,9 @@ def serve(
 
     Args:
         role: Shown by `zbot status`.
-        settings: Returns the hub's settings; called each time that the hub is opened.
+        settings: Returns the hub's settings. It is called each time that the hub is opened.
         on_ready: Called once, when others can connect.
-        attach: Adds what this role needs; called each time that the hub is opened.
+        attach: Adds the parts that this role needs. It is called each time that the hub is opened.
 
     Raises:
         AlreadyJoinedError: This machine runs a hub already.

@@ -1,4 +1,4 @@
-"""Queries in JSON between hubs and commands: a queryable with a thread, and a client function."""
+"""Queries in JSON between hubs and commands: a queryable with a thread, and a query function."""
 
 from __future__ import annotations
 
@@ -14,22 +14,22 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 _QUEUE = 256
-_LARGEST = 64 * 1024  # bytes; valid queries of users who have not joined have a few hundred
-_LARGEST_ANSWER = 16 * 1024 * 1024  # bytes; a class of 232 with a hundred nodes each
+_LARGEST = 64 * 1024  # bytes (valid queries of users who have not joined have a few hundred)
+_LARGEST_ANSWER = 16 * 1024 * 1024  # bytes (for 232 students who have a hundred nodes each)
 
 Answer = dict[str, Any]
 
 
 class HubQueries:
-    """Queryable on one key that answers queries one after the other, in a thread of its own.
+    """Queryable on one key. It answers queries one after the other, in its own thread.
 
-    Its `thread` ends when the session is closed.
+    The `thread` ends when the session is closed.
 
     Args:
         session: The hub's session.
-        key: Key expression, without wildcards.
-        answer: Takes the document of a query and returns that of the reply, or `None` for no reply.
-            An exception is sent to the client as an error reply.
+        key: Key expression without wildcards.
+        answer: Takes the document of a query and returns the document of the reply. If it returns
+            `None`, there is no reply. The client gets an exception as an error reply.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class HubQueries:
 
 
 def document_of(payload: zenoh.ZBytes | None, largest: int = _LARGEST) -> Answer:
-    """Return the JSON object in a payload; empty if it is invalid or has over `largest` bytes."""
+    """Return the JSON object in a payload. Empty if invalid or larger than `largest` bytes."""
     if payload is None or len(payload) > largest:
         return {}
     try:

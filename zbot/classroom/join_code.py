@@ -1,10 +1,10 @@
 """Join code: the address of a class in four or eight characters.
 
-A code needs no name service and no multicast, because it is the address itself in Crockford's base
-32 (which has no I, L, O and U; I and L are read as 1, O as 0). Four characters are enough for
-laptops whose address begins with the same 16 bits as the teacher's. Eight characters hold any IPv4
-address and one of sixteen ports. The last four bits are a checksum, which finds most typing errors
-before anything is sent.
+A code needs no name service and no multicast, because it is the address itself in Crockford's
+base 32. That has no I, L, O and U. The decoder reads I and L as 1, and O as 0. Four characters are
+enough for laptops whose address begins with the same 16 bits as the teacher's. Eight characters
+contain any IPv4 address and one of sixteen ports. The last four bits are a checksum. It finds most
+typing errors before a packet is sent.
 """
 
 from __future__ import annotations
@@ -20,8 +20,8 @@ from zbot.transport.config import HUB_PORT
 if TYPE_CHECKING:
     from collections.abc import Iterable
 
-#: Ports that a code can name, by their index in the code: the default, then ports that strict
-#: firewalls often allow. The order must not change.
+#: Ports that a code can contain, by their index in the code. The default port is first. Then come
+#: ports that strict firewalls often allow. The order must not change.
 PORTS = (
     HUB_PORT,
     443,
@@ -40,16 +40,16 @@ _VALUES = {char: value for value, char in enumerate(_ALPHABET)} | {"I": 1, "L": 
 _LOOKS_LIKE_CODE = re.compile(r"[0-9A-Za-z]{4}(?:[- ]?[0-9A-Za-z]{4})?", re.ASCII)
 _SHORT, _LONG = 4, 8
 _CHECK_BITS = 4
-_POLYNOMIAL = 0b10011  # x^4 + x + 1 (CRC-4-ITU): finds every error within four neighbouring bits
+_POLYNOMIAL = 0b10011  # x^4 + x + 1 (CRC-4-ITU) finds every error within four neighbouring bits
 
 
 def looks_like_code(text: str) -> bool:
-    """Return whether a text has the form of a code, not that of an address."""
+    """Return whether a text has the form of a code, and not the form of an address."""
     return _LOOKS_LIKE_CODE.fullmatch(text.strip()) is not None
 
 
 def short_code(address: Address) -> str | None:
-    """Return four characters for laptops in the same /16; `None` if the port is not the default."""
+    """Return four characters for laptops in the same /16, or `None` without the default port."""
     if address.port != HUB_PORT:
         return None
     number = _number(address)
@@ -57,7 +57,7 @@ def short_code(address: Address) -> str | None:
 
 
 def long_code(address: Address) -> str | None:
-    """Return eight characters, `XXXX-XXXX`, for any laptop; `None` for a port not in `PORTS`."""
+    """Return a code `XXXX-XXXX` for any laptop, or `None` if the port is not in `PORTS`."""
     if address.port not in PORTS:
         return None
     payload = _number(address) << 4 | PORTS.index(address.port)
@@ -68,11 +68,11 @@ def long_code(address: Address) -> str | None:
 def decode(text: str, own_addresses: Iterable[str]) -> list[Address]:
     """Return the addresses that a code can mean.
 
-    A long code means one address; a short code means one address in each network of this machine.
+    A long code means one address. A short code means one address in each network of this machine.
 
     Args:
         text: The code as it was typed, in any case, with or without its hyphen.
-        own_addresses: This machine's IPv4 addresses; only a short code needs them.
+        own_addresses: This machine's IPv4 addresses. Only a short code needs them.
 
     Raises:
         CodeError: The length, a character or the checksum is wrong.

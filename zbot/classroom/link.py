@@ -1,4 +1,4 @@
-"""Link between hubs: plain TCP, or TLS with the certificates of a keystore."""
+"""Links between hubs. They use plain TCP, or TLS with the certificates of a keystore."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ class Link:
     """Protocol of the links between hubs.
 
     Attributes:
-        keystore: Folder of this machine's certificate; empty for plain TCP.
+        keystore: Folder of this machine's certificate. Empty means plain TCP.
     """
 
     keystore: str = ""
 
     @classmethod
     def named(cls, folder: Path | None) -> Link:
-        """Return the link for the folder that a user has given with `--keystore`.
+        """Return the link that uses the folder given with `--keystore`.
 
         Raises:
-            SecurityError: The folder does not determine one certificate.
+            SecurityError: The folder does not exist, or zbot cannot choose a certificate in it.
         """
         if folder is None:
             return cls()
@@ -56,7 +56,7 @@ class Link:
         return f"tls/{address}" if self.keystore else address.endpoint
 
     def listening(self, address: Address) -> tuple[str, ...]:
-        """Return the endpoints of a hub that others reach at an address: that address and loopback.
+        """Return the endpoints on which a hub listens: an address for other machines, and loopback.
 
         Loopback uses plain TCP, because the nodes of the hub's machine have no certificates.
         """
@@ -82,7 +82,8 @@ class Link:
         """Check that this machine and the hub at an address accept each other's certificates.
 
         Raises:
-            SecurityError: They do not; the message says which certificate is wrong and why.
+            SecurityError: One does not accept the other's. The message says which certificate is
+                wrong and why.
         """
         if self.keystore:
             from zbot.security.tls import check_dialling  # noqa: PLC0415 - few use certificates

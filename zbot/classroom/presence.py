@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from zbot.classroom.hub_process import HubProcess
     from zbot.transport.membership import Membership
 
-_ERROR_LEVEL = 40  # rcl_interfaces/msg/Log: ERROR; FATAL is 50
+_ERROR_LEVEL = 40  # ERROR in rcl_interfaces/msg/Log (FATAL is 50)
 _QUEUE = 64
 _MAX_TEXT = 300
 _NOTICES_TIMEOUT_S = 0.5
@@ -33,7 +33,7 @@ _MAX_LOG_BYTES = 64 * 1024
 
 
 class Presence:
-    """Token and facts of a student's laptop.
+    """Declares the token of a student's laptop, and answers queries for its facts.
 
     Args:
         joined: The laptop's membership in the class.
@@ -46,7 +46,7 @@ class Presence:
         self._codec = codec_for(get_message("rcl_interfaces/msg/Log"))
 
     def attach(self, serving: HubProcess) -> None:
-        """Declare the token and begin to answer the teacher, through a hub that was opened."""
+        """Declare the token, and begin to answer the teacher, through a hub that was opened."""
         number = self._joined.number
         self._session = serving.session
         self._logs = serving.session.declare_subscriber(
@@ -117,7 +117,7 @@ class Presence:
 
 
 def earlier_notices(session: zenoh.Session) -> list[str]:
-    """Return the teacher's notices, oldest first; empty if the teacher's hub does not answer."""
+    """Return the teacher's notices, oldest first. Empty if the teacher's hub does not answer."""
     answers = ask(session, NOTICES_KEY, timeout_s=_NOTICES_TIMEOUT_S)
     notices = answers[0].get("notices") if answers else None
     return [notice_text(json.dumps(one).encode()) for one in notices or []]

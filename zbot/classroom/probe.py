@@ -1,4 +1,4 @@
-"""Probe of a TCP port, which finds out why a hub cannot be reached; Zenoh reports no reason."""
+"""Probe of a TCP port. It finds out why a hub cannot be reached. Zenoh does not report this."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ if TYPE_CHECKING:
 
     from zbot.classroom.address import Address
 
-#: A connection in one building takes milliseconds; TCP repeats a lost packet after 1 s.
+#: A connection in one building takes milliseconds, but TCP repeats a lost packet after 1 s.
 _TIMEOUT_S = 1.25
 _LOOK_UP_S = 0.3
-_PAUSE_S = 0.05  # between attempts where the port is refused
-# Most machines accept or refuse a connection on one of these ports; both show that they are on.
+_PAUSE_S = 0.05  # between attempts if the port refuses the connection
+# Most machines accept or refuse a connection on one of these ports. Both show that they are on.
 _COMMON_PORTS = (22, 80, 135, 445, 5000, 7)
 _REFUSED = {errno.ECONNREFUSED, getattr(errno, "WSAECONNREFUSED", errno.ECONNREFUSED)}
 
 
 def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S) -> Address:
-    """Return the first of some addresses that accepts a TCP connection; all are tried at once.
+    """Try all addresses at once, and return the first that accepts a TCP connection.
 
-    The error is that of the address where the probe came farthest.
+    If all addresses fail, the error is about the address where the probe came farthest.
 
     Raises:
         UnreachableHostError: No machine answers.
@@ -65,13 +65,13 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
 
 
 def _rank(problem: ClassroomError) -> int:
-    """Return the rank of a problem; the lower, the farther the probe came."""
+    """Return the rank of a problem. A lower rank means that the probe came farther."""
     order = (ClosedPortError, BlockedPortError, UnreachableHostError)
     return next((place for place, kind in enumerate(order) if isinstance(problem, kind)), 9)
 
 
 def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomError | None:
-    """Return why an address cannot be reached, `None` if it can; takes at most `timeout_s`."""
+    """Return why an address cannot be reached, or `None`. Takes at most `timeout_s` seconds."""
     other_ports = _OtherPorts(address.host)
     deadline = time.monotonic() + timeout_s
     while True:
@@ -94,7 +94,7 @@ def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomErro
 
 
 class _OtherPorts:
-    """Connections to common ports of a host: any answer, even a refusal, shows that it is on."""
+    """Connections to common ports of a host. Any answer, even a refusal, shows that it is on."""
 
     def __init__(self, host: str) -> None:
         self._host = host

@@ -1,6 +1,6 @@
 """Register of a class: the numbers that laptops have claimed, and the teacher's list of students.
 
-Nothing here uses the network.
+This module does not use the network.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def clean_name(text: str) -> str:
 
 
 def clean_sentence(text: str) -> str:
-    """Return a message of another machine that is safe to print: as `clean_name`, at most 500."""
+    """Do the same as `clean_name` for a message of up to 500 characters from another machine."""
     return single_line(text, MAX_SENTENCE_LENGTH)
 
 
@@ -77,7 +77,7 @@ class Student:
 
     number: int
     name: str
-    machine: str  #: identifies the laptop; random
+    machine: str  #: random text that identifies the laptop
     host: str  #: the laptop's host name
     claim: str = field(default_factory=lambda: secrets.token_hex(_CLAIM_BYTES))
 
@@ -90,12 +90,13 @@ class Register:
     students: dict[int, Student] = field(default_factory=dict)
 
     def claim(self, number: int | None, name: str | None, machine: str, host: str) -> Student:
-        """Give a number to a laptop and return its student.
+        """Give a number to a laptop, and return the laptop's student.
 
         Args:
-            number: The requested number. `None`: the number that the laptop has, else that of its
-                name in the list, else the next free one.
-            name: The student's name. `None`: the name in the list, else the host name.
+            number: The requested number. If it is `None`, the laptop keeps its number. If it has no
+                number, it gets the number of its name in the list, or else the next free number.
+            name: The student's name. If it is `None`, the name in the list is used, or else the
+                host name.
             machine: The laptop's identifier.
             host: The laptop's host name.
 
@@ -112,7 +113,7 @@ class Register:
         if kept_for and name and name.casefold() != kept_for.casefold():
             raise TakenError(wanted, kept_for)
         student = Student(wanted, kept_for or name or host, machine, host)
-        # A new dictionary: another thread may iterate over the old one.
+        # A new dictionary, because another thread may iterate over the old dictionary.
         others = {n: one for n, one in self.students.items() if one.machine != machine}
         self.students = {**others, wanted: student}
         return student
@@ -136,14 +137,14 @@ class Register:
         return found
 
     def free(self, number: int) -> Student | None:
-        """Free a number; return the student who had it, `None` if it was free."""
+        """Free a number. Return the student who had it, or `None` if it was free."""
         freed = self.students.get(number)
         self.students = {n: one for n, one in self.students.items() if n != number}
         return freed
 
 
 def load_roster(path: Path) -> dict[int, str]:
-    """Return the names in the file of a list of students, by number.
+    """Return the names in a file that has a list of students, by number.
 
     Raises:
         RosterError: The file cannot be read, or has an error (see `read_roster`).
@@ -160,7 +161,7 @@ def read_roster(text: str) -> dict[int, str]:
     The list has lines of `number,name` or `number;name`, with or without a heading.
 
     Raises:
-        RosterError: A line has no number from 1 to 232, or the number of another line.
+        RosterError: A line has no number from 1 to 232, or two lines have the same number.
     """
     dialect = ";" if text.count(";") > text.count(",") else ","
     found: dict[int, str] = {}

@@ -21,7 +21,7 @@ _TIMEOUT_S = 1.0
 
 
 def present_state() -> dict[str, Any]:
-    """Return a document with role, address, whether the hub runs and whether it is linked."""
+    """Return the role, the address, whether the hub runs, whether it is linked, and so on."""
     joined, hub = membership.load(), background.find()
     facts = {} if hub is None else hub_facts(hub.pid)
     is_linked = facts.get("linked", False)
@@ -40,9 +40,9 @@ def present_state() -> dict[str, Any]:
 
 
 def certificate_problem(joined: Membership) -> str | None:
-    """Return what is wrong with this machine's certificate or with that of the hub that it dials.
+    """Return the problem of this machine's certificate, or of the certificate of the dialled hub.
 
-    `None` if both are valid, or if the hub does not answer.
+    Return `None` if both certificates are valid, or if the hub does not answer.
     """
     if joined.role == "teacher":
         return None
@@ -56,7 +56,7 @@ def certificate_problem(joined: Membership) -> str | None:
 
 
 def hub_facts(pid: int) -> dict[str, Any]:
-    """Return the facts that this machine's hub reports; empty if it does not answer."""
+    """Return the facts that this machine's hub reports. Empty if the hub does not answer."""
     session = open_hub_client()
     if session is None:
         return {}

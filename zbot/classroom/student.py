@@ -1,4 +1,4 @@
-"""Student's side of a class: joining, leaving, and the hub that runs in between."""
+"""Student's side of a class: functions to join and leave it, and to run the laptop's hub."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _MACHINE_BYTES = 8
 
 
 def find_hub(target: str) -> Address:
-    """Return the address of the hub that a code or an address means, after a connection to it.
+    """Connect to the hub that a code or an address means, and return the hub's address.
 
     Raises:
         CodeError: The code has a typing error.
@@ -61,13 +61,14 @@ def join(
     Args:
         target: Code or address, as the teacher gives it.
         name: The student's name.
-        number: The student's number; `None`: the class chooses one.
-        keystore: Folder of this machine's certificate; `None` for plain TCP.
-        ask_pin: Takes the name of the class and returns its PIN, `None` if the PIN is unknown.
+        number: The student's number. If it is `None`, the class chooses a number.
+        keystore: Folder of this machine's certificate. `None` means plain TCP.
+        ask_pin: Takes the name of the class and returns its PIN, or `None` if it is unknown.
 
     Raises:
-        AlreadyJoinedError: This machine has joined something.
-        ClassroomError: The hub cannot be found (`find_hub`) or refuses (`request_admission`).
+        AlreadyJoinedError: This machine has joined a class or hub, or runs a hub.
+        ClassroomError: The hub cannot be found (see `find_hub`), or it refuses this machine
+            (see `request_admission`).
         SecurityError: This machine and the hub do not accept each other's certificates.
     """
     _check_not_joined()
@@ -88,9 +89,9 @@ def join(
 
 
 def _check_not_joined() -> None:
-    """Raise `AlreadyJoinedError` if this machine has opened or joined a class, or runs a hub.
+    """Raise `AlreadyJoinedError` if this machine has opened or joined a class or runs a hub.
 
-    A class that was joined counts only while this machine's hub runs and is linked with it.
+    A joined class counts only while this machine's hub runs and is linked with the class.
     """
     present, hub = membership.load(), background.find()
     is_over = hub is None or not hub_facts(hub.pid).get("linked", False)
@@ -102,7 +103,7 @@ def _check_not_joined() -> None:
 
 @contextlib.contextmanager
 def _without_membership() -> Iterator[None]:
-    """Remove the membership for the length of a block; restore it if the block raises."""
+    """Remove the membership at the start of a `with` block. Restore it if the block raises."""
     present = membership.load()
     membership.forget()
     try:
@@ -114,7 +115,7 @@ def _without_membership() -> Iterator[None]:
 
 
 def machine_id() -> str:
-    """Return the identifier of this user's machine, which is random and kept in a file."""
+    """Return the identifier of this user's machine. It is random and stored in a file."""
     path = membership.folder() / "machine"
     try:
         return path.read_text(encoding="utf-8").strip()
@@ -126,7 +127,7 @@ def machine_id() -> str:
 
 
 def leave() -> Membership | None:
-    """Release the number, end this machine's hub and remove the membership; return what it was.
+    """Release the number, end this machine's hub, and remove and return the membership.
 
     On the teacher's machine the class is closed.
     """
@@ -147,7 +148,7 @@ def leave() -> Membership | None:
 
 
 def run_student(joined: Membership, on_ready: Callable[[], None]) -> None:
-    """Run the hub of a machine that has joined another, until SIGTERM or SIGINT."""
+    """Run the hub of a machine that has joined a class or hub, until SIGTERM or SIGINT."""
     link, dialled = Link(joined.keystore), Address(joined.host, joined.port)
     extra = link.settings
     if joined.in_class:

@@ -1,4 +1,4 @@
-"""Teacher's side of a class: opening it, sending it commands, and closing it."""
+"""Teacher's side of a class: functions to open it, to send it commands, and to close it."""
 
 from __future__ import annotations
 
@@ -46,26 +46,27 @@ def start(
     expected: dict[int, str] | None = None,
     keystore: Path | None = None,
 ) -> tuple[Membership, ClassRecord]:
-    """Open a class: start a hub in the background that students can join.
+    """Open a class. This starts a hub in the background that students can join.
 
-    A class that was open under the same name when this machine was switched off continues: its
-    laptops reconnect by themselves and keep their numbers.
+    If a class with the same name was open when this machine was switched off, that class continues.
+    Its laptops reconnect by themselves and keep their numbers.
 
     Args:
         name: The class's name, shown to students.
         port: TCP port of the hub.
-        pin: PIN that students must know. Empty: no PIN, or the PIN of the class that continues.
+        pin: PIN that students must know. If empty, a class that continues keeps its PIN, and a new
+            class has no PIN.
         expected: Names of students by number.
-        keystore: Folder of this machine's certificate. `None`: plain TCP, or the keystore of the
-            class that continues.
+        keystore: Folder of this machine's certificate. If it is `None`, a class that continues
+            keeps its keystore, and a new class uses plain TCP.
 
     Returns:
         The teacher's membership and the record of the class.
 
     Raises:
-        AlreadyJoinedError: This machine has joined something or runs a hub.
+        AlreadyJoinedError: This machine has joined a class or hub, or runs a hub.
         HubStartError: Another program uses the port.
-        SecurityError: The certificate would let no student join.
+        SecurityError: No student could join with this certificate.
     """
     record = _present_record(name)
     record.pin = pin or record.pin
@@ -121,7 +122,7 @@ def _client() -> zenoh.Session:
     present = membership.load()
     if present is None or present.role != "teacher":
         raise NoClassError
-    # The hub is closed for a moment when its rules change, e.g. by the previous command.
+    # The hub is closed for a moment when its rules change, e.g. after the previous command.
     deadline = time.monotonic() + _REOPENING_S
     while (session := open_hub_client()) is None:
         if time.monotonic() > deadline or background.find() is None:
@@ -142,11 +143,12 @@ def _ask(question: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def command(question: dict[str, Any]) -> dict[str, Any]:
-    """Send a command to the class that is open on this machine; return the reply.
+    """Send a command to the class that is open on this machine, and return the reply.
 
     Raises:
         NoClassError: No class is open.
-        ClassCommandError: The class does not answer or refuses; the message says why.
+        ClassCommandError: The class does not answer, or refuses the command. The message says
+            why.
     """
     answers = _ask(question)
     if not answers or "error" in answers[0]:

@@ -18,7 +18,6 @@ from zbot.time import ClockType, Duration, Time
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from types import TracebackType
 
     from typing_extensions import Self
 
@@ -151,12 +150,7 @@ class JumpHandle:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        t: type[BaseException] | None,
-        v: BaseException | None,
-        tb: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *exc_info: object) -> None:
         self.unregister()
 
 
@@ -221,12 +215,7 @@ class Clock:
         """Do nothing. Programs use rclpy's `handle` of a clock in a `with` block."""
         return self
 
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *exc_info: object) -> None:
         """See `__enter__`."""
 
     def __repr__(self) -> str:
@@ -362,7 +351,7 @@ class ROSClock(Clock):
             change = ClockChange.ROS_TIME_ACTIVATED if active else ClockChange.ROS_TIME_DEACTIVATED
             self._jump(TimeJump(change, Duration()), self._simulated_ns, is_simulated=active)
 
-    _set_ros_time_is_active = set_ros_time_is_active  # rclpy's name; tests of programs call it
+    _set_ros_time_is_active = set_ros_time_is_active  # rclpy's name, which tests of programs use
 
     def set_ros_time_override(self, time: Time) -> None:
         """Set the simulated time. `now()` returns it only while simulated time is active.

@@ -25,7 +25,6 @@ from zbot.transport.wakeup import BinarySemaphore
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Coroutine, Iterator
-    from types import TracebackType
 
     from typing_extensions import Self
 
@@ -259,12 +258,12 @@ class Executor(EntityQueue):
                 # Not a done callback, which would be a separate piece of work.
                 task.add_waker(lambda: self._finish(entity))
                 if isinstance(entity.callback_group, ReentrantCallbackGroup):
-                    self._queue(entity)  # its next work may begin while this one waits
+                    self._queue(entity)  # its next work may begin while this coroutine waits
         if task.done():
             task.result()
 
     def serve(self, entity: Entity) -> bool:
-        """Run one piece of an entity's work inside the callback that the calling thread runs.
+        """Run one piece of an entity's work inside the calling thread's present callback.
 
         Without this, a callback that waits for a service of its own executor would block for ever.
         The entity may run even if the calling thread holds its callback group, because this is like
@@ -291,7 +290,7 @@ class Executor(EntityQueue):
                 self._queue(waiting)
 
     def _serve_next(self, deadline_ns: int | None, stop: Callable[[], bool] | None) -> None:
-        """Run one piece of work inside the callback that the spinning thread runs."""
+        """Run one piece of work inside the spinning thread's present callback."""
         while not (self._is_shutdown or (stop is not None and stop())):
             entity = self._pop_due_or_ready()
             if entity is not None:
@@ -309,9 +308,7 @@ class Executor(EntityQueue):
             self._forward(entity, ready_queue)
             return False
         if any(outer is entity for _, outer in running_callbacks.stack):
-            return (
-                False  # a callback never runs inside itself; the entity is queued again at its end
-            )
+            return False  # a callback never runs inside itself, and its end queues the entity again
         if self.serve(entity):
             self._queue(entity)  # it may have more work
             return True
@@ -448,10 +445,5 @@ class Executor(EntityQueue):
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *exc_info: object) -> None:
         self.shutdown()

@@ -15,7 +15,6 @@ from zbot.transport.handle import Handle
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from types import TracebackType
 
     from typing_extensions import Self
 
@@ -221,12 +220,7 @@ class Timer:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *exc_info: object) -> None:
         self.destroy()
 
 
@@ -242,7 +236,7 @@ def _wants_info(callback: Callable[..., Any]) -> bool:
     """Return whether a timer's callback takes a `TimerInfo`.
 
     Raises:
-        CallbackSignatureError: The callback takes neither no argument nor one argument.
+        CallbackSignatureError: The callback accepts neither zero arguments nor one argument.
     """
     try:
         signature = inspect.signature(callback)

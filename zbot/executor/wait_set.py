@@ -14,11 +14,11 @@ if TYPE_CHECKING:
     from zbot.transport.handle import Handle
 
 Kind = Literal["subscription", "guard_condition", "timer", "client", "service", "event"]
-_POLL_S = 0.1  # on simulated time nobody knows when a timer is due
+_POLL_S = 0.1  # with simulated time, it is unknown when a timer is due
 
 
 class WaitSet:
-    """Waits until one of several objects has something to take.
+    """Waits until at least one of several objects is ready.
 
     `Node.create_subscription` and similar methods make the objects. Add the `handle` of an object.
 

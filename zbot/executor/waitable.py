@@ -8,8 +8,6 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from zbot.executor.wait_set import WaitSet
 
 if TYPE_CHECKING:
-    from types import TracebackType
-
     from zbot.executor.callback_group import CallbackGroup
     from zbot.executor.ready_queue import ReadyQueue
     from zbot.executor.task import Future
@@ -55,12 +53,7 @@ class Waitable(Generic[T]):
     def __enter__(self) -> None:
         """Do nothing. In rclpy this protects the entities from being destroyed."""
 
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *exc_info: object) -> None:
         """See `__enter__`."""
 
     def add_future(self, future: Future[Any]) -> None:

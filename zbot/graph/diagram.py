@@ -1,7 +1,7 @@
 """Drawing of the graph as SVG.
 
 Each node, topic, edge and frame is an SVG group with the attribute `data-key`. A page finds the
-group by this key, to move the group and to react to clicks. `data-node` and `data-topic` have names.
+group by this key, to move it and to react to clicks. `data-node` and `data-topic` contain names.
 """
 
 from __future__ import annotations
@@ -122,7 +122,7 @@ def _still_valid(view: GraphView, previous: Drawing | None) -> Layout | None:
 
 
 def lines_of(name: str) -> list[str]:
-    """Return the lines of a name. A long name has two lines and ends the first near its middle."""
+    """Return the lines of a name. A long name is split at the `/` that is nearest its middle."""
     if len(name) <= _LONG:
         return [name]
     breaks = [index for index, one in enumerate(name) if one == "/" and index]

@@ -32,7 +32,7 @@ _SIDES = {
 
 @dataclass(slots=True)
 class TypeHash:
-    """Hash of a type; `str()` returns `RIHS01_...`.
+    """Hash of a type. `str()` returns `RIHS01_...`.
 
     Args:
         version: The version of the hash's algorithm. Only version 1 exists.

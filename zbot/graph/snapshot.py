@@ -103,7 +103,7 @@ class Snapshot:
     ) -> NamesAndTypes:
         """Return the actions that have endpoints of the given kinds, with their types, sorted.
 
-        If `node` is given, return only its actions. The service `_action/send_goal` shows an action.
+        If `node` is given, return only its actions. Each action has a service `_action/send_goal`.
         """
         kinds = kinds or (EntityKind.SERVICE, EntityKind.CLIENT)
         return [
@@ -129,7 +129,7 @@ class Announcement:
 
 
 class Graph:
-    """Graph of one context, kept up to date.
+    """Graph of one context, which always has the present state of the domain.
 
     Listeners are called in a thread of Zenoh, or in the thread that calls `announce` or
     `undeclare`. They must return quickly and must not block.
@@ -259,7 +259,7 @@ class Graph:
         return self._by_gid.get(gid)
 
     def add_listener(self, listener: Callable[[Token, bool], None]) -> None:
-        """Call the bound method `listener(token, appeared)` at each change while its object exists."""
+        """Call the bound method `listener(token, appeared)` at each change, while it exists."""
         self.watch()
         with self._lock:
             self._listeners.append(weakref.WeakMethod(listener))

@@ -81,7 +81,7 @@ DARK = Palette(
 
 
 def text_width(text: str, size: float) -> float:
-    """Return the estimated width of a text in pixels. The estimate is usually a little too large."""
+    """Return the estimated width of a text in pixels, which may be a little too large."""
     units = sum(_WIDTHS.get(one, _OTHER_WIDTH if one < "\x7f" else _WIDE) for one in text)
     return units * size / 1000 * 1.04
 

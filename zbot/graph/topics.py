@@ -54,7 +54,7 @@ class TopicView:
     ends: tuple[End, ...]
     kind: BoxKind = BoxKind.TOPIC
     has_clash: bool = False  #: whether nodes use different types and exchange no messages
-    guess: str | None = None  #: a published topic with a similar name, if this topic has no publisher
+    guess: str | None = None  #: a published topic with a similar name, if no node publishes this
     problem: str | None = None  #: a sentence about the problem, if there is a problem
     stands_for: tuple[str, ...] = ()  #: the topics that this box replaces
 
@@ -100,7 +100,7 @@ class TopicView:
         return bool(listening) and not any(self.receives(one, publisher) for one in listening)
 
     def receives_nothing(self, subscription: str) -> bool:
-        """Whether all publishers have other types. Or none exists, and the name looks misspelled."""
+        """Whether no publisher has its type. Or no publisher exists, and the name is misspelled."""
         talking = self.publishers
         if not talking:
             return self.guess is not None

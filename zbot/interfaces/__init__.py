@@ -33,8 +33,8 @@ if TYPE_CHECKING:
     from zbot.interfaces.spec import MessageSpec as MessageSpec
     from zbot.interfaces.spec import ServiceSpec as ServiceSpec
 
-# Module of each name. A name is imported at its first use, because a command that only lists topics
-# needs no definitions.
+# Module of each name. A name is imported at its first use, because a command such as
+# `zbot topic list` needs no definitions.
 _MODULES = {
     "Action": "zbot.interfaces.message",
     "Message": "zbot.interfaces.message",

@@ -1,4 +1,4 @@
-"""Values of numeric arrays: `array.array` for sequences, ndarrays for fixed sizes with numpy."""
+"""Values of numeric fields: `array.array` for sequences, numpy's ndarrays for fixed sizes."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ DTYPES = {
 
 @functools.cache
 def numpy() -> Any | None:
-    """Return the numpy module, imported at the first call, or None if it is not installed."""
+    """Return numpy, which the first call imports. Return None if numpy is not installed."""
     try:
         return importlib.import_module("numpy")
     except ImportError:
@@ -42,11 +42,11 @@ def is_ndarray(value: object) -> bool:
 
 
 def fixed_array(typecode: str, values: Iterable[Any]) -> Any:
-    """Return the value of a fixed-size numeric field: an ndarray, without numpy an `array.array`.
+    """Return the value of a fixed-size numeric field: an ndarray, or `array.array` without numpy.
 
     Args:
         typecode: The field's `array` typecode, which also sets the ndarray's dtype.
-        values: The elements, already checked; an `array.array` of that typecode is not copied.
+        values: The checked elements. An `array.array` of the same typecode is not copied.
     """
     elements = values if isinstance(values, array) else array(typecode, values)
     module = numpy()
@@ -75,5 +75,5 @@ def same_elements(left: Any, right: Any) -> bool:
 
 
 def elements_text(value: Any) -> str:
-    """Return a numeric sequence as ROS 2 prints it: only its elements."""
+    """Return the text of a numeric sequence in ROS 2's form, which has only the elements."""
     return repr(value.tolist() if hasattr(value, "tolist") else value)

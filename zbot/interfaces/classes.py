@@ -1,4 +1,4 @@
-"""Factory of the Python classes of messages, services and actions, given their specs."""
+"""Factory that makes the Python classes of messages, services and actions from their specs."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 
 class _Default:
-    """Placeholder in a signature for a default that is made new for each message."""
+    """Placeholder in a signature for a default value. Each message gets a new default value."""
 
     def __repr__(self) -> str:
         return "<default>"
@@ -86,7 +86,7 @@ _COMMON: dict[str, Any] = {
 
 
 def make_message(spec: MessageSpec, nested: dict[str, type[Any]]) -> type[Message]:
-    """Return a message class; `nested` has the classes of the fields that are messages, by name."""
+    """Return a message class. `nested` has the class of each field that is a message."""
     names = _namespace(spec, nested)
     source = class_source(spec)
     filename = f"<zbot {spec.name}>"
@@ -98,7 +98,7 @@ def make_message(spec: MessageSpec, nested: dict[str, type[Any]]) -> type[Messag
 
 
 def make_service(spec: ServiceSpec, find: Find) -> type[Service]:
-    """Return a service class; its Event is made at the first access."""
+    """Return a service class. Its Event class is made at the first access."""
     attributes = {
         "Request": find(spec.request.name),
         "Response": find(spec.response.name),
@@ -109,7 +109,7 @@ def make_service(spec: ServiceSpec, find: Find) -> type[Service]:
 
 
 def make_action(spec: ActionSpec, find: Find) -> type[Action]:
-    """Return an action class; the contents of its `Impl` are made at the first access."""
+    """Return an action class. The contents of its `Impl` are made at the first access."""
     attributes = {
         "Goal": find(spec.goal.name),
         "Result": find(spec.result.name),
@@ -177,7 +177,7 @@ def _field_names(type_name: str, field: Field, cls: type[Any] | None) -> dict[st
 
 
 class _LazyFieldCheck:
-    """Slow check of one field's values, made when the first value needs it."""
+    """Slow check of one field's values. The check is made when the first value needs it."""
 
     __slots__ = ("_check", "_cls", "_field", "_type_name")
 
@@ -195,7 +195,7 @@ class _LazyFieldCheck:
 
 
 def _check_call(spec: MessageSpec, args: tuple[Any, ...], unknown: dict[str, Any]) -> None:
-    """Reject arguments that are not fields; `check_fields` is accepted: zbot always checks."""
+    """Reject arguments that are not fields. `check_fields` is accepted, but zbot always checks."""
     fields = tuple(field.name for field in spec.fields)
     if args:
         raise PositionalFieldError(spec.name, fields)

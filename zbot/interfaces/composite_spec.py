@@ -10,7 +10,7 @@ _INFO = Field("info", FieldType("service_msgs/msg/ServiceEventInfo"))
 
 
 def service(name: str, request: MessageSpec, response: MessageSpec, text: str = "") -> ServiceSpec:
-    """Return a service of two messages, with the Event that service introspection publishes."""
+    """Return a service of two messages. It has the Event that service introspection publishes."""
     event = MessageSpec(
         f"{name}_Event",
         (
@@ -25,7 +25,7 @@ def service(name: str, request: MessageSpec, response: MessageSpec, text: str = 
 def action(
     name: str, goal: MessageSpec, result: MessageSpec, feedback: MessageSpec, text: str = ""
 ) -> ActionSpec:
-    """Return an action of three messages, with the services and the message that carry them."""
+    """Return an action of three messages. It has the services and the message that carry them."""
     return ActionSpec(
         name,
         goal,

@@ -1,9 +1,10 @@
 """Content filters, with which a subscription receives only messages that match an expression.
 
 The expressions are those of DDS (annex B of its specification): `data > 3 AND data < %0`,
-`pose.position.x BETWEEN 0 AND 1`, `name LIKE 'arm%'`, `NOT is_late = TRUE`. In a `LIKE` pattern `%`
-and `*` match any text, `_` and `?` one character. `MATCH` has a regular expression. `NOT` has the
-highest precedence; `AND` and `OR` are evaluated from left to right, so use brackets to mix them.
+`pose.position.x BETWEEN 0 AND 1`, `name LIKE 'arm%'`, `NOT is_late = TRUE`. In a `LIKE` pattern,
+`%` and `*` match any text. `_` and `?` match one character. `MATCH` takes a regular expression.
+`NOT` has the highest precedence. `AND` and `OR` are evaluated from left to right, so use brackets
+to mix them.
 """
 
 from __future__ import annotations
@@ -53,7 +54,7 @@ class ContentFilterError(ZbotError, ValueError):
 
 @dataclass(frozen=True)
 class _Operand:
-    """A side of a comparison; `kind` is `None` if it is known only with a message."""
+    """One side of a comparison. `kind` is `None` if only a message shows the kind."""
 
     read: Callable[[Any], Any]
     kind: str | None
@@ -64,8 +65,8 @@ class ContentFilter:
     """A compiled expression.
 
     Args:
-        expression: The expression; see the module's description.
-        parameters: Values of `%0`, `%1` ..., written as in an expression.
+        expression: The expression. The module's description shows the grammar.
+        parameters: Values of `%0`, `%1` ... in the form that values have in an expression.
         message_type: Class of the messages.
 
     Raises:
@@ -79,7 +80,7 @@ class ContentFilter:
     def matches(self, message: Any) -> bool:
         """Return whether a message matches the expression.
 
-        A comparison with an element that the message's list does not have is false.
+        A comparison is false if it uses an element that is beyond the end of a list.
         """
         return self._condition(message)
 
@@ -113,7 +114,7 @@ class _Parser:
         return tokens
 
     def _accept(self, *signs: str) -> str:
-        """Return the next token and skip it, if it is one of these signs; else an empty text."""
+        """Return the next token and skip it if it is one of the signs. Else return ""."""
         if self._position < len(self._tokens):
             kind, text = self._tokens[self._position]
             if kind == "sign" and text in signs:
@@ -128,7 +129,7 @@ class _Parser:
     # -- conditions ----------------------------------------------------------------------------
 
     def _and_or(self) -> Condition:
-        # DDS defines no precedence of AND and OR; Fast DDS evaluates them from left to right.
+        # DDS defines no precedence of AND and OR. Fast DDS evaluates them from left to right.
         condition = self._negation()
         while word := self._accept("AND", "OR"):
             condition = _combined(word, condition, self._negation())

@@ -22,11 +22,11 @@ def message_to_ordereddict(
     no_arr: bool = False,
     no_str: bool = False,
 ) -> OrderedDict[str, Any]:
-    """Return a message as a dictionary of dictionaries, lists, numbers and texts.
+    """Return a message as a dictionary of dictionaries, lists, numbers and strings.
 
     Args:
-        msg: The message; a serialized one becomes `{'bytes': msg}`.
-        truncate_length: Maximum number of elements and of characters; `None` for all.
+        msg: The message. A serialized message becomes `{'bytes': msg}`.
+        truncate_length: Maximum length of lists and strings. `None` means no limit.
         no_arr: Replace each list by its type and length.
         no_str: Replace each string by its length.
     """
@@ -45,7 +45,7 @@ def message_to_yaml(
     no_str: bool = False,
     flow_style: bool = False,
 ) -> str:
-    """Return a message as YAML, with `flow_style` on one line; see `message_to_ordereddict`."""
+    """Return a message as YAML. `flow_style` writes one line. See `message_to_ordereddict`."""
     if isinstance(msg, bytes):
         return dump({"bytes": msg}, flow_style=flow_style)
     shortening = Shortening(truncate_length, no_arr, no_str, short_list=_NO_LIST_IS_SHORT)
@@ -59,12 +59,12 @@ def message_to_csv(
     no_arr: bool = False,
     no_str: bool = False,
 ) -> str:
-    """Return the values of a message, separated by commas; see `message_to_ordereddict`."""
+    """Return the values of a message, separated by commas. See `message_to_ordereddict`."""
     return ",".join(csv_values(msg, Shortening(truncate_length, no_arr, no_str)))
 
 
 def get_message_slot_types(msg: Any) -> OrderedDict[str, AbstractType]:
-    """Return the type of each field of a message, or of a message class, in order."""
+    """Return the types of the fields in order. `msg` is a message or a message class."""
     return OrderedDict(zip(msg.get_fields_and_field_types(), msg.SLOT_TYPES, strict=True))
 
 
@@ -75,7 +75,7 @@ def convert_value(
     no_arr: bool = False,
     no_str: bool = False,
 ) -> Any:
-    """Return any value as `message_to_ordereddict` converts the values of a message."""
+    """Return any value in the form of the values that `message_to_ordereddict` returns."""
     if is_message(value):
         return message_to_ordereddict(
             value, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str

@@ -33,16 +33,17 @@ _in_progress: list[type[Any]] = []
 def dataclass_spec(cls: type[Any], spec_of: Callable[[type[Any]], InterfaceSpec]) -> MessageSpec:
     """Return the spec of a dataclass, and register the class under its type name.
 
-    `int` becomes int64, `float` float64, `bytes` uint8[] and `list[float]` float64[]. An annotation
-    selects another type: `Annotated[int, "uint8"]`, `Annotated[list[float], "float32[9]"]`.
+    `int` becomes int64, `float` becomes float64, `bytes` becomes uint8[], and `list[float]` becomes
+    float64[]. An annotation selects another type, e.g. `Annotated[int, "uint8"]` or
+    `Annotated[list[float], "float32[9]"]`.
 
     Args:
         cls: The dataclass. Its type name is `<top-level module>/msg/<class>`, with the script's
             name in place of `__main__`.
-        spec_of: Returns the specs of the classes inside it.
+        spec_of: Function that returns the spec of a class inside the dataclass.
 
     Raises:
-        NotAMessageTypeError: A field, or the name of the class, is not valid in a message.
+        NotAMessageTypeError: A field or the name of the class is not valid in a message.
     """
     if cls in _in_progress:
         raise NotAMessageTypeError(cls, "it contains itself")
@@ -124,7 +125,7 @@ def _package(cls: type[Any]) -> str:
 
 
 def _main_name() -> str:
-    """Return the module name under which another program would import the running script."""
+    """Return the module name with which another program would import the running script."""
     main = sys.modules["__main__"]
     spec = getattr(main, "__spec__", None)
     if spec is not None:

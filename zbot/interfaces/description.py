@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
     from zbot.interfaces.spec import InterfaceSpec
 
-#: `FieldType.type_id` of type_description_interfaces, in which a .msg file's `char` is uint8.
+#: Values of `FieldType.type_id` in type_description_interfaces. A .msg file's `char` is uint8.
 TYPE_IDS = {
     "int8": 2,
     "uint8": 3,
@@ -43,7 +43,7 @@ def hash_of(spec: InterfaceSpec, get_spec: Callable[[str], InterfaceSpec]) -> st
 
     Args:
         spec: The interface.
-        get_spec: Returns the specs of the messages inside it.
+        get_spec: Function that returns the spec of a message inside the interface.
     """
     import hashlib  # noqa: PLC0415 - 4 ms for both, and most commands need no hash
     import json  # noqa: PLC0415
@@ -57,8 +57,8 @@ def type_description(
 ) -> dict[str, Any]:
     """Return the description of a type and of all types inside it.
 
-    It has the fields of `type_description_interfaces/msg/TypeDescription`, without default values,
-    which are not part of the hash.
+    It has the fields of `type_description_interfaces/msg/TypeDescription`. It has no default
+    values, because they are not part of the hash.
     """
     seen: dict[str, dict[str, Any]] = {}
     waiting = [spec]

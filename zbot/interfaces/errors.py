@@ -9,7 +9,7 @@ class InterfaceSyntaxError(ZbotError, ValueError):
     """A .msg, .srv or .action definition breaks the ROS 2 grammar.
 
     Attributes:
-        file: The definition's file, or its type name when it has none.
+        file: The definition's file, or the type name if there is no file.
         line: Line number from 1, or 0 when the definition as a whole is wrong.
         reason: The rule that the definition breaks, and what to write.
     """
@@ -54,7 +54,7 @@ class FieldTypeError(ZbotError, TypeError, AssertionError):
 
 
 class FieldValueError(ZbotError, ValueError, AssertionError):
-    """A message's field got a value of the right type that it cannot hold.
+    """A message's field got a value of the right type, but the field cannot hold the value.
 
     The attributes are those of `FieldTypeError`.
     """
@@ -86,9 +86,9 @@ class PositionalFieldError(ZbotError, TypeError):
 
 
 class NotAMessageTypeError(ZbotError, TypeError, AttributeError):
-    """A class that is not a message, service or action was used as one.
+    """A class was used as a message, service or action, but it is another kind of class.
 
-    It is also an AttributeError, because rclpy raises that for such a class.
+    The error is also an AttributeError, because rclpy raises AttributeError for such a class.
     """
 
     def __init__(self, given: object, reason: str) -> None:

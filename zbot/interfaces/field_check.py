@@ -1,4 +1,4 @@
-"""Checks of a field's values, also arrays and sequences: the slow path of generated classes."""
+"""Checks of a field's values, arrays and sequences. They are the slow path of generated classes."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _NO_NUMBERS = (str, bytes, bytearray, Mapping)
 
 
 class _ListCheck:
-    """Check of lists of bools, bytes, strings or messages; a valid list is stored uncopied."""
+    """Check of lists of bools, bytes, strings or messages. A valid list is stored, not a copy."""
 
     def __init__(self, field_type: FieldType, element: ScalarCheck) -> None:
         self.field_type, self.element = field_type, element
@@ -46,7 +46,7 @@ class _ListCheck:
 
 
 class _NumberSequenceCheck:
-    """Check of number sequences, stored as `array.array`; a valid one is stored uncopied."""
+    """Check of number sequences, stored as `array.array`. A valid array is stored, not a copy."""
 
     def __init__(self, field_type: FieldType, element: ScalarCheck) -> None:
         self.field_type, self.element = field_type, element
@@ -77,7 +77,7 @@ class _NumberSequenceCheck:
             try:
                 numbers = array(self.typecode, values)
             except OverflowError:
-                pass  # the check of each element below finds the wrong one
+                pass  # the check of each element below finds the wrong element
             else:
                 if self.typecode != "f" or _infinities(numbers) == _infinities(values):
                     return numbers
@@ -99,20 +99,20 @@ class _NumberSequenceCheck:
         return _from_bytes(self.typecode, converted.tobytes())
 
     def _has_changed(self, value: Any, converted: Any) -> bool:
-        """Return whether a value did not fit: an int overflowed or a float became infinite."""
+        """Return whether a value did not fit, i.e. an int overflowed or a float became infinite."""
         module: Any = numpy()
         if self.typecode == "d" or value.dtype == converted.dtype:
             return False
         if self.is_float:
             return bool((module.isinf(value) != module.isinf(converted)).any())
-        # Compared as Python ints: numpy compares int64 with uint64 as floats.
+        # This compares Python ints, because numpy compares int64 with uint64 as floats.
         return value.size > 0 and (
             int(value.min()) != int(converted.min()) or int(value.max()) != int(converted.max())
         )
 
 
 class _FixedNumbersCheck(_NumberSequenceCheck):
-    """Check of fixed-size number arrays, stored as an ndarray of the exact dtype with numpy."""
+    """Check of fixed-size number arrays. With numpy, they are ndarrays of the exact dtype."""
 
     def __call__(self, label: str, value: Any) -> Any:
         size = self.field_type.size
@@ -129,10 +129,10 @@ class _FixedNumbersCheck(_NumberSequenceCheck):
 def field_check(
     type_name: str, field_type: FieldType, cls: type[Any] | None
 ) -> Callable[[str, Any], Any]:
-    """Return a function that gets a field's label and a value, and returns the value to store.
+    """Return a function that takes a field's label and a value and returns the value to store.
 
     Args:
-        type_name: The message that has the field, for errors.
+        type_name: The message that has the field. Error messages contain this name.
         field_type: The field's type.
         cls: Class of the values if they are messages.
     """
@@ -153,7 +153,7 @@ def _from_bytes(typecode: str, data: bytes | bytearray | memoryview) -> array[An
 
 
 def _infinities(numbers: array[float] | list[float]) -> int:
-    """Return the number of infinities: array('f') silently makes large numbers infinite."""
+    """Return the number of infinities. array('f') makes large numbers infinite without an error."""
     return numbers.count(math.inf) + numbers.count(-math.inf)
 
 

@@ -1,4 +1,4 @@
-"""Paths to parts of a message: `poses[0].position`."""
+"""Paths to parts of a message, e.g. `poses[0].position`."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ class FieldPath:
 
 
 def follow(value: Any, step: Step) -> Any:
-    """Return a field of a message or elements of a list, but not other attributes, e.g. methods.
+    """Return a field of a message or elements of a list. Other attributes are not accessible.
 
     Raises:
         AttributeError: The value has no such field.
@@ -126,7 +126,7 @@ def follow(value: Any, step: Step) -> Any:
 
 
 def fields_of(value: Any) -> Sequence[Any]:
-    """Return the fields of a message's definition; empty for any other value."""
+    """Return the fields of a message's definition, or an empty list for any other value."""
     if not is_message(value):
         return ()
     fields: Sequence[Any] = spec_of(type(value)).fields  # type: ignore[union-attr]
@@ -134,5 +134,5 @@ def fields_of(value: Any) -> Sequence[Any]:
 
 
 def is_message(value: Any) -> bool:
-    """Return whether a value is a message, not a number, string or list."""
+    """Return whether a value is a message. Numbers, strings and lists are not messages."""
     return hasattr(type(value), "get_fields_and_field_types") or hasattr(type(value), "SPEC")

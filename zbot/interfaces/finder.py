@@ -1,10 +1,10 @@
 """Finders for `sys.meta_path` that make `from std_msgs.msg import String` work.
 
-The modules of an installed ROS 2 win. The finders add missing packages, and missing modules `msg`,
-`srv` and `action` in existing Python packages.
+The modules of an installed ROS 2 have priority. The finders add missing packages. In existing
+Python packages, they add missing modules `msg`, `srv` and `action`.
 
-Python asks these finders for every import. They load `zbot.interfaces.importer`, which makes the
-modules, only for such a name, so a command that lists topics starts a fifth faster.
+Python asks these finders for every import. `zbot.interfaces.importer` makes the modules. The
+finders load it only for the name of such a module, so `zbot topic list` starts a fifth faster.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _JYTHONS = {"org", "java"}
 
 
 def install_importer() -> None:
-    """Make every known definition importable as in ROS 2; a second call has no effect."""
+    """Make every known definition importable as in ROS 2. A second call has no effect."""
     if not any(isinstance(finder, _KindFinder) for finder in sys.meta_path):
         sys.meta_path.insert(0, _KindFinder())
         sys.meta_path.append(_PackageFinder())
@@ -35,14 +35,14 @@ def install_importer() -> None:
 class _KindFinder:
     """Finder of `std_msgs.msg`, if there is no real module.
 
-    It is first on `sys.meta_path`: a folder `my_package/msg` of .msg files is a namespace package
-    for Python, whose own finder would find it before a finder at the end of the list.
+    This finder is the first on `sys.meta_path`. For Python, a folder `my_package/msg` of .msg files
+    is a namespace package, so Python's own finder would find the folder before a later finder.
     """
 
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """Return a spec if a package has definitions of that kind and no real module for them."""
+        """Return a spec if a package has definitions of this kind but no real module for them."""
         package, _, kind = fullname.partition(".")
         if kind not in KINDS or package in _PLAIN_PACKAGES:
             return None
@@ -77,7 +77,7 @@ class _PackageFinder:
 
 
 def _importer() -> Any:
-    """Return the module `importer`; `None` while it is being imported itself."""
+    """Return the module `importer`, or `None` while Python is importing this module."""
     from zbot.interfaces import importer  # noqa: PLC0415 - see the module's docstring
 
     return importer if hasattr(importer, "package_spec") else None

@@ -40,11 +40,11 @@ _ROS1_HEADER = "Header"
 
 
 class GrammarError(ValueError):
-    """A definition breaks a rule; the parser adds file and line."""
+    """A definition breaks a rule. The parser adds the file and the line."""
 
 
 def check_interface_name(name: str) -> str:
-    """Return the package of a full name `pkg/msg/Name`; raises `GrammarError` for another form."""
+    """Return the package of a name `pkg/msg/Name`. Raise `GrammarError` for another form."""
     package, _, rest = name.partition("/")
     kind, _, short = rest.partition("/")
     if kind not in {"msg", "srv", "action"}:
@@ -60,7 +60,7 @@ def check_field_name(name: str) -> None:
     """Raise `GrammarError` if a field cannot have the name."""
     if not _FIELD.fullmatch(name):
         raise GrammarError(_lower_case_rule("field", name))
-    # ROS 2 rejects Python's keywords too; `self` is a parameter of the generated constructor.
+    # ROS 2 rejects Python's keywords too. `self` is a parameter of the generated constructor.
     if keyword.iskeyword(name) or name == "self":
         raise GrammarError(f"field name {name!r} is reserved in Python: choose another")
 
@@ -81,10 +81,10 @@ def check_constant_name(name: str, value: str) -> None:
 
 
 def parse_type(text: str, package: str) -> FieldType:
-    """Return the type in the first word of a line; `package` is that of a bare message name.
+    """Return the type in the first word of a line. A message without a package is in `package`.
 
     Raises:
-        GrammarError: The text is not a type; the error says what to write.
+        GrammarError: The text is not a type. The error says what to write.
     """
     match = _TYPE.fullmatch(text)
     if match is None:

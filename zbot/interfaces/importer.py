@@ -21,22 +21,22 @@ else:
 
 
 def package_spec(package: str) -> ModuleSpec | None:
-    """Return the spec of `std_msgs`; `None` for a package without definitions."""
+    """Return the spec of a package, e.g. `std_msgs`, or `None` if it has no definitions."""
     known = has_package(package)
     return ModuleSpec(package, _PackageLoader(), is_package=True) if known else None
 
 
 def kind_spec(package: str, kind: str) -> ModuleSpec | None:
-    """Return the spec of `std_msgs.msg`; `None` if the package has no interface of that kind."""
+    """Return the spec of a module such as `std_msgs.msg`, or `None` if there are no definitions."""
     names = _interfaces(package, kind)
     return ModuleSpec(f"{package}.{kind}", _KindLoader(names), is_package=True) if names else None
 
 
 def submodule_spec(fullname: str) -> ModuleSpec | None:
-    """Return the spec of `std_msgs.msg._string`; `None` if its parent is not a module made here.
+    """Return the spec of e.g. `std_msgs.msg._string`, or `None` if zbot did not make its parent.
 
     Raises:
-        ImportError: See `_KindModule.find_submodule`.
+        ImportError: `_KindModule.find_submodule` describes this error.
     """
     parent, _, last = fullname.rpartition(".")
     module = sys.modules.get(parent)
@@ -47,7 +47,7 @@ class _PackageLoader(Loader):
     """Loader of an empty package such as `std_msgs`."""
 
     def create_module(self, spec: ModuleSpec) -> ModuleType | None:
-        """Return None: Python creates the module."""
+        """Return None, so that Python creates the module."""
         del spec
         return None
 
@@ -70,13 +70,13 @@ class _KindLoader(Loader):
 
 
 class _ModuleLoader(Loader):
-    """Loader of a module such as `std_srvs.srv._set_bool`, with a class and those of its parts."""
+    """Loader of a module such as `std_srvs.srv._set_bool`: a class and the classes of its parts."""
 
     def __init__(self, name: str) -> None:
         self._name = name
 
     def create_module(self, spec: ModuleSpec) -> ModuleType | None:
-        """Return None: Python creates the module."""
+        """Return None, so that Python creates the module."""
         del spec
         return None
 
@@ -91,7 +91,7 @@ class _KindModule(ModuleType):
     def __init__(self, name: str, names: dict[str, str]) -> None:
         super().__init__(name)
         self._names = names
-        self.__all__ = sorted(names)  # what `import *` takes
+        self.__all__ = sorted(names)  # the names that `import *` imports
 
     def __getattr__(self, attribute: str) -> Any:
         if attribute.startswith("_"):  # Python's own look-ups, e.g. of __file__
@@ -114,8 +114,8 @@ class _KindModule(ModuleType):
         """Return the spec of ROS 2's module for an interface, e.g. `_set_bool` for SetBool.
 
         Raises:
-            ImportError: For `from std_msgs.msg import Strng`. Python looks for a module if there is
-                no attribute with the name; its own error would have no suggestion.
+            ImportError: The name is wrong, e.g. `from std_msgs.msg import Strng`. Python looks for
+                a module if there is no such attribute. Python's own error has no suggestion.
         """
         if not last.startswith("_"):
             raise ImportError(self._missing(last), name=fullname)
@@ -129,7 +129,7 @@ class _KindModule(ModuleType):
 
 
 def _interfaces(package: str, kind: str) -> dict[str, str]:
-    """Return the full names of a package's interfaces of one kind, by class name."""
+    """Return a dictionary from class names to full names for one kind of a package's interfaces."""
     names = registry.interface_names(package)
     return {name.rpartition("/")[2]: name for name in names if name.split("/")[1] == kind}
 

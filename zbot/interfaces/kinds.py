@@ -2,5 +2,5 @@
 
 from __future__ import annotations
 
-#: Names of the folders in a package, file name extensions, and middle parts of full names.
+#: The same words are folders in a package, file name extensions and middle parts of full names.
 KINDS = ("msg", "srv", "action")

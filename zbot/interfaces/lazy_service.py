@@ -1,4 +1,4 @@
-"""Service class that is loaded at the first request, for services that few programs use."""
+"""Placeholder for a service class that few programs use. It loads the class at the first use."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from zbot.interfaces.registry import get_service
 
 
 class LazyService:
-    """Placeholder of a service class, which is loaded when one of its parts is first used.
+    """Placeholder of a service class. The class is loaded when a part of it is first used.
 
     Args:
         name: Full name of a service, e.g. `rcl_interfaces/srv/GetParameters`.

@@ -11,7 +11,7 @@ _QUOTES = "\"'"
 _QUOTED_ELEMENT = re.compile(r"""\s*("(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|[^,"'\s][^,]*)\s*(,|$)""")
 _PREFIXED = re.compile(r"[+-]?0[xob]", re.IGNORECASE)
 _TRUE, _FALSE = ("true", "1"), ("false", "0")
-# Limit for int(), which is slow on megabytes of digits; every valid number is shorter.
+# Limit for int(), which is slow on megabytes of digits. Every valid number is shorter.
 _LONGEST_NUMBER = 400
 
 
@@ -22,7 +22,7 @@ def parse_value(field_type: FieldType, text: str) -> Scalar | tuple[Scalar, ...]
     of the message's field in Python.
 
     Raises:
-        GrammarError: The text is not a value of the type; the error says what to write.
+        GrammarError: The text is not a value of the type. The error says what to write.
     """
     if field_type.is_message:
         raise GrammarError("a field that is a message cannot have a default")
@@ -83,7 +83,7 @@ def _integer(base: str, text: str) -> int:
 
 
 def _as_int(text: str) -> int | None:
-    """Return a decimal (leading zeros allowed), `0x`, `0o` or `0b` number; None for other text."""
+    """Return a decimal (leading zeros are allowed), `0x`, `0o` or `0b` number. Else return None."""
     if len(text) > _LONGEST_NUMBER:
         return None
     try:

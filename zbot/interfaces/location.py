@@ -20,17 +20,17 @@ _SHIPPED = Path(__file__).parent / "defs"
 
 
 def package_folder(package: str) -> Path | None:
-    """Return the folder with a package's definitions, from the first location that has one.
+    """Return the folder with a package's definitions. The first location with the package counts.
 
     zbot's own definitions come first, so the types that every program uses are found fast.
     """
-    if not package.isidentifier():  # also keeps `..` and the like out of paths
+    if not package.isidentifier():  # this also rejects `..` in a path
         return None
     return next(_folders(package), None)
 
 
 def definition_file(package: str, kind: str, short: str) -> Path | None:
-    """Return the file that defines an interface, or None."""
+    """Return the file that defines an interface, or None if there is no file."""
     folder = package_folder(package)
     file = folder / kind / f"{short}.{kind}" if folder else None
     return file if file is not None and file.is_file() else None

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class InterfaceNameError(ZbotError, ValueError):
-    """A name has the wrong form, or names an interface of another kind."""
+    """A name has the wrong form, or it is the name of an interface of another kind."""
 
     def __init__(self, wanted: str, name: str) -> None:
         self.name = name
@@ -31,9 +31,10 @@ def get_interface(identifier: str) -> type[Any]:
     """Return the class of a message, a service or an action, e.g. `std_msgs/msg/String`.
 
     Raises:
-        InterfaceNameError: The name does not have three parts with msg, srv or action as second.
-        UnknownPackageError: The package does not exist; also a ModuleNotFoundError.
-        UnknownInterfaceError: The package has no such interface; also an AttributeError.
+        InterfaceNameError: The name is not three parts, of which the second is msg, srv or action.
+        UnknownPackageError: The package does not exist. The error is also a ModuleNotFoundError.
+        UnknownInterfaceError: The package has no such interface. The error is also an
+            AttributeError.
     """
     parts = identifier.split("/")
     if len(parts) != 3 or not all(parts) or parts[1] not in KINDS:
@@ -44,20 +45,20 @@ def get_interface(identifier: str) -> type[Any]:
 def get_message(identifier: str) -> type[Message]:
     """Return the class of a message, e.g. `std_msgs/msg/String` or `std_msgs/String`.
 
-    Raises the errors of `get_interface`.
+    The function raises the errors of `get_interface`.
     """
     cls: type[Message] = _of_kind(identifier, "msg", "a message")
     return cls
 
 
 def get_service(identifier: str) -> type[Service]:
-    """Return the class of a service; see `get_message`."""
+    """Return the class of a service. The rules are those of `get_message`."""
     cls: type[Service] = _of_kind(identifier, "srv", "a service")
     return cls
 
 
 def get_action(identifier: str) -> type[Action]:
-    """Return the class of an action; see `get_message`."""
+    """Return the class of an action. The rules are those of `get_message`."""
     cls: type[Action] = _of_kind(identifier, "action", "an action")
     return cls
 
@@ -97,7 +98,7 @@ def import_message_from_namespaced_type(
 ) -> type[Message]:
     """Return the message class of an entry of `SLOT_TYPES`.
 
-    For an array or a sequence, warn and return the class of its elements.
+    For an array or a sequence, warn and return the class of the elements.
     """
     inner: Any = message_type
     if hasattr(inner, "value_type"):
@@ -119,9 +120,9 @@ def get_interface_packages() -> list[str]:
 def get_interfaces(
     package_names: Iterable[str] = (), *, kinds: Iterable[str] = KINDS
 ) -> dict[str, list[str]]:
-    """Return the interfaces of the given packages or of all: `{'std_srvs': ['srv/Empty']}`.
+    """Return the interfaces of the given packages or of all packages, e.g. `{'a': ['srv/B']}`.
 
-    The result does not have packages without interfaces.
+    Packages without interfaces are not in the result.
 
     Raises:
         LookupError: A package does not exist.
@@ -132,17 +133,17 @@ def get_interfaces(
 
 
 def get_message_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the messages of packages: `{'std_msgs': ['msg/Bool', ...]}`; see `get_interfaces`."""
+    """Return the messages of packages: `{'std_msgs': ['msg/Bool', ...]}`. See `get_interfaces`."""
     return get_interfaces(package_names, kinds=["msg"])
 
 
 def get_service_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the services of packages; see `get_interfaces`."""
+    """Return the services of packages. See `get_interfaces`."""
     return get_interfaces(package_names, kinds=["srv"])
 
 
 def get_action_interfaces(package_names: Iterable[str] = ()) -> dict[str, list[str]]:
-    """Return the actions of packages; see `get_interfaces`."""
+    """Return the actions of packages. See `get_interfaces`."""
     return get_interfaces(package_names, kinds=["action"])
 
 
@@ -171,7 +172,7 @@ def _names(package: str, kinds: tuple[str, ...]) -> list[str]:
     try:
         names = registry.interface_names(package)
     except UnknownPackageError:
-        package_prefix(package)  # raises unless a package without interfaces has that name
+        package_prefix(package)  # raises an error if the package does not exist
         return []
     short = [name.partition("/")[2] for name in names]
     return [name for name in short if name.partition("/")[0] in kinds]

@@ -18,9 +18,9 @@ _IMMUTABLE = {bool, int, float, str, bytes}
 
 
 class ConstantsMeta(type):
-    """Metaclass of message classes with constants, which cannot be assigned, as in ROS 2.
+    """Metaclass of message classes with constants. As in ROS 2, constants cannot be assigned.
 
-    Other message classes do not have it: Python makes instances of a plain `type` faster.
+    Other message classes are a plain `type`, because Python makes their instances faster.
     """
 
     SPEC: MessageSpec
@@ -40,7 +40,7 @@ class ConstantsMeta(type):
 
 
 class Message:
-    """Base of the generated message classes, with a slot `_name` for each property `name`."""
+    """Base of the generated message classes. Each property `name` has a slot `_name`."""
 
     __slots__ = ()
 
@@ -55,7 +55,7 @@ class Message:
 
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:
-        """Return the type of each field, as ROS 2 writes it, in order, as a new dict."""
+        """Return a new dictionary of the fields in order, with each type as ROS 2 writes it."""
         return dict(cls._fields_and_field_types)
 
     def __copy__(self) -> Self:
@@ -67,14 +67,14 @@ class Message:
         )
 
     def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...], Any]:
-        # By name, not by class: then the process that unpickles only needs to import zbot.
+        # A pickle contains the type's name, so a process that unpickles only has to import zbot.
         cls = type(self)
         key = cls.TYPE_NAME if "TYPE_NAME" in cls.__dict__ else cls
         values = tuple([getattr(self, f"_{field.name}") for field in cls.SPEC.fields])
         return rebuild, (key, values), getattr(self, "__dict__", None)
 
     def _duplicate(self, duplicated: Callable[[Any], Any]) -> Self:
-        # The values in the slots are valid, so they are not checked again by the properties.
+        # The values in the slots are valid, so the properties do not check them again.
         twin = type(self).__new__(type(self))
         for field in self.SPEC.fields:
             slot = f"_{field.name}"
@@ -120,7 +120,7 @@ def shown_name(message: Message) -> str:
 
 
 def rebuild(key: str | type[Message], values: tuple[Any, ...]) -> Message:
-    """Return the message that `Message.__reduce__` described; pickle calls this."""
+    """Return the message that `Message.__reduce__` described. pickle calls this function."""
     if isinstance(key, str):
         from zbot.interfaces.registry import get_message  # noqa: PLC0415 - the registry imports us
 

@@ -21,13 +21,13 @@ from zbot.interfaces.spec import (
 
 _SEPARATOR = "---"
 # All text up to the first `#` outside of a quoted value. A quote begins a value only after a space,
-# `=`, `,` or `[`, so an apostrophe inside a word does not.
+# `=`, `,` or `[`, so an apostrophe inside a word does not begin a value.
 _CODE = re.compile(r"""(?:(?<=[\s=,\[])(?:"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*')|[^#])*""")
 _DECLARATION = re.compile(r"(?P<type>\S+)\s+(?P<name>[^\s=]+)\s*(?P<equals>=?)\s*(?P<value>.*)")
 
 
 class _Source(NamedTuple):
-    """One part of a file: its numbered lines, with package and file name for error messages."""
+    """One part of a file: its numbered lines, its package, and its name for error messages."""
 
     package: str
     file: str
@@ -35,7 +35,7 @@ class _Source(NamedTuple):
 
 
 def split_comment(line: str) -> tuple[str, str]:
-    """Return the code and the comment of a line; the comment starts with `#` or is empty."""
+    """Return the code and the comment of a line. The comment starts with `#` or is empty."""
     match = _CODE.match(line)
     end = match.end() if match else 0
     return line[:end].rstrip(), line[end:]
@@ -47,10 +47,10 @@ def parse(name: str, text: str, file: str = "") -> InterfaceSpec:
     Args:
         name: The full name of the interface, e.g. `std_srvs/srv/SetBool`.
         text: The definition.
-        file: File of the definition, for error messages; default: the name.
+        file: File of the definition for error messages. By default, it is the name.
 
     Raises:
-        InterfaceSyntaxError: The definition breaks the grammar; has line and advice.
+        InterfaceSyntaxError: The definition breaks the grammar. The error has a line and advice.
     """
     source = _source(name, text, file)
     kind = name.split("/")[1]
@@ -62,17 +62,17 @@ def parse(name: str, text: str, file: str = "") -> InterfaceSpec:
 
 
 def parse_message(name: str, text: str, file: str = "") -> MessageSpec:
-    """Return the spec in the text of a .msg file; see `parse`."""
+    """Return the spec in the text of a .msg file. See `parse`."""
     return _message(name, _source(name, text, file), text)
 
 
 def parse_service(name: str, text: str, file: str = "") -> ServiceSpec:
-    """Return the spec in the text of a .srv file; see `parse`."""
+    """Return the spec in the text of a .srv file. See `parse`."""
     return _service(name, _source(name, text, file), text)
 
 
 def parse_action(name: str, text: str, file: str = "") -> ActionSpec:
-    """Return the spec in the text of a .action file; see `parse`."""
+    """Return the spec in the text of a .action file. See `parse`."""
     return _action(name, _source(name, text, file), text)
 
 
@@ -112,7 +112,7 @@ def _action(name: str, source: _Source, text: str) -> ActionSpec:
 
 
 def _parts(source: _Source, kind: str, names: tuple[str, ...]) -> list[_Source]:
-    """Return the parts between the `---` lines, one for each name."""
+    """Return the parts between the `---` lines. There is one part for each name."""
     parts: list[list[tuple[int, str]]] = [[]]
     for number, line in source.lines:
         if line.rstrip() == _SEPARATOR:
@@ -171,7 +171,7 @@ def _constant(field_type: FieldType, name: str, value: str, number: int) -> Cons
         raise GrammarError("a constant is a number, a bool or a string, not an array or a message")
     grammar.check_constant_name(name, value)
     parsed = parse_value(field_type, value)
-    if isinstance(parsed, tuple):  # only arrays parse to tuples
+    if isinstance(parsed, tuple):  # only the value of an array is a tuple
         raise GrammarError("a constant holds one value")
     return Constant(name, field_type, parsed, number)
 

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 _OCTETS = {"byte", "char", "uint8"}
 _QUOTED_IN_CSV = frozenset(',"\r\n')
-#: Maximum length of a numeric list on one line: that of a 6x6 covariance, but not of a scan.
+#: Maximum length of a numeric list on one line. A 6x6 covariance fits, but a laser scan does not.
 SHORT_LIST = 36
 
 
@@ -26,7 +26,7 @@ SHORT_LIST = 36
 class Shortening:
     """Options that shorten the output of a message."""
 
-    length: int | None = None  #: maximum length of strings and lists; `None` for no limit
+    length: int | None = None  #: maximum length of strings and lists, or `None` for no limit
     no_arr: bool = False  #: replace lists by their type and length
     no_str: bool = False  #: replace strings by their length
     flow_style: bool = False  #: write lists on one line
@@ -57,7 +57,7 @@ def _plain_value(value: Any, kind: FieldType, shortening: Shortening) -> Any:
 
 
 def shown_item(item: Any, length: int | None) -> Any:
-    """Return a number, or a string of at most `length` characters; bytes become characters."""
+    """Return a number, or a string of at most `length` characters. Bytes become characters."""
     if isinstance(item, (bytes, bytearray)):
         item = item.decode("latin-1")  # each byte becomes the character with that code
     if isinstance(item, str):
@@ -67,7 +67,7 @@ def shown_item(item: Any, length: int | None) -> Any:
 
 
 def array_label(value: Any, kind: FieldType) -> str:
-    """Return the text that replaces a list, with its type and length."""
+    """Return the text that replaces a list. It contains the list's type and length."""
     base = kind.base
     if not (kind.is_message or kind.is_string):
         base = str(type(kind)(base))  # IDL's name: double, octet
@@ -129,7 +129,7 @@ def json_value(value: Any) -> Any:
     """Return a value in the form for JSON.
 
     NaN and infinities become null, because JSON does not have them. Arrays of bytes of any type
-    become base64, and one byte becomes a number. `zbot topic pub` can read all of these but null.
+    become base64, and one byte becomes a number. `zbot topic pub` can read these forms except null.
     """
     if is_message(value):
         return {

@@ -19,11 +19,11 @@ _hashes: dict[InterfaceSpec, str] = {}
 
 
 def spec_of(cls: type[Any]) -> InterfaceSpec:
-    """Return the spec of a class: one of zbot's, a dataclass, or one of an installed ROS 2.
+    """Return the spec of a class that zbot or an installed ROS 2 made, or of a dataclass.
 
     Raises:
-        NotAMessageTypeError: The class is none of these, or is a dataclass with a field that a
-            message cannot have; has the reason.
+        NotAMessageTypeError: The class is of another kind, or is a dataclass with a field that a
+            message cannot have. The error contains the reason.
     """
     if not isinstance(cls, type):
         raise NotAMessageTypeError(cls, _not_a_class_reason(cls))
@@ -49,17 +49,17 @@ def message_spec_of(cls: type[Any]) -> MessageSpec:
 
 
 def type_name(cls: type[Any]) -> str:
-    """Return the type name of a class, `std_msgs/msg/String`; raises the errors of `spec_of`."""
+    """Return the type name of a class. Raise the errors of `spec_of`."""
     return spec_of(cls).name
 
 
 def type_hash(interface: str | type[Any]) -> str:
-    """Return the RIHS01 hash of an interface, given its name or its class.
+    """Return the RIHS01 hash of an interface. The argument is the name or the class.
 
     Raises:
         NotAMessageTypeError: The class is not an interface class.
-        UnknownPackageError: The package does not exist here; has suggestions.
-        UnknownInterfaceError: The package has no such interface; has suggestions.
+        UnknownPackageError: The package does not exist here. The error suggests similar names.
+        UnknownInterfaceError: The package has no such interface. The error suggests similar names.
     """
     spec = _spec_for(interface)
     known = _hashes.get(spec)
@@ -69,18 +69,18 @@ def type_hash(interface: str | type[Any]) -> str:
 
 
 def type_description(interface: str | type[Any]) -> dict[str, Any]:
-    """Return the description of a type, the dict from which its hash is computed.
+    """Return the description of a type. The type's hash is computed from this dictionary.
 
-    It has the fields of `type_description_interfaces/msg/TypeDescription`. Raises the errors of
-    `type_hash`.
+    It has the fields of `type_description_interfaces/msg/TypeDescription`. The function raises the
+    errors of `type_hash`.
     """
     return description.type_description(_spec_for(interface), registry.get_spec)
 
 
 def has_sequences(interface: str | type[Any]) -> bool:
-    """Return whether a message has a sequence at any depth, so that its size can vary.
+    """Return whether a message has a sequence at any depth. Then the message's size can vary.
 
-    Raises the errors of `type_hash`.
+    The function raises the errors of `type_hash`.
     """
     spec = _spec_for(interface)
     fields = (field.type for field in spec.fields) if isinstance(spec, MessageSpec) else ()

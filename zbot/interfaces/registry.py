@@ -1,4 +1,4 @@
-"""Registry of interfaces by name, which loads definitions and makes classes at their first use."""
+"""Registry of interfaces by name. It loads definitions and makes classes at their first use."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 
     from zbot.interfaces.message import Action, Message, Service
 
-# More than any real message has; protects the stack from a malicious definition.
+# Real messages have fewer levels. The limit protects the stack from a malicious definition.
 _MAX_NESTING = 60
 
 _lock = threading.RLock()
@@ -47,13 +47,13 @@ _in_progress: list[str] = []
 
 
 def get_spec(name: str) -> InterfaceSpec:
-    """Return the spec with a name; `std_msgs/String` is short for `std_msgs/msg/String`.
+    """Return the spec with a name. `std_msgs/String` is short for `std_msgs/msg/String`.
 
     Parts have names too: `std_srvs/srv/SetBool_Request`, `pkg/action/Name_SendGoal`.
 
     Raises:
-        UnknownPackageError: The package does not exist here; has suggestions.
-        UnknownInterfaceError: The package has no such interface; has suggestions.
+        UnknownPackageError: The package does not exist here. The error suggests similar names.
+        UnknownInterfaceError: The package has no such interface. The error suggests similar names.
         InterfaceSyntaxError: The definition is wrong.
     """
     with _lock:
@@ -62,31 +62,31 @@ def get_spec(name: str) -> InterfaceSpec:
 
 
 def get_interface(name: str) -> type[Any]:
-    """Return the class of a message, a service or an action; raises the errors of `get_spec`."""
+    """Return the class of a message, service or action. Raise the errors of `get_spec`."""
     cls = _classes.get(name)
     return cls if cls is not None else _get_class(get_spec(name))
 
 
 def get_message(name: str) -> type[Message]:
-    """Return the class of a message, `std_msgs/msg/String`; raises the errors of `get_spec`."""
+    """Return the class of a message (`std_msgs/msg/String`). Raise the errors of `get_spec`."""
     cls: type[Message] = _of_kind(name, "msg", MessageSpec)
     return cls
 
 
 def get_service(name: str) -> type[Service]:
-    """Return the class of a service, `std_srvs/srv/SetBool`; raises the errors of `get_spec`."""
+    """Return the class of a service (`std_srvs/srv/SetBool`). Raise the errors of `get_spec`."""
     cls: type[Service] = _of_kind(name, "srv", ServiceSpec)
     return cls
 
 
 def get_action(name: str) -> type[Action]:
-    """Return the class of an action; raises the errors of `get_spec`."""
+    """Return the class of an action. Raise the errors of `get_spec`."""
     cls: type[Action] = _of_kind(name, "action", ActionSpec)
     return cls
 
 
 def definition_text(name: str) -> str:
-    """Return the text of a definition with its comments; raises the errors of `get_spec`."""
+    """Return the text of a definition with its comments. Raise the errors of `get_spec`."""
     return get_spec(name).text
 
 
@@ -106,7 +106,7 @@ def interface_names(package: str) -> list[str]:
     """Return the full names of a package's interfaces, e.g. `pkg/msg/Name`, sorted.
 
     Raises:
-        UnknownPackageError: The package does not exist here; has suggestions.
+        UnknownPackageError: The package does not exist here. The error suggests similar names.
     """
     names = {f"{package}/{file.parent.name}/{file.stem}" for file in interface_files(package)}
     names |= {name for name in _registered if name.startswith(f"{package}/")}
@@ -116,10 +116,10 @@ def interface_names(package: str) -> list[str]:
 
 
 def register_spec(spec: InterfaceSpec) -> None:
-    """Add a definition that no file here has, e.g. one that another machine sent.
+    """Add a definition that no file here contains, e.g. a definition from another machine.
 
     Raises:
-        InterfaceConflictError: Another definition with that name is known.
+        InterfaceConflictError: A different definition with the same name is known.
     """
     with _lock:
         try:
@@ -133,7 +133,7 @@ def register_spec(spec: InterfaceSpec) -> None:
 
 
 def register_class(spec: MessageSpec, cls: type[Any]) -> None:
-    """Add a class of the program or of an installed ROS 2; it replaces the class of its name."""
+    """Add a class of the program or of an installed ROS 2. It replaces the class with this name."""
     with _lock:
         _add(spec, cls.__module__)
         _registered.append(spec.name)
@@ -179,7 +179,7 @@ def _text(file: Path) -> str:
 
 
 def _layout(spec: InterfaceSpec) -> tuple[Any, ...]:
-    """Return names and types of the fields, which must be equal on two machines."""
+    """Return the names and types of the fields. They must be equal on two machines."""
     if isinstance(spec, MessageSpec):
         return tuple((field.name, str(field.type)) for field in spec.fields)
     if isinstance(spec, ServiceSpec):
@@ -225,7 +225,7 @@ def _make(spec: InterfaceSpec) -> type[Any]:
 
 
 def _nested_classes(spec: MessageSpec) -> dict[str, type[Any]]:
-    """Return the class for each field that is a message; an error names the field's line."""
+    """Return the class for each field that is a message. An error contains the field's line."""
     classes: dict[str, type[Any]] = {}
     for field in spec.fields:
         if field.type.is_message:
@@ -239,7 +239,7 @@ def _nested_classes(spec: MessageSpec) -> dict[str, type[Any]]:
 
 
 class _NestingError(Exception):
-    """Messages contain themselves or are nested too deeply; the caller adds file and line."""
+    """Messages contain themselves or are nested too deeply. The caller adds the file and line."""
 
 
 @contextmanager

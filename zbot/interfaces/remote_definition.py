@@ -1,4 +1,4 @@
-"""Definitions from other machines, made from the type descriptions that they send."""
+"""Definitions from other machines. They are made from type descriptions that the machines send."""
 
 from __future__ import annotations
 
@@ -23,15 +23,16 @@ from zbot.interfaces.spec import Field, InterfaceSpec, MessageSpec, parts_of
 if TYPE_CHECKING:
     from collections.abc import Iterable, Mapping
 
-# `char` has the number of uint8: both are one type in a .msg file.
+# `char` has the number of uint8, because both are the same type in a .msg file.
 _BASES = {number: base for base, number in TYPE_IDS.items() if base != "char"}
 _STRING_IDS = (TYPE_IDS["string"], TYPE_IDS["wstring"])
 
 
 def register_description(description: Mapping[str, Any]) -> InterfaceSpec:
-    """Register a type and all types inside it, given a description as from `type_description`.
+    """Register a type and all types inside it. `description` is as in `type_description`.
 
-    A description has no defaults, constants and comments, so the definition has none either.
+    The definition has no defaults, constants and comments, because a description does not contain
+    them.
 
     Returns:
         The definition of the type itself.
@@ -47,7 +48,7 @@ def register_description(description: Mapping[str, Any]) -> InterfaceSpec:
 
 
 def specs_from(description: Mapping[str, Any]) -> list[InterfaceSpec]:
-    """Return the definitions in a description, the type itself last, without registering them.
+    """Return the definitions in a description without registering them. The type itself is last.
 
     Raises:
         InterfaceSyntaxError: The description is not valid.
@@ -70,14 +71,14 @@ def specs_from(description: Mapping[str, Any]) -> list[InterfaceSpec]:
 
 
 def specs_from_sources(name: str, sources: Mapping[str, str]) -> list[InterfaceSpec]:
-    """Return the definitions in some texts, with comments and constants, without registering them.
+    """Return the definitions in texts, with comments and constants. They are not registered.
 
     Args:
         name: Full name of a type.
         sources: The texts of the type and of the types inside it, by full name.
 
     Returns:
-        The definitions; that of the type itself is the last.
+        The definitions. The definition of the type itself is the last.
 
     Raises:
         InterfaceSyntaxError: A text is not a valid definition.
@@ -101,7 +102,7 @@ def hash_among(name: str, specs: Iterable[InterfaceSpec]) -> str:
 
     Raises:
         UnknownPackageError: A type inside it is neither in `specs` nor known here.
-        UnknownInterfaceError: The same.
+        UnknownInterfaceError: The same, but the package of the type inside is known here.
     """
     found: dict[str, InterfaceSpec] = {}
     waiting = list(specs)
@@ -159,7 +160,7 @@ def _field(field: Mapping[str, Any]) -> Field:
 
 
 def _element(type_id: int, kind: Mapping[str, Any]) -> str:
-    """Return the type, or the type of the elements, as a definition writes it."""
+    """Return the text for a type in a definition. For an array, return the type of the elements."""
     if type_id == NESTED_ID:
         nested: str = kind["nested_type_name"]
         grammar.check_interface_name(nested)

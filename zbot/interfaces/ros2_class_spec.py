@@ -33,7 +33,7 @@ def ros2_class_spec(cls: type[Any]) -> InterfaceSpec:
 
 
 def message_spec(cls: type[Any]) -> MessageSpec:
-    """Return the spec of a message class; see `ros2_class_spec`."""
+    """Return the spec of a message class. See `ros2_class_spec`."""
     names = tuple(cls.get_fields_and_field_types())
     types = tuple(getattr(cls, "SLOT_TYPES", ()))
     if len(names) != len(types):
@@ -64,7 +64,7 @@ def _default(cls: type[Any], name: str) -> Any:
 
 
 def _field_type(slot: Any) -> FieldType:
-    """Return the field type for an object of rosidl_parser.definition, without importing that."""
+    """Return the field type for an object of rosidl_parser.definition, which is not imported."""
     match type(slot).__name__:
         case "Array":
             return _many(slot.value_type, "array", slot.size)

@@ -1,7 +1,7 @@
 """Checks of single values, which convert a value without loss or reject it.
 
-They are the slow path: a generated class tests the exact type inline, and calls a check only if
-that test fails.
+The checks are the slow path. A generated class tests the exact type inline, and calls a check only
+if this test fails.
 """
 
 from __future__ import annotations
@@ -24,11 +24,11 @@ class ScalarCheck:
         self.type_name, self.expected = type_name, expected
 
     def __call__(self, label: str, value: Any) -> Any:
-        """Return the value to store; raises `FieldTypeError` or `FieldValueError`."""
+        """Return the value to store, or raise `FieldTypeError` or `FieldValueError`."""
         raise NotImplementedError
 
     def fits(self, values: list[Any]) -> bool:
-        """Return True if all values can be stored unchanged; False if each must be checked."""
+        """Return True if all values can be stored unchanged. On False, check each value."""
         return not values
 
     def wrong_type(self, label: str, value: object) -> FieldTypeError:
@@ -41,7 +41,7 @@ class ScalarCheck:
 
 
 class _BoolCheck(ScalarCheck):
-    """Check of a bool, also numpy's; numbers are rejected."""
+    """Check of a bool. numpy's bools are accepted, and numbers are rejected."""
 
     def __init__(self, type_name: str) -> None:
         super().__init__(type_name, "a bool")
@@ -56,7 +56,7 @@ class _BoolCheck(ScalarCheck):
 
 
 class _IntegerCheck(ScalarCheck):
-    """Check of an integer in range, also an enum member or numpy's; True is 1, as in Python."""
+    """Check of an integer in a range. Enum members, numpy's integers and True (1) are accepted."""
 
     def __init__(self, type_name: str, base: str) -> None:
         self.low, self.high = INTEGER_RANGES[base]
@@ -72,7 +72,7 @@ class _IntegerCheck(ScalarCheck):
 
 
 class _FloatCheck(ScalarCheck):
-    """Check of a float; an int is converted, `inf` and `nan` are allowed, a bool is rejected."""
+    """Check of a float. An int is converted, `inf` and `nan` are allowed, a bool is rejected."""
 
     def __init__(self, type_name: str, base: str) -> None:
         self.is_single = base == "float32"
@@ -94,7 +94,7 @@ class _FloatCheck(ScalarCheck):
 
 
 class _StringCheck(ScalarCheck):
-    """Check of a string that UTF-8 can encode, of at most `bound` characters; 0 means no bound."""
+    """Check of a string that UTF-8 can encode. The bound is in characters. 0 means no bound."""
 
     def __init__(self, type_name: str, bound: int) -> None:
         self.bound = bound
@@ -133,7 +133,7 @@ class _ByteCheck(ScalarCheck):
 class _MessageCheck(ScalarCheck):
     """Check of a message of one class or a subclass, or of an object used in its place.
 
-    The only such object is `Parameter`, which rclpy's programs put into events they do not send.
+    The only such object is `Parameter`. Programs for rclpy put it into events that are not sent.
     """
 
     def __init__(self, type_name: str, cls: type[Any], cls_name: str) -> None:
@@ -154,8 +154,8 @@ def scalar_check(type_name: str, field_type: FieldType, cls: type[Any] | None) -
     """Return the check for one value of a field's base type.
 
     Args:
-        type_name: The message that has the field, for errors.
-        field_type: The field's type; for an array, the check is for its elements.
+        type_name: The message that has the field. Error messages contain this name.
+        field_type: The field's type. For an array, the check is for the elements.
         cls: Class of the values if they are messages.
     """
     if cls is not None:

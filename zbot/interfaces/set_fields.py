@@ -24,17 +24,17 @@ def set_message_fields(
     expand_header_auto: bool = False,
     expand_time_now: bool = False,
 ) -> list[StampSetter]:
-    """Set fields of a message; the other fields keep their values.
+    """Set fields of a message. The other fields keep their values.
 
     Args:
         msg: The message, of any class that has ROS 2's attributes.
-        values: New values by field name. A nested message is a message or a dictionary; its fields
-            that the dictionary does not name get their defaults.
+        values: New values by field name. A nested message is a message or a dictionary. Fields that
+            are missing in this dictionary get their defaults.
         expand_header_auto: Whether the string `auto` means a header with the current time.
         expand_time_now: Whether the string `now` means the current time.
 
     Returns:
-        A function for each field that needs the current time; its argument is a `Time` message.
+        A function for each field that needs the current time. The argument is a `Time` message.
 
     Raises:
         AttributeError: The message has no such field.

@@ -1,6 +1,6 @@
-"""Types of fields as objects, with the class names of ROS 2's `rosidl_parser`.
+"""Objects for the types of fields. Their classes have the names of ROS 2's `rosidl_parser`.
 
-Programs for messages of any type use them: `isinstance(slot, AbstractSequence)`.
+Programs for messages of any type use them, e.g. `isinstance(slot, AbstractSequence)`.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ class NamedType(AbstractNestableType):
 
 @dataclass(frozen=True, init=False)
 class NamespacedType(AbstractNestableType):
-    """A message: `namespaces` is `['std_msgs', 'msg']`, `name` is `Header`."""
+    """A message, e.g. with the namespaces `['std_msgs', 'msg']` and the name `Header`."""
 
     namespaces: list[str]
     name: str

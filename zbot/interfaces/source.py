@@ -1,8 +1,8 @@
 """Generator of the Python source of a message class.
 
-The names of fields are parameters of the constructor, where they hide builtins and globals with the
+The names of fields are parameters of the constructor. There they hide builtins and globals with the
 same name (`float`, `range`, `args`). So the generated code uses only names that a field cannot
-have: names with a leading underscore or in capitals.
+have. These begin with an underscore or are in capitals.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ _ZEROS: dict[str, Scalar] = {"bool": False, "byte": b"\x00", "string": "", "wstr
 
 
 def class_source(spec: MessageSpec) -> str:
-    """Return the class statement of a message; `classes._namespace` has the names that it uses."""
+    """Return the class statement of a message. `classes._namespace` has the names in it."""
     lines = [
         _class_line(spec),
         "    __doc__ = _DOC",
@@ -112,7 +112,7 @@ def _repr_fields(spec: MessageSpec) -> str:
 
 
 def _parameter_default(field: Field) -> str:
-    """Return a scalar's default; else a placeholder, so that messages do not share one value."""
+    """Return a scalar's default. Else return a placeholder, so that messages share no value."""
     if field.type.kind != "scalar" or field.type.is_message:
         return "DEFAULT"
     return _literal(_scalar_default(field))
@@ -156,7 +156,7 @@ def _new(field: Field) -> str:
 
 
 def _checked(field: Field, variable: str) -> str:
-    """Return an expression for the stored value: the value itself if it passes the inline test."""
+    """Return an expression for the stored value: the same value if it passes the inline test."""
     test = _inline_test(field, variable)
     slow = f"_check_{field.name}({variable})"
     return f"{variable} if {test} else {slow}" if test else slow

@@ -8,7 +8,7 @@ from typing import Literal, NamedTuple, Union
 Scalar = Union[bool, int, float, str, bytes]  # noqa: UP007 - evaluated at run time on Python 3.10
 Kind = Literal["scalar", "array", "sequence"]
 
-#: Range of each integer type; in a definition's text, `byte` and `char` are 0..255.
+#: Range of each integer type. In a definition's text, `byte` and `char` are 0..255.
 INTEGER_RANGES: dict[str, tuple[int, int]] = {
     "int8": (-(2**7), 2**7 - 1),
     "uint8": (0, 2**8 - 1),
@@ -20,7 +20,7 @@ INTEGER_RANGES: dict[str, tuple[int, int]] = {
     "int64": (-(2**63), 2**63 - 1),
     "uint64": (0, 2**64 - 1),
 }
-#: Typecode of Python's `array` for each numeric type; each has the exact size of its type.
+#: Typecode of Python's `array` for each numeric type. Both have exactly the same size.
 TYPECODES: dict[str, str] = {
     "int8": "b",
     "uint8": "B",
@@ -38,7 +38,7 @@ FLOAT32_MAX = 3.4028234663852886e38
 STRING_TYPES = ("string", "wstring")
 PRIMITIVES = ("bool", "byte", *TYPECODES, *STRING_TYPES)
 
-# IDL's names, which get_fields_and_field_types() has in place of those of a .msg file.
+# IDL's names of types. get_fields_and_field_types() returns them in place of a .msg file's names.
 _IDL_NAMES = {
     "bool": "boolean",
     "byte": "octet",
@@ -51,13 +51,13 @@ _IDL_NAMES = {
 class FieldType(NamedTuple):
     """The type of one field.
 
-    Its `str()` is ROS 2's text in `get_fields_and_field_types()`: `sequence<double, 3>`.
+    `str()` returns ROS 2's text in `get_fields_and_field_types()`, e.g. `sequence<double, 3>`.
     """
 
     base: str  #: `float64`, `string` ... or the full name of a message, `geometry_msgs/msg/Point`
     kind: Kind = "scalar"
-    size: int = 0  #: N of `T[N]`, or the bound of `T[<=N]`; 0 is unbounded
-    string_bound: int = 0  #: N of `string<=N`, in characters; 0 is unbounded
+    size: int = 0  #: N of `T[N]` or `T[<=N]`, or 0 without a bound
+    string_bound: int = 0  #: N of `string<=N`, in characters, or 0 without a bound
 
     @property
     def is_message(self) -> bool:
@@ -71,7 +71,7 @@ class FieldType(NamedTuple):
 
     @property
     def typecode(self) -> str:
-        """The `array.array` typecode of a numeric base, `""` for any other."""
+        """The `array.array` typecode of a numeric base, or `""` for any other base."""
         return TYPECODES.get(self.base, "")
 
     @property
@@ -103,13 +103,13 @@ class Field:
 
     name: str
     type: FieldType
-    default: Scalar | tuple[Scalar, ...] | None = None  #: None: the type's zero value
-    line: int = field(default=0, compare=False)  #: line in the file, from 1; 0 if not in a file
+    default: Scalar | tuple[Scalar, ...] | None = None  #: None means the type's zero value
+    line: int = field(default=0, compare=False)  #: line in the file, from 1, or 0 without a file
 
 
 @dataclass(frozen=True, slots=True)
 class Constant:
-    """One constant of a message; `byte` constants are `bytes` of length 1."""
+    """One constant of a message. A `byte` constant is `bytes` of length 1."""
 
     name: str
     type: FieldType
@@ -171,7 +171,7 @@ InterfaceSpec = Union[MessageSpec, ServiceSpec, ActionSpec]  # noqa: UP007 - as 
 
 
 def parts_of(spec: InterfaceSpec) -> tuple[InterfaceSpec, ...]:
-    """Return the parts of a service or an action; empty for a message."""
+    """Return the parts of a service or an action. The result is empty for a message."""
     if isinstance(spec, ServiceSpec):
         return spec.request, spec.response, spec.event
     if isinstance(spec, ActionSpec):
@@ -181,6 +181,6 @@ def parts_of(spec: InterfaceSpec) -> tuple[InterfaceSpec, ...]:
 
 
 def _without_kind(base: str) -> str:
-    """Return `geometry_msgs/Point` for `geometry_msgs/msg/Point`; a primitive type unchanged."""
+    """Return `geometry_msgs/Point` for `geometry_msgs/msg/Point`. Primitive types do not change."""
     first, slash, rest = base.partition("/")
     return f"{first}/{rest.rpartition('/')[2]}" if slash else base

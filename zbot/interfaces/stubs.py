@@ -1,12 +1,12 @@
-"""Generator of type stubs for message classes, with which an editor completes `Twist().linear.x`.
+"""Generator of type stubs for message classes. With stubs, an editor completes `Twist().linear.x`.
 
     python -m zbot.interfaces.stubs FOLDER [PACKAGE ...]
 
-This command writes `FOLDER/std_msgs/msg/__init__.pyi` and so on, for the given packages or for
-those shipped with zbot. zbot's wheel contains the latter as folders without code; with folders
-named `std_msgs-stubs`, pyright would warn at every import that the source is missing. Write stubs
-of your own types into `typings`, which pyright reads by default, or into a folder in mypy's
-`mypy_path`.
+This command writes files such as `FOLDER/std_msgs/msg/__init__.pyi` for the given packages. Without
+a package, it writes stubs for the packages in zbot. zbot's wheel contains these stubs in folders
+without code, e.g. `std_msgs`. If the folder's name were `std_msgs-stubs`, pyright would warn at
+every import that the source is missing. Write stubs of your own types into `typings`, which pyright
+reads by default, or into a folder in mypy's `mypy_path`.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ def write_stubs(folder: Path, packages: Iterable[str]) -> list[Path]:
     """Write the stubs of packages into a folder, and return the written files.
 
     Raises:
-        UnknownPackageError: A package does not exist here; has suggestions.
+        UnknownPackageError: A package does not exist here. The error suggests similar names.
         InterfaceSyntaxError: A definition is wrong.
     """
     written = []
@@ -56,7 +56,7 @@ def write_stubs(folder: Path, packages: Iterable[str]) -> list[Path]:
 
 
 def package_stubs(package: str) -> dict[str, str]:
-    """Return the stub files of a package: texts by path in the package's folder."""
+    """Return the stub files of a package as a dictionary from path to text."""
     modules: dict[str, list[str]] = {}
     for name in registry.interface_names(package):
         modules.setdefault(name.split("/")[1], []).append(name)

@@ -20,7 +20,7 @@ def check_for_type_support(interface: type[Any]) -> None:
     """Check that a class is a message, service or action class.
 
     Raises:
-        NotAMessageTypeError: The class is none of these.
+        NotAMessageTypeError: The class is of another kind.
     """
     spec_of(interface)
 

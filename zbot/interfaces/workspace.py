@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def packages_around(roots: Roots) -> dict[str, list[Path]]:
-    """Return the folders of each package below the roots that has definitions, by package name."""
+    """Return the folders of the packages with definitions below the roots, by package name."""
     found: dict[str, list[Path]] = {}
     for root, depth in roots:
         for folder in _package_folders(root, depth):

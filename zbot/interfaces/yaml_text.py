@@ -22,7 +22,7 @@ __all__ = [
     "scalar",
 ]
 
-# libyaml is ten times faster; a PyYAML built without it does not have these names.
+# libyaml is ten times faster. A PyYAML that was built without libyaml does not have these names.
 _BaseDumper: Any = getattr(yaml, "CSafeDumper", yaml.SafeDumper)
 _Loader: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 _UNLIMITED = 2**31 - 1
@@ -49,14 +49,14 @@ def _represent_flow(dumper: Any, data: Flow) -> Any:
 
 
 class _Dumper(_BaseDumper):  # type: ignore[misc]
-    """Dumper that writes every value in full, also a value that occurs twice."""
+    """Dumper that writes every value in full, even if the value occurs twice."""
 
     def ignore_aliases(self, data: object) -> bool:  # noqa: ARG002 - PyYAML's signature
         return True
 
 
 class _WideDumper(yaml.SafeDumper):
-    """Slower dumper that does not escape characters above U+FFFF, e.g. emoji, as libyaml does."""
+    """Slower dumper for emoji and other characters above U+FFFF, which libyaml would escape."""
 
     def ignore_aliases(self, data: object) -> bool:  # noqa: ARG002 - PyYAML's signature
         return True
@@ -69,7 +69,7 @@ _WideDumper.add_representer(Quoted, _represent_quoted)
 
 
 def dump(value: Any, *, flow_style: bool = False) -> str:
-    """Return plain values as YAML with a final newline; with `flow_style` on one line."""
+    """Return plain values as YAML with a final newline. `flow_style` writes one line."""
     text = _dump(value, _Dumper, flow_style)
     if "\\U" in text:
         wide = _dump(value, _WideDumper, flow_style)
@@ -90,7 +90,7 @@ def _dump(value: Any, dumper: Any, flow_style: bool) -> str:
 
 
 def compose(text: str) -> Node | None:
-    """Return the node of the only document in a text; None if the text is empty.
+    """Return the node of the only document in a text. Return None if the text is empty.
 
     Raises:
         YAMLError: The text is not YAML.

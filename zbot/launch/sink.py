@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 _OUT, _ERR, _BOTH = "stdout", "stderr", "both"
 _SINKS: Final = frozenset({"screen", "log", "own_log"})
 _OWN: Final = frozenset({"own_log"})
-#: Sinks for each value of `output`. ROS 2 hides stdout by default; zbot shows everything.
+#: Sinks for each value of `output`. By default ROS 2 hides stdout, but zbot shows everything.
 _WORDS: Final[Mapping[str, Mapping[str, frozenset[str]]]] = {
     "screen": {_BOTH: frozenset({"screen"})},
     "log": {_BOTH: frozenset({"log"}), _ERR: frozenset({"screen"})},

@@ -34,7 +34,7 @@ def zbot_command() -> list[str]:
 
 def run_scripts_with_zbot(words: Sequence[str]) -> list[str]:
     """Return the words of a command. It runs a Python script by `zbot run`, to find `rclpy`."""
-    script = 2 if len(words) > 1 and words[1] == "-u" else 1  # -u has no effect here: output is never buffered
+    script = 2 if len(words) > 1 and words[1] == "-u" else 1  # zbot does not need -u
     is_python = words[0] in {sys.executable, "python", "python3"}
     if is_python and len(words) > script and words[script].endswith(".py"):
         return [*zbot_command(), "run", *words[script:]]

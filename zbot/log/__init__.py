@@ -4,7 +4,7 @@
     [INFO] [1700000000.123456789] [sensor]: ready
 
 A logger inherits the level of its parent: `a` is the parent of `a.b`. A sink gets every line of a
-logger and its children as a `Record`. A node has a sink that publishes them on `/rosout`.
+logger and its children as a `Record`. A node has a sink that publishes the records on `/rosout`.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Log calls in the source, with their filters `once`, `skip_first` and throttling."""
+"""Log calls in the source of a program, and their filters `once`, `skip_first` and throttling."""
 
 from __future__ import annotations
 
@@ -31,9 +31,9 @@ class FilterOptions(TypedDict, total=False):
     """Options that limit how often a call writes its line."""
 
     once: bool  #: only the first call writes
-    skip_first: bool  #: all calls but the first write
+    skip_first: bool  #: every call except the first call writes
     throttle_duration_sec: float  #: at most one line in this time, in seconds
-    throttle_time_source_type: TimeProvider  #: clock of the throttle; default: monotonic clock
+    throttle_time_source_type: TimeProvider  #: clock of the throttle, by default monotonic
 
 
 class LogOptions(FilterOptions, total=False):
@@ -43,7 +43,7 @@ class LogOptions(FilterOptions, total=False):
 
 
 class Filters(NamedTuple):
-    """Filters of a log call; a false value switches a filter off."""
+    """Filters of a log call. A false value switches a filter off."""
 
     once: bool = False
     skip_first: bool = False
@@ -74,8 +74,8 @@ class CallSite:
         self._severity, self._name = severity, name
         self._filters = _filters(options) if options else _NO_FILTERS
         self._passed = 0
-        # As in rclpy, with a given clock the first line comes only after the throttle's duration
-        # from time 0: simulated time that stands at 0 has not begun.
+        # As in rclpy: if the program gives a clock, the first line is written only after the
+        # clock's time is above the throttle's duration. At 0, simulated time has not begun yet.
         self._last_ns: int | None = None if self._filters.clock is None else 0
 
     def check(
@@ -107,7 +107,7 @@ class CallSite:
         return number == first if filters.once else number >= first
 
     def _throttle_has_elapsed(self, now_ns: int) -> bool:
-        # Time that goes backwards means that a simulation was restarted: write.
+        # If the time goes backwards, a simulation was restarted. Then the line is written.
         if self._last_ns is not None:
             passed_sec = (now_ns - self._last_ns) / 1e9
             if 0 <= passed_sec < self._filters.throttle_sec:

@@ -24,17 +24,17 @@ _COLOURS: Final[Mapping[int, str]] = {
 
 
 class Console:
-    """Writes log lines to stderr, or to stdout with `RCUTILS_LOGGING_USE_STDOUT=1`.
+    """Writer of log lines to stderr. With `RCUTILS_LOGGING_USE_STDOUT=1` it writes to stdout.
 
-    The constructor reads the environment variables. `write` ignores errors of the stream: a program
-    must not end because nobody reads its log.
+    The constructor reads the environment variables. `write` ignores errors of the stream, because a
+    program must not end if nobody reads its log.
     """
 
     def __init__(self) -> None:
         self.setting_errors: list[str] = []  #: errors in the environment variables
         self.format = formatter(
             os.environ.get("RCUTILS_CONSOLE_OUTPUT_FORMAT", "")
-        )  #: record to line
+        )  #: function from a record to a line
         self._uses_stdout = self._switch("RCUTILS_LOGGING_USE_STDOUT") is True
         self._is_buffered = self._switch("RCUTILS_LOGGING_BUFFERED_STREAM") is True
         self._colour = self._colour_setting()
@@ -43,7 +43,7 @@ class Console:
 
     def write(self, severity: LoggingSeverity, line: str) -> None:
         """Write a line in its severity's colour."""
-        # Looked up each time, because programs and tests replace sys.stderr.
+        # The stream is looked up each time, because programs and tests replace sys.stderr.
         stream = sys.stdout if self._uses_stdout else sys.stderr
         if stream is not self._stream:
             self._stream = stream
@@ -60,7 +60,7 @@ class Console:
         return value == "1" if value else None
 
     def _colour_setting(self) -> bool | None:
-        """Return whether the environment asks for colour; `None` if the stream decides."""
+        """Return whether the environment asks for colour. `None` means the stream decides."""
         setting = self._switch("RCUTILS_COLORIZED_OUTPUT")
         if setting is None and os.environ.get("NO_COLOR"):
             setting = False
@@ -70,7 +70,7 @@ class Console:
 
 
 def _write_safely(stream: TextIO | None, text: str, *, flush: bool) -> None:
-    """Write a text in one call, so that lines of several threads and processes do not mix."""
+    """Write a text in one call, so that the lines of threads and processes do not mix."""
     if stream is None:  # pythonw on Windows has no console
         return
     try:
@@ -97,7 +97,7 @@ def _has_colour(stream: TextIO | None) -> bool:
 
 
 def _enable_colour(stream: TextIO) -> bool:
-    """Enable escape sequences in a Windows console; return whether the terminal has them."""
+    """Enable escape sequences in a Windows console. Return whether the terminal has them."""
     if sys.platform != "win32":
         return True
     import ctypes  # noqa: PLC0415 - only Windows needs it

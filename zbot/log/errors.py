@@ -6,7 +6,7 @@ from zbot.errors import ZbotError
 
 
 class InvalidSeverityError(ZbotError, ValueError, RuntimeError):
-    """A log severity does not exist (rclpy: ValueError for numbers, RuntimeError for text)."""
+    """A log severity does not exist. rclpy: ValueError for a number, RuntimeError for text."""
 
     def __init__(self, severity: object) -> None:
         self.severity = severity

@@ -1,4 +1,4 @@
-"""Log file of a process, written if a log folder is set."""
+"""Log file of a process. It is written only if a log folder is set."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def get_logging_directory() -> Path:
-    """Return the folder for log files; the folder need not exist.
+    """Return the folder for log files. The folder may be missing.
 
     It is the first of `$ZBOT_LOG_DIR`, `$ROS_LOG_DIR`, `$ROS_HOME/log` and `~/.ros/log`.
     """
@@ -26,10 +26,10 @@ def get_logging_directory() -> Path:
 
 
 class LogFile:
-    """Log file `<folder>/<program>_<pid>_<milliseconds>.log`; the first line creates it.
+    """Log file `<folder>/<program>_<pid>_<milliseconds>.log`. The first line creates the file.
 
     Args:
-        prefix: Replaces the program's name in the file's name, if not empty.
+        prefix: If it is not empty, it replaces the program's name in the file's name.
     """
 
     def __init__(self, prefix: str = "") -> None:
@@ -43,7 +43,7 @@ class LogFile:
         """Append a line in one write.
 
         Raises:
-            OSError: The line cannot be written; the file is then closed permanently.
+            OSError: The line cannot be written. The file is then closed permanently.
         """
         with self._lock:
             if self._directory is None or not self.is_open:
@@ -56,7 +56,7 @@ class LogFile:
                 raise
 
     def close(self) -> None:
-        """Close the file and ignore all later lines; a second call has no effect."""
+        """Close the file and ignore all later lines. A second call has no effect."""
         with self._lock:
             self.is_open = False
             file, self._file = self._file, None
@@ -71,6 +71,6 @@ class LogFile:
 
 
 def _wanted_directory() -> Path | None:
-    """Return the folder that an environment variable names, or `None`."""
+    """Return the folder from an environment variable. Return `None` if no variable is set."""
     wanted = os.environ.get("ZBOT_LOG_DIR") or os.environ.get("ROS_LOG_DIR")
     return Path(wanted).expanduser() if wanted else None

@@ -24,22 +24,22 @@ _caller = sys._getframe  # noqa: SLF001 - inspect.stack() takes 100 times as lon
 
 
 class Logger:
-    """Logger that writes lines under one name. Made by `get_logger` or `Node.get_logger`.
+    """Logger that writes lines under one name. `get_logger` and `Node.get_logger` make loggers.
 
-    The log methods return whether the line was written. They convert the message with `str()`. All
-    have these options:
+    The log methods return whether the line was written. They convert the message with `str()`.
+    All log methods have these options:
 
-    * `once=True`: only the first call at this place in the source writes.
-    * `skip_first=True`: all calls at this place but the first write.
-    * `throttle_duration_sec=2.0`: at most one line in two seconds, measured on the monotonic clock
-      or on the clock `throttle_time_source_type`.
+    * `once=True`: only the first call at this place in the source writes a line.
+    * `skip_first=True`: every call at this place writes a line, except the first call.
+    * `throttle_duration_sec=2.0`: at most one line is written in two seconds. The time is that of
+      the clock `throttle_time_source_type`, or by default of the monotonic clock.
     * `name="other"`: the line has another logger's name.
 
     A call raises `LogCallChangedError` if its severity, name or filters differ from the first call
-    at the same place, and `LogOptionError` for an unknown option.
+    at the same place. A call raises `LogOptionError` for an unknown option.
 
     Args:
-        name: The logger's name; dots separate parents from children.
+        name: The logger's name. Dots separate parents from children.
     """
 
     def __init__(self, name: str = "") -> None:
@@ -52,7 +52,7 @@ class Logger:
         return self._state.name
 
     def get_child(self, name: str) -> Logger:
-        """Return the logger `<this name>.<name>`, which inherits this one's level.
+        """Return the logger `<this name>.<name>`. It inherits the level of this logger.
 
         Raises:
             InvalidNameError: The name is empty or missing.
@@ -82,7 +82,7 @@ class Logger:
         return to_severity(severity) >= self._state.threshold
 
     def debug(self, message: object, **options: Unpack[LogOptions]) -> bool:
-        """Write a line for debugging; written only if the level is DEBUG."""
+        """Write a line for debugging. It is written only if the logger's level is DEBUG."""
         if self._state.threshold > _DEBUG:
             return False
         return self._log(_DEBUG, message, options, _caller(1))

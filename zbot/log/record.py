@@ -1,4 +1,4 @@
-"""Log records, and the formatter that writes them as text."""
+"""Log records, and the formatter that converts a record to text."""
 
 from __future__ import annotations
 
@@ -28,14 +28,14 @@ class Record(NamedTuple):
     stamp_ns: int  #: system time, nanoseconds since the epoch
     level: LoggingSeverity
     name: str  #: name of the logger
-    message: str  #: may have several lines; always encodable as UTF-8
+    message: str  #: It may have several lines. UTF-8 can always encode it.
     file: str  #: path of the source file with the log call
     function: str
     line: int  #: in `file`, from 1
 
 
 def formatter(template: str) -> Callable[[Record], str]:
-    """Return a function that formats records by a template, as `RCUTILS_CONSOLE_OUTPUT_FORMAT`.
+    """Return a function that formats records by a template like `RCUTILS_CONSOLE_OUTPUT_FORMAT`.
 
     Unknown `{tokens}` are kept as text. An empty template means `DEFAULT_FORMAT`.
     """

@@ -1,4 +1,4 @@
-"""Registry of the process's log levels and sinks, and the output of all its log lines."""
+"""Registry of the log levels and sinks of a process. It writes all log lines to the outputs."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class SinkEntry:
 
 @dataclass(eq=False)
 class LoggerState:
-    """State that all loggers of one name share; it is read without a lock."""
+    """State that all loggers with the same name share. It is read without a lock."""
 
     name: str
     threshold: LoggingSeverity  #: the lowest severity that is written
@@ -46,14 +46,14 @@ class LoggerState:
 
 @dataclass(eq=False)
 class _Outputs:
-    """Console and log file, opened for the first line with the environment of that time."""
+    """Console and log file. The first line opens them with the environment of that time."""
 
     console: Console
     file: LogFile
 
 
 class _ThreadState(threading.local):
-    are_sinks_disabled = False  #: whether this thread's lines are kept from the sinks
+    are_sinks_disabled = False  #: whether the sinks do not get this thread's lines
 
 
 class LogRegistry:
@@ -84,12 +84,12 @@ class LogRegistry:
         """Apply the log settings of a command line's `--ros-args`.
 
         Args:
-            levels: Levels by logger name; an empty name is the default for loggers without a level.
-                A single level sets that default. Other loggers keep their levels.
+            levels: Levels by logger name. An empty name is the default for loggers without a level.
+                A single level sets this default. Other loggers keep their levels.
             stdout_enabled: Whether lines go to the console (stdout or stderr).
             rosout_enabled: Whether lines go to sinks.
             file_enabled: Whether lines go to a file, if a log folder is set.
-            file_prefix: Replaces the program's name in the file's name, if not empty.
+            file_prefix: If it is not empty, it replaces the program's name in the file's name.
 
         Raises:
             InvalidSeverityError: A level does not exist.
@@ -106,7 +106,7 @@ class LogRegistry:
             self._refresh()
 
     def clear_config(self) -> None:
-        """Reset all levels and settings, and read the environment again; sinks are kept."""
+        """Reset all levels and settings, and read the environment again. Sinks are kept."""
         with self._lock:
             self._levels.clear()
             self._is_console_on = self._are_sinks_on = self._is_file_on = True
@@ -125,10 +125,10 @@ class LogRegistry:
         """Set the lowest severity that a logger and its children write.
 
         Args:
-            name: The logger; an empty name sets the default for loggers without a level.
-            level: A `LoggingSeverity`. With `UNSET` a logger has its parent's level; as the
-                default, `UNSET` means that everything is written.
-            detailed_error: No effect: errors always have a detailed message.
+            name: The logger. An empty name sets the default for loggers without a level.
+            level: A `LoggingSeverity`. With `UNSET`, a logger has its parent's level. If the
+                default is `UNSET`, everything is written.
+            detailed_error: It has no effect, because errors always have a detailed message.
 
         Raises:
             InvalidSeverityError: There is no such level.
@@ -139,12 +139,12 @@ class LogRegistry:
             self._refresh()
 
     def get_logger_level(self, name: str) -> LoggingSeverity:
-        """Return a logger's own level, or `UNSET` if it has none."""
+        """Return a logger's own level. Return `UNSET` if the logger has no own level."""
         unset = LoggingSeverity.UNSET if name else _DEFAULT_LEVEL
         return self._levels.get(name, unset)
 
     def get_logger_effective_level(self, name: str) -> LoggingSeverity:
-        """Return the lowest severity that a logger writes: its level or its nearest parent's."""
+        """Return the lowest severity that a logger writes: its level or the nearest parent's."""
         while name:
             if level := self._levels.get(name):
                 return level
@@ -154,21 +154,21 @@ class LogRegistry:
     # -- sinks ---------------------------------------------------------------------------------
 
     def add_sink(self, logger_name: str, sink: Sink) -> None:
-        """Pass every line of a logger and its children to a function too.
+        """Add a function that gets every line of a logger and its children.
 
-        The function runs in the thread that logs, and must be fast. Its own log lines go only to
-        the console and the file. If it raises, the console reports the first error.
+        The function runs in the thread that logs, so it must be fast. The function's own log lines
+        go only to the console and the file. If it raises errors, the console reports the first.
 
         Args:
-            logger_name: The logger; an empty name means all loggers.
-            sink: Called with a `Record`.
+            logger_name: The logger. An empty name means all loggers.
+            sink: The function. Its argument is a `Record`.
         """
         with self._lock:
             self._sinks.append(SinkEntry(logger_name, sink))
             self._refresh()
 
     def remove_sink(self, logger_name: str, sink: Sink) -> None:
-        """Undo one `add_sink`; without such a sink there is no effect."""
+        """Undo one `add_sink`. The call has no effect if the sink was not added."""
         with self._lock:
             for entry in self._sinks:
                 if entry.name == logger_name and entry.sink == sink:
@@ -178,7 +178,7 @@ class LogRegistry:
 
     @contextmanager
     def sinks_disabled(self) -> Iterator[None]:
-        """Keep this thread's lines from the sinks, e.g. lines about errors that a sink caused."""
+        """Do not pass this thread's lines to the sinks, e.g. lines about a sink's errors."""
         was, self._thread.are_sinks_disabled = self._thread.are_sinks_disabled, True
         try:
             yield
@@ -258,7 +258,7 @@ class LogRegistry:
         console.write(level, console.format(record))
 
     def _refresh(self) -> None:
-        # Not `values()`: other threads may delete loggers during its iteration.
+        # `values()` would fail if another thread deletes a logger during the iteration.
         for reference in self._states.valuerefs():
             state = reference()
             if state is not None:
@@ -274,7 +274,7 @@ class LogRegistry:
 
 
 def _text(message: object) -> str:
-    """Return the message as text that UTF-8 can encode, with lone surrogates escaped."""
+    """Return the message as text that UTF-8 can encode. Lone surrogates are escaped."""
     text = message if isinstance(message, str) else str(message)
     if not text.isascii():
         try:

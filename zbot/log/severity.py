@@ -8,9 +8,9 @@ from zbot.log.errors import InvalidSeverityError
 
 
 class LoggingSeverity(IntEnum):
-    """Severity of a log line, or the level of a logger: the lowest severity that it writes."""
+    """Severity of a log line. The level of a logger is the lowest severity that it writes."""
 
-    UNSET = 0  #: as a logger's level: use the parent's level
+    UNSET = 0  #: as a logger's level, it means the parent's level
     DEBUG = 10
     INFO = 20
     WARN = 30

@@ -1,4 +1,4 @@
-"""Teacher's notices to a class, logged by the students' nodes."""
+"""Notices from a teacher to a classroom. The students' nodes log them."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 _MAX_LENGTH = 500  # characters
 _MAX_BYTES = 10_000
 
-#: Key of the notices (docs/wire.md); only the teacher may publish on it.
+#: Key of the notices (docs/wire.md). Only the teacher may publish on it.
 NOTICE_KEY = "@class/teacher/notice"
 
 
@@ -26,7 +26,7 @@ def log_notice(sample: zenoh.Sample) -> None:
 
 
 def notice_text(payload: bytes) -> str:
-    """Return the text of a notice in one printable line; empty if the notice is not valid."""
+    """Return the text of a notice in one printable line. It is empty for an invalid notice."""
     if len(payload) > _MAX_BYTES:
         return ""
     try:

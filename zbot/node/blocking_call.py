@@ -1,7 +1,7 @@
 """Functions that make a thread wait for the reply to a service request.
 
 The executor of the thread that waits may also run a server of the same service. So the thread runs
-the requests of these servers during the wait; otherwise the call would never end.
+the requests of these servers during the wait. Otherwise the call would never end.
 """
 
 from __future__ import annotations

@@ -30,8 +30,6 @@ from zbot.qos import (
 )
 
 if TYPE_CHECKING:
-    from types import TracebackType
-
     from typing_extensions import Self
 
     from zbot.context import Context
@@ -210,12 +208,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *exc_info: object) -> None:
         self.destroy_node()
 
 

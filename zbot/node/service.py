@@ -261,7 +261,7 @@ class RequestHeader:
     """Header of a request that a program took without an executor."""
 
     query: zenoh.Query
-    source_timestamp: int  #: nanoseconds since the epoch by the caller's clock; 0 if unknown
+    source_timestamp: int  #: nanoseconds since the epoch by the caller's clock, or 0 if unknown
     received_timestamp: int = field(default_factory=time.time_ns)  #: by this machine's clock
 
 

@@ -22,8 +22,6 @@ from zbot.parameters.store import ParameterStore
 from zbot.wire.tokens import EndpointToken, NodeToken
 
 if TYPE_CHECKING:
-    from types import TracebackType
-
     from zbot.context import Context
     from zbot.executor.executor import Executor
     from zbot.executor.guard_condition import GuardCondition
@@ -155,12 +153,7 @@ class NodeState:
             self._users += 1
         return self
 
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *exc_info: object) -> None:
         """End the use of the node."""
         with self._lock:
             self._users -= 1

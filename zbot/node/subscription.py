@@ -272,7 +272,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         return bool(self._queue)
 
     def take_message(self, *, raw: bool = False) -> tuple[Any, MessageInfo] | None:
-        """Take the oldest message and its info without the callback; `None` if there is none.
+        """Take the oldest message and its info, or `None`, without calling the callback.
 
         Args:
             raw: Whether to return the message as bytes in ROS 2's CDR.
@@ -453,7 +453,7 @@ class SubscriptionHandle(Handle[Subscription[Any]]):
         msg_type: object = None,  # noqa: ARG002 - rclpy's signature
         raw: bool = False,
     ) -> tuple[Any, MessageInfo] | None:
-        """Take the oldest message and its info without the callback; `None` if there is none."""
+        """Take the oldest message and its info, or `None`, without calling the callback."""
         return self.entity.take_message(raw=raw)
 
     def get_topic_name(self) -> str:

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from zbot.package.finder import Package
 
-#: Folder below a prefix. It has a folder for each resource type, which has a file for each resource.
+#: Folder below a prefix. It has a folder for each resource type, with a file for each resource.
 RESOURCE_INDEX_SUBFOLDER = "share/ament_index/resource_index"
 AMENT_PREFIX_PATH_ENV_VAR = "AMENT_PREFIX_PATH"
 _PACKAGES = "packages"

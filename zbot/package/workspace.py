@@ -79,7 +79,7 @@ def package_folders(bases: Iterable[Path] | None = None) -> Iterator[Path]:
 
 
 def package_name(folder: Path) -> str:
-    """Return the name in package.xml, or the folder's name if there is no package.xml."""
+    """Return the name in package.xml, or the folder's name if there is no name in it."""
     match = _NAME_TAG.search(read_text(folder / MANIFEST))
     return match[1] if match else folder.resolve().name
 
@@ -145,7 +145,7 @@ def read_text(path: Path) -> str:
 
 
 def _may_search(folder: Path) -> bool:
-    """Return False for the home folder, its parents and the root, which are not searched."""
+    """Return whether a folder may be searched. False for the home folder, its parents and root."""
     home = Path(os.path.expanduser("~"))  # noqa: PTH111 - Path.home() raises where there is none
     return folder != home and folder not in home.parents and folder != Path(folder.anchor)
 

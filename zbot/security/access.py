@@ -10,11 +10,11 @@ A class has these key spaces. `<n>` is the student's domain:
 | keys | student `<n>` | teacher |
 |---|---|---|
 | `<n>/**`, `@zbot/<n>/**` | all | all |
-| `class/**`, `@zbot/class/**` | read; all if the space is open | all |
+| `class/**`, `@zbot/class/**` | read (all if the space is open) | all |
 | `@class/student/<n>/**` | write | all |
 | `@class/teacher/**` | read | all |
 | `@class/lobby/**` | query | all |
-| everything else, the admin space `@/**` included | nothing | all |
+| all other keys, also the admin space `@/**` | nothing | all |
 
 "Write" means to publish, answer queries and declare tokens. "Read" means to subscribe, query and
 watch tokens.
@@ -53,14 +53,15 @@ LOBBY_SECRET = Secret("lobby")  #: public, because Zenoh requires a password for
 MAX_MESSAGE_SIZE = 64 * 1024 * 1024
 #: Maximum number of open sessions. A class has a few hundred, but an attacker may open many more.
 MAX_SESSIONS = 4000
-#: Maximum number of half-open connections. Enough for a class that reconnects and 1,000 of an attacker.
+#: Maximum number of half-open connections. A class may reconnect while an attacker opens 1,000.
 ACCEPT_PENDING = 2000
-#: Time (ms) after which a half-open connection is closed. Normally 10 ms are enough, on bad Wi-Fi 1 s.
+#: Time (ms) after which a half-open connection is closed. Usually 10 ms are enough, on bad Wi-Fi
+#: 1 s.
 ACCEPT_TIMEOUT_MS = 3000
 
-# All connections belong to the region below the hub ("south"). To routers of its own region, Zenoh
-# sends the names of all keys and ignores the access rules. So every laptop would get the name of every
-# topic and node of the class. A router in the region below gets only the names that it may read.
+# All connections belong to the region below the hub ("south"). In its own region, Zenoh ignores the
+# access rules and sends the names of all keys to all routers. So every laptop would get the name of
+# every topic and node of the class. A router in the region below gets only names that it may read.
 _REGIONS: dict[str, Any] = {"south": [{}]}
 
 _WRITE_MESSAGES = ("put", "delete", "reply", "declare_queryable", "liveliness_token")
@@ -158,8 +159,8 @@ def limits() -> dict[str, Any]:
 def credentials(user: str, secret: Secret, accepted: Path | None = None) -> dict[str, Any]:
     """Return the configuration of a session that logs in with a user name.
 
-    If a machine has joined with a PIN, all its sessions need this, also the sessions of its nodes. A
-    session with a user name refuses sessions without a user name.
+    If a machine has joined with a PIN, all its sessions need this, also the sessions of its nodes.
+    A session with a user name refuses sessions without a user name.
 
     Args:
         user: The session's user name.
@@ -209,8 +210,8 @@ def _student_rules(user: str, domain: int, shared_is_open: bool) -> list[dict[st
 
 
 def _space(first_chunk: str) -> tuple[str, ...]:
-    # The caches of transient local publishers (zenoh.ext) need the second key, because `**` does not
-    # match a chunk that begins with `@`.
+    # The caches of transient local publishers (zenoh.ext) need the second key, because `**` does
+    # not match a chunk that begins with `@`.
     return (f"{first_chunk}/**", f"{first_chunk}/**/@adv/**", f"@zbot/{first_chunk}/**")
 
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 MAX_DAYS = 3650  #: ten years
 AUTHORITY_NAME = "zbot keystore"
-#: Certificates are valid from this time before their creation, because clocks may be slow.
+#: A certificate is valid from this long before its creation, because clocks may be slow.
 _CLOCK_TOLERANCE = timedelta(days=1)
 _HOST_NAME = re.compile(
     r"(?=.{1,253}$)[A-Za-z0-9_]([A-Za-z0-9_-]{0,62})(\.[A-Za-z0-9_][A-Za-z0-9_-]{0,62})*"
@@ -64,7 +64,7 @@ class Validity:
 
     @classmethod
     def days(cls, count: int) -> Validity:
-        """Return a period of some days from now. It begins a day earlier, because clocks may be slow.
+        """Return a period of some days from now. It begins a day earlier, for slow clocks.
 
         Raises:
             CertificateRequestError: The number is not from 1 to 3650.
@@ -259,7 +259,8 @@ def check(certificate: Path, key: Path, authority: Path, now: datetime | None = 
     Raises:
         MissingFileError: A file does not exist.
         InvalidFileError: A file is damaged, or the key does not belong to the certificate.
-        ValidityPeriodError: The machine's or the authority's certificate is not valid now.
+        ValidityPeriodError: The machine's or the authority's certificate has expired, or is not
+            valid yet.
         ForeignCertificateError: Another authority signed the certificate.
     """
     moment = now or datetime.now(timezone.utc)

@@ -202,11 +202,11 @@ def identity(folder: Path) -> Identity:
     """Return the folder of this machine's key and certificates.
 
     Args:
-        folder: A machine's folder, or a keystore. If a keystore has one enclave, this is chosen.
+        folder: A machine's folder, or a keystore. If a keystore has only one enclave, it is chosen.
             Otherwise the enclave that has this machine's host name is chosen.
 
     Raises:
-        UnknownEnclaveError: The keystore has not one enclave, and no enclave has the host name.
+        UnknownEnclaveError: The keystore has no enclave, or several without the host name.
         MissingFileError: The folder does not exist.
     """
     if not is_keystore(folder):

@@ -1,7 +1,7 @@
 """PIN check of a class: a laptop proves that it knows the PIN, and gets a secret of its own.
 
-The student's laptop (`PinClient`) and the teacher's hub (`PinServer`) exchange four small documents.
-The transport may be unencrypted, because nobody can read the PIN, the request or the answer in the
+The student's laptop (`PinClient`) and the teacher's hub (`PinServer`) exchange four documents. The
+transport may be unencrypted, because nobody can read the PIN, the request or the answer in the
 documents. If somebody records a document and sends it again, it is refused.
 
     student                                  teacher
@@ -12,7 +12,7 @@ documents. If somebody records a document and sends it again, it is refused.
 
 The key comes from SRP-6a (`zbot.security.srp`). Each guess of the PIN needs an attempt of its own,
 and the server counts wrong PINs. Claim and answer are authenticated and encrypted. So a program
-that does not know the PIN cannot impersonate the teacher, and cannot read which laptop sends a claim.
+that does not know the PIN cannot impersonate the teacher or read which laptop sends a claim.
 """
 
 from __future__ import annotations

@@ -53,7 +53,7 @@ class Group:
         return _number(self.digest(salt, self.digest(name, b":", password)))
 
     def is_public(self, number: int) -> bool:
-        """Return whether a number is a valid public number. Invalid numbers would reveal the key."""
+        """Return whether a public number is valid. Invalid numbers would reveal the key."""
         return 0 < number < self.prime
 
 

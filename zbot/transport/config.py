@@ -27,7 +27,7 @@ class DiscoveryRange(enum.Enum):
     """Range in which a program looks for other programs."""
 
     OFF = "OFF"  #: nowhere
-    LOCALHOST = "LOCALHOST"  #: on this machine; the default
+    LOCALHOST = "LOCALHOST"  #: on this machine (the default)
     SUBNET = "SUBNET"  #: on this machine, and by multicast on the network
 
 

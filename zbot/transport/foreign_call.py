@@ -72,7 +72,7 @@ def keep_thread_state() -> None:
     if getattr(_known, "is_kept", False):
         return
     _known.is_kept = True
-    import ctypes  # noqa: PLC0415 - takes 3 ms; only service calls need it
+    import ctypes  # noqa: PLC0415 - takes 3 ms, and only service calls need it
 
     enter = getattr(getattr(ctypes, "pythonapi", None), "PyGILState_Ensure", None)
     if enter is not None:

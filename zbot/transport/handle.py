@@ -7,8 +7,6 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 from zbot.errors import InvalidHandleError
 
 if TYPE_CHECKING:
-    from types import TracebackType
-
     from typing_extensions import Self
 
 EntityT_co = TypeVar("EntityT_co", covariant=True)
@@ -44,12 +42,7 @@ class Handle(Generic[EntityT_co]):
             raise InvalidHandleError(f"this {type(self.entity).__name__}")
         return self
 
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *exc_info: object) -> None:
         """Do nothing."""
 
     def __eq__(self, other: object) -> bool:

@@ -2,7 +2,7 @@
 
 A node's session is a Zenoh peer on loopback. It connects to the domain's meeting port. The first
 process on that port runs a small router, which introduces the peers to each other and serves the
-clients of the command line. When that process ends, another one opens the port.
+clients of the command line. When that process ends, another process opens the port.
 Only this module calls `zenoh.open()`.
 """
 
@@ -67,7 +67,7 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
     return {
         "metadata": facts,
         "adminspace/enabled": True,
-        "scouting/delay": 1,  # ms; Zenoh waits this long in open()
+        "scouting/delay": 1,  # ms that Zenoh waits in open()
         "connect/timeout_ms": -1,
         "connect/exit_on_failure": False,
         "connect/retry": _RETRY,

@@ -1,1 +1,1 @@
-"""Live page: a web server that shows a domain's running nodes in a browser."""
+"""Live page, which a web server provides to show a domain's running nodes in a browser."""

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 # A browser that does not reconnect within this time has closed the page.
 _RECONNECT_S = 3.0
 _SHUTDOWN_TIMEOUT_S = 1
-#: The newest messages to a browser, which NiceGUI repeats after a short loss of the connection.
+#: After a short loss of the connection, NiceGUI repeats this number of messages to a browser.
 _REPEATED_MESSAGES = 100
 
 
@@ -30,13 +30,13 @@ def run(
     protect: Callable[[Any], Any],
     on_startup: Callable[[], None],
 ) -> None:
-    """Serve pages until a signal; only once in a process, as NiceGUI's state is global.
+    """Serve pages until a signal. Call it only once in a process, as NiceGUI's state is global.
 
     Args:
-        system: The running system that pages show.
+        system: The running system that the pages show.
         listener: A listening socket.
-        protect: Wraps the application (ASGI) into one that checks requests.
-        on_startup: Called when the server accepts requests.
+        protect: Takes an application (ASGI) and returns an application that checks requests.
+        on_startup: Called when the server starts to accept requests.
     """
     add_pages(system)
     application = FastAPI(docs_url=None, redoc_url=None, openapi_url=None)
@@ -46,7 +46,7 @@ def run(
         dark=None,
         reconnect_timeout=_RECONNECT_S,
         message_history_length=_REPEATED_MESSAGES,
-        gzip_middleware_factory=None,  # on one machine, compression is slower than sending
+        gzip_middleware_factory=None,  # on one machine, sending is faster without compression
         tailwind=False,  # it would process every change of the page
         show_welcome_message=False,
     )

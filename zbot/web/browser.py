@@ -1,4 +1,4 @@
-"""Browser of the machine's user: whether one can be opened, and opening a page in it."""
+"""Browser of the machine's user, which opens pages if the machine has a desktop."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ import webbrowser
 def has_desktop() -> bool:
     """Return whether a browser can open a window for the user.
 
-    It cannot with `$ZBOT_NO_BROWSER`, and in a login over SSH, as the user is at another machine.
+    It returns False if `$ZBOT_NO_BROWSER` is set. It also returns False in a login over SSH,
+    because the user is at another machine.
     """
     if os.environ.get("ZBOT_NO_BROWSER") or os.environ.get("SSH_CONNECTION"):
         return False
@@ -21,7 +22,7 @@ def has_desktop() -> bool:
 
 
 def open_page(address: str) -> None:
-    """Open an address in the user's browser, and return at once."""
+    """Open an address in the user's browser, without waiting for the browser."""
     # With some browsers, `webbrowser.open` returns only when the browser is closed.
     threading.Thread(
         target=webbrowser.open, args=(address,), name="zbot browser", daemon=True

@@ -1,4 +1,4 @@
-"""Command line of `zbot` that does the same as a click in the page, for the user to copy."""
+"""Command line of `zbot` that does the same as a click in the page. The user can copy it."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ _UNSAFE_IN_DOUBLE_QUOTES = re.compile(r"[\"$`\\!]")
 
 
 def command_line(*words: str) -> str:
-    """Return words as a user types them: `zbot topic pub /a std_msgs/msg/Bool "{data: true}"`.
+    """Return the command line for words: `zbot topic pub /a std_msgs/msg/Bool "{data: true}"`.
 
-    Words get double quotes where possible, as these work in all shells, also on Windows.
+    Words get double quotes where possible, because all shells understand them, also on Windows.
     """
     return " ".join(("zbot", *map(_quoted, words)))
 

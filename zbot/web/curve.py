@@ -1,4 +1,4 @@
-"""Curves of a plot: numeric fields of topics over time."""
+"""Curves of a plot, which show numeric fields of topics over time."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ if TYPE_CHECKING:
 
     from zbot.web.watch import Watch
 
-#: Messages that are kept for a hidden page: 20 s of a topic with 1000 Hz.
+#: Number of messages that are kept for a hidden page, e.g. 20 s of a topic with 1000 Hz.
 KEPT_MESSAGES = 20_000
-#: The most curves for a topic that is given without a field.
+#: The largest number of curves for a topic, if the user gives no field.
 _MOST_FIELDS = 8
 
 
@@ -37,11 +37,11 @@ class CurveError(ZbotError, ValueError):
 
 
 def split_curve(word: str, topics: Iterable[str]) -> tuple[str, str]:
-    """Return the topic and the field of a curve; the field is empty if the text has none.
+    """Return the topic and the field of a curve. The field is empty if the text has no field.
 
     Args:
-        word: `/turtle1/pose.x`, or `/turtle1/pose/x` as in rqt_plot; the first slash is optional.
-        topics: The present topics, to find the end of the topic in a name with slashes.
+        word: `/turtle1/pose.x`, or `/turtle1/pose/x` as in rqt_plot. The first slash is optional.
+        topics: The present topics. They show where the topic ends in a name with slashes.
 
     Raises:
         CurveError: The topic is missing.
@@ -62,12 +62,12 @@ def split_curve(word: str, topics: Iterable[str]) -> tuple[str, str]:
 
 
 def numeric_fields(message: Any) -> list[str]:
-    """Return the paths of a message's numbers: `linear.x`, `ranges[0]`."""
+    """Return the paths of a message's numbers, e.g. `linear.x` and `ranges[0]`."""
     return [row.path for row in tree(message) if row.is_number]
 
 
 def value_at(message: Any, path: FieldPath) -> float:
-    """Return a number of a message; booleans are 0 and 1.
+    """Return a number of a message. Booleans are 0 and 1.
 
     Raises:
         FieldPathError: The field is missing or not a number.
@@ -81,13 +81,13 @@ def value_at(message: Any, path: FieldPath) -> float:
 
 
 class Curve:
-    """One field over time.
+    """Curve that shows one field over time.
 
     Attributes:
-        topic: Full name.
+        topic: The full name of the topic.
         field: The field's path.
-        problem: The reason why there are no points; empty if there is none.
-        last: The newest value; None before the first one.
+        problem: The reason why the curve has no points. It is empty if the curve has points.
+        last: The newest value, or None before the first value.
     """
 
     def __init__(self, topic: str, field: str) -> None:
@@ -98,11 +98,11 @@ class Curve:
 
     @property
     def name(self) -> str:
-        """The name with a point before the field: `/turtle1/pose.x`."""
+        """The name of the curve, with a dot before the field: `/turtle1/pose.x`."""
         return f"{self.topic}.{self.field}"
 
     def value(self, message: Any) -> float | None:
-        """Return its value in a message; None if there is none, with the reason in `problem`."""
+        """Return the field's value in a message. If there is none, set `problem`, return None."""
         try:
             self.last = value_at(message, self.path)
         except FieldPathError as error:
@@ -113,7 +113,7 @@ class Curve:
 
 
 class _Topic:
-    """Topic with its curves; each message is decoded once for all of them."""
+    """Topic with its curves. All curves use the same decoded message."""
 
     def __init__(self, watch: Watch) -> None:
         self.watch = watch
@@ -124,10 +124,10 @@ Points = dict[str, list[float]]
 
 
 class Curves:
-    """Curves of one plot, with the points since the last `take`.
+    """Curves of one plot. They contain the points that came after the last `take`.
 
     Args:
-        watcher: The object that watches their topics.
+        watcher: The object that watches the topics of the curves.
     """
 
     def __init__(self, watcher: Watcher) -> None:
@@ -143,11 +143,11 @@ class Curves:
 
     @property
     def waiting(self) -> list[str]:
-        """Topics without a field whose type is not known yet."""
+        """Topics that were added without a field and whose type is not known yet."""
         return list(self._wholes)
 
     def add(self, topic: str, field: str) -> None:
-        """Add a curve or, without a field, all numbers of a topic after its first message.
+        """Add a curve. If the field is empty, add all numbers of the topic after its first message.
 
         Raises:
             FieldPathError: The field is not a path.
@@ -161,7 +161,7 @@ class Curves:
             self._topics[topic] = _Topic(self._watcher.watch(topic, keep=KEPT_MESSAGES))
 
     def remove(self, name: str) -> None:
-        """Remove a curve, or a topic without a field; do nothing if there is none."""
+        """Remove a curve, or a topic that was added without a field, if it exists."""
         self._curves.pop(name, None)
         if name in self._wholes:
             self._wholes.remove(name)
@@ -170,14 +170,14 @@ class Curves:
             self._topics.pop(topic).watch.release()
 
     def problem(self, curve: Curve) -> str:
-        """Return the reason why a curve has no points, as a sentence; empty if it has points."""
+        """Return a sentence about why a curve has no points, or an empty text if it has points."""
         watch = self._topics[curve.topic].watch
         if watch.type_name is None:
             return f"no node uses {curve.topic} yet"
         return watch.problem or curve.problem
 
     def take(self) -> Points:
-        """Return the new points by the curve's name: [time in s since the epoch, value, ...]."""
+        """Return the new points of each curve as [time in s since the epoch, value, ...]."""
         found: Points = {}
         for name, topic in self._topics.items():
             records = topic.watch.since(topic.read_count)

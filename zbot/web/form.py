@@ -1,7 +1,7 @@
-"""Form for a message type: an input for each field, and the message that the inputs make.
+"""Form for a message type, which has an input for each field and creates the message.
 
-The form is independent of the page. Inputs take text as typed; `Input.problem` returns a sentence
-about wrong text before a message is sent.
+The form is independent of the page. Inputs take the text that the user typed. `Input.problem`
+returns a sentence about wrong text before a message is sent.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _HEADER = "std_msgs/msg/Header"
 class InputKind(Enum):
     """Kind of an input."""
 
-    BOOL = "bool"  #: a checkbox
+    BOOL = "bool"  #: the input is a checkbox
     INTEGER = "integer"
     NUMBER = "number"
     TEXT = "text"
@@ -61,12 +61,12 @@ class Input:
 
     @property
     def bounds(self) -> tuple[int, int] | None:
-        """The least and the greatest value of an integer field; None for other fields."""
+        """The smallest and the largest value of an integer field. None for other fields."""
         return integer_range(self.type.base) if self.kind is InputKind.INTEGER else None
 
     @property
     def max_length(self) -> int | None:
-        """The most characters of a string or elements of a list; None without a limit."""
+        """The largest length of a string or a list, or None if there is no limit."""
         bound = self.type.size if self.kind is InputKind.LIST else self.type.string_bound
         return bound or None
 
@@ -74,12 +74,12 @@ class Input:
         """Return the field's value for an entry.
 
         Raises:
-            EntryError: The entry does not fit the field; the message has the reason.
+            EntryError: The entry does not fit the field. The message contains the reason.
         """
         return read(self.type, entry, self.path, now_ns)
 
     def problem(self, entry: Entry) -> str | None:
-        """Return a sentence about a wrong entry; None if the entry fits."""
+        """Return a sentence about a wrong entry, or None if the entry is valid."""
         try:
             self.read(entry)
         except EntryError as error:
@@ -89,7 +89,7 @@ class Input:
 
 @dataclass(frozen=True, slots=True)
 class Group:
-    """Inputs of a field that is a message."""
+    """Group of inputs for a field that is itself a message."""
 
     path: str
     type_name: str
@@ -108,7 +108,7 @@ class Form:
     """Form for messages of one type.
 
     Args:
-        message_type: A message class; the `Request` of a service, the `Goal` of an action.
+        message_type: A message class, the `Request` of a service, or the `Goal` of an action.
 
     Attributes:
         members: Inputs and groups of inputs, in the order of the definition.
@@ -120,7 +120,7 @@ class Form:
 
     @property
     def inputs(self) -> tuple[Input, ...]:
-        """All inputs, including those in groups."""
+        """All inputs, including the inputs in groups."""
         return tuple(_inputs(self.members))
 
     def message(
@@ -129,8 +129,8 @@ class Form:
         """Return the message for the entries of all inputs.
 
         Args:
-            entries: The entries by path; a missing entry is the input's default.
-            now_ns: Returns the time for `now`, in nanoseconds since the epoch.
+            entries: The entries by path. If an entry is missing, the input's default is used.
+            now_ns: Function that returns the time for `now`, in nanoseconds since the epoch.
 
         Raises:
             EntryError: An entry does not fit its field.
@@ -146,18 +146,18 @@ class Form:
         return message
 
     def problems(self, entries: Mapping[str, Entry]) -> dict[str, str]:
-        """Return a sentence about each wrong entry, by path; empty if all entries fit."""
+        """Return a sentence about each wrong entry, by path."""
         found = {one.path: one.problem(entries.get(one.path, one.default)) for one in self.inputs}
         return {path: problem for path, problem in found.items() if problem is not None}
 
     def entries(self, message: Any) -> dict[str, str]:
-        """Return the texts of the inputs for a message, by path."""
+        """Return the texts, by path, that the inputs show for a message."""
         return {one.path: show(one.type, _follow(message, one.path)) for one in self.inputs}
 
     def yaml(self, entries: Mapping[str, Entry]) -> str:
         """Return the message as YAML for a command line: `{linear: {x: 2.0}}`.
 
-        Fields with their default values are left out, and `now` stays `now`.
+        The YAML does not contain fields with their default values, and `now` stays `now`.
 
         Raises:
             EntryError: An entry does not fit its field.
@@ -206,7 +206,7 @@ def _member(path: str, kind: FieldType, value: Any, inside: str) -> Member:
     if is_group:
         message = value if value is not None else get_message(kind.base)()
         return Group(path, kind.base, _members(message, f"{path}.", kind.base))
-    # The stamp of a header is `now` at first, as a program would set it.
+    # At first the stamp of a header is `now`, because programs usually set it to the present time.
     is_stamp = kind.base == TIME and kind.kind == "scalar" and inside == _HEADER
     return Input(path, kind, _input_kind(kind), NOW if is_stamp else show(kind, value))
 

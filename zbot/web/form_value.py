@@ -1,4 +1,4 @@
-"""Conversion of the text in an input to the value of a message field, and back."""
+"""Conversion from the text in an input to the value of a message field, and back."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
     from zbot.interfaces import Field
 
-#: Content of an input: text, the state of a checkbox, or a number; None if the input is empty.
+#: Content of an input, e.g. the state of a checkbox. None if the input is empty.
 Entry = Union[str, bool, int, float, None]  # noqa: UP007 - evaluated at run time on Python 3.10
 
 TIME = "builtin_interfaces/msg/Time"
@@ -46,7 +46,7 @@ class EntryError(ZbotError, ValueError):
 
 
 def integer_range(base: str) -> tuple[int, int] | None:
-    """Return the least and the greatest value of an integer type; None for any other type."""
+    """Return the smallest and the largest value of an integer type. None for other types."""
     return _BYTE_RANGE if base == "byte" else INTEGER_RANGES.get(base)
 
 
@@ -54,10 +54,10 @@ def read(kind: FieldType, entry: Entry, path: str, now_ns: Callable[[], int]) ->
     """Return the value of a field for an entry.
 
     Args:
-        kind: The field's type; messages other than times and durations are not allowed.
+        kind: The field's type. The only messages that are allowed are times and durations.
         entry: The content of the input.
         path: The field's path, for errors.
-        now_ns: Returns the time for `now`, in nanoseconds since the epoch.
+        now_ns: Function that returns the time for `now`, in nanoseconds since the epoch.
 
     Raises:
         EntryError: The entry does not fit.
@@ -143,7 +143,7 @@ def _instant(base: str, text: str, path: str, now_ns: Callable[[], int]) -> Any:
 
 def _nanoseconds(text: str, path: str) -> int:
     _parsed_float(text, path)  # raises an error with the reason
-    seconds = Decimal(text.strip("."))  # a float of seconds since the epoch is exact to 200 ns only
+    seconds = Decimal(text.strip("."))  # a float would be exact only to 200 ns
     if not seconds.is_finite():
         raise EntryError(path, f"write seconds, not {text!r}")
     return int(seconds * _NANOSECONDS)
@@ -158,7 +158,7 @@ def _list(kind: FieldType, text: str, path: str) -> list[Any]:
     # Users may leave out the brackets: `1, 2, 3`.
     bare = text if text.startswith("[") else f"[{text}]"
     try:
-        # The base loader returns all values as text, so that `no` stays a text in a string[].
+        # The base loader returns all values as strings, so that `no` stays a string in a string[].
         values = yaml.load(bare, Loader=yaml.BaseLoader)
     except yaml.YAMLError:
         raise EntryError(path, "write a list: [1, 2, 3]") from None
@@ -177,7 +177,7 @@ def _elements(kind: FieldType, values: Any, path: str) -> list[Any]:
 
 
 def _element(kind: FieldType, value: Any, path: str) -> Any:
-    """Return the value of a list's element, given its YAML with all values as text."""
+    """Return the value of a list's element. In the argument, all YAML values are strings."""
     if kind.kind != "scalar":
         return _elements(kind, value, path)
     if isinstance(value, str) and (not kind.is_message or kind.base in {TIME, DURATION}):
@@ -221,9 +221,9 @@ def _zero(kind: FieldType) -> Any:
 
 
 def show(kind: FieldType, value: Any) -> str:
-    """Return the text of an input for a value; `read` converts it back.
+    """Return the text that an input shows for a value. `read` converts the text back.
 
-    The text for a long fixed-size array of zeros is empty.
+    The text is empty for a long fixed-size array of zeros.
     """
     if kind.kind != "scalar":
         return _shown_list(kind, plain(value))
@@ -249,7 +249,7 @@ def _shown_scalar(value: Any) -> str:
 
 
 def flow(value: Any) -> str:
-    """Return plain values as YAML on one line, for a command line."""
+    """Return plain values as YAML on one line, which a command line can contain."""
     text = yaml.safe_dump(
         value, default_flow_style=True, allow_unicode=True, sort_keys=False, width=2**31 - 1
     )
@@ -257,7 +257,7 @@ def flow(value: Any) -> str:
 
 
 def plain(value: Any) -> Any:
-    """Return a field's value as numbers, texts, lists and dictionaries."""
+    """Return a field's value, converted to numbers, strings, lists and dictionaries."""
     if isinstance(value, (str, bool, int, float)):
         return value
     if hasattr(type(value), "get_fields_and_field_types"):

@@ -1,4 +1,4 @@
-"""Form in the page: the inputs for a message type, checked while the user types."""
+"""Form in the page for a message type. It checks inputs while the user types."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ _HINTS = {
 
 
 class FormView:
-    """Inputs for messages of one type; the constructor adds them to the current element.
+    """Inputs for messages of one type. The constructor adds them to the current element.
 
     Args:
-        message_type: A message class; the `Request` of a service, the `Goal` of an action.
+        message_type: A message class, the `Request` of a service, or the `Goal` of an action.
         on_change: Called when the user has changed an input.
     """
 
@@ -44,11 +44,11 @@ class FormView:
 
     @property
     def problems(self) -> dict[str, str]:
-        """A sentence for each wrong input, by path; empty if all inputs fit."""
+        """A sentence about each wrong input, by path."""
         return self.form.problems(self._entries)
 
     def message(self) -> Any:
-        """Return the message for the inputs.
+        """Return the message that contains the values of the inputs.
 
         Raises:
             EntryError: An entry does not fit its field.
@@ -56,7 +56,7 @@ class FormView:
         return self.form.message(self._entries)
 
     def maker(self) -> Callable[[], Any]:
-        """Return a function that makes the message of the present inputs, in any thread."""
+        """Return a function that creates the message of the present inputs in any thread."""
         return partial(self.form.message, dict(self._entries))
 
     def yaml(self) -> str:
@@ -68,7 +68,7 @@ class FormView:
         return self.form.yaml(self._entries)
 
     def fill(self, message: Any) -> None:
-        """Put a message into the inputs."""
+        """Show the values of a message in the inputs."""
         for path, text in self.form.entries(message).items():
             entry: Entry = text == "true" if self._is_tick(path) else text
             self._entries[path] = entry

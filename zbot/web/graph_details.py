@@ -28,7 +28,7 @@ _ENDS = (
     ("Serves", EntityKind.SERVICE),
     ("Calls", EntityKind.CLIENT),
 )
-# Topics and services of every node; the details do not list them.
+# Topics and services that every node has. The details do not list them.
 _COMMON = frozenset(
     {
         "describe_parameters",
@@ -48,12 +48,12 @@ def show_details(section: Section, key: str, close: Callable[[], None]) -> str:
     """Add the details of a node, topic or action to the current element.
 
     Args:
-        section: The section of the details; closing it ends their updates.
-        key: The key in the drawing: `n:/talker`.
+        section: The section of the details. When it is closed, the updates end.
+        key: The key in the drawing, e.g. `n:/talker`.
         close: Called when the user closes the details.
 
     Returns:
-        The command that prints the same; empty if the key has no details.
+        The command that prints the same. It is empty if the key has no details.
     """
     kind, _, name = key.partition(":")
     quoted = shlex.quote(name)

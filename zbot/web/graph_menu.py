@@ -1,4 +1,4 @@
-"""Toolbar above the graph: mode, filters, hiding and grouping, and saving."""
+"""Toolbar above the graph, with mode, filters, options to hide and group, and export."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 _MODES = {Mode.NODES: "Nodes", Mode.ACTIVE: "Active", Mode.ALL: "All"}
 _FILTER_HINT = "names or regular expressions, separated by commas; - leaves out: -/rqt.*"
-#: Options of `zbot graph` with rqt_graph's words, and whether a checked box sets the option.
+#: Options of `zbot graph` in rqt_graph's words, and whether a checked box sets the option.
 _HIDE = (
     ("no-dead-sinks", "Dead sinks", "topics without subscriptions", True),
     ("no-leaf-topics", "Leaf topics", "topics with one connection", True),
@@ -68,7 +68,7 @@ def _add_filter(panel: GraphPanel, name: str, label: str) -> None:
 
 
 def add_options_menu(panel: GraphPanel) -> None:
-    """Add the menu with the options to hide and to group."""
+    """Add the menu with the options to hide and to group topics."""
     with (
         panel.page.toolbar,
         _button("tune", "Hide and group"),
@@ -109,7 +109,7 @@ def _add_namespaces(panel: GraphPanel) -> None:
 
 
 def add_export_menu(panel: GraphPanel) -> None:
-    """Add the buttons for a new layout, for showing all, and for saving."""
+    """Add the buttons that make a new layout, show the whole graph, and save the graph."""
     with panel.page.toolbar:
         _button("auto_fix_high", "Tidy up").on_click(panel.tidy)
         _button("fit_screen", "Show all").on_click(panel.fit)

@@ -1,4 +1,4 @@
-"""Options of the graph's panel, as parameters of its address and as a `zbot graph` command."""
+"""Options of the graph's panel. The address and the `zbot graph` command contain them."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ MOST_NAMESPACES = 9
 _NAMESPACES = "group-namespaces"
 _TEXTS = ("nodes", "topics")
 
-#: Options of `zbot graph`: `filters` or `grouping`, the field there, and the value that it gets.
+#: Options of `zbot graph`, with the field in `filters` or `grouping` and the value it gets.
 FLAGS: dict[str, tuple[str, str, bool]] = {
     "debug-topics": ("filters", "debug", False),
     "params": ("filters", "params", False),
@@ -44,7 +44,7 @@ class GraphOptions:
 
     @classmethod
     def from_query(cls, query: Mapping[str, str]) -> GraphOptions:
-        """Return the options of an address; unknown parameters and values are ignored."""
+        """Return the options of an address. Unknown parameters and values are ignored."""
         found = cls()
         for flag in FLAGS:
             if flag in query:
@@ -60,7 +60,7 @@ class GraphOptions:
 
     @property
     def query(self) -> dict[str, str]:
-        """The parameters of the address: all options without their default values."""
+        """The parameters of the address, which are the options that differ from their defaults."""
         found = {} if self.mode is Mode.ALL else {"show": self.mode.value}
         for name in _TEXTS:
             if getattr(self.filters, name).strip() not in {"", "/"}:
@@ -71,7 +71,7 @@ class GraphOptions:
 
     @property
     def command(self) -> str:
-        """The command that prints the same."""
+        """The command that prints the same graph."""
         words = ["zbot", "graph"]
         for name, value in self.query.items():
             words += [f"--{name}"] if name in FLAGS else [f"--{name}", shlex.quote(value)]
@@ -83,7 +83,7 @@ class GraphOptions:
         return bool(getattr(getattr(self, part), name) is value)
 
     def flagged(self, flag: str, *, is_set: bool) -> GraphOptions:
-        """Return a copy with an option of `zbot graph` set or not."""
+        """Return a copy in which an option of `zbot graph` is set or not set."""
         part, name, value = FLAGS[flag]
         changed: dict[str, Any] = {name: value if is_set else not value}
         if part == "filters":
@@ -91,23 +91,23 @@ class GraphOptions:
         return replace(self, grouping=replace(self.grouping, **changed))
 
     def filtered(self, name: str, text: str) -> GraphOptions:
-        """Return a copy with another filter for `nodes` or `topics`."""
+        """Return a copy that has another filter for `nodes` or `topics`."""
         filters = self.filters
         if name == "nodes":
             return replace(self, filters=replace(filters, nodes=text))
         return replace(self, filters=replace(filters, topics=text))
 
     def framed(self, namespaces: int) -> GraphOptions:
-        """Return a copy with frames for this number of namespace levels."""
+        """Return a copy that has frames for this number of namespace levels."""
         return replace(self, grouping=replace(self.grouping, namespaces=namespaces))
 
     def view(self, snapshot: Snapshot) -> GraphView:
-        """Return the view of a snapshot with these options."""
+        """Return the view of a snapshot that these options select."""
         return view(snapshot, self.mode, self.filters, self.grouping)
 
 
 def filter_problem(text: str | None) -> str | None:
-    """Return a sentence about a wrong filter; None if the filter is valid."""
+    """Return a sentence about a wrong filter, or None if the filter is valid."""
     try:
         compile_filter(text or "")
     except InvalidFilterError as exc:

@@ -1,4 +1,4 @@
-"""Rates beside the arrows of the graph, in messages a second."""
+"""Rates in messages a second, which the graph shows beside its arrows."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from zbot.web.panel import Section
     from zbot.web.watch import Watch
 
-#: Measuring needs a subscription to each topic. With more topics, the user can set a filter.
+#: Rates need a subscription to each topic. If there are more topics, users can set a filter.
 MOST_WATCHED = 300
 
 
@@ -20,7 +20,7 @@ class GraphRates:
     """Watches of the topics in the drawing.
 
     Args:
-        section: The section of the panel; closing it ends the watches.
+        section: The section of the panel. When it is closed, the watches end.
     """
 
     def __init__(self, section: Section) -> None:
@@ -28,7 +28,7 @@ class GraphRates:
         self._watches: dict[str, Watch] = {}
 
     def match(self, shown: GraphView | None) -> None:
-        """Watch exactly the topics of a view; no topics if None."""
+        """Watch exactly the topics of a view, or no topics if the view is None."""
         topics = shown.topics if shown is not None else ()
         names = [topic.name for topic in topics if topic.kind is BoxKind.TOPIC][:MOST_WATCHED]
         for name in self._watches.keys() - set(names):
@@ -40,8 +40,8 @@ class GraphRates:
     def labels(self, shown: GraphView) -> dict[Edge, str]:
         """Return the text beside each arrow.
 
-        The rate of a topic is the sum of all its publishers. With several publishers it is only
-        beside the arrows to subscriptions.
+        The rate of a topic is the sum of the rates of its publishers. If there are several
+        publishers, the rate is only beside the arrows to subscriptions.
         """
         alone = {one.name: len(one.publishers) == 1 for one in shown.topics}
         found = {}

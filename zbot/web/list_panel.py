@@ -1,4 +1,4 @@
-"""List of a panel on the left, with the details of the chosen row on the right."""
+"""Panel with a list on the left and the details of the chosen row on the right."""
 
 from __future__ import annotations
 
@@ -15,24 +15,24 @@ if TYPE_CHECKING:
     from zbot.web.panel import Page, Section
     from zbot.web.table import Column
 
-# High, to show changes of the graph at once; without a change an update does nothing.
+# High, to show changes of the graph at once. Without a change, an update does nothing.
 _LIST_HZ = 10.0
 
 
 class ListPanel:
-    """List that follows the graph, with a filter, and with the details of the chosen row.
+    """List that shows changes of the graph. It has a filter and details of the chosen row.
 
     Args:
         page: The page.
         columns: The columns of the table.
-        rows: Returns the rows by their keys, given the graph and whether to show hidden rows.
-        details: Adds a row's details to the current element, given a section and the row's key.
-        key: The address's parameter for the chosen row: `service` for `?service=/spawn`.
+        rows: Takes the graph and whether to show hidden rows, and returns the rows by key.
+        details: Takes a section and a row's key, and adds the row's details to the current element.
+        key: The address's parameter for the chosen row, e.g. `service` for `?service=/spawn`.
         command: The command that prints the list.
-        empty: The text to show without rows.
-        hidden: The label of the checkbox for rows that are hidden at first.
-        version: Returns a value; when it changes, or the graph, `rows` is called again.
-        is_narrow: Whether the list needs little space beside details.
+        empty: The text to show if there are no rows.
+        hidden: The label of the checkbox that shows hidden rows.
+        version: Returns a value. When this value or the graph changes, `rows` is called again.
+        is_narrow: Whether the list needs little space beside the details.
     """
 
     def __init__(
@@ -94,7 +94,7 @@ class ListPanel:
         self._empty.set_visibility(not shown)
 
     def choose(self, key: str) -> None:
-        """Show a row's details, or close them if they are shown."""
+        """Show a row's details. Close them if they are already shown."""
         if self._chosen == key:
             self.close()
             return

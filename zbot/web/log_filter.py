@@ -16,7 +16,7 @@ LEVELS = {10: "Debug", 20: "Info", 30: "Warn", 40: "Error", 50: "Fatal"}
 
 
 def level_of(line: LogLine) -> int:
-    """Return the level of a line as one of `LEVELS`; programs may use other values, up to 255."""
+    """Return the level of a line from `LEVELS`. Programs may use other values, up to 255."""
     return min(max(line.level // 10 * 10, 10), 50)
 
 
@@ -25,8 +25,8 @@ class LogFilter:
     """Filter for log lines."""
 
     level: int = 10  #: the lowest level
-    logger: str = ""  #: the logger; its children pass too; empty for all loggers
-    text: str = ""  #: a text in the line or in its logger's name, in upper or lower case
+    logger: str = ""  #: the logger, including its children; empty for all loggers
+    text: str = ""  #: a part of the line or of its logger's name, in upper or lower case
 
     def matches(self, line: LogLine) -> bool:
         """Return whether a line passes the filter."""
@@ -39,7 +39,7 @@ class LogFilter:
 
     @property
     def condition(self) -> str:
-        """The condition for `zbot topic echo --filter`; empty if all lines pass."""
+        """The condition for `zbot topic echo --filter`. It is empty if all lines pass."""
         parts = []
         if self.level > min(LEVELS):
             parts.append(f"m.level >= {self.level}")

@@ -1,4 +1,4 @@
-"""Ring buffer of the last log lines of all nodes, with numbers for reading only new lines."""
+"""Ring buffer of the last log lines of all nodes. Lines have numbers, to read only new lines."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
-#: Enough for a lesson; a node that logs 1000 lines a second fills it in 10 s.
+#: Enough for a lesson. A node that logs 1000 lines a second fills the buffer in 10 s.
 CAPACITY = 10_000
 
 
@@ -16,10 +16,10 @@ CAPACITY = 10_000
 class LogLine:
     """One line of `/rosout`."""
 
-    number: int  #: from 1, without gaps
+    number: int  #: starts at 1 and has no gaps
     stamp_ns: int  #: nanoseconds since the epoch
     level: int  #: 10 debug, 20 info, 30 warn, 40 error, 50 fatal
-    name: str  #: of the logger
+    name: str  #: the name of the logger
     text: str
     file: str
     function: str
@@ -40,7 +40,7 @@ class LogRing:
 
     @property
     def last(self) -> int:
-        """The number of the newest line; 0 before the first line."""
+        """The number of the newest line. It is 0 before the first line."""
         return self._last
 
     def add(self, message: Any) -> None:
@@ -50,7 +50,7 @@ class LogRing:
             self._lines.append(_line(self._last, message))
 
     def since(self, number: int) -> list[LogLine]:
-        """Return the kept lines after a number, oldest first."""
+        """Return the kept lines after a number. The oldest line is the first."""
         with self._lock:
             new = min(self._last - number, len(self._lines))
             return list(islice(self._lines, len(self._lines) - new, None)) if new > 0 else []

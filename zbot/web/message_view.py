@@ -1,4 +1,4 @@
-"""Tree of a received message in the page: a response, feedback, or a result."""
+"""Tree of a received message in the page, e.g. a response, feedback or a result."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ _COLUMNS = (
 
 
 class MessageView:
-    """Heading with a tree below it, hidden while there is no message.
+    """Heading with a tree below it. Both are hidden while there is no message.
 
     Args:
         section: The section of the page.
-        title: The heading: `Reply`.
+        title: The heading, e.g. `Reply`.
     """
 
     def __init__(self, section: Section, title: str) -> None:
@@ -38,7 +38,7 @@ class MessageView:
         self.clear()
 
     def clear(self) -> None:
-        """Hide heading and tree."""
+        """Hide the heading and the tree."""
         self._box.set_visibility(False)
 
     def show(self, message: Any, note: str = "") -> None:

@@ -1,4 +1,4 @@
-"""Layout of the page around a panel: the list of panels, the title, and the command at the end."""
+"""Layout of the page around a panel, with the list of panels, the title and the command."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 _STATIC = Path(__file__).parent / "static"
 _ADDRESS = f"/_zbot/{__version__}"
-# page.js comes first: it makes the object `zbot` that the others add to.
+# page.js comes first, because it creates the object `zbot`. The other scripts extend the object.
 _SCRIPTS = (
     "page.js",
     "table.js",
@@ -54,10 +54,10 @@ def check_path(path: str) -> None:
     """Check that a path is the path of a panel.
 
     Args:
-        path: The path, with or without a query: `/plot?curve=/pose.x`.
+        path: The path. It may have a query, e.g. `/plot?curve=/pose.x`.
 
     Raises:
-        UnknownPanelError: There is no panel with this path.
+        UnknownPanelError: No panel has this path.
     """
     bare = path.partition("?")[0]
     if bare != "/" and bare not in {panel.path for panel in PANELS}:
@@ -66,7 +66,7 @@ def check_path(path: str) -> None:
 
 def add_pages(system: System) -> None:
     """Serve each panel at its path, and the first panel at `/`."""
-    # Without caching: after an update of zbot, the browser must not use the old files.
+    # Without a cache, because the browser must not use old files after an update of zbot.
     app.add_static_files(_ADDRESS, str(_STATIC), max_cache_age=0)
     for name in _SCRIPTS:
         ui.add_head_html(f'<script src="{_ADDRESS}/{name}"></script>', shared=True)

@@ -1,4 +1,4 @@
-"""Discovery of a running page of the domain, so that a program does not start a second one."""
+"""Discovery of a domain's running page, so that a program does not start a second page."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from zbot.qos import DurabilityPolicy, QoSProfile
 if TYPE_CHECKING:
     from zbot.node.node import Node
 
-#: Hidden and latched (transient local), so that later nodes receive the address too.
+#: Hidden topic. It is latched (transient local), so that later nodes receive the address too.
 TOPIC = "/_zbot_web"
 _TYPE = "std_msgs/msg/String"
 _LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
@@ -24,9 +24,9 @@ def announce(node: Node, address: str) -> None:
     """Publish the address of a page in the domain, until the node is destroyed.
 
     Args:
-        node: The node that publishes.
-        address: The address without a path: `http://127.0.0.1:8080`. Never pass an address with a
-            token, as all nodes of the domain can read it.
+        node: The node that publishes the address.
+        address: The address without a path, e.g. `http://127.0.0.1:8080`. It must not contain a
+            token, because all nodes of the domain can read the address.
     """
     message_type: Any = get_message(_TYPE)
     facts = {"host": socket.gethostname(), "address": address}
@@ -36,10 +36,10 @@ def announce(node: Node, address: str) -> None:
 
 
 def running_page(node: Node) -> str | None:
-    """Return the address of a page of this machine for the node's domain; None without a page.
+    """Return the address of this machine's page for the node's domain. None if there is no page.
 
     Args:
-        node: The node that subscribes; no executor may spin it.
+        node: The node that subscribes. Executors must not spin this node.
     """
     if not node.count_publishers(TOPIC):
         return None

@@ -1,6 +1,7 @@
-"""Process `python -m zbot.web.page_process PATH` that serves the page until another program ends.
+"""Process that serves the page until the program that started it ends.
 
-That program holds the other end of its standard input, a pipe, which closes with the program.
+The program runs `python -m zbot.web.page_process PATH`. The standard input of this process is a
+pipe from the program, which closes when the program ends.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
 
 _CLOSE_TIMEOUT_S = 5.0
 _PATIENCE_S = 30.0
-# Of several programs that start at once, the one that can bind this port serves the page.
+# If several programs start at once, only the program that can bind this port serves the page.
 _ABOVE_MEETING_PORT = 2000
 
 
@@ -33,7 +34,7 @@ class PageProcess:
     """Process that serves the page and opens it in the user's browser, until `close`.
 
     Args:
-        path: The path of the page to open: `/turtle?node=/turtlesim`.
+        path: The path of the page to open, e.g. `/turtle?node=/turtlesim`.
     """
 
     def __init__(self, path: str) -> None:
@@ -41,7 +42,7 @@ class PageProcess:
         self._process = subprocess.Popen(words, stdin=subprocess.PIPE)  # noqa: S603 - as just made
 
     def close(self) -> None:
-        """End the process; may be called twice."""
+        """End the process. A second call does nothing."""
         if self._process.stdin is not None:
             self._process.stdin.close()
         try:
@@ -57,7 +58,7 @@ class PageProcess:
 
 
 def main() -> None:
-    """Serve until standard input closes, or open the page that another process serves."""
+    """Serve until standard input closes. If another process serves the page, open its page."""
     from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - only in that process
     from zbot.web.server import serve  # noqa: PLC0415 - as above
 
@@ -72,7 +73,7 @@ def main() -> None:
 
 
 def _is_first(arbiter: socket.socket) -> bool:
-    """Return whether no other program of the domain on this machine serves a page in this way."""
+    """Return whether this process is the domain's first page process on this machine."""
     from zbot.transport.config import MEETING_PORT, domain_id  # noqa: PLC0415 - only in that process
 
     try:

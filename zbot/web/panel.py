@@ -1,4 +1,4 @@
-"""Panel of the page, and the objects that it builds with: `Page` and `Section`."""
+"""Panel of the page, and the objects `Page` and `Section` that a panel uses."""
 
 from __future__ import annotations
 
@@ -28,22 +28,22 @@ class Panel:
 
     path: str  #: `/topics`
     title: str
-    icon: str  #: name of a Material icon: `hub`
+    icon: str  #: name of a Material icon, e.g. `hub`
     build: Callable[[Page], None]  #: adds the elements; called once for each browser
 
 
 class Releasable(Protocol):
-    """Watch or reference that has to be released."""
+    """Watch or reference that must be released."""
 
     def release(self) -> None:
-        """Release it; may be called twice."""
+        """Release it. A second call does nothing."""
 
 
 ReleasableT = TypeVar("ReleasableT", bound=Releasable)
 
 
 class Section:
-    """Section of a page that can be closed before the page, such as the details of a topic.
+    """Section of a page, such as the details of a topic. It can be closed before the page.
 
     Its methods must be called in NiceGUI's loop.
     """
@@ -60,12 +60,12 @@ class Section:
     def live(self, update: Callable[[], None], max_hz: float = 30.0) -> Callable[[], None]:
         """Call a function when the browser is about to draw, at most `max_hz` times a second.
 
-        The function runs in NiceGUI's loop and changes elements. It must be quick. It should change
-        no element when nothing is new (`Watch.count`, `System.revision`): the browser then asks
-        less often. If the function raises, the page shows the error and stops calling the function.
+        The function runs in NiceGUI's loop and changes elements. It must be quick. If `Watch.count`
+        and `System.revision` show no news, it should not change elements, so that the browser asks
+        less often. If it raises an error, the page shows the error and does not call it again.
 
         Returns:
-            A function that ends the calls; it may be called twice.
+            A function that ends the calls. A second call of this function does nothing.
         """
         undo = self.page.scheduler.add(update, max_hz)
         return self.on_close(undo)
@@ -73,11 +73,11 @@ class Section:
     def watch(
         self, topic: str, type_name: str | None = None, *, keep: int = 0, even_hidden: bool = False
     ) -> Watch:
-        """Watch a topic while the page is visible; closing the section releases the watch.
+        """Watch a topic while the page is visible. The end of the section releases the watch.
 
         Args:
             topic: Full name.
-            type_name: Full name of its type; the type in the graph if left out.
+            type_name: Full name of its type. None means the type in the graph.
             keep: The number of messages to keep for `Watch.since`.
             even_hidden: Whether to receive messages while the page is hidden too.
         """
@@ -87,12 +87,12 @@ class Section:
         return self.keep(watch)
 
     def keep(self, thing: ReleasableT) -> ReleasableT:
-        """Return a watch or a reference; closing the section releases it."""
+        """Return a watch or a reference, and release it when the section is closed."""
         self._endings[thing] = thing.release
         return thing
 
     def drop(self, thing: Releasable) -> None:
-        """Release a watch or a reference now; may be called twice."""
+        """Release a watch or a reference now. A second call does nothing."""
         self._endings.pop(thing, None)
         self.page.watches.pop(thing, None)
         thing.release()
@@ -101,7 +101,7 @@ class Section:
         """Call a function when the section is closed.
 
         Returns:
-            A function that makes this call earlier; it may be called twice.
+            A function that makes this call earlier. A second call of this function does nothing.
         """
         key = object()
         self._endings[key] = callback
@@ -114,13 +114,13 @@ class Section:
         return end
 
     def section(self) -> Section:
-        """Return an inner section, which closes with this one or by its own `close`."""
+        """Return an inner section. Its own `close` or the end of this section closes it."""
         section = Section(self.page)
         self._endings[section] = section.close
         return section
 
     def close(self) -> None:
-        """Release all watches and references, and end all calls; may be called twice."""
+        """Release all watches and references, and end all calls. A second call does nothing."""
         while self._endings:
             thing, end = self._endings.popitem()
             self.page.watches.pop(thing, None)
@@ -128,7 +128,7 @@ class Section:
 
 
 class Page(Section):
-    """Page of one browser, with one panel.
+    """Page of one browser, which shows one panel.
 
     The browser asks for changes when it is about to draw, and asks again after it has drawn them.
     The server sends nothing else, so that no messages queue up for a hidden, slow or lost browser.
@@ -142,7 +142,7 @@ class Page(Section):
     Attributes:
         query: The parameters of the address, e.g. `{"topic": "/scan"}`.
         toolbar: A row beside the title, for buttons and filters: `with page.toolbar: ...`
-        command: The command that prints the same as the page.
+        command: The command that prints the content of the page.
         is_awake: Whether the page is visible.
     """
 
@@ -155,7 +155,7 @@ class Page(Section):
         self.command = ""
         self.is_awake = False
         self.scheduler = UpdateScheduler(self._on_fault)
-        self.watches: dict[object, bool] = {}  #: value: whether also while the page is hidden
+        self.watches: dict[object, bool] = {}  #: value: whether active while hidden
         self._client = client
         self._choosers: dict[str, Callable[[str], None]] = {}
         self._show: Callable[[str], object] | None = None
@@ -171,7 +171,7 @@ class Page(Section):
 
     @property
     def read_only(self) -> bool:
-        """Whether the page can only show the system, not change it."""
+        """Whether the page can only show the system and not change it."""
         return self.system.read_only
 
     def show_command(self, command: str) -> None:
@@ -186,7 +186,7 @@ class Page(Section):
         show(self.command)
 
     def on_choose(self, element_id: str, choose: Callable[[str], None]) -> None:
-        """Call a function with the key of a clicked row of a table; see `Table`."""
+        """Call a function with the key of the row that the user clicks in a table. See `Table`."""
         self._choosers[element_id] = choose
 
     def _chose(self, event: Any) -> None:
@@ -197,18 +197,18 @@ class Page(Section):
     # -- drawing -------------------------------------------------------------------------------
 
     def set_query(self, **query: str) -> None:
-        """Set the parameters of the address, so that a reload shows the same."""
+        """Set the parameters of the address, so that the page shows the same after a reload."""
         self.query = query
         self.call("zbot.setQuery", query)
 
     def call(self, function: str, *arguments: Any) -> None:
-        """Call a function of the page's scripts, with JSON values: `page.call("zbot.f", 1)`.
+        """Call a function of the page's scripts with JSON values, e.g. `page.call("zbot.f", 1)`.
 
         Use it for data that does not belong to an element of NiceGUI.
         """
-        # JSON is valid JavaScript, so a text in a message cannot become code.
+        # JSON is valid JavaScript, so that a string in a message cannot become code.
         words = ",".join(json.dumps(one) for one in arguments)
-        # Client.run_javascript would enqueue this later, after `_on_ask` has read the outbox.
+        # Client.run_javascript would enqueue the code later, after `_on_ask` has read the outbox.
         code = {"code": f"{function}({words})"}
         self._client.outbox.enqueue_message("run_javascript", code, self._client.id)
 

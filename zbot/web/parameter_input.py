@@ -1,4 +1,4 @@
-"""Row of one parameter in the page: name, type, description, and an input that sets it."""
+"""Row of one parameter in the page, with name, type, description and an input."""
 
 from __future__ import annotations
 
@@ -23,23 +23,23 @@ if TYPE_CHECKING:
 
 #: Seconds between two values while the user drags a slider.
 _DRAG_S = 0.1
-_STEPS = 200  # of a slider whose range has no step
+_STEPS = 200  # for a slider whose range has no step
 
 
 class ParameterInput:
-    """Row for one parameter; the constructor adds it to the current element.
+    """Row for one parameter. The constructor adds it to the current element.
 
     Args:
         section: The section of the page.
         node: The node's full name.
-        parameter: The parameter with its description.
+        parameter: The parameter and its description.
     """
 
     def __init__(self, section: Section, node: str, parameter: RemoteParameter) -> None:
         self._section, self._node, self._parameter = section, node, parameter
         self._value = parameter.value
         self._is_setting = False
-        self._waiting: Any = None  # the newest value, until the node has answered
+        self._waiting: Any = None  # the newest value until the node has answered
         self._showers: list[Callable[[Any], object]] = []
         with ui.element("div").classes("zb-parameter").props(f'data-name="{parameter.name}"'):
             with ui.element("div").classes("zb-row"):
@@ -55,7 +55,7 @@ class ParameterInput:
             self._refusal.set_visibility(False)
 
     def show(self, type_: Parameter.Type, value: Any) -> bool:
-        """Show a value that was set elsewhere; return False if its type has changed."""
+        """Show a value that another program set. Return False if its type has changed."""
         if type_ != self._parameter.type:
             return False
         self._value = value
@@ -99,7 +99,7 @@ class ParameterInput:
         async def slide(_event: object) -> None:
             await self._set(convert(slider.value or 0.0))
 
-        # Only the user's changes: other changes move the slider too.
+        # Only for the user's changes, because other changes move the slider too.
         slider.on("update:model-value", with_errors_shown(slide), throttle=_DRAG_S, args=[])
         self._showers.append(slider.set_value)
 
@@ -157,7 +157,7 @@ class ParameterInput:
             self.show(parameter.type, value)
 
     def _refuse(self, reason: str) -> None:
-        """Show why a value was refused, and restore the present value."""
+        """Show why the node refused a value, and restore the present value."""
         self._refusal.set_text(reason)
         self._refusal.set_visibility(True)
         self._restore()

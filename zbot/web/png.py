@@ -1,7 +1,7 @@
 """PNG encoder for `sensor_msgs/Image`, without an imaging library.
 
-It reads the common encodings of camera drivers, and leaves out rows and columns of large images, to
-send less data to the browser. `CompressedImage` is sent to the browser without changes.
+It reads the common encodings of camera drivers. It leaves out rows and columns of large images, to
+send less data to the browser. The page sends a `CompressedImage` to the browser without changes.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ from typing import Any, TypeVar
 
 from zbot.errors import ZbotError
 
-#: In pixels; larger images lose rows and columns.
+#: In pixels. Larger images lose rows and columns.
 LONGEST_SIDE = 480
 # Level 1 is fast and halves the size of usual camera images.
 _COMPRESSION = 1
 
-#: Encoding: bytes of a pixel, and the positions of grey, or of red, green and blue.
+#: For each encoding: bytes of a pixel, and positions of grey, or of red, green and blue.
 _PLANES: dict[str, tuple[int, tuple[int, ...]]] = {
     "rgb8": (3, (0, 1, 2)),
     "bgr8": (3, (2, 1, 0)),
@@ -41,9 +41,9 @@ _PLANES: dict[str, tuple[int, tuple[int, ...]]] = {
 }
 #: Raw patterns of colour sensors, shown in grey.
 _PLANES |= {f"bayer_{pattern}8": (1, (0,)) for pattern in ("rggb", "bggr", "gbrg", "grbg")}
-#: Encodings with separate planes; the first plane is the brightness, and only it is shown.
+#: Encodings with separate planes. The page shows only the first plane, which is the brightness.
 _PLANAR = frozenset({"nv12", "nv21", "nv24", "yuv420", "i420"})
-#: Encodings with larger numbers: array typecode, numbers of a pixel, positions as above.
+#: For encodings with larger numbers: array typecode, numbers of a pixel, positions as above.
 _NUMBERS: dict[str, tuple[str, int, tuple[int, ...]]] = {
     "mono16": ("H", 1, (0,)),
     "16UC1": ("H", 1, (0,)),
@@ -59,7 +59,7 @@ _NUMBERS: dict[str, tuple[str, int, tuple[int, ...]]] = {
     "32FC3": ("f", 3, (2, 1, 0)),
 }
 _NUMBERS |= {f"bayer_{pattern}16": ("H", 1, (0,)) for pattern in ("rggb", "bggr", "gbrg", "grbg")}
-#: Encodings whose numbers have a fixed range; other numbers are scaled from least to greatest.
+#: Encodings whose numbers have a fixed range. Other numbers are scaled to their own range.
 _FULL_RANGE = frozenset({"mono16", "rgb16", "bgr16", "rgba16", "bgra16"})
 #: First bytes of compressed images, and their media types.
 _SIGNATURES = {
@@ -79,10 +79,10 @@ class ImageError(ZbotError, ValueError):
 
 
 def encode_png(image: Any) -> bytes:
-    """Return a `sensor_msgs/Image` as PNG, at most `LONGEST_SIDE` pixels wide and high.
+    """Return a `sensor_msgs/Image` as PNG, which is at most `LONGEST_SIDE` pixels wide and high.
 
-    Numbers of more than 8 bits (depth) become grey, from the least (black) to the greatest (white).
-    Zeros and numbers that are not finite are missing measurements, and black.
+    Numbers of more than 8 bits (depth) become grey. The smallest number is black and the largest is
+    white. Zeros and numbers that are not finite are missing measurements. They are black.
 
     Raises:
         ImageError: The encoding is unknown, or the data is too short.
@@ -111,16 +111,16 @@ def media_type(data: bytes) -> str:
 
 @dataclass(frozen=True, slots=True)
 class _Layout:
-    """Positions of an image's pixels in its data; `row` and `pixel` count elements of the data."""
+    """Positions of an image's pixels in its data. `row` and `pixel` count elements of the data."""
 
     width: int
     height: int
-    row: int  #: from one row to the next
-    pixel: int  #: from one pixel to the next
+    row: int  #: from one row to the next row
+    pixel: int  #: from one pixel to the next pixel
     step: int  #: every `step`-th row and column is used
 
     def rows(self, data: SliceableT, offset: int) -> list[SliceableT]:
-        """Return one number of every pixel, row by row.
+        """Return one number of each pixel in a list of rows.
 
         Raises:
             ImageError: The data is too short.
@@ -137,7 +137,7 @@ class _Layout:
 
 
 def _planes(image: Any, step: int) -> list[bytes]:
-    """Return one byte a pixel for each colour, every `step`-th row and column."""
+    """Return one byte a pixel for each colour. Only every `step`-th row and column is used."""
     encoding, data = image.encoding, bytes(image.data)
     if encoding in _NUMBERS:
         return _from_numbers(image, data, step)
@@ -170,13 +170,13 @@ def _range(encoding: str, planes: list[list[float]]) -> tuple[float, float]:
     if encoding in _FULL_RANGE:
         return 0.0, 65_535.0
     finite = [one for plane in planes for one in plane if one - one == 0]
-    # A depth of 0 is a missing measurement, and not part of the range.
+    # A depth of 0 is a missing measurement. It does not belong to the range.
     measured = [one for one in finite if one] or finite or [0.0]
     return min(measured), max(measured)
 
 
 def _shade(value: float) -> int:
-    # NaN: both comparisons are false.
+    # For NaN, both comparisons are false.
     if value >= 255:
         return 255 if value - value == 0 else 0
     return int(value) if value > 0 else 0
@@ -195,7 +195,7 @@ def _interleaved(planes: list[bytes], width: int, height: int) -> list[bytes]:
 
 
 def _file(width: int, height: int, colours: int, rows: list[bytes]) -> bytes:
-    """Return a PNG file: 8 bits, grey or RGB, without a filter (RFC 2083)."""
+    """Return a PNG file with 8 bits, in grey or RGB, without a filter (RFC 2083)."""
     header = struct.pack(">IIBBBBB", width, height, 8, 0 if colours == 1 else 2, 0, 0, 0)
     pixels = zlib.compress(b"".join(b"\0" + row for row in rows), _COMPRESSION)
     chunks = (_chunk(b"IHDR", header), _chunk(b"IDAT", pixels), _chunk(b"IEND", b""))

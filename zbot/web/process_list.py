@@ -1,4 +1,4 @@
-"""Processes of nodes, with their use of CPU and memory, and a way to stop them."""
+"""List of the nodes' processes, with CPU and memory, and a function that stops a process."""
 
 from __future__ import annotations
 
@@ -20,43 +20,43 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import Process, Snapshot
     from zbot.web.system import System
 
-#: Tolerance for comparing the start of a process with the start that its session reports.
+#: Tolerance between the start of a process and the start that its session reports.
 _SLACK_S = 2.0
 
 
 class StopError(ZbotError):
-    """This machine's user cannot stop a process."""
+    """The user of this machine cannot stop a process."""
 
 
 @dataclass(frozen=True, slots=True)
 class RunningProcess:
-    """Process with its nodes."""
+    """Process and its nodes."""
 
     host: str
     pid: int
     started_ns: int  #: nanoseconds since the epoch
     command: str
-    version: str  #: of zbot
+    version: str  #: the version of zbot
     nodes: tuple[str, ...]  #: full names
     is_here: bool  #: whether it runs on this machine
     is_page: bool  #: whether it serves the page
     cpu_percent: float | None = None  #: of one core, since the last `look`; None on other machines
-    memory_bytes: int | None = None  #: resident; None on other machines
+    memory_bytes: int | None = None  #: resident memory; None on other machines
 
     @property
     def key(self) -> str:
-        """A key that no other process has."""
+        """A unique key of the process."""
         return f"{self.host}:{self.pid}"
 
 
 class ProcessList:
-    """List of processes, with their use of CPU since the last `look`; for one thread at a time."""
+    """List of processes, with their CPU use since the last `look`. For one thread at a time."""
 
     def __init__(self) -> None:
         self._known: dict[int, psutil.Process] = {}
 
     def look(self, system: System) -> list[RunningProcess]:
-        """Return the processes of the domain's nodes; queries their sessions (1 to 25 ms)."""
+        """Query the sessions of the domain's nodes (1 to 25 ms), and return their processes."""
         by_session = processes(system.context.session)
         found = _merged(system.snapshot(), by_session)
         self._known = {pid: one for pid, one in self._known.items() if psutil.pid_exists(pid)}
@@ -80,10 +80,10 @@ class ProcessList:
 
     def _costs(self, pid: int) -> tuple[float | None, int | None]:
         try:
-            # The same object is kept, as psutil measures CPU time since its last call.
+            # The object is kept, because psutil measures CPU time since the object's last call.
             process = self._known.setdefault(pid, psutil.Process(pid))
             return process.cpu_percent(), process.memory_info().rss
-        except psutil.Error:  # it has ended, or belongs to another user
+        except psutil.Error:  # the process has ended, or belongs to another user
             return None, None
 
 
@@ -104,7 +104,7 @@ def _merged(
 
 
 def stop(process: RunningProcess, *, force: bool = False) -> None:
-    """Stop a process of this machine with SIGINT, as Ctrl-C does; with SIGKILL if `force`.
+    """Stop a process of this machine with SIGINT, as Ctrl-C does. `force` uses SIGKILL instead.
 
     Raises:
         StopError: The process runs on another machine, belongs to another user, or has ended.

@@ -1,4 +1,4 @@
-"""Form for publishing a message of a topic's type, once or at a rate."""
+"""Form that publishes a message of a topic's type, once or at a rate."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ class _PublishForm:
             self.said = ui.label().classes("zb-muted")
 
     def changed(self) -> None:
-        """Use the changed inputs: a repeated message changes at once."""
+        """Use the changed inputs, so that a repeated message changes at once."""
         is_right = not self.view.problems
         self.once.set_enabled(is_right)
         self.repeat.set_enabled(is_right or self.repetition is not None)
@@ -72,11 +72,11 @@ class _PublishForm:
 
     @property
     def rate_hz(self) -> float:
-        """Messages a second, limited to possible values."""
+        """Messages a second. The nearest possible value replaces an impossible value."""
         return min(max(float(self.rate.value or 1.0), 0.01), _FASTEST_HZ)
 
     def show_command(self) -> None:
-        """Show the command that publishes the same."""
+        """Show the command that publishes the same message."""
         how = f"-r {self.rate_hz:g}" if self.repetition is not None else "--once"
         words = [self.topic, self.type_name, self.view.yaml()]
         self.section.page.show_command(f"zbot topic pub {how} {shlex.join(words)}")

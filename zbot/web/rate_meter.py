@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 _WINDOW_NS = 5 * 10**9
 _BUCKET_NS = 10**8
-#: After a silence of this many periods the rate falls: the publisher is slower or has stopped.
+#: After a silence of this many periods, the publisher is slower or has stopped. The rate falls.
 _SILENT_PERIODS = 2
 
 
@@ -21,9 +21,9 @@ class _Bucket:
 
 
 class RateMeter:
-    """Meter of arrivals. `add` and `rates` may be called from different threads.
+    """Meter of arrivals. Different threads may call `add` and `rates`.
 
-    Times are nanoseconds of one clock that does not run backwards.
+    Times are in nanoseconds. They come from one clock that does not run backwards.
     """
 
     def __init__(self) -> None:
@@ -31,7 +31,7 @@ class RateMeter:
         self._lock = threading.Lock()
 
     def add(self, now_ns: int, size: int) -> None:
-        """Count an arrival with a size in bytes."""
+        """Count an arrival of a message with a size in bytes."""
         with self._lock:
             bucket = self._buckets[-1] if self._buckets else None
             if bucket is None or now_ns - bucket.first_ns >= _BUCKET_NS:
@@ -42,7 +42,7 @@ class RateMeter:
             bucket.size += size
 
     def rates(self, now_ns: int) -> tuple[float, float]:
-        """Return arrivals and bytes a second; zeros before the second arrival and after 5 s."""
+        """Return arrivals and bytes a second. Before the second arrival and after 5 s, both are 0."""
         with self._lock:
             recent = [one for one in self._buckets if now_ns - one.last_ns <= _WINDOW_NS]
         count = sum(one.count for one in recent)

@@ -1,4 +1,4 @@
-"""Parameters of other nodes: reading, showing and setting them for a page."""
+"""Parameters of other nodes, which a page reads, shows and sets."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ _TYPES = {
 
 @dataclass(frozen=True, slots=True)
 class Range:
-    """Range of a number."""
+    """Range of allowed numbers."""
 
     low: float
     high: float
-    step: float  #: 0 if all values in between are allowed
+    step: float  #: 0 if all values between the limits are allowed
 
     @property
     def text(self) -> str:
@@ -49,19 +49,19 @@ class Range:
 
 @dataclass(frozen=True, slots=True)
 class RemoteParameter:
-    """Parameter of another node, with its descriptor."""
+    """Parameter of another node and its descriptor."""
 
     name: str
     type: Parameter.Type
     value: Any
     description: str
-    constraints: str  #: in the node's own words
+    constraints: str  #: the text from the node's descriptor
     range: Range | None
     is_read_only: bool
 
     @property
     def text(self) -> str:
-        """The text of an input for the value."""
+        """The text that an input shows for the value."""
         return show_value(self.type, self.value)
 
     def read(self, entry: Entry) -> Any:
@@ -77,13 +77,13 @@ class RemoteParameter:
 
 
 def show_value(type_: Parameter.Type, value: Any) -> str:
-    """Return the text of an input for a value."""
+    """Return the text that an input shows for a value."""
     kind = _TYPES.get(type_)
     return "" if kind is None else show(kind, value)
 
 
 def nodes_with_parameters(graph: Snapshot) -> list[str]:
-    """Return the full names of the nodes with parameter services, sorted."""
+    """Return the sorted full names of the nodes that have parameter services."""
     served = (name for name, types in graph.services() if _SET in types)
     return sorted(name.rpartition("/")[0] for name in served)
 
@@ -106,7 +106,7 @@ async def load(system: System, node: str) -> list[RemoteParameter]:
 
 
 async def set_value(system: System, node: str, parameter: Parameter[Any]) -> str:
-    """Set one parameter; return the node's reason if it refuses, otherwise an empty text.
+    """Set one parameter. Return the node's reason if it refuses, otherwise an empty string.
 
     Raises:
         ReadOnlyError: The page is read-only.

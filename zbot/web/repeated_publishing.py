@@ -1,4 +1,4 @@
-"""Repeated publishing of a message at a rate."""
+"""Timer that publishes a message at a rate."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ class RepeatedPublishing:
 
     Args:
         node: The node of the timer.
-        reference: The publisher; it is released too.
-        make: Returns the message; called for each message, so that stamps are new.
+        reference: A reference to the publisher, which `release` releases too.
+        make: Function that returns the message. It is called each time, so that stamps are new.
         rate_hz: Messages a second.
     """
 
@@ -48,7 +48,7 @@ class RepeatedPublishing:
             self._reference.entity.publish(self._make())
 
     def release(self) -> None:
-        """Stop publishing; may be called twice."""
+        """Stop publishing. A second call does nothing."""
         timer, self._timer = self._timer, None
         if timer is not None:
             self._node.destroy_timer(timer)

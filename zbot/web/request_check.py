@@ -1,7 +1,7 @@
-"""Check of requests: only the server's own pages may send them; other machines need a token.
+"""Check that the server's own pages sent a request, and that other machines have a token.
 
-A website in the same browser can also send requests to 127.0.0.1. Such a request has the website's
-name in the header Origin or, with DNS rebinding, in the header Host.
+A website in the same browser can also send requests to 127.0.0.1. The header Origin of such a
+request contains the website's name. With DNS rebinding, the header Host contains it.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 _LOCAL_NAMES = frozenset({"localhost", "127.0.0.1", "::1"})
 _PARAMETER = "token"
 _HOST = re.compile(r"(?P<name>\[[0-9a-fA-F:.]+\]|[\w.-]+)(:\d+)?\Z")
-# The browser enforces this policy: a page loads nothing from other sites, and no other site can
-# show the page in a frame. unsafe-eval: NiceGUI compiles its templates in the browser.
+# The browser enforces this policy. A page loads nothing from other sites, and no other site can
+# show the page in a frame. unsafe-eval is needed because NiceGUI compiles templates in the browser.
 _POLICY = (
     "default-src 'self' data: blob: 'unsafe-inline' 'unsafe-eval'; "
     "connect-src 'self' ws://{host} wss://{host}; object-src 'none'; base-uri 'none'; "
@@ -49,7 +49,7 @@ class RequestCheck:
     Args:
         app: The server's application (ASGI).
         host: The host that the server listens on.
-        token: The token that the first address of each browser must contain; None on loopback.
+        token: The token that the first address of each browser must contain. None on loopback.
     """
 
     def __init__(self, app: App, *, host: str, token: str | None) -> None:
@@ -72,7 +72,7 @@ class RequestCheck:
         if reason is not None:
             await _refuse(scope, send, reason)
             return
-        # NiceGUI would build addresses from this header of proxies; the server has no proxy.
+        # NiceGUI would build addresses from this header of proxies, but the server has no proxy.
         scope["headers"] = [one for one in scope["headers"] if one[0] != b"x-forwarded-prefix"]
         await self.app(scope, receive, _with_policy(send, headers.get("host", "")))
 
@@ -83,7 +83,7 @@ class RequestCheck:
         origin = headers.get("origin")
         if origin is not None and urlsplit(origin).netloc != host:
             return f"pages of {origin} may not send requests to zbot"
-        # A link of another site may open the page; its images and scripts may not load anything.
+        # A link of another site may open the page. Its images and scripts must not load anything.
         if headers.get("sec-fetch-site", "none") in {"cross-site", "same-site"}:
             is_visit = headers.get("sec-fetch-dest") == "document"
             if not is_visit:
@@ -95,11 +95,11 @@ class RequestCheck:
         name = match["name"].strip("[]").lower() if match else ""
         if name in self._names:
             return True
-        # With a token, all IP addresses are accepted: the machine may get new ones.
+        # With a token, all IP addresses are accepted, because the machine may get a new address.
         return self._token is not None and _is_address(name)
 
     def _cookie_name(self, scope: Scope) -> str:
-        # Cookies are shared by all ports: with one name, two servers would overwrite them.
+        # All ports share cookies, so two servers with the same cookie name would overwrite them.
         return f"zbot_{scope['server'][1]}"
 
     def _cookie(self, scope: Scope) -> str:
@@ -161,11 +161,11 @@ def _with_policy(send: Send, host: str) -> Send:
 
 
 async def _redirect(scope: Scope, send: Send, cookie: str) -> None:
-    """Set the browser's cookie, and send it to the same address without the token."""
+    """Set the cookie, and redirect the browser to the same address without the token."""
     query = scope["query_string"].decode("latin-1")
     kept = [pair for pair in parse_qsl(query, keep_blank_values=True) if pair[0] != _PARAMETER]
     target = scope["path"] + (f"?{urlencode(kept)}" if kept else "")
-    # With two slashes at its beginning, the target would be another server.
+    # If the target began with two slashes, it would be another server.
     headers = [
         (b"location", ("/" + target.lstrip("/")).encode("latin-1", "replace")),
         (b"set-cookie", cookie.encode("latin-1")),

@@ -1,4 +1,4 @@
-"""Server of the live page; `serve()` runs it until Ctrl-C."""
+"""Server of the live page. `serve()` runs it until Ctrl-C."""
 
 from __future__ import annotations
 
@@ -35,17 +35,17 @@ def serve(
     read_only: bool = False,
     start_path: str = "/",
 ) -> None:
-    """Serve the live page of this process's domain until a signal ends it.
+    """Serve the live page of this process's domain until a signal ends the server.
 
     Args:
-        host: The host to listen on; other machines can reach it unless it is a loopback address.
-        port: The port, or the first of the ports to try; 0 for any free port.
+        host: The host to listen on. Only this machine can reach a loopback address.
+        port: The port, or the first port to try. 0 means any free port.
         open_browser: Whether to open the page in the user's browser.
         read_only: Whether pages can only show the system, not change it.
-        start_path: The path of the first page, with its query: `/plot?curve=/pose.x`.
+        start_path: The path of the first page with its query, e.g. `/plot?curve=/pose.x`.
 
     Raises:
-        UnknownPanelError: There is no panel with this path.
+        UnknownPanelError: No panel has this path.
         ServerError: The server cannot listen on this host and port.
         SessionError: Zenoh cannot open a session.
     """
@@ -74,7 +74,7 @@ def serve(
 
 
 def listen(host: str, port: int) -> socket.socket:
-    """Return a socket that listens on a port or, if this is taken, on the next free port.
+    """Return a socket that listens on a port. If the port is taken, use the next free port.
 
     Raises:
         ServerError: The host is not an address of this machine, or all ports are taken.

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-#: Seconds.
+#: In seconds.
 PATIENCE_S = 10.0
 
 
@@ -46,17 +46,17 @@ async def call(
         name: The service's full name.
         type_name: Its type.
         request: The request.
-        changes: Whether the call changes something, so that a read-only page must refuse it.
-        timeout_s: The longest wait.
+        changes: Whether the call changes something. If so, a read-only page refuses the call.
+        timeout_s: The longest wait, in seconds.
 
     Raises:
         ReadOnlyError: The page is read-only, and `changes` is true.
         NoAnswerError: The server did not answer in time.
-        ServiceError: There is no server, its callback raised, or it ended.
+        ServiceError: There is no server, its callback raised an error, or the server ended.
         UnknownTypeError: No definition of the type was found.
     """
     connect = system.client if changes else system.reader
-    # In a thread, as the definition of the type may have to come from another machine.
+    # In a thread, because the type's definition may have to come from another machine.
     reference = await run_in_thread(connect, name, type_name)
     with reference:
         try:
@@ -66,7 +66,7 @@ async def call(
 
 
 async def run_in_thread(function: Callable[..., T], *arguments: Any) -> T:
-    """Run a slow function in a thread, without blocking NiceGUI's loop, and return its result."""
+    """Run a slow function in a thread and return its result. NiceGUI's loop is not blocked."""
     made = await run.io_bound(function, *arguments)
     if made is None:
         raise asyncio.CancelledError  # NiceGUI returns None while the server shuts down

@@ -1,4 +1,4 @@
-"""Publishers and clients that browsers share; the last release destroys them."""
+"""Publishers and clients that browsers share. The last release destroys them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ class EntityReference(Generic[T]):
     """Counted reference to a shared entity.
 
     Attributes:
-        entity: The entity: a publisher, a client, ...
+        entity: The entity, e.g. a publisher or a client.
     """
 
     def __init__(self, entity: T, release: Callable[[], None]) -> None:
@@ -25,7 +25,7 @@ class EntityReference(Generic[T]):
         self._release: Callable[[], None] | None = release
 
     def release(self) -> None:
-        """Release the reference; the last release destroys the entity. May be called twice."""
+        """Release the reference. The last reference destroys the entity. A second call is safe."""
         release, self._release = self._release, None
         if release is not None:
             release()
@@ -44,7 +44,7 @@ class _CountedEntity:
 
 
 class SharedEntities:
-    """Entities by key, with reference counts. All methods may be called from any thread."""
+    """Entities by key, with reference counts. Any thread may call any method."""
 
     def __init__(self) -> None:
         self._shared: dict[Hashable, _CountedEntity] = {}
@@ -56,7 +56,7 @@ class SharedEntities:
     def get(
         self, key: Hashable, make: Callable[[], T], destroy: Callable[[T], object]
     ) -> EntityReference[T]:
-        """Return a reference to the entity with a key, which is made if there is none."""
+        """Return a reference to the entity with a key. Create the entity if it does not exist."""
         with self._lock:
             shared = self._shared.get(key)
             if shared is None:

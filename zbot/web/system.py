@@ -1,4 +1,4 @@
-"""Access of all pages to the running system, through one hidden node in its own thread."""
+"""Access to the running system for all pages, through one hidden node in its own thread."""
 
 from __future__ import annotations
 
@@ -51,8 +51,8 @@ class System:
     """Graph, topics, services and actions of a domain. Any thread may call any method.
 
     Args:
-        read_only: Whether to refuse to publish, call, set and send goals.
-        domain_id: 0 to 232; `$ZBOT_DOMAIN_ID` or `$ROS_DOMAIN_ID`, else 0, if left out.
+        read_only: Whether to refuse to publish, call services, set parameters and send goals.
+        domain_id: 0 to 232. None means `$ZBOT_DOMAIN_ID`, `$ROS_DOMAIN_ID` or 0.
 
     Attributes:
         logs: The last lines of `/rosout`.
@@ -89,7 +89,7 @@ class System:
             enable_rosout=False,
             start_parameter_services=False,
         )
-        # Pages show the problems of topics; the terminal should not repeat them.
+        # Pages show the problems of topics, so the terminal should not repeat them.
         set_logger_level(self.node.get_logger().name, LoggingSeverity.FATAL)
         self._executor = SingleThreadedExecutor(context=self.context)
         self._executor.add_node(self.node)
@@ -120,7 +120,7 @@ class System:
         return self.node.get_fully_qualified_name()
 
     def close(self) -> None:
-        """Leave the domain; may be called twice."""
+        """Leave the domain. A second call does nothing."""
         self.context.shutdown()
 
     def __enter__(self) -> Self:
@@ -132,7 +132,7 @@ class System:
     # -- graph ---------------------------------------------------------------------------------
 
     def snapshot(self) -> Snapshot:
-        """Return the graph as it is now; the same object until the next change."""
+        """Return the graph as it is now. Until the next change, return the same object."""
         seen = self._seen
         revision = self.revision
         if seen is None or seen[0] != revision:
@@ -140,10 +140,10 @@ class System:
         return seen[1]
 
     def on_change(self, callback: Callable[[], None]) -> Callable[[], None]:
-        """Call a quick function at each change of the graph, in the thread that noticed it.
+        """Call a quick function at each change of the graph, in the thread that noticed the change.
 
         Returns:
-            A function that ends the calls; it may be called twice.
+            A function that ends the calls. A second call of this function does nothing.
         """
         with self._lock:
             self._callbacks.append(callback)
@@ -156,8 +156,8 @@ class System:
         return undo
 
     def _on_token(self, _token: Token, _appeared: bool) -> None:
-        # Without the lock: its holder may be declaring an entity, and a declaration can wait for
-        # this thread when many tokens arrive at once.
+        # Without the lock. A thread that has the lock may be declaring an entity, and a declaration
+        # can wait for this thread when many tokens arrive at once.
         self.revision += 1
         for feed in list(self._feeds.values()):
             if feed.is_wanted and feed.type_name is None:
@@ -170,13 +170,14 @@ class System:
     def watch(
         self, topic: str, type_name: str | None = None, *, keep: int = 0, is_active: bool = True
     ) -> Watch:
-        """Return a watch of a topic; all watches of the topic share one subscription.
+        """Return a watch of a topic. All watches of the topic share one subscription.
 
         Args:
-            topic: Full name; the topic may have no nodes yet.
-            type_name: Full name of the type; the type in the graph if left out.
+            topic: Full name. The topic may have no nodes yet.
+            type_name: Full name of the type. None means the type in the graph.
             keep: The number of messages to keep for `Watch.since`.
-            is_active: Whether to receive messages at once, or only after `Watch.resume`.
+            is_active: Whether the watch receives messages from the start. Otherwise it receives
+                messages after `Watch.resume`.
         """
         key = (topic, type_name)
         with self._lock:
@@ -188,7 +189,7 @@ class System:
 
     @property
     def watched_topics(self) -> list[str]:
-        """Return the topics with a subscription now, sorted."""
+        """Return the sorted topics that have a subscription now."""
         with self._lock:
             return sorted(one.topic for one in self._feeds.values() if one.subscription is not None)
 
@@ -216,8 +217,8 @@ class System:
             )
         except NotInitializedError:
             return  # the program has ended meanwhile
-        # On a topic with several types, the subscription checks the type of each sample: messages
-        # of another type would otherwise be decoded as zeros.
+        # On a topic with several types, the subscription must check the type of each sample.
+        # Otherwise messages of another type would be decoded as zeros.
         subscription.raw = False
         subscription.report_losses_to(_ignore)
         feed.subscription = subscription
@@ -258,8 +259,8 @@ class System:
     def interface(self, type_name: str) -> Any:
         """Return the class of a message, service or action type.
 
-        If this machine has no definition, the nodes that use the type are asked for it. This may
-        take seconds: call it in a thread, with `run_in_thread`.
+        If this machine has no definition, zbot requests it from the nodes that use the type. This
+        may take seconds, so call this method in a thread, with `run_in_thread`.
 
         Raises:
             UnknownTypeError: No definition of the type was found.
@@ -277,7 +278,7 @@ class System:
         Raises:
             ReadOnlyError: The page is read-only.
             UnknownTypeError: No definition of the type was found.
-            InvalidTopicNameError: The name breaks ROS 2's grammar.
+            InvalidTopicNameError: The name is not valid in ROS 2.
         """
         self._check_writable("publishing")
         message_type = self.interface(type_name)
@@ -295,7 +296,7 @@ class System:
         Args:
             topic: Full name.
             type_name: Full name of its type.
-            make: Returns the message; called each time.
+            make: Function that returns the message. It is called for each message.
             rate_hz: Messages a second.
 
         Raises:
@@ -305,7 +306,7 @@ class System:
         return RepeatedPublishing(self.node, self.publisher(topic, type_name), make, rate_hz)
 
     def client(self, name: str, type_name: str) -> EntityReference[Client[Any, Any]]:
-        """Return a reference to a service's client; await its futures with `await_future`.
+        """Return a reference to a service's client. Await its futures with `await_future`.
 
         Raises:
             ReadOnlyError: The page is read-only.
@@ -315,7 +316,7 @@ class System:
         return self._client(name, type_name)
 
     def reader(self, name: str, type_name: str) -> EntityReference[Client[Any, Any]]:
-        """Return a reference to a client of a service that changes nothing; allowed if read-only.
+        """Return a reference to a client of a service that changes nothing, also if read-only.
 
         Raises:
             UnknownTypeError: No definition of the type was found.
@@ -333,7 +334,7 @@ class System:
     def action_client(
         self, name: str, type_name: str
     ) -> EntityReference[ActionClient[Any, Any, Any]]:
-        """Return a reference to an action's client; await its futures with `await_future`.
+        """Return a reference to an action's client. Await its futures with `await_future`.
 
         Raises:
             ReadOnlyError: The page is read-only.
@@ -353,11 +354,11 @@ class System:
 
 
 async def await_future(future: Future[T], timeout_s: float | None = None) -> T:
-    """Wait in asyncio's loop for a future of zbot, which another thread completes.
+    """Wait in asyncio's loop for a future that another thread of zbot completes.
 
     Args:
         future: A future, e.g. of `Client.call_async`.
-        timeout_s: The longest wait; None to wait without a limit.
+        timeout_s: The longest wait, in seconds. None means no limit.
 
     Raises:
         asyncio.TimeoutError: The future was not complete in time.
@@ -369,8 +370,8 @@ async def await_future(future: Future[T], timeout_s: float | None = None) -> T:
     await asyncio.wait_for(is_over.wait(), timeout_s)
     if future.cancelled():
         raise asyncio.CancelledError
-    return future.result()  # type: ignore[return-value] # it is over
+    return future.result()  # type: ignore[return-value] # the future is complete
 
 
 def _ignore(_missing: int) -> None:
-    """Ignore lost messages here: the subscription counts them, and a page shows the number."""
+    """Ignore lost messages. The subscription counts them, and a page shows their number."""

@@ -1,4 +1,4 @@
-"""Table of the page; only changed cells are sent to the browser."""
+"""Table of the page. The server sends only changed cells to the browser."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Column:
     Attributes:
         title: Its heading.
         classes: CSS classes of its cells, e.g. `zb-mono` or `zb-number`.
-        width: CSS width; if empty, the width that the cells need.
+        width: CSS width. If it is empty, the cells set the width.
     """
 
     title: str
@@ -30,10 +30,10 @@ class Column:
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """Cell of a table, always with text, never HTML."""
+    """Cell of a table. It always contains text, never HTML."""
 
     text: str
-    classes: str = ""  #: CSS classes besides those of the column, e.g. `zb-bad`
+    classes: str = ""  #: CSS classes in addition to the column's classes, e.g. `zb-bad`
     indent: int = 0
     address: str = ""  #: target of a link, on this server: `/plot?curve=/pose.x`
     hint: str = ""  #: tooltip
@@ -45,7 +45,7 @@ class Table:
     Args:
         page: The page.
         columns: The columns.
-        on_choose: Called with the key of a clicked row; without it, rows cannot be chosen.
+        on_choose: Called with the key of a clicked row. If None, users cannot choose rows.
     """
 
     def __init__(
@@ -73,7 +73,7 @@ class Table:
         self._chosen = key
 
     def show(self, rows: Mapping[str, Sequence[str | Cell]]) -> None:
-        """Show rows in their order; only changes are sent to the browser."""
+        """Show rows in the given order. Only changes are sent to the browser."""
         order = list(rows)
         cells = {key: [_plain(cell) for cell in row] for key, row in rows.items()}
         changed = {

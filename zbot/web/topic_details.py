@@ -1,4 +1,4 @@
-"""Details of one topic: its nodes, its last message as tree and picture, and a publish form."""
+"""Details of one topic, with nodes, last message as tree and picture, and a publish form."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def show_topic(section: Section, topic: str, close: Callable[[], None]) -> None:
     """Add a topic's details to the current element.
 
     Args:
-        section: The section of the details; closing it ends their updates.
+        section: The section of the details. When it is closed, the updates end.
         topic: Full name.
         close: Called when the user closes the details.
     """

@@ -1,4 +1,4 @@
-"""Picture of a topic's last message: a camera image, or a laser scan from above."""
+"""Picture of a topic's last message, which is a camera image or a laser scan from above."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _IMAGE = "sensor_msgs/msg/Image"
 _COMPRESSED = "sensor_msgs/msg/CompressedImage"
 _SCAN = "sensor_msgs/msg/LaserScan"
 _PICTURE_HZ = 15.0
-#: More points would not be visible, as the picture has about as many pixels around a circle.
+#: More points would not be visible, because a circle in the picture has about 1440 pixels.
 _MOST_RAYS = 1440
 
 
@@ -97,7 +97,7 @@ def points_of(scan: Any) -> tuple[list[float], float]:
     """Return the points of a scan, and the radius of the picture.
 
     Returns:
-        [x (forward), y (left), x, y, ...] and the distance of the farthest point, at least 1; in m.
+        [x (forward), y (left), x, y, ...] and the distance of the farthest point, at least 1, in m.
     """
     count = len(scan.ranges)
     every = -(-count // _MOST_RAYS) or 1
@@ -105,7 +105,7 @@ def points_of(scan: Any) -> tuple[list[float], float]:
     farthest = 1.0
     for index in range(0, count, every):
         distance = float(scan.ranges[index])
-        # Values outside of the sensor's range are left out; so are infinity and NaN.
+        # Values outside of the sensor's range are left out. Infinity and NaN are left out too.
         if not scan.range_min <= distance <= scan.range_max or math.isinf(distance):
             continue
         angle = scan.angle_min + index * scan.angle_increment
@@ -115,6 +115,6 @@ def points_of(scan: Any) -> tuple[list[float], float]:
 
 
 def ring(reach: float) -> float:
-    """Return the distance of the rings in a picture, in metres: 1, 2 or 5 times a power of ten."""
+    """Return the distance between rings in metres, which is 1, 2 or 5 times a power of ten."""
     power = 10.0 ** math.floor(math.log10(reach / 2))
     return next(power * digit for digit in (1.0, 2.0, 5.0, 10.0) if power * digit * 5 >= reach)

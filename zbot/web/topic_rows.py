@@ -16,22 +16,22 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, slots=True)
 class TopicRow:
-    """Topic with its nodes, and with its problem if there is one."""
+    """Topic with its nodes, and its problem if it has a problem."""
 
     name: str
     types: tuple[str, ...]
     publishers: tuple[str, ...]  #: full names of nodes, sorted; once for each publisher
     subscriptions: tuple[str, ...]  #: full names of nodes, sorted; once for each subscription
-    guess: str | None  #: a published topic with a similar name, if this one has no publisher
+    guess: str | None  #: a published topic with a similar name, if this topic has no publisher
 
     @property
     def has_clash(self) -> bool:
-        """Whether its nodes use different types, and so exchange no messages."""
+        """Whether its nodes use different types and therefore exchange no messages."""
         return len(self.types) > 1
 
 
 def topic_rows(graph: Snapshot, own_node: str) -> list[TopicRow]:
-    """Return the topics in natural order; the endpoints of the page's own node are left out.
+    """Return the topics in natural order, without the endpoints of the page's own node.
 
     Args:
         graph: The graph.
@@ -64,6 +64,6 @@ def _is_publisher(end: EndpointToken) -> bool:
 
 
 def _natural(name: str) -> list[tuple[int, str]]:
-    """Return a sort key with which `/robot2` comes before `/robot10`."""
+    """Return a sort key. With this key, `/robot2` comes before `/robot10`."""
     parts = re.split(r"(\d+)", name)
     return [(int(section), "") if section.isdecimal() else (-1, section) for section in parts]

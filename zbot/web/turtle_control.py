@@ -1,4 +1,4 @@
-"""Control of turtles by messages, service calls and goals, with the commands that do the same."""
+"""Control of turtles by messages, service calls and goals. It also shows their commands."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ ARROWS = {
     "ArrowLeft": (0.0, 2.0),
     "ArrowRight": (0.0, -2.0),
 }
-#: Headings in rad. On the keyboard, a letter's direction from F is the heading; G is 0.
+#: Headings in rad. The heading is a letter's direction from F on the keyboard. G is 0.
 HEADINGS = {
     "e": 2.3562,
     "r": 1.5708,
@@ -50,17 +50,17 @@ HEADINGS = {
 CANCEL = "f"
 _TELEOP = "teleop_turtle"
 _DRIVER_DEPTH = 1
-_numbers = itertools.count(1)  # for the node names of further pages
+_numbers = itertools.count(1)  # for the node names of more pages
 
 
 class Simulator(NamedTuple):
-    """Turtlesim node."""
+    """Running turtlesim node."""
 
     node: str  #: its full name
     namespace: str  #: the namespace of its services and turtles
 
     def name(self, relative: str) -> str:
-        """Return the full name of a service or topic in its namespace: `spawn`, `turtle1/pose`."""
+        """Return the full name of a service or topic, e.g. `spawn` or `turtle1/pose`."""
         return fully_qualified(self.namespace, relative)
 
     @property
@@ -70,14 +70,14 @@ class Simulator(NamedTuple):
 
 
 def simulators(graph: Snapshot) -> list[Simulator]:
-    """Return the running turtlesim nodes, sorted."""
+    """Return the sorted running turtlesim nodes."""
     found = [name for name, types in graph.services() if SCENE_TYPE in types]
     nodes = (name.removesuffix(_SCENE) for name in found if name.endswith(_SCENE))
     return [Simulator(node, node.rpartition("/")[0] or "/") for node in nodes]
 
 
 class TurtleControl:
-    """Control of one simulator's turtles by a page. Call its methods in NiceGUI's loop.
+    """Control that a page has over one simulator's turtles. Call it in NiceGUI's loop.
 
     Args:
         page: The page.
@@ -125,7 +125,7 @@ class TurtleControl:
         self._show("topic", "pub", "--once", topic, _TWIST, values)
 
     def _publisher(self, topic: str) -> Publisher[Any]:
-        # A node of its own, so that the graph looks as with turtle_teleop_key.
+        # A separate node, so that the graph is the same as with turtle_teleop_key.
         if self._driver is None:
             name = fully_qualified(self.simulator.namespace, _TELEOP)
             is_free = name not in full_names(self._system.snapshot().nodes)
@@ -140,7 +140,7 @@ class TurtleControl:
         return self._driver.create_publisher(get_message(_TWIST), topic, _DRIVER_DEPTH)
 
     def prepare(self, turtle: str) -> None:
-        """Create the action client of a turtle early, as a new client needs time to connect."""
+        """Create a turtle's action client early, because a new client needs time to connect."""
         if turtle not in self._clients and not self._system.read_only:
             reference = self._system.action_client(self._rotation(turtle), _ROTATE)
             self._clients[turtle] = self._page.keep(reference)
@@ -174,7 +174,7 @@ class TurtleControl:
     # -- simulator -----------------------------------------------------------------------------
 
     async def call(self, relative: str, type_name: str, **values: Any) -> Any:
-        """Call a service of the simulator, with the fields of its request."""
+        """Call a service of the simulator. The keyword arguments are the fields of the request."""
         name = self.simulator.name(relative)
         request = get_service(type_name).Request(**values)  # type: ignore[attr-defined] # as above
         form = Form(type(request))
@@ -191,7 +191,7 @@ class TurtleControl:
         await self.call("reset", _EMPTY)
 
     async def spawn(self, x: float, y: float, theta: float, name: str) -> str:
-        """Add a turtle; return its name, or an empty text if the name is taken or invalid."""
+        """Add a turtle and return its name. It is empty if the given name is taken or invalid."""
         values = {"x": x, "y": y, "theta": theta, "name": name}
         response = await self.call("spawn", "turtlesim/srv/Spawn", **values)
         return str(response.name)

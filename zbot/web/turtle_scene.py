@@ -1,4 +1,4 @@
-"""Scene of a turtle simulator in a page: turtles, lines and background."""
+"""Scene of a turtle simulator in a page, with turtles, lines and background."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from zbot.web.shared_entities import EntityReference
     from zbot.web.turtle_control import Simulator
 
-#: Seconds between a failed request and the next one.
+#: Seconds between a failed request and the next request.
 _RETRY_S = 0.5
 
 
@@ -33,14 +33,14 @@ class SeenTurtle(NamedTuple):
 
 
 class SceneView:
-    """View of one simulator at a time for one page. Call its methods in NiceGUI's loop.
+    """View that shows one simulator in one page. Call its methods in NiceGUI's loop.
 
     Args:
-        page: The page; its browser has the function `zbotTurtle.show`.
+        page: The page, whose browser has the function `zbotTurtle.show`.
 
     Attributes:
         turtles: The turtles in the last response, by name.
-        background: Red, green and blue.
+        background: The red, green and blue of the background.
     """
 
     def __init__(self, page: Page) -> None:
@@ -54,7 +54,7 @@ class SceneView:
         self.background = (0, 0, 0)
 
     def look_at(self, simulator: Simulator | None) -> None:
-        """Show another simulator, or none."""
+        """Show another simulator, or no simulator if it is None."""
         if self._client is not None:
             self._page.drop(self._client)
         self._client = self._asked = None
@@ -65,7 +65,7 @@ class SceneView:
             self._client = self._page.keep(reader)
 
     def update(self) -> None:
-        """Show the simulator's response, and send the next request; for `Page.live`."""
+        """Show the simulator's response and send the next request. `Page.live` calls it."""
         if self._client is None or time.monotonic() < self._retry_at_s:
             return
         asked, self._asked = self._asked, None

@@ -1,4 +1,4 @@
-"""Scheduler of a page's updates, which run when the browser asks for changes."""
+"""Scheduler of a page's updates. Updates run when the browser asks for changes."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# Requests follow the display's refreshes and can come a little early.
+# Requests come with the refreshes of the screen, so they can come a little early.
 _EARLY_S = 0.003
 
 
@@ -15,7 +15,7 @@ class UpdateScheduler:
     """Scheduler that limits how often each function runs.
 
     Args:
-        on_fault: Called with the exception of a function; that function does not run again.
+        on_fault: Called with the exception of a function. The function does not run again.
     """
 
     def __init__(self, on_fault: Callable[[Exception], None]) -> None:
@@ -24,7 +24,7 @@ class UpdateScheduler:
         self._ran: dict[object, float] = {}
 
     def add(self, update: Callable[[], None], max_hz: float) -> Callable[[], None]:
-        """Add a function; return another one that removes it."""
+        """Add a function. Return a function that removes it."""
         key = object()
         self._updates[key] = (update, 1 / max_hz - _EARLY_S)
 
@@ -46,6 +46,6 @@ class UpdateScheduler:
             self._ran[key] = now_s
             try:
                 update()
-            except Exception as error:  # noqa: BLE001 - shown in the page; other functions continue
+            except Exception as error:  # noqa: BLE001 - the page shows it
                 self._updates.pop(key, None)
                 self._on_fault(error)

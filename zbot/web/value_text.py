@@ -1,4 +1,4 @@
-"""Text of messages in a page: on one line, or as a tree of fields."""
+"""Text of messages in a page, on one line or as a tree of fields."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ if TYPE_CHECKING:
 
     from zbot.interfaces import FieldType
 
-#: The most elements of a list in a tree; a scan has hundreds.
+#: The largest number of a list's elements in a tree. A scan has hundreds.
 MOST_ELEMENTS = 24
-#: The most rows of a tree; a nested message can have thousands.
+#: The largest number of rows in a tree. A nested message can have thousands.
 MOST_ROWS = 300
 _LONGEST_TEXT = 2000
 _HEADER = "std_msgs/msg/Header"
@@ -26,10 +26,10 @@ class TreeRow:
     """Row of a tree."""
 
     path: str  #: `pose.position.x`, `ranges[3]`
-    name: str  #: its last part
+    name: str  #: the last part of the path
     depth: int
     type: str
-    text: str  #: its value; empty if its fields follow
+    text: str  #: the value; empty if the rows of its fields follow
     is_number: bool = False
 
 
@@ -41,7 +41,7 @@ def number(value: float) -> str:
 
 
 def brief(message: Any, longest: int = 80) -> str:
-    """Return a message on one line, cut to a length: `x: 5.54, y: 5.54, theta: 0`."""
+    """Return a message on one line, cut to a length, e.g. `x: 5.54, y: 5.54, theta: 0`."""
     fields = fields_of(message)
     if len(fields) == 1:
         text = _brief_value(getattr(message, fields[0].name), longest)
@@ -77,12 +77,12 @@ def _brief_value(value: Any, longest: int) -> str:
 
 
 def _plain(value: Any) -> Any:
-    """Return a number of NumPy as a number of Python."""
+    """Return a NumPy number as a Python number."""
     return value.item() if hasattr(value, "item") else value
 
 
 def tree(message: Any) -> list[TreeRow]:
-    """Return a message as rows, one for each field; fields of inner messages follow theirs."""
+    """Return a row for each field of a message. After an inner message come its own fields."""
     rows: list[TreeRow] = []
     for row in _rows(message, "", 0):
         rows.append(row)
@@ -114,7 +114,7 @@ def _list(path: str, name: str, kind: FieldType, values: Any, depth: int) -> Ite
     count = len(values)
     yield TreeRow(path, name, depth, kind.text, f"[{count}]" if count else "[]")
     if isinstance(values, bytes) and count > MOST_ELEMENTS:
-        return  # bytes such as an image's
+        return  # bytes, for example of an image
     one = type(kind)(kind.base, "scalar", 0, kind.string_bound)
     for index in range(min(count, MOST_ELEMENTS)):
         inner = f"[{index}]"
@@ -137,7 +137,7 @@ def _is_number(value: Any) -> bool:
 
 
 def amount(value: float, unit: str) -> str:
-    """Return a quantity with three digits and a prefix: `1.23 kB/s`; empty for 0."""
+    """Return a quantity with three digits and a prefix, e.g. `1.23 kB/s`. It is empty for 0."""
     if value <= 0:
         return ""
     prefixes = ["", "k", "M", "G"]

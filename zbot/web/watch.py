@@ -1,4 +1,4 @@
-"""Watches of topics: the newest message, the rates and, if wanted, older messages.
+"""Watches of topics, which provide the newest message, the rates, and older messages.
 
 Messages are kept as bytes. A message is decoded when a page reads it, at most 30 times a second.
 """
@@ -23,35 +23,35 @@ if TYPE_CHECKING:
     from zbot.node.message_info import MessageInfo
     from zbot.wire.tokens import EndpointToken
 
-#: A page is drawn at most 30 times a second; reads in between return the last decoded message.
+#: A page is drawn at most 30 times a second. Between two drawings, the last message is reused.
 _DECODE_PERIOD_NS = 10**9 // 30
-#: Messages that are queued while the executor is busy; lost messages are counted.
+#: Length of the queue while the executor is busy. Lost messages are counted.
 _DEPTH = 100
 _MOST_HISTORY_BYTES = 32_000_000
 
 
 class Record(NamedTuple):
-    """Received message, not decoded."""
+    """Received message before decoding."""
 
-    number: int  #: from 1, for each topic
+    number: int  #: starts at 1 for each topic
     stamp_ns: int  #: time of publishing, nanoseconds since the epoch; 0 if unknown
     received_ns: int  #: time of arrival, nanoseconds since the epoch
     payload: bytes
 
     @property
     def time_ns(self) -> int:
-        """Time of publishing; time of arrival for messages of plain Zenoh programs."""
+        """Time of publishing. For messages of plain Zenoh programs it is the time of arrival."""
         return self.stamp_ns or self.received_ns
 
 
 class Feed:
-    """Messages of one topic, shared by all its watches.
+    """Messages of one topic, which all its watches share.
 
     Args:
         topic: Full name.
-        type_name: Full name of its type; None to take the type from the graph.
-        subscribe: Called with the feed when a watch is active.
-        unsubscribe: Called with the feed when no watch is active.
+        type_name: Full name of its type. None means the type in the graph.
+        subscribe: Called with the feed at each change of a watch if at least one watch is active.
+        unsubscribe: Called with the feed at each change of a watch if no watch is active.
     """
 
     def __init__(
@@ -64,7 +64,7 @@ class Feed:
         self.topic = topic
         self.asked_type = type_name
         self.type_name = type_name
-        self.problem = ""  #: why there are no messages, in a sentence
+        self.problem = ""  #: a sentence about why there are no messages
         self.subscription: Any = None
         self.decode: Callable[[bytes], Any] | None = None
         self.meter = RateMeter()
@@ -85,16 +85,16 @@ class Feed:
     @property
     def is_wanted(self) -> bool:
         """Whether a watch is active."""
-        # An atomic copy: other threads change the set.
+        # An atomic copy, because other threads change the set.
         return any(watch.is_active for watch in tuple(self._watches))
 
     @property
     def is_abandoned(self) -> bool:
-        """Whether it has no watches."""
+        """Whether the feed has no watches."""
         return not self._watches
 
     def update(self, watch: Watch, *, is_held: bool) -> None:
-        """Add, change or remove a watch; subscribe or unsubscribe as needed."""
+        """Add, change or remove a watch. Subscribe or unsubscribe if necessary."""
         with self._lock:
             (self._watches.add if is_held else self._watches.discard)(watch)
             keep = max((one.keep for one in self._watches), default=0)
@@ -107,7 +107,7 @@ class Feed:
     # -- messages ------------------------------------------------------------------------------
 
     def take(self, payload: bytes, info: MessageInfo) -> None:
-        """Keep a message; the subscription's callback."""
+        """Keep a message. This method is the callback of the subscription."""
         received_ns = info["received_timestamp"]
         self.count += 1
         record = Record(self.count, info["source_timestamp"], received_ns, payload)
@@ -133,13 +133,13 @@ class Feed:
         return self._lost_before + (subscription.lost_count if subscription is not None else 0)
 
     def forget_subscription(self) -> Any:
-        """Return the subscription, for the caller to destroy, and forget it."""
+        """Forget the subscription and return it. The caller must destroy it."""
         self._lost_before = self.lost
         subscription, self.subscription = self.subscription, None
         return subscription
 
     def latest(self) -> Any:
-        """Return the newest message, decoded at most 30 times a second; None if there is none."""
+        """Return the newest message, or None. It is decoded at most 30 times a second."""
         newest = self.newest
         if newest is None:
             return None
@@ -152,7 +152,7 @@ class Feed:
             return self._decoded[1]
 
     def read(self, record: Record) -> Any:
-        """Return a kept message, decoded; None if decoding fails, with the reason in `problem`."""
+        """Decode and return a kept message. If decoding fails, set `problem` and return None."""
         if self.decode is None:
             return None
         try:
@@ -162,19 +162,19 @@ class Feed:
             return None
 
     def since(self, number: int) -> Sequence[Record]:
-        """Return the kept messages after a number, oldest first."""
+        """Return the kept messages after a number. The oldest message is the first."""
         with self._lock:
             return [record for record in self._history if record.number > number]
 
 
 class Watch:
-    """Watch of a topic for one page or curve. All methods may be called from any thread.
+    """Watch of a topic for one page or curve. Any thread may call any method.
 
     Args:
-        feed: The topic's messages, shared by all its watches.
+        feed: The topic's messages, which all its watches share.
         keep: The number of messages that `since` can return.
-        is_active: Whether to receive messages at once.
-        forget: Called with the feed after a release.
+        is_active: Whether the watch receives messages from the start.
+        forget: Called with the feed after the release of the watch.
     """
 
     def __init__(
@@ -194,27 +194,27 @@ class Watch:
 
     @property
     def type_name(self) -> str | None:
-        """The type's full name; None until a node uses the topic."""
+        """The type's full name. It is None until a node uses the topic."""
         return self._feed.type_name
 
     @property
     def problem(self) -> str:
-        """A sentence if messages do not come or cannot be decoded; otherwise empty."""
+        """A sentence if messages do not come or cannot be decoded. Otherwise it is empty."""
         return self._feed.problem
 
     @property
     def latest(self) -> Any:
-        """The newest message, decoded at most 30 times a second; None before the first one."""
+        """The newest message, or None. It is decoded at most 30 times a second."""
         return self._feed.latest()
 
     @property
     def newest(self) -> Record | None:
-        """The newest message, not decoded."""
+        """The newest message before decoding."""
         return self._feed.newest
 
     @property
     def count(self) -> int:
-        """The number of messages since the topic's first watch; it is unchanged if none is new."""
+        """The number of messages since the topic's first watch."""
         return self._feed.count
 
     @property
@@ -233,15 +233,15 @@ class Watch:
         return self._feed.meter.rates(time.time_ns())[1]
 
     def since(self, number: int) -> Sequence[Record]:
-        """Return the kept messages after a number (0: all), oldest first; see `keep`."""
+        """Return the kept messages after a number (0: all). The oldest message is the first."""
         return self._feed.since(number)
 
     def read(self, record: Record) -> Any:
-        """Return a kept message, decoded; None if decoding fails, with the reason in `problem`."""
+        """Decode and return a kept message. If decoding fails, set `problem` and return None."""
         return self._feed.read(record)
 
     def pause(self) -> None:
-        """Receive no messages until `resume`; kept messages stay."""
+        """Receive no messages until `resume`. Kept messages stay."""
         self._set(is_active=False)
 
     def resume(self) -> None:
@@ -254,7 +254,7 @@ class Watch:
             self._feed.update(self, is_held=True)
 
     def release(self) -> None:
-        """End the watch; may be called twice."""
+        """End the watch. A second call does nothing."""
         if self._is_held:
             self._is_held = self.is_active = False
             self._feed.update(self, is_held=False)
@@ -268,7 +268,7 @@ class Watch:
 
 
 class UnknownTypeError(ZbotError):
-    """No definition of a type was found, neither on this machine nor from other nodes."""
+    """zbot did not find a definition of a type on this machine or in other nodes."""
 
     def __init__(self, type_name: str) -> None:
         self.type_name = type_name
@@ -278,10 +278,10 @@ class UnknownTypeError(ZbotError):
 
 
 def profile_for(publishers: Sequence[EndpointToken]) -> QoSProfile:
-    """Return a QoS profile for a subscription that is compatible with all publishers.
+    """Return a subscription's QoS profile that is compatible with all publishers.
 
-    It is transient local if all publishers are, so that a page shows the last message of a latched
-    topic.
+    It is transient local if all publishers are transient local. Then a page shows the last message
+    of a latched topic.
     """
     is_latched = bool(publishers) and all(
         end.qos.durability is DurabilityPolicy.TRANSIENT_LOCAL for end in publishers

@@ -57,7 +57,7 @@ class NodeToken:
     namespace: str  #: absolute, `/` for the root
     node: str  #: base name
     enclave: str = "/"
-    key: str = ""  #: the token's Zenoh key; made from the other fields if not given
+    key: str = ""  #: the token's Zenoh key, which is made from the other fields if it is not given
 
     def __post_init__(self) -> None:
         if not self.key:
@@ -96,7 +96,7 @@ class EndpointToken:
     type_hash: str  #: `RIHS01_...`
     qos: QoSProfile
     enclave: str = "/"
-    key: str = ""  #: the token's Zenoh key; made from the other fields if not given
+    key: str = ""  #: the token's Zenoh key, which is made from the other fields if it is not given
 
     def __post_init__(self) -> None:
         if not self.key:

@@ -1,4 +1,4 @@
-"""Names in other domains: `/17/temperature` is `/temperature` in domain 17, that of student 17.
+"""Names in other domains: `/17/temperature` is `/temperature` in domain 17 (of student 17).
 
 `/17` alone selects the domain: `zbot topic list /17`. No part of a ROS 2 name begins with a digit,
 so these names cannot be confused with others.
@@ -28,7 +28,7 @@ class SeveralDomainsError(ZbotError):
 
 
 def select_domain(words: list[str]) -> list[str]:
-    """Set the domain of this process to that of a name; return the words without the domain.
+    """Set this process's domain to the domain of a name. Return the words without the domain.
 
     Args:
         words: A noun, its verb, and their arguments.

@@ -1,7 +1,7 @@
-"""Filter of messages: a Python expression about the message `m`, limited to harmless operations.
+"""Filter of messages by a Python expression about the message `m`, with harmless operations only.
 
-Each node of the expression's syntax tree is checked against a list of allowed nodes, and then
-evaluated here, not with `eval`: a command line copied from a lesson sheet cannot do anything else.
+This module compares each node of the expression's syntax tree with a list of allowed nodes, and
+evaluates it without `eval`. So a command line copied from a lesson sheet can do no harm.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ _COMPARE: dict[type[ast.AST], Callable[[Any, Any], bool]] = {
 
 
 def _rounded(number: Any) -> Any:
-    # The number of digits is not an argument: with -10**9, `round` would not return.
+    # The number of digits is not an argument, because `round` would never end with -10**9 digits.
     return round(number)
 
 
@@ -59,7 +59,7 @@ _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "min": min,
     "round": _rounded,
 }
-# None of them returns a text longer than its arguments.
+# No method here returns a string that is longer than its arguments.
 _TEXT_METHODS = frozenset(
     (
         *("lower", "upper", "strip", "lstrip", "rstrip"),
@@ -115,7 +115,7 @@ class Filter:
 
         Args:
             message_type: Message class.
-            subject: Returns `m` for a message: the message or one of its fields.
+            subject: Function that finds `m` in a message. `m` is the message or one of its fields.
 
         Raises:
             FilterError: A field does not exist, or values of these types cannot be compared.
@@ -213,7 +213,7 @@ def _ask_text(text: Any, method: str, arguments: list[Any]) -> Any:
 
 
 def _reckon(op: ast.operator, left: Any, right: Any) -> Any:
-    # Numbers only: "x" * 10**9 would fill the memory of the machine.
+    # Only numbers are allowed, because "x" * 10**9 would fill the memory of the machine.
     if not (isinstance(left, Real) and isinstance(right, Real)):
         raise TypeError("arithmetic is for numbers only")
     return _BINARY[type(op)](left, right)

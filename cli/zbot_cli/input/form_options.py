@@ -1,4 +1,4 @@
-"""Options of the verbs that print messages: the form in which they are printed."""
+"""Options for the form in which verbs print messages."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class FormOptions:
     ] = False
 
     def form(self, *, as_json: bool, **more: Any) -> Form:
-        """Return the form of messages; `more` holds fields of `Form` that are not in this group."""
+        """Return the form of messages. `more` holds the fields of `Form` that this group lacks."""
         from zbot_cli.output.message_text import Form  # noqa: PLC0415 - not needed by `list`
 
         return Form(

@@ -11,15 +11,15 @@ if TYPE_CHECKING:
 
 
 class ManyValuesCommand(TyperCommand):
-    """Command some of whose options take all words up to the next option."""
+    """Command with options that take all words up to the next option."""
 
-    #: Options that take all words up to the next one that begins with a dash.
+    #: Options that take all words up to the next word that begins with a dash.
     many: ClassVar[frozenset[str]] = frozenset()
     #: Options that take all words up to the next option of this command, even words with a dash.
     verbatim: ClassVar[frozenset[str]] = frozenset()
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
-        """Parse the words, after repeating an option for each of its values."""
+        """Repeat each option before each of its values, and then parse the words."""
         return super().parse_args(ctx, list(self._repeat_options(args)))
 
     def _repeat_options(self, words: list[str]) -> Iterator[str]:

@@ -43,7 +43,7 @@ class PopulateError(ZbotError):
 
 @dataclass(frozen=True)
 class Word:
-    """Scalar: a value that is neither a list nor a dictionary."""
+    """Scalar: a single value, not a list or a dictionary."""
 
     text: str  #: as the user wrote it: `yes`, `1.0`
     value: Any  #: as YAML reads it: True, 1.0
@@ -59,14 +59,14 @@ class _Key(str):
     place: str
 
 
-#: Values of a text, independent of a message type.
+#: Values from a string. They do not depend on a message type.
 Tree = Union[Word, "list[Tree]", "dict[str, Tree]"]
 
 
 class Template:
     """Maker of messages of one type from the values of a command line.
 
-    Values that do not fit are reported by the constructor, before the command waits for nodes.
+    The constructor reports values that do not fit, before the command waits for nodes.
 
     Args:
         message_type: Message class.
@@ -89,8 +89,8 @@ class Template:
         """Return a message.
 
         Args:
-            now_ns: Returns the time for `header: auto` and `stamp: now`, in nanoseconds since the
-                epoch.
+            now_ns: Function that gives the time for `header: auto` and `stamp: now`, in nanoseconds
+                since the epoch.
         """
         message = self._type()
         _fill(message, self._values, now_ns, "")
@@ -110,10 +110,10 @@ def split_documents(text: str) -> list[str]:
 
 
 def parse(words: str | Sequence[str]) -> dict[str, Tree]:
-    """Return the dictionary that a text or the words of a command line contain.
+    """Return the dictionary that a string or the words of a command line contain.
 
     Raises:
-        ValuesError: They contain no dictionary.
+        ValuesError: The words contain no dictionary.
     """
     words = [words] if isinstance(words, str) else list(words)
     if len(words) == 1 and all(map(_ASSIGNMENT.match, words[0].split())):
@@ -190,7 +190,7 @@ def _assigned(text: str) -> Tree:
         node = yaml_text.compose(text)
         if node is None:
             return Word("", None)
-        # A collection needs brackets: `data=a: b` is a text, whose quotes the shell removed.
+        # A collection needs brackets. `data=a: b` is a string whose quotes the shell removed.
         if not isinstance(node, yaml_text.CollectionNode) or node.flow_style:
             return _tree(node, text)
     except yaml_text.YAMLError:
@@ -206,7 +206,7 @@ def _syntax_error(text: str, exc: yaml_text.YAMLError) -> ValuesError:
 
 
 def _place(text: str, mark: Any) -> str:
-    """Return the line and column of a mark, and that line of the text with `^` below the column."""
+    """Return the line and column of a mark, and the text of this line with `^` below the column."""
     if mark is None:
         return ""
     lines = text.splitlines() or [""]
@@ -282,7 +282,7 @@ def _list(kind: FieldType, value: Tree, now_ns: Callable[[], int], path: str) ->
 
 
 def _octets(kind: FieldType, value: Word, path: str) -> list[Any] | bytes:
-    """Return the bytes of a base64 text, which `zbot topic echo --json` prints."""
+    """Return the bytes of a base64 string. `zbot topic echo --json` prints bytes in this form."""
     try:
         octets = base64.b64decode(value.text, validate=True)
     except (binascii.Error, ValueError):
@@ -320,7 +320,7 @@ def _shown(value: Tree) -> str:
 
 def _scalar(kind: FieldType, word: Word, path: str) -> Any:
     if kind.is_string:
-        # The text itself: YAML reads 12:30 as the number 750, and `no` as False.
+        # Use the text itself, because YAML reads 12:30 as the number 750, and `no` as False.
         return "" if word.value is None else word.text
     if kind.base == "bool":
         if isinstance(word.value, (bool, int)) and word.value in {0, 1}:

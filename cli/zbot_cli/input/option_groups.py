@@ -1,4 +1,4 @@
-"""Option groups that verbs share: dataclasses whose fields are options of the command line.
+"""Option groups that several verbs share. A group is a dataclass whose fields are options.
 
 A verb takes a group as one parameter, whose default is an instance of the dataclass:
 
@@ -26,10 +26,10 @@ def noun_option(ctx: typer.Context, name: str) -> bool:
 
 
 class with_option_groups:  # noqa: N801 - a decorator
-    """Verb with one parameter for each field of its option groups, as typer needs them.
+    """Verb that shows typer each field of its option groups as a separate parameter.
 
-    typer reads `__signature__`. The signature is built at that moment, because it takes a
-    millisecond and a command line runs only one of the verbs in a module.
+    typer reads `__signature__`. The signature is built only then, because this takes a
+    millisecond, and a command line runs only one verb of a module.
     """
 
     def __init__(self, verb: Callable[..., None]) -> None:
@@ -50,7 +50,7 @@ class with_option_groups:  # noqa: N801 - a decorator
         return inspect.Signature(parameters)
 
     def __call__(self, **values: Any) -> None:
-        """Run the verb; the values of options that belong to a group become that group."""
+        """Run the verb. The values of a group's options become one object of the group."""
         for name, parameter in self._parameters.items():
             group = _group_of(parameter)
             if group is not None:

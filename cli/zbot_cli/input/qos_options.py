@@ -34,7 +34,7 @@ def _option(words: str, text: str) -> Any:
 
 @dataclass(frozen=True)
 class QosOptions:
-    """Group of the `--qos-...` options; `None` for those that are not given."""
+    """Group of the `--qos-...` options. An option that is not given is `None`."""
 
     profile: Annotated[str | None, _option("profile", "Preset that the other options change")] = (
         None
@@ -55,8 +55,9 @@ class QosOptions:
     def to_subscribe(self, publishers: list[EndpointToken]) -> QoSProfile:
         """Return the profile for a subscription.
 
-        Policies without an option follow the publishers: reliable if all publishers are, and
-        transient local if all are, so that `echo` also shows messages published before it started.
+        Policies without an option follow the publishers. The profile is reliable if all publishers
+        are reliable, and transient local if all publishers are transient local. So `echo` also
+        shows messages that were published before it started.
         """
         profile = self._preset("sensor_data")
         if publishers and self.profile is None:

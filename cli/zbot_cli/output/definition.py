@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def definition(
     spec: InterfaceSpec, *, comments: bool = True, nested_comments: bool = False
 ) -> Iterator[str]:
-    """Yield the lines of a definition; each level of nested types is indented by one more TAB.
+    """Yield the lines of a definition. Each level of nested types is indented by one more TAB.
 
     Args:
         spec: The definition.

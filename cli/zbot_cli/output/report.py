@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def report(error: ZbotError) -> Status:
-    """Print an error's message as ros2 does, without a prefix, and below it the hint."""
+    """Print an error's message without a prefix, as ros2 does. Print the hint below it."""
     print(error, file=sys.stderr)
     hint = getattr(error, "hint", None)
     if hint:

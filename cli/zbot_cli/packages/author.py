@@ -8,12 +8,12 @@ import subprocess
 
 
 def full_name() -> str:
-    """Return the name in git's configuration, else the login name."""
+    """Return the name from git's configuration, or the login name if git has no name."""
     return _git("user.name") or _login_name()
 
 
 def email_address(name: str) -> str:
-    """Return the address in git's configuration, else a placeholder at `todo.todo`."""
+    """Return the address from git's configuration, or a placeholder at `todo.todo`."""
     return _git("user.email") or f"{re.sub(r'[^a-z0-9]+', '.', name.lower()).strip('.')}@todo.todo"
 
 
@@ -22,7 +22,7 @@ def _login_name() -> str:
 
     try:
         return getpass.getuser()
-    except (ImportError, KeyError, OSError):  # a container's user without an entry
+    except (ImportError, KeyError, OSError):  # e.g. in a container, whose user has no entry
         return "user"
 
 

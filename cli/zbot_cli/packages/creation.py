@@ -1,4 +1,4 @@
-"""Writer of new packages, which prints each step as `ros2 pkg create` does."""
+"""Writer of new packages. It prints each step as `ros2 pkg create` does."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class PackageExistsError(ZbotError):
 
 
 class ReservedNameError(ZbotError):
-    """A Python package cannot be named `test`: that is the folder of its tests."""
+    """A Python package cannot be named `test`, because its tests are in a folder of this name."""
 
     def __init__(self) -> None:
         super().__init__(
@@ -109,7 +109,7 @@ def create(plan: Plan) -> None:
     Raises:
         PackageNameError: The name of the package, node or library is invalid.
         ReservedNameError: The package is named `test`.
-        PackageExistsError: Its folder already exists.
+        PackageExistsError: The folder of the package already exists.
         FolderError: A file cannot be written.
     """
     _check(plan)
@@ -133,7 +133,7 @@ def _check(plan: Plan) -> None:
 
 
 def _shown(folder: str, *names: str) -> str:
-    """Return a path as ros2 prints it, with a leading `.`, which Path would remove."""
+    """Return a path with a leading `.`, as ros2 prints it. Path would remove the `.`."""
     return "/".join((folder.rstrip("/\\") or "/", *names)).replace("//", "/")
 
 

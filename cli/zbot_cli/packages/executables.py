@@ -1,4 +1,4 @@
-"""Executables that `zbot run` finds: in the workspace, bundled with zbot, and installed."""
+"""Executables that `zbot run` finds in the workspace, in zbot itself and in installed packages."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from zbot.package.cmake_file import read_cmake
 from zbot.package.setup_file import SetupFileError, data_files, declared_scripts
 from zbot.package.workspace import package_folders, package_name, read_text
 
-#: Entry point group of nodes: an installed package may add its own.
+#: Entry point group of nodes. An installed package may add its own nodes.
 GROUP = "zbot.nodes"
 BUNDLED = "zbot_nodes"
 _PROJECT = "zbot"
 _COMMAND = "zbot_cli."
 _DEMO_NODES = frozenset({"add_two_ints_client", "add_two_ints_server", "listener", "talker"})
-#: Names of ROS 2 packages, with the bundled nodes that each contains; an empty set means all.
+#: Bundled nodes by name of the ROS 2 package that contains them. An empty set means all nodes.
 _ALIASES: dict[str, frozenset[str]] = {
     "action_tutorials_cpp": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
     "action_tutorials_py": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
@@ -51,7 +51,7 @@ def is_file(target: str) -> bool:
 
 @dataclass(frozen=True)
 class Package:
-    """Package with its executables, possibly none."""
+    """Package and its executables. It may have no executables."""
 
     name: str
     executables: tuple[Executable, ...] = ()
@@ -60,12 +60,12 @@ class Package:
     compiled: frozenset[str] = frozenset()  #: its C++ programs, which zbot cannot run
 
     def has_module(self, name: str) -> bool:
-        """Return whether the sources have a module of that name, declared in setup.py or not."""
+        """Return whether the sources have a module of that name. setup.py need not declare it."""
         return self.folder is not None and (self.folder / self.name / f"{name}.py").is_file()
 
 
 def all_packages() -> list[Package]:
-    """Return all packages with executables, those of the workspace first."""
+    """Return all packages with executables. The packages of the workspace come first."""
     return [*workspace_packages(), *bundled_packages(), *installed_packages()]
 
 
@@ -77,7 +77,7 @@ def workspace_packages() -> list[Package]:
 
 
 def import_paths(folder: Path) -> list[str]:
-    """Return the folders that a package's modules are found in."""
+    """Return the folders in which Python finds the modules of a package."""
     inner = folder / "src"
     has_inner = inner.is_dir() and any(inner.glob("*/__init__.py"))
     return [str(inner), str(folder)] if has_inner else [str(folder)]
@@ -86,7 +86,7 @@ def import_paths(folder: Path) -> list[str]:
 def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
     name = package_name(folder)
     own = import_paths(folder)
-    # Every package can import every other, as in a ROS 2 workspace that is sourced.
+    # As in a ROS 2 workspace that is sourced, every package can import all other packages.
     folders = (*own, *(path for path in paths if path not in own))
     try:
         scripts, files = declared_scripts(folder), program_files(folder)
@@ -103,7 +103,7 @@ def _of_sources(folder: Path, paths: tuple[str, ...]) -> Package:
 
 
 def program_files(folder: Path) -> dict[str, Path]:
-    """Return the Python files that setup.py or CMakeLists.txt install as programs, and `scripts`.
+    """Return the Python programs that setup.py or CMakeLists.txt install, or that are in `scripts`.
 
     Raises:
         SetupFileError: The package's setup.py cannot be read.
@@ -118,7 +118,7 @@ def program_files(folder: Path) -> dict[str, Path]:
 
 
 def _data_programs(folder: Path) -> dict[str, Path]:
-    """Return the files that setup.py installs into `lib/<package>`, where ROS 2 has programs."""
+    """Return the files that setup.py installs into `lib/<package>`, ROS 2's folder for programs."""
     if "lib/" not in read_text(folder / "setup.py"):
         return {}
     place = PurePosixPath("lib", package_name(folder))
@@ -146,7 +146,7 @@ def program_file(executable: Executable) -> str:
 
 
 def module_file(module: str, folders: tuple[str, ...]) -> Path | None:
-    """Return the file of a module in folders or installed, without importing anything."""
+    """Find a module in folders or installed packages, and return its file. Import nothing."""
     spec = PathFinder.find_spec(module.partition(".")[0], [*folders, *sys.path])
     origin = spec.origin if spec is not None else None
     for name in module.split(".")[1:]:
@@ -156,7 +156,7 @@ def module_file(module: str, folders: tuple[str, ...]) -> Path | None:
 
 
 def bundled_packages() -> list[Package]:
-    """Return the packages of the bundled nodes: zbot's own and ROS 2's names for them."""
+    """Return the packages of the bundled nodes, under zbot's own name and under ROS 2's names."""
     spec = importlib.util.find_spec(BUNDLED)
     folders = (spec and spec.submodule_search_locations) or ()
     modules = sorted(path.stem for folder in folders for path in Path(folder).glob("[a-z]*.py"))
@@ -170,7 +170,7 @@ def bundled_packages() -> list[Package]:
 
 
 def installed_packages() -> list[Package]:
-    """Return installed packages that declare nodes, without zbot, whose nodes are bundled."""
+    """Return the installed packages that declare nodes, except zbot itself."""
     from importlib.metadata import entry_points  # noqa: PLC0415 - 40 ms, not needed by bundled nodes
 
     found: dict[str, list[Executable]] = {}
@@ -183,7 +183,7 @@ def installed_packages() -> list[Package]:
 
 
 def installed_package(name: str) -> list[Package]:
-    """Return the installed package of a name with its commands; an empty list if there is none."""
+    """Return a list with the installed package of this name. It is empty if there is no package."""
     from importlib.metadata import PackageNotFoundError, distribution  # noqa: PLC0415 - as above
 
     try:

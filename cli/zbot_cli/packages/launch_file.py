@@ -1,4 +1,4 @@
-"""Launch file of a command line: its path, and candidates for completion."""
+"""Search for the launch file that a command line names, and completion of its words."""
 
 from __future__ import annotations
 
@@ -20,9 +20,10 @@ _MARKS = (".launch.", "_launch.")
 
 
 def find(words: Sequence[str]) -> tuple[Path, list[str]]:
-    """Return the launch file that a command line begins with, and its arguments.
+    """Return the launch file at the start of a command line, and the arguments after it.
 
-    The command line has a path, a package and a file in it, or the name of one of zbot's own.
+    The command line begins with a path, with a package and the name of its file, or with the name
+    of a launch file of zbot.
 
     Raises:
         LaunchFileNotFoundError: There is no such file, or there are several.
@@ -40,10 +41,10 @@ def find(words: Sequence[str]) -> tuple[Path, list[str]]:
 
 
 def in_package(package: str, name: str) -> Path:
-    """Return the launch file of that name in the share folder of a package.
+    """Return the launch file of this name from the share folder of a package.
 
     Raises:
-        LaunchFileNotFoundError: The package has none or several of that name.
+        LaunchFileNotFoundError: The package has no file or several files of that name.
         PackageNotFoundError: There is no such package.
     """
     share = package_share(package)

@@ -1,6 +1,6 @@
-"""Templates of the files of a new package, arranged as `ros2 pkg create` arranges them.
+"""Templates of the files of a new package, in the order of `ros2 pkg create`.
 
-Tutorials say which lines of these files to change: those lines are as tutorials show them.
+Tutorials tell their readers which lines of these files to change. These lines are the same here.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ if __name__ == '__main__':
     main()
 """)
 
-#: Test that runs a linter of ROS 2; it is skipped if the linter is not installed.
+#: Test that runs a linter of ROS 2. The test is skipped if the linter is not installed.
 LINT_TEST = Template("""\
 import pytest
 

@@ -130,7 +130,7 @@ def test_results_expire_and_free_their_memory(pair: Pair) -> None:
         kept.append(goal)
         return compute(goal)
 
-    pair.begin(execute, result_timeout=0.05)
+    pair.begin(execute, result_timeout=0.5)
     handle = pair.send(1)
     assert status_of(handle.get_result()) is GoalState.SUCCEEDED
     assert wait_until(lambda: kept[0].status == GoalState.UNKNOWN)

@@ -23,45 +23,22 @@ MODULES = sorted(
 )
 #: Names that most programs import, counted in public repositories.
 USED = """
-rclpy: init shutdown spin ok spin_once spin_until_future_complete create_node Parameter Future
-rclpy.node: Node Publisher Subscription
-rclpy.executors: ExternalShutdownException MultiThreadedExecutor SingleThreadedExecutor Executor
-rclpy.executors: ShutdownException TimeoutException
-rclpy.qos: QoSProfile ReliabilityPolicy DurabilityPolicy HistoryPolicy LivelinessPolicy
-rclpy.qos: QoSReliabilityPolicy QoSDurabilityPolicy QoSHistoryPolicy QoSLivelinessPolicy
-rclpy.qos: qos_profile_sensor_data qos_profile_system_default qos_profile_services_default
-rclpy.qos: qos_profile_parameter_events QoSPresetProfiles InvalidQoSProfileException
-rclpy.callback_groups: ReentrantCallbackGroup MutuallyExclusiveCallbackGroup CallbackGroup
+rclpy: ok Parameter Future
+rclpy.node: Publisher Subscription
 rclpy.action: ActionClient ActionServer CancelResponse GoalResponse
-rclpy.action.client: ClientGoalHandle GoalStatus
-rclpy.action.server: ServerGoalHandle
-rclpy.parameter: Parameter ParameterType ParameterValue parameter_value_to_python
-rclpy.duration: Duration Infinite
-rclpy.time: Time Duration
-rclpy.clock: Clock ClockType ROSClock JumpThreshold
-rclpy.logging: get_logger LoggingSeverity set_logger_level
-rclpy.exceptions: ROSInterruptException InvalidServiceNameException InvalidHandle
-rclpy.exceptions: ParameterNotDeclaredException ParameterAlreadyDeclaredException
-rclpy.exceptions: NotInitializedException InvalidNodeNameException InvalidTopicNameException
-rclpy.task: Future Task
-rclpy.event_handler: SubscriptionEventCallbacks PublisherEventCallbacks
+rclpy.action.client: GoalStatus
+rclpy.parameter: ParameterType ParameterValue
+rclpy.time: Duration
+rclpy.clock: ClockType
+rclpy.logging: LoggingSeverity
+rclpy.exceptions: InvalidHandle
 rclpy.event_handler: QoSPublisherMatchedInfo QoSSubscriptionMatchedInfo
 rclpy.qos_event: PublisherEventCallbacks
 rclpy.lifecycle: LifecycleNode TransitionCallbackReturn State Node Publisher
-rclpy.service: ServiceIntrospectionState Service
-rclpy.client: Client
-rclpy.serialization: serialize_message deserialize_message
-rclpy.utilities: remove_ros_args get_default_context ok timeout_sec_to_nsec
-rclpy.qos_overriding_options: QoSOverridingOptions QosCallbackResult
+rclpy.service: ServiceIntrospectionState
+rclpy.qos_overriding_options: QosCallbackResult
 rclpy.parameter_service: SetParameters
-rclpy.parameter_client: AsyncParameterClient
-rclpy.parameter_event_handler: ParameterEventHandler
-rclpy.wait_for_message: wait_for_message
-rclpy.timer: Timer Rate
-rclpy.context: Context
 rclpy.signals: SignalHandlerOptions
-rclpy.validate_node_name: validate_node_name
-rclpy.expand_topic_name: expand_topic_name
 rosidl_runtime_py: message_to_csv message_to_ordereddict message_to_yaml set_message_fields
 rosidl_runtime_py.convert: message_to_ordereddict message_to_yaml get_message_slot_types
 rosidl_runtime_py.set_message: set_message_fields
@@ -83,15 +60,13 @@ sensor_msgs_py.point_cloud2: create_cloud_xyz32 dtype_from_fields PointCloud2 Po
 cv_bridge: CvBridge CvBridgeError
 rosidl_parser.definition: NamespacedType BasicType AbstractSequence UnboundedString
 rosidl_pycommon.interface_base_classes: BaseMessage BaseService BaseAction BaseImpl
-rclpy.impl.logging_severity: LoggingSeverity
-rclpy.impl.rcutils_logger: RcutilsLogger
 tf2_ros: Buffer BufferInterface TransformListener TransformBroadcaster StaticTransformBroadcaster
 tf2_ros: TransformException LookupException ConnectivityException ExtrapolationException
 tf2_ros: InvalidArgumentException TimeoutException TypeException NotImplementedException
 tf2_ros: TransformRegistration ConvertRegistration convert TransformStamped
 tf2_ros: BufferClient BufferServer buffer transform_listener
 tf2_ros.static_transform_listener: StaticTransformListener
-rclpy.event_handler: QoSPublisherEventType QoSSubscriptionEventType EventHandler
+rclpy.event_handler: QoSPublisherEventType QoSSubscriptionEventType
 tf2_ros.buffer: Buffer
 tf2_ros.buffer_client: BufferClient
 tf2_ros.buffer_interface: BufferInterface TransformRegistration
@@ -115,9 +90,8 @@ tf2_sensor_msgs.tf2_sensor_msgs: do_transform_cloud transform_points
 tf_transformations: euler_from_quaternion quaternion_from_euler quaternion_multiply
 rclpy.experimental: EventsExecutor
 rclpy.experimental.events_executor: EventsExecutor
-rclpy.waitable: Waitable NumberOfEntities
 rclpy.logging: _root_logger
-rclpy.type_support: check_for_type_support MsgT
+rclpy.type_support: MsgT
 rclpy.impl.implementation_singleton: rclpy_implementation
 rclpy._rclpy_pybind11: RCLError InvalidHandle rmw_qos_profile_t
 """

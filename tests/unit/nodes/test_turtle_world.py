@@ -13,7 +13,7 @@ PEN = (179, 184, 255)
 WHITE = (255, 255, 255)
 
 
-class RecordedEvents(list[tuple[str, str]]):
+class Events(list[tuple[str, str]]):
     """Log lines of the world: level and text."""
 
     def __call__(self, level: str, text: str) -> None:
@@ -21,12 +21,12 @@ class RecordedEvents(list[tuple[str, str]]):
 
 
 @pytest.fixture
-def events() -> RecordedEvents:
-    return RecordedEvents()
+def events() -> Events:
+    return Events()
 
 
 @pytest.fixture
-def world(events: RecordedEvents) -> TurtleWorld:
+def world(events: Events) -> TurtleWorld:
     made = TurtleWorld(events)
     assert not made.tick()  # the first tick only starts the time
     events.clear()
@@ -48,7 +48,7 @@ def test_the_world_has_the_size_of_a_32_bit_float() -> None:
 
 
 def test_the_first_turtle_is_announced() -> None:
-    events = RecordedEvents()
+    events = Events()
     TurtleWorld(events)
     text = "Spawning turtle [turtle1] at x=[5.544445], y=[5.544445], theta=[0.000000]"
     assert events == [("info", text)]
@@ -74,9 +74,7 @@ def test_an_arrow_key_moves_two_units(
     assert (turtle.x, turtle.heading) == pytest.approx((x, heading), abs=1e-4)
 
 
-def test_the_wall_is_hit_on_tick_174(
-    world: TurtleWorld, turtle: Turtle, events: RecordedEvents
-) -> None:
+def test_the_wall_is_hit_on_tick_174(world: TurtleWorld, turtle: Turtle, events: Events) -> None:
     for _ in range(173):
         world.command("turtle1", 2.0, 0.0)
         ticks(world, 1)
@@ -88,7 +86,7 @@ def test_the_wall_is_hit_on_tick_174(
     assert turtle.x == SIZE
 
 
-def test_turning_left_gives_a_negative_delta(world: TurtleWorld, events: RecordedEvents) -> None:
+def test_turning_left_gives_a_negative_delta(world: TurtleWorld, events: Events) -> None:
     progress: list[float] = []
     ends: list[tuple[RotationState, float]] = []
     rotation = Rotation(1.57, progress.append, lambda state, delta: ends.append((state, delta)))
@@ -124,7 +122,7 @@ def test_a_rotation_turns_the_shorter_way(world: TurtleWorld, turtle: Turtle) ->
     ],
 )
 def test_a_rotation_ends_when_it_is_interrupted(
-    world: TurtleWorld, events: RecordedEvents, disturb: object, state: RotationState, line: str
+    world: TurtleWorld, events: Events, disturb: object, state: RotationState, line: str
 ) -> None:
     ends: list[RotationState] = []
     world.rotate("turtle1", Rotation(2.0, on_end=lambda ended, _: ends.append(ended)))
@@ -135,9 +133,7 @@ def test_a_rotation_ends_when_it_is_interrupted(
     assert events == [("warning", line)]
 
 
-def test_a_rotation_can_be_canceled(
-    world: TurtleWorld, turtle: Turtle, events: RecordedEvents
-) -> None:
+def test_a_rotation_can_be_canceled(world: TurtleWorld, turtle: Turtle, events: Events) -> None:
     ends: list[RotationState] = []
     asked: list[bool] = []
     world.rotate(
@@ -164,7 +160,7 @@ def test_teleports_happen_in_order_at_the_next_tick(world: TurtleWorld, turtle: 
 
 
 def test_a_teleport_beyond_the_wall_ends_at_it(
-    world: TurtleWorld, turtle: Turtle, events: RecordedEvents
+    world: TurtleWorld, turtle: Turtle, events: Events
 ) -> None:
     turtle.teleport_to(-1.0, 20.0, 0.0)
     ticks(world, 1)
@@ -184,7 +180,7 @@ def test_sideways_speed_is_kept_until_the_next_command(world: TurtleWorld, turtl
     assert turtle.speed == 1.0
 
 
-def test_generated_names_skip_taken_names(world: TurtleWorld, events: RecordedEvents) -> None:
+def test_generated_names_skip_taken_names(world: TurtleWorld, events: Events) -> None:
     assert world.spawn(1, 1, 0, "turtle2") is not None
     spawned = world.spawn(1, 1, 0)
     assert spawned is not None
@@ -197,9 +193,7 @@ def test_generated_names_skip_taken_names(world: TurtleWorld, events: RecordedEv
     assert sorted(world.turtles) == ["turtle1", "turtle2"]
 
 
-def test_reset_restores_the_start(
-    world: TurtleWorld, turtle: Turtle, events: RecordedEvents
-) -> None:
+def test_reset_restores_the_start(world: TurtleWorld, turtle: Turtle, events: Events) -> None:
     world.spawn(1, 1, 0)
     world.command("turtle1", 2.0, 0.0)
     ticks(world, 10)
@@ -213,9 +207,7 @@ def test_reset_restores_the_start(
     ]
 
 
-def test_clear_keeps_the_turtles(
-    world: TurtleWorld, turtle: Turtle, events: RecordedEvents
-) -> None:
+def test_clear_keeps_the_turtles(world: TurtleWorld, turtle: Turtle, events: Events) -> None:
     world.command("turtle1", 2.0, 0.0)
     ticks(world, 10)
     assert world.colour_under(turtle) == PEN
@@ -233,9 +225,7 @@ def test_clear_keeps_the_turtles(
         ((1, 2, 3, 5, 1), Pen(is_down=False)),
     ],
 )
-def test_a_pen_has_its_range(
-    turtle: Turtle, wanted: tuple[int, int, int, int, int], pen: Pen
-) -> None:
+def test_a_pen_is_set(turtle: Turtle, wanted: tuple[int, int, int, int, int], pen: Pen) -> None:
     turtle.set_pen(*wanted)
     assert turtle.pen == pen
 

@@ -1,7 +1,7 @@
 """Layered layout of directed graphs, from left to right (Sugiyama, Tagawa and Toda, 1981).
 
-The result is deterministic. If the previous layout is given, items keep their places where possible.
-Users can then follow the changes of a graph.
+The result is deterministic. If the previous layout is given, items keep their places where
+possible, so that users can follow the changes of a graph.
 """
 
 from zbot.graph.layout.geometry import Frame, Item, Layout, Link, Place, Route

@@ -50,7 +50,7 @@ def separate(
     Args:
         wanted: The wanted positions. The result has the same order.
         weights: A positive weight for each position.
-        apart: The least distance of each position to the next one.
+        apart: The least distance of each position to the next position.
     """
     offsets = [0.0]
     for gap in apart:
@@ -78,7 +78,7 @@ def y_coordinates(graph: LayeredGraph, fixed: Mapping[int, float]) -> list[float
     rows = [(row, gaps(graph, row)) for row in graph.rows.values()]
     pulls = [_pulls(graph, vertex) for vertex in range(len(graph.layer))]
     for sweep in range(_SWEEPS):
-        # A sweep uses one side, to spread positions across the graph. Last sweeps use both sides.
+        # Most sweeps use one side, to spread positions across the graph. The last use both sides.
         sides = (_LEFT, _RIGHT) if sweep >= _SWEEPS - 4 else (sweep % 2,)
         for row, apart in rows if sweep % 2 == _LEFT else rows[::-1]:
             targets = [_target(vertex, pulls[vertex], sides, y, fixed) for vertex in row]

@@ -119,7 +119,7 @@ def _common(one: tuple[str, ...], other: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _components(items: Sequence[Item], arcs: list[Arc]) -> list[int]:
-    """Return each item's component. Links and outermost frames join items. The largest is 0."""
+    """Return the component of each item. Links and outermost frames join items to components."""
     parent = list(range(len(items)))
 
     def root(vertex: int) -> int:

@@ -73,7 +73,7 @@ class ExecuteLocal(Action):
         self.shell = shell
         self.sigterm_timeout, self.sigkill_timeout = _text(sigterm_timeout), _text(sigkill_timeout)
         self.emulate_tty, self.output = emulate_tty, output
-        # The default in ROS 2 is a format with `{this...}`; it gives the same lines as `_LINE`.
+        # The default format in ROS 2 contains `{this...}`. It gives the same lines as `_LINE`.
         self.output_format = _LINE if "{this" in output_format else output_format
         self.cached_output, self.log_cmd = cached_output, log_cmd
         is_shutdown = on_exit == "shutdown"  # as XML and YAML write it

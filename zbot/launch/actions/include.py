@@ -59,7 +59,7 @@ class IncludeLaunchDescription(Action):
             raise EntityTypeError("launch_description_source", "a source or a path", source)
         self.launch_description_source = source
         given: Any = launch_arguments or ()
-        # Examples of ROS 2 give `.items()`; a dictionary works too.
+        # Examples of ROS 2 pass `.items()`. A dictionary works too.
         pairs = given.items() if hasattr(given, "items") else given
         self.launch_arguments: list[tuple[Any, Any]] = list(pairs)
 
@@ -95,7 +95,7 @@ class IncludeLaunchDescription(Action):
     def _chain(
         self, context: LaunchContext, path: str, given: Mapping[str, str]
     ) -> tuple[tuple[str, str], ...]:
-        # A file may include itself with other arguments; such a recursion can end.
+        # A file may include itself with other arguments, because such a recursion can end.
         state = {**context.launch_configurations, **given}
         link = (path, repr(sorted((key, str(value)) for key, value in state.items())))
         chain: tuple[tuple[str, str], ...] = context.get_locals_as_dict().get("include_chain", ())
@@ -105,8 +105,8 @@ class IncludeLaunchDescription(Action):
         return (*chain, link)
 
     def _check(self, description: LaunchDescription, given: Mapping[str, str]) -> None:
-        # As in launch: this check comes before every action of the file, and arguments of the
-        # including file with the same name do not count.
+        # As in launch, this check runs before every action of the file. It ignores arguments of the
+        # including file that have the same name.
         for found in declared_arguments(description, follow_includes=False):
             action = found.action
             if action.default_value is None and not found.conditional and action.name not in given:

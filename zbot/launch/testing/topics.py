@@ -11,7 +11,6 @@ from zbot.node.node import Node
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
-    from types import TracebackType
 
     from typing_extensions import Self
 
@@ -115,10 +114,5 @@ class WaitForTopics:
             raise AssertionError(f"no message came within {self.timeout:g} s on {missing}")
         return self
 
-    def __exit__(
-        self,
-        exc_type: type[BaseException] | None,
-        exc_val: BaseException | None,
-        exc_tb: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *exc_info: object) -> None:
         self.shutdown()

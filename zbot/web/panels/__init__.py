@@ -1,4 +1,4 @@
-"""Panels of the live page, in the order of the page's list."""
+"""Panels of the live page, in the order in which the page lists them."""
 
 from zbot.web.panels import (
     actions,

@@ -1,4 +1,4 @@
-"""Panel of actions: sending a goal from a form, its feedback and its result."""
+"""Panel of actions, with a form that sends a goal, and with feedback and result of the goal."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ class _ActionDetails:
             ui.timer(0, self.build, once=True)
 
     async def build(self) -> None:
-        """Show the form when the type is known; its definition may come from another machine."""
+        """Show the form when the type is known. Its definition may come from another machine."""
         system = self.section.system
         try:
             self.action_type = await run_in_thread(system.interface, self.type_name)
@@ -131,7 +131,7 @@ class _ActionDetails:
             self.section.page.show_command(command_line(*words, self.form.yaml()))
 
     def take(self, feedback: Any) -> None:
-        """Keep feedback; called in zbot's thread."""
+        """Keep the feedback. zbot's thread calls this method."""
         self.feedback = feedback.feedback
         self.count += 1
 
@@ -180,7 +180,7 @@ class _ActionDetails:
         self.result_view.show(outcome.result)
 
     async def cancel(self) -> None:
-        """Ask the server to stop."""
+        """Ask the server to stop the goal."""
         goal = self.goal
         if goal is None:
             return

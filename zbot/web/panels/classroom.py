@@ -1,4 +1,4 @@
-"""Panel of a class: a card for each student, and the chosen student's graph."""
+"""Panel of a classroom, with a card for each student and the chosen student's graph."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from zbot.web.panel import Page, Panel
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# Seconds from the class's last answer to the next query.
+# Seconds from the classroom's last answer to the next query.
 _PERIOD_S = 1.0
 _DRAW_HZ = 4.0
 _SECONDS_OF = {"s": 60.0, "min": 60.0, "h": 24.0, "d": float("inf")}
@@ -42,7 +42,7 @@ class _Card:
             self.error = ui.label().classes("zb-bad zb-cut")
 
     def show(self, student: Student, *, is_chosen: bool) -> None:
-        """Show a student's present state; unchanged text is not sent again."""
+        """Show a student's present state. Unchanged text is not sent again."""
         error, here = student["last_error"], student["here"]
         self.number.set_text(str(student["number"]))
         self.name.set_text(student["name"])
@@ -54,7 +54,7 @@ class _Card:
 
 
 class _Class:
-    """Cards of all students, and a graph below."""
+    """Cards of all students in the classroom, with a graph below the cards."""
 
     def __init__(self, page: Page) -> None:
         self.page = page
@@ -79,14 +79,14 @@ class _Class:
     # -- asking --------------------------------------------------------------------------------
 
     def update(self) -> None:
-        """Show the last answer, and query the class again if this is due."""
+        """Show the last answer, and query the classroom again if it is time."""
         if not self.is_asking and time.monotonic() - self.asked_s > _PERIOD_S:
             self.is_asking = True
             background_tasks.create(self.ask(), name="zbot class")
         self.show()
 
     async def ask(self) -> None:
-        """Query the class in a thread: this may take a second."""
+        """Query the classroom in a thread, because the query may take a second."""
         try:
             found = await run.io_bound(_look, self.chosen)
         except ZbotError as error:
@@ -100,7 +100,7 @@ class _Class:
     # -- showing -------------------------------------------------------------------------------
 
     def show(self) -> None:
-        """Show the last answer of the class."""
+        """Show the last answer of the classroom."""
         students = self.found["students"] if self.found else []
         self.empty.set_text(self.problem or ("" if students else "No student has joined yet"))
         self.empty.set_visibility(not students)
@@ -117,7 +117,7 @@ class _Class:
         self.show_graph()
 
     def new_card(self, number: int) -> _Card:
-        """Return a new card, in the order of the numbers."""
+        """Add a card in the order of the students' numbers, and return the card."""
         with self.grid:
             card = _Card(lambda: self.choose(number))
         card.element.move(target_index=sum(other < number for other in self.cards))
@@ -131,13 +131,13 @@ class _Class:
         self.heading.set_text(f"Graph of {self.chosen}" if is_shown else "")
         if is_shown and state != self.drawn:
             self.drawn = state
-            # As an image: browsers run no scripts in it, so names of nodes can do no harm.
+            # As an image, because browsers do not run scripts in images. Names of nodes are safe.
             svg = draw(view(self.snapshot)).svg().encode()
             address = f"data:image/svg+xml;base64,{base64.b64encode(svg).decode()}"
             self.picture.props(f'src="{address}"')
 
     def choose(self, number: int | None) -> None:
-        """Show a student's graph, or none."""
+        """Show a student's graph, or no graph if `number` is None."""
         self.chosen, self.asked_s = number, 0.0
         self.snapshot = Snapshot(())
         if number is None:

@@ -1,4 +1,4 @@
-"""Panel of log lines: `/rosout` of all nodes, with filters."""
+"""Panel of the log lines of all nodes (`/rosout`), with filters."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from zbot.web.log_ring import LogLine
 
 _HZ = 10.0
-#: The most lines in a page, and the most lines in one update.
+#: The largest number of lines in a page, and in one update.
 _MOST_SHOWN = 1000
 _MOST_AT_ONCE = 300
 _ANY = "All nodes"
@@ -75,7 +75,7 @@ class _Console:
         self.page.show_command(command_line("topic", "echo", *words, "/rosout"))
 
     def toggle_pause(self) -> None:
-        """Hold the lines, or continue with all lines that came meanwhile."""
+        """Stop showing new lines, or continue with all lines that came meanwhile."""
         self.is_paused = not self.is_paused
         self.pause.set_text("Resume" if self.is_paused else "Pause")
 
@@ -88,7 +88,7 @@ class _Console:
     # -- updates -------------------------------------------------------------------------------
 
     def update(self) -> None:
-        """Show the new lines, or all lines again if the filter has changed."""
+        """Show the new lines. If the filter has changed, show all lines again."""
         new = [] if self.is_paused else self.logs.since(self.last)
         if not new and not self.is_reset:
             return
@@ -105,7 +105,7 @@ class _Console:
         self.is_reset = False
 
     def count(self, new: list[LogLine]) -> None:
-        """Count the new lines, and add their loggers to the filter's choices."""
+        """Count the new lines, and add their loggers to the choices of the filter."""
         self.counts.update(counts(new))
         for level, label in self.numbers.items():
             # Fatal lines count as errors.

@@ -1,4 +1,4 @@
-"""Panel of the graph: nodes and topics, redrawn at each change."""
+"""Panel of the graph of nodes and topics, which is drawn again at each change."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from zbot.graph.view import GraphView
     from zbot.web.panel import Section
 
-# Shows a change within a quarter of a second, and draws a launch of many nodes in a few steps.
+# A change is visible after a quarter of a second. A launch of many nodes needs only few drawings.
 _DRAW_HZ = 5.0
 _RATE_HZ = 1.0
 _CHOSEN = "chosen"
@@ -26,7 +26,7 @@ _RATES = "rates"
 
 
 class GraphPanel:
-    """Drawing of the graph, with its options and with the details of a clicked item."""
+    """Drawing of the graph, with its options and the details of a clicked item."""
 
     def __init__(self, page: Page) -> None:
         self.page = page
@@ -67,7 +67,7 @@ class GraphPanel:
             self._show()
 
     def tidy(self) -> None:
-        """Make a new layout, without keeping the places of items."""
+        """Make a new layout, which does not keep the places of items."""
         if self.drawing is not None:
             self.drawing = draw(self.drawing.view)
             self._show()
@@ -83,7 +83,7 @@ class GraphPanel:
             self.page.call("zbot.graph.show", self._id, self.svg(), self._chosen)
 
     def svg(self) -> str:
-        """Return the drawing, with rates if they are shown."""
+        """Return the drawing. It contains the rates if the page shows them."""
         if self.drawing is None:
             return ""
         labels = self.rates.labels(self.drawing.view) if self.shows_rates else None
@@ -97,7 +97,7 @@ class GraphPanel:
             self.page.call("zbot.graph.showRates", self._id, texts)
 
     def _show_notes(self, view: GraphView) -> None:
-        """Show the problems, and the names that are left out."""
+        """Show the problems, and the names that the drawing leaves out."""
         self._problems.clear()
         with self._problems:
             for problem in view.problems:
@@ -109,7 +109,7 @@ class GraphPanel:
     # -- options -------------------------------------------------------------------------------
 
     def change(self, options: GraphOptions) -> None:
-        """Draw with other options, and put them into the address."""
+        """Draw the graph with other options, and put the options into the address."""
         self.options = options
         self.remember()
         self.show_command()
@@ -123,20 +123,20 @@ class GraphPanel:
         self.remember()
 
     def remember(self) -> None:
-        """Put the options, the rates' switch and the chosen item into the address."""
+        """Put the options, the switch for rates and the chosen item into the address."""
         query = self.options.query
         query |= {_RATES: "1"} if self.shows_rates else {}
         query |= {_CHOSEN: self._chosen} if self._chosen else {}
         self.page.set_query(**query)
 
     def show_command(self) -> None:
-        """Show the command that prints what the page shows."""
+        """Show the command that prints the graph in the page."""
         self.page.show_command(self.options.command)
 
     # -- details -------------------------------------------------------------------------------
 
     def choose(self, key: str) -> None:
-        """Show the details of a node, topic or action; close them if the key is empty."""
+        """Show the details of a node, topic or action. Close them if the key is empty."""
         if self._details is not None:
             self._details.close()
             self._details = None

@@ -1,4 +1,4 @@
-"""Panel of one node's parameters, each with an input for its type and range."""
+"""Panel of one node's parameters. Each parameter has an input for its type and range."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 _EVENTS = "/parameter_events"
 _EVENTS_KEPT = 200
 _LIVE_HZ = 15.0
-#: Parameters of every node; they are shown last.
+#: Parameters of every node, which the panel shows last.
 _EVERY_NODE_HAS = ("start_type_description_service", "use_sim_time", "qos_overrides.")
 
 
@@ -57,7 +57,7 @@ class _NodeParameters:
         section.live(self.update, _LIVE_HZ)
 
     async def fill(self) -> None:
-        """Get the node's parameters, and show them."""
+        """Get the node's parameters and show them."""
         try:
             found = await load(self.section.system, self.node)
         except ZbotError as error:
@@ -82,7 +82,7 @@ class _NodeParameters:
                 self.follow(event)
 
     def follow(self, event: Any) -> None:
-        """Show an event's values; load all parameters again after new, deleted or retyped ones."""
+        """Show an event's values. Load all again if parameters are new, deleted or change type."""
         for message in event.changed_parameters:
             known = self.inputs.get(message.name)
             if known is not None and not known.show(

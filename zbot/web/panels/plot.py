@@ -1,4 +1,4 @@
-"""Panel of a plot: numeric fields of topics over time."""
+"""Panel of a plot, which shows numeric fields of topics over time."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ if TYPE_CHECKING:
 
 _WINDOWS_S = {5: "5 s", 10: "10 s", 30: "30 s", 60: "1 min", 300: "5 min"}
 _DEFAULT_WINDOW_S = 10
-#: Seconds between movements of the time axis, which also moves between messages of a slow topic.
+#: Seconds between movements of the time axis. It also moves between messages of a slow topic.
 _SCROLL_S = 0.1
 _LEGEND_HZ = 4.0
 _COLOURS = 6
 
 
 class _Watcher:
-    """Watcher of topics for a page, also while it is hidden, so that curves have no gaps."""
+    """Watcher of topics for a page. It also works while the page is hidden, to avoid gaps."""
 
     def __init__(self, page: Page) -> None:
         self._page = page
@@ -65,7 +65,7 @@ class _Plot:
         page.live(self.update_legend, _LEGEND_HZ)
 
     def add_toolbar(self) -> None:
-        """Add the input for curves, the length of time, and the buttons."""
+        """Add the input for curves, the choice of the length of time, and the buttons."""
         with self.page.toolbar:
             self.entry = ui.input(placeholder="/topic.field", autocomplete=self.proposals())
             self.entry.props('dense outlined aria-label="Curve"').classes("zb-curve-entry")
@@ -86,24 +86,24 @@ class _Plot:
     # -- curves --------------------------------------------------------------------------------
 
     def proposals(self) -> list[str]:
-        """Return the names of curves that can be added now."""
+        """Return the names of curves that the user can add now."""
         found: list[str] = []
         for topic, types in self.page.system.snapshot().topics():
             try:
                 message: Any = get_message(types[0])()
             except LookupError:
-                continue  # no definition on this machine; the user can still type a field's name
+                continue  # no definition on this machine, but the user can type a field's name
             found += [f"{topic}.{path}" for path in numeric_fields(message)]
         return found
 
     def add_typed(self) -> None:
-        """Add the curve in the toolbar's input."""
+        """Add the curve that the user typed in the toolbar."""
         if self.add(self.entry.value or ""):
             self.entry.set_value("")
             self.show_state()
 
     def add(self, word: str) -> bool:
-        """Add a curve; return False if the text is not the name of a curve."""
+        """Add a curve. Return False if the text is not the name of a curve."""
         topics = [name for name, _ in self.page.system.snapshot().topics()]
         try:
             self.curves.add(*split_curve(word, topics))
@@ -118,7 +118,7 @@ class _Plot:
         self.show_state()
 
     def show_state(self) -> None:
-        """Show the command for the same curves, and put the curves into the address."""
+        """Show the command that plots the same curves, and put the curves into the address."""
         names = [*(curve.name for curve in self.curves.curves), *self.curves.waiting]
         self.page.show_command(shlex.join(["zbot", "plot", *names]))
         query = {"curve": ",".join(names)} if names else {}
@@ -133,7 +133,7 @@ class _Plot:
         self.page.call("zbot.plot.setWindow", self.chart.id, self.window_s)
 
     def toggle_pause(self) -> None:
-        """Hold the plot, or continue; points are collected in both states."""
+        """Stop or continue the movement of the plot. Points are collected in both states."""
         self.paused = not self.paused
         self.pause.set_text("Resume" if self.paused else "Pause")
         self.pause.set_icon("play_arrow" if self.paused else "pause")
@@ -156,7 +156,7 @@ class _Plot:
             self.page.call("zbot.plot.add", self.chart.id, points, now_s)
 
     def update_legend(self) -> None:
-        """Show each curve's newest value, or the reason why there is none."""
+        """Show each curve's newest value, or the reason why it has no value."""
         names = [*(curve.name for curve in self.curves.curves), *self.curves.waiting]
         if names != self.listed:
             self.listed = names
@@ -168,7 +168,7 @@ class _Plot:
             label.classes(replace="zb-warn" if problem else "zb-mono")
 
     def fill_legend(self, names: list[str]) -> None:
-        """List the curves; rows of old curves stay the same elements, so that no click is lost."""
+        """List the curves. Rows of old curves stay the same elements, so that no click is lost."""
         for name in [name for name in self.rows if name not in names]:
             self.rows.pop(name).delete()
             del self.values[name], self.dots[name]

@@ -1,4 +1,4 @@
-"""Panel of processes: their nodes, machines, use of CPU and memory, and stopping them."""
+"""Panel of processes, with nodes, machines, CPU and memory, and buttons to stop processes."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class _Processes:
         self.page = page
         self.list = ProcessList()
         self.found: dict[str, RunningProcess] = {}
-        self.number = 0  # of finished looks
+        self.number = 0  # how often the processes were listed
         self.is_looking = False
         self.revision = -1
         page.live(self.look, _HZ)
@@ -53,13 +53,13 @@ class _Processes:
         )
 
     def look(self) -> None:
-        """Start to list the processes in the background, as some sessions may answer slowly."""
+        """Start to list the processes in the background, because sessions may answer slowly."""
         if not self.is_looking:
             self.is_looking = True
             background_tasks.create(self.look_at_all(), name="zbot processes")
 
     async def look_at_all(self) -> None:
-        """List the processes, from all sessions and the operating system."""
+        """List the processes. The data comes from all sessions and the operating system."""
         try:
             found = await run_in_thread(self.list.look, self.page.system)
             self.found = {one.key: one for one in found}
@@ -76,7 +76,7 @@ class _Processes:
         }
 
     def details(self, section: Section, key: str) -> None:
-        """Show one process."""
+        """Show the details of one process."""
         _Details(section, self, key)
 
 

@@ -1,4 +1,4 @@
-"""Panel of services: their servers, and a form for calls."""
+"""Panel of services, with their servers and a form that calls a service."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
     from zbot.web.panel import Section
 
-#: Packages of the services of every node.
+#: Packages of the services that every node has.
 _OF_EVERY_NODE = ("rcl_interfaces/", "type_description_interfaces/")
 _COLUMNS = (
     Column("Service", "zb-mono zb-cut"),
@@ -69,7 +69,7 @@ class _ServiceDetails:
         self.end_look = section.live(self.look, 5.0)
 
     def look(self) -> None:
-        """Wait until a node serves it."""
+        """Wait until a node serves the service."""
         types = dict(self.section.system.snapshot().services()).get(self.name)
         if types is None:
             return
@@ -81,7 +81,7 @@ class _ServiceDetails:
             ui.timer(0, self.build, once=True)
 
     async def build(self) -> None:
-        """Show the form when the type is known; its definition may come from another machine."""
+        """Show the form when the type is known. Its definition may come from another machine."""
         try:
             service_type = await run_in_thread(self.section.system.interface, self.type_name)
         except ZbotError as error:

@@ -1,4 +1,4 @@
-"""Panel of topics: nodes, rates and last messages, with the details of the chosen topic."""
+"""Panel of topics, with nodes, rates, last messages, and details of the chosen topic."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ if TYPE_CHECKING:
     from zbot.web.topic_rows import TopicRow
     from zbot.web.watch import Watch
 
-#: The most topics that the page subscribes to; with more topics, the user can set a filter.
+#: The page subscribes to at most this number of topics. The user can set a filter.
 _MOST_WATCHED = 300
-# Users cannot read numbers that change more often.
+# In hertz. Users cannot read numbers that change more often.
 _LIST_HZ = 2.0
 _COLUMNS = (
     Column("Topic", "zb-mono zb-cut"),
@@ -63,11 +63,11 @@ class _Topics:
             self.close()
 
     def search(self, event: object) -> None:
-        """Show only topics whose name or type contains the text."""
+        """Show only topics whose name or type contains the text in the input."""
         self.filter = (getattr(event, "value", None) or "").strip().lower()
 
     def toggle(self, event: object) -> None:
-        """Show hidden topics too, or not."""
+        """Show or hide hidden topics."""
         self.hidden = bool(getattr(event, "value", False))
 
     # -- list ----------------------------------------------------------------------------------
@@ -94,7 +94,7 @@ class _Topics:
         ]
 
     def match_watches(self) -> None:
-        """Watch exactly the shown topics."""
+        """Watch exactly the topics that the list shows."""
         names = {topic.name for topic in self.topics[:_MOST_WATCHED]}
         for name in self.watches.keys() - names:
             self.page.drop(self.watches.pop(name))
@@ -120,7 +120,7 @@ class _Topics:
     # -- details -------------------------------------------------------------------------------
 
     def choose(self, topic: str) -> None:
-        """Show a topic's details, or close them if they are shown."""
+        """Show a topic's details. Close them if they are already shown."""
         if self.details is not None and self.page.query.get("topic") == topic:
             self.close()
             return

@@ -1,4 +1,4 @@
-"""Panel of turtlesim: the turtles and lines, with controls for driving, pens and services."""
+"""Panel of turtlesim, with turtles, lines, and controls for driving, pens and services."""
 
 from __future__ import annotations
 
@@ -289,7 +289,7 @@ def _colour(label: str, on_choice: Callable[[], Coroutine[Any, Any, None]]) -> u
         box.set_value(event.args)
         await with_errors_shown(on_choice)()
 
-    # "change" comes once; "input" would come for each colour while the user moves the mouse.
+    # "change" comes once. "input" would come for each colour while the user moves the mouse.
     box.on("change", choose, js_handler="(value) => emit(value)")
     return box.classes("zb-colour")
 
@@ -301,7 +301,7 @@ def _number(label: str, value: float, unit: str) -> ui.number:
 
 
 def _keep(element: Any, value: object) -> None:
-    """Show a value of the simulator when it changes, so that the user's input stays meanwhile."""
+    """Show a simulator's value only when the value changes, so that the user's input stays."""
     shown = getattr(element, "last_shown", None)
     if shown != value:
         element.last_shown = value

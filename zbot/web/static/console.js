@@ -1,4 +1,4 @@
-// Table of log lines. New lines go to its end, old ones are removed. Contents are text, never HTML.
+// Table of log lines. New lines go to its end, and old lines are removed. It never contains HTML.
 "use strict";
 window.zbotConsole = (() => {
   function cell(row, text, classes) {
@@ -23,7 +23,7 @@ window.zbotConsole = (() => {
       cell(row, text, `zb-mono zb-wrap zb-log-text ${classes}`);
     }
     while (body.rows.length > most) body.deleteRow(0);
-    // If the user has scrolled up, the view stays.
+    // If the user has scrolled up, the view does not move.
     if (isAtEnd || isReset) box.scrollTop = box.scrollHeight;
   }
 

@@ -1,11 +1,11 @@
-// Drawing of the graph: smooth changes, zoom, movement, highlighting.
+// Drawing of the graph, with smooth changes, zoom, movement and highlighting.
 "use strict";
 zbot.graph = (() => {
-  const MOVE_MS = 350; // as in graph.css
-  const LARGEST = 1.7; // scale limit, so that a graph of two nodes does not become huge
+  const MOVE_MS = 350; // the same value as in graph.css
+  const LARGEST = 1.7; // largest scale, so that a graph of two nodes does not become huge
   const LAYERS = ["frame", "edge", "item"]; // from the lowest to the highest
-  const MOST_MOVING = 300; // groups; larger drawings change without animation
-  const MOST_PIXELS = 8000; // of a PNG's longer side; all browsers can draw this
+  const MOST_MOVING = 300; // number of groups; larger drawings change without animation
+  const MOST_PIXELS = 8000; // longer side of a PNG; all browsers can draw this size
   const drawings = new Map();
 
   const parse = (text) => {
@@ -20,12 +20,12 @@ zbot.graph = (() => {
     constructor(place) {
       this.place = place;
       this.groups = new Map();
-      this.view = null; // the visible part of the drawing: left, top, width, height
-      this.isFitted = true; // until the user zooms or moves the drawing
+      this.view = null; // left, top, width and height of the visible part
+      this.isFitted = true; // true until the user zooms or moves the drawing
       this.chosen = "";
       this.lit = "";
       new ResizeObserver(() => this.resize()).observe(place);
-      // A class of the page's body says whether the page is light or dark.
+      // A CSS class of the page's body shows whether the page is light or dark.
       new MutationObserver(() => this.updateTheme()).observe(document.body, { attributeFilter: ["class"] });
       this.listen();
     }
@@ -64,7 +64,7 @@ zbot.graph = (() => {
       this.updateTheme();
     }
 
-    // A group keeps its element while its key exists, so that CSS can animate its movement.
+    // A group keeps its element while its key exists, so that CSS can animate the movement.
     put(next) {
       const key = next.dataset.key;
       const group = this.groups.get(key);
@@ -111,7 +111,7 @@ zbot.graph = (() => {
 
     // -- highlighting -----------------------------------------------------------------------
 
-    // As in rqt_graph: different colours for incoming, outgoing, and both.
+    // As in rqt_graph, the colour of an arrow shows whether it is incoming, outgoing or both.
     light(key) {
       this.lit = key;
       if (!this.svg) return;
@@ -170,7 +170,7 @@ zbot.graph = (() => {
       this.isFitted = true;
       const [left, top, width, height] = this.content;
       const [w, h] = this.size;
-      // Texts lie over the top and the bottom of the drawing: keep these areas free.
+      // Keep the top and the bottom of the drawing free, because texts cover these areas.
       const above = this.heightOf(".zb-graph-problems");
       const below = this.heightOf(".zb-graph-left-out");
       const scale = Math.min(w / width, (h - above - below) / height, LARGEST);
@@ -221,7 +221,7 @@ zbot.graph = (() => {
 
     listen() {
       const target = (event) => event.target.closest?.("g[data-key]")?.dataset.key ?? "";
-      let held = null; // the point at which the user holds the drawing
+      let held = null; // the point at which the user drags the drawing
       let hasMoved = false;
       this.place.addEventListener("wheel", (event) => {
         if (!this.svg) return;
@@ -270,7 +270,7 @@ zbot.graph = (() => {
       event.preventDefault();
     }
 
-    // A click on an arrow chooses its topic; a click on a frame chooses nothing.
+    // A click on an arrow chooses its topic. A click on a frame chooses nothing.
     pick(key) {
       const group = this.groups.get(key);
       const isEdge = group?.classList.contains("edge");
@@ -282,7 +282,7 @@ zbot.graph = (() => {
   const LIGHTS = ["chosen", "incoming", "outgoing", "both"];
   const kindOf = (child) => `${child.localName}.${child.getAttribute("class") ?? ""}`;
 
-  // Set by CSS, as attributes of SVG are not animated.
+  // Set by CSS, because browsers do not animate SVG attributes.
   function place(group) {
     const at = /translate\(([-\d.]+),([-\d.]+)\)/.exec(group.getAttribute("transform") ?? "");
     if (at) group.style.transform = `translate(${at[1]}px, ${at[2]}px)`;

@@ -1,17 +1,17 @@
-// Functions of all pages: requests for changes, light or dark theme, copying the command.
+// Functions of all pages, which request changes, set the theme, and copy the command.
 "use strict";
 window.zbot = (() => {
   const FRAME_MS = 1000 / 60;
   const FASTEST_MS = 2 * FRAME_MS;
-  const SLOWEST_MS = 100; // while nothing changes
-  const PATIENCE_MS = 3000; // an answer can be lost when the connection is renewed
+  const SLOWEST_MS = 100; // pause while nothing changes
+  const PATIENCE_MS = 3000; // longest wait, because an answer can be lost with the connection
   let pause = FASTEST_MS;
   let askedAt = -Infinity;
   let isWaiting = false;
   let timer = 0;
 
   // requestAnimationFrame pauses in a hidden page, and slows down on a slow machine. It is called
-  // only after the delay, as a waiting call makes the browser draw sixty times a second.
+  // only after the delay, because a waiting call makes the browser draw sixty times a second.
   function askIn(delay) {
     clearTimeout(timer);
     timer = setTimeout(requestAnimationFrame, delay, ask);
@@ -29,14 +29,14 @@ window.zbot = (() => {
   }
   askIn(0);
 
-  // NiceGUI calls this after the changes that it sent before, so these are drawn now.
+  // NiceGUI calls this function after the changes that it sent before, so they are drawn now.
   function answered(isChanged) {
     isWaiting = false;
     pause = isChanged ? FASTEST_MS : Math.min(SLOWEST_MS, pause * 1.3);
-    askIn(askedAt + pause - performance.now() - FRAME_MS / 2); // half a frame before the next one
+    askIn(askedAt + pause - performance.now() - FRAME_MS / 2); // half a frame before the next frame
   }
 
-  // After an input of the user, changes should be visible at once.
+  // After a user's input, changes should be visible at once.
   function hurry() {
     pause = FASTEST_MS;
     if (!isWaiting) askIn(0);
@@ -60,7 +60,7 @@ window.zbot = (() => {
     Quasar.Dark.set(dark);
   }
 
-  // Waits until Quasar is loaded. Without a choice of the user, the page follows the system.
+  // Waits until Quasar is loaded. If the user chose no theme, the page uses the system's theme.
   function restoreTheme() {
     const chosen = localStorage.getItem(THEME);
     if (window.Quasar && window.did_handshake !== undefined) {
@@ -73,7 +73,7 @@ window.zbot = (() => {
 
   async function copyText(text) {
     if (navigator.clipboard) return navigator.clipboard.writeText(text);
-    // Without HTTPS, browsers do not provide navigator.clipboard to pages of other machines.
+    // Browsers provide navigator.clipboard to pages of other machines only with HTTPS.
     const area = document.createElement("textarea");
     area.value = text;
     document.body.append(area);

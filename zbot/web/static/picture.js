@@ -1,4 +1,4 @@
-// Pictures of topics: camera images, and laser scans from above.
+// Pictures of topics, which are camera images, or laser scans from above.
 "use strict";
 (() => {
   zbot.showPicture = (id, address) => {
@@ -16,7 +16,7 @@
     return made;
   }
 
-  // The sensor's x axis points up, its y axis to the left.
+  // The sensor's x axis points up, and its y axis points to the left.
   zbot.showScan = (id, points, reach, ring) => {
     const place = getHtmlElement(id);
     if (!place) return;

@@ -1,7 +1,7 @@
 // Curves of a plot. The browser keeps their points, and the server sends only new ones.
 "use strict";
 zbot.plot = (() => {
-  const MOST_POINTS = 200_000; // of a curve: half an hour of 100 Hz
+  const MOST_POINTS = 200_000; // for each curve, e.g. half an hour of 100 Hz
   const COLOURS = 6;
   const plots = new Map();
 
@@ -14,7 +14,7 @@ zbot.plot = (() => {
     draw(id);
   }
 
-  // ECharts is loaded a little later than the page.
+  // The browser loads ECharts a little later than the page.
   function chartOf(id) {
     const chart = getElement(id)?.chart;
     return chart && !chart.isDisposed() ? chart : null;
@@ -67,7 +67,7 @@ zbot.plot = (() => {
     draw(id);
   }
 
-  // Returns the first index with this time or a later one.
+  // Returns the first index with this time or a later time.
   function indexOf(times, time) {
     let low = 0;
     let high = times.length;
@@ -79,7 +79,7 @@ zbot.plot = (() => {
     return low;
   }
 
-  // Returns the least and the greatest value in each column of pixels; the line looks the same.
+  // Returns the smallest and the largest value in each column of pixels. The line looks the same.
   function thinned(curve, fromS, startS, columns) {
     const first = Math.max(0, indexOf(curve.times, fromS) - 1);
     const count = curve.times.length - first;
@@ -133,7 +133,7 @@ zbot.plot = (() => {
   function tooltip() {
     return {
       trigger: "axis",
-      renderMode: "richText", // so that names of topics are never HTML
+      renderMode: "richText", // so that the names of topics are never HTML
       backgroundColor: colour("--zb-surface"),
       borderColor: colour("--zb-line"),
       textStyle: { color: colour("--zb-text"), fontSize: 12 },
@@ -191,7 +191,7 @@ zbot.plot = (() => {
     zbot.save("plot.csv", csv(plots.get(id)), "text/csv");
   }
 
-  // The drawing contains colours, so it is drawn again when the theme changes.
+  // The drawing contains colours, so it must be drawn again when the theme changes.
   document.addEventListener("DOMContentLoaded", () => {
     const watcher = new MutationObserver(() => [...plots.keys()].forEach(draw));
     watcher.observe(document.body, { attributeFilter: ["class"] });

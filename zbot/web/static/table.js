@@ -1,7 +1,7 @@
-// Tables whose cells the server changes. Contents are text, never HTML.
+// Tables whose cells the server changes. All content is text, never HTML.
 "use strict";
 zbot.table = (() => {
-  // A cell is a text, or {t: text, c: classes, i: indent, h: address on this server, d: title}.
+  // A cell is a string, or {t: text, c: classes, i: indent, h: address on this server, d: title}.
   function fill(element, cell) {
     const one = typeof cell === "string" ? { t: cell } : cell;
     let inner = element;
@@ -28,7 +28,7 @@ zbot.table = (() => {
     return row;
   }
 
-  // `order`: the keys of all rows, or null if they are unchanged. `changed`: new cells by key.
+  // `order` has the keys of all rows, or null if they are unchanged. `changed` has new cells by key.
   function show(id, columns, order, changed, chosen) {
     const body = getHtmlElement(id)?.querySelector("tbody");
     if (!body) return;
@@ -44,7 +44,7 @@ zbot.table = (() => {
     for (const row of body.children) row.classList.toggle("zb-chosen", row.dataset.key === chosen);
   }
 
-  // Rows in the right place are not touched, so that selection and scrolling stay.
+  // Rows in the right place are not changed, so that selection and scroll position stay.
   function arrange(body, rows) {
     const kept = new Set(rows);
     for (const row of [...body.children]) if (!kept.has(row)) row.remove();

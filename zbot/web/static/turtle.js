@@ -1,4 +1,4 @@
-// Scene of turtlesim: lines on a canvas, turtles as SVG above.
+// Scene of turtlesim, with lines on a canvas and turtles as SVG above it.
 "use strict";
 window.zbotTurtle = (() => {
   const SIDE = 500; // pixels
@@ -8,7 +8,7 @@ window.zbotTurtle = (() => {
   let canvas, context, overlay;
   let chosen = "";
   let turtles = new Map();
-  // A chain of drawings: decoding an image takes time, and later lines must lie above the image.
+  // A chain of drawings. Decoding an image takes time, and later lines must be above the image.
   let work = Promise.resolve();
 
   function start() {
@@ -77,14 +77,14 @@ window.zbotTurtle = (() => {
     return element;
   }
 
-  // The same name has the same colour on every machine.
+  // A name has the same colour on every machine.
   function hue(name) {
     let sum = 0;
     for (const letter of name) sum = (sum * 31 + letter.codePointAt(0)) % 360;
     return (sum * 47 + 95) % 360;
   }
 
-  // Returns a new turtle that looks to the right, 45 pixels long.
+  // Returns a new turtle, which looks to the right and is 45 pixels long.
   function hatch(name) {
     const turtle = part("g", { class: "zb-turtle", "data-turtle": name, tabindex: 0 }, overlay);
     turtle.setAttribute("role", "button");

@@ -1,1 +1,1 @@
-"""Checks of a package for errors that would show when it runs, by kind of file."""
+"""Checks that find the errors of a package before it runs."""

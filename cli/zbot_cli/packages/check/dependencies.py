@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     from zbot_cli.packages.check.subject import Subject
 
-#: Packages that launch files import: `ros2 launch` brings them, so they need no declaration.
+#: Packages that launch files import. `ros2 launch` brings them, so they need no declaration.
 _OF_LAUNCH = ("launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python")
 
 
@@ -23,7 +23,7 @@ def check_dependencies(subject: Subject, known: Container[str]) -> Iterator[Prob
 
     Args:
         subject: The package to check.
-        known: The packages of ROS 2 and of the workspace; only these have to be declared.
+        known: The packages of ROS 2 and of the workspace. Only these packages have to be declared.
     """
     if subject.manifest is None:
         return

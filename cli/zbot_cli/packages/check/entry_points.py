@@ -1,4 +1,4 @@
-"""Check of the entry points in setup files: their modules and functions must exist."""
+"""Check that the modules and functions of the entry points in setup files exist."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def check_entry_points(subject: Subject) -> Iterator[Problem]:
-    """Yield the problems of a package's entry points; nothing is imported."""
+    """Yield the problems of a package's entry points, without importing anything."""
     try:
         declared = script_lines(subject.folder)
     except SetupFileError as error:
@@ -40,7 +40,7 @@ def _problem_text(subject: Subject, text: str) -> str:
     if path is None:
         return f"'{name}' names the module {module}, which does not exist{_hint(subject, module)}"
     if path not in subject.modules:
-        return ""  # a module of another package, or one with a syntax error, reported elsewhere
+        return ""  # a module of another package, or a syntax error that is reported elsewhere
     names = set(_names(subject.modules[path].body))
     first = function.partition(".")[0]
     if "*" in names or first in names:
@@ -63,7 +63,7 @@ def _hint(subject: Subject, module: str) -> str:
 
 
 def _names(statements: Iterable[ast.stmt]) -> Iterator[str]:
-    """Yield the names that a module may define at import, in any branch of its conditions."""
+    """Yield the names that a module may define at import, from all branches of conditions."""
     for statement in statements:
         match statement:
             case (

@@ -1,4 +1,4 @@
-"""Check of the files that setup.py and CMakeLists.txt install: none is missing or left out."""
+"""Check that setup.py and CMakeLists.txt install all files, and that these files exist."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _BUILD_FILES = {
 
 
 def check_installation(subject: Subject) -> Iterator[Problem]:
-    """Yield the files that a build would not find, and those that it would not install."""
+    """Yield a problem for each file that a build would not find or would not install."""
     file = _BUILD_FILES.get(subject.build_type)
     if file and not (subject.folder / file).is_file():
         text = f"the build type is {subject.build_type}, but there is no {file}"

@@ -25,7 +25,7 @@ _GROUP = "rosidl_interface_packages"
 
 
 def check_interfaces(subject: Subject) -> Iterator[Problem]:
-    """Yield the problems of a package's definitions, also in CMakeLists.txt and package.xml."""
+    """Yield the problems of a package's definitions, CMakeLists.txt and package.xml."""
     files = [path for kind in KINDS for path in sorted((subject.folder / kind).glob(f"*.{kind}"))]
     own = {_name(subject, path) for path in files}
     for path in files:
@@ -77,7 +77,7 @@ def _check_type(subject: Subject, path: Path, field: Field, own: set[str]) -> It
         yield Problem(path, field.line, f"there is no type {field.type.base}{hint}")
     elif package != subject.name and subject.manifest and package not in subject.manifest.named():
         text = f"{field.type.base} is used: add <depend>{package}</depend> to {MANIFEST}"
-        # A warning only: colcon builds a workspace without this declaration too.
+        # This is only a warning, because colcon also builds a workspace without this declaration.
         yield Problem(path, field.line, text, is_error=False)
 
 

@@ -13,12 +13,12 @@ class Problem:
     path: Path
     line: int  #: counted from 1; 0 for the whole file
     text: str
-    is_error: bool = True  #: False: it works in zbot, but may fail in ROS 2
+    is_error: bool = True  #: `False` if it works in zbot, but may fail in ROS 2
 
     def __str__(self) -> str:
         try:
             shown = self.path.relative_to(Path.cwd())
-        except (ValueError, FileNotFoundError):  # outside of the current folder, or that is deleted
+        except (ValueError, FileNotFoundError):  # it is elsewhere, or the current folder is deleted
             shown = self.path
         where = f"{shown}:{self.line}" if self.line else str(shown)
         return f"{where}: {'' if self.is_error else 'warning: '}{self.text}"

@@ -1,4 +1,4 @@
-"""Subject of the checks: a package, whose Python files are parsed once for all checks."""
+"""Package that the checks examine. Its Python files are parsed once for all checks."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class Subject:
-    """Package to check; parts that cannot be read are `None` or missing."""
+    """Package to check. Parts that cannot be read are `None` or missing."""
 
     name: str
     folder: Path
@@ -30,7 +30,7 @@ class Subject:
     problems: list[Problem] = field(default_factory=list)
 
     def read_sources(self) -> None:
-        """Parse all Python files; those that cannot be parsed become problems."""
+        """Parse all Python files. A file that cannot be parsed becomes a problem."""
         files = {path for path in files_below(self.folder) if path.suffix == ".py"}
         with contextlib.suppress(SetupFileError):  # setup.py is one of the files
             files.update(program_files(self.folder).values())
@@ -43,14 +43,14 @@ class Subject:
 
     @property
     def build_type(self) -> str:
-        """Build type of ROS 2; empty if package.xml names none."""
+        """Build type of ROS 2. It is empty if package.xml names no build type."""
         return self.manifest.build_type if self.manifest else ""
 
 
 def _parsed(path: Path) -> ast.Module | Problem:
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # Python shows those for escapes when the file runs
+            warnings.simplefilter("ignore")  # Python warns about escapes when the file runs
             return ast.parse(path.read_bytes(), str(path))
     except SyntaxError as exc:
         return Problem(path, exc.lineno or 0, f"{type(exc).__name__}: {exc.msg}")
@@ -59,7 +59,7 @@ def _parsed(path: Path) -> ast.Module | Problem:
 
 
 def line_of(path: Path, *texts: str) -> int:
-    """Return the number of the first line that contains all of these texts; 0 if none does."""
+    """Return the number of the first line that contains all strings, or 0 if no line does."""
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
     found = (number for number, line in enumerate(lines, 1) if all(one in line for one in texts))
     return next(found, 0)

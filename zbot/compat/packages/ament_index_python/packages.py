@@ -1,7 +1,9 @@
-"""Where packages are."""
+"""Functions that find packages."""
 
-from zbot.package import PackageNotFoundError as PackageNotFoundError
-from zbot.package.ament_index import get_package_prefix as get_package_prefix
-from zbot.package.ament_index import get_package_share_directory as get_package_share_directory
-from zbot.package.ament_index import get_package_share_path as get_package_share_path
-from zbot.package.ament_index import get_packages_with_prefixes as get_packages_with_prefixes
+from zbot.package import PackageNotFoundError
+from zbot.package.ament_index import (
+    get_package_prefix,
+    get_package_share_directory,
+    get_package_share_path,
+    get_packages_with_prefixes,
+)

@@ -1,3 +1,3 @@
-"""Where packages are installed to."""
+"""Folders that packages are installed to."""
 
-from zbot.package.ament_index import get_search_paths as get_search_paths
+from zbot.package.ament_index import get_search_paths

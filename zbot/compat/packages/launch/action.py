@@ -1,3 +1,3 @@
 """`Action` under its own module's name."""
 
-from zbot.launch import Action as Action
+from zbot.launch import Action

@@ -1,3 +1,3 @@
 """`Condition` under its own module's name."""
 
-from zbot.launch import Condition as Condition
+from zbot.launch import Condition

@@ -1,3 +1,3 @@
 """`Event` under its own module's name."""
 
-from zbot.launch import Event as Event
+from zbot.launch import Event

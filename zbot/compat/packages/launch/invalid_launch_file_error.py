@@ -1,3 +1,3 @@
-"""What a launch file that makes no sense raises."""
+"""Error of an invalid launch file."""
 
-from zbot.launch.errors import InvalidLaunchFileError as InvalidLaunchFileError
+from zbot.launch.errors import InvalidLaunchFileError

@@ -1,3 +1,3 @@
 """`LaunchContext` under its own module's name."""
 
-from zbot.launch import LaunchContext as LaunchContext
+from zbot.launch import LaunchContext

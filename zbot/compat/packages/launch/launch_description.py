@@ -1,3 +1,3 @@
 """`LaunchDescription` under its own module's name."""
 
-from zbot.launch import LaunchDescription as LaunchDescription
+from zbot.launch import LaunchDescription

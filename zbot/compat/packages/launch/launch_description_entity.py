@@ -1,3 +1,3 @@
 """`LaunchDescriptionEntity` under its own module's name."""
 
-from zbot.launch import LaunchDescriptionEntity as LaunchDescriptionEntity
+from zbot.launch import LaunchDescriptionEntity

@@ -1,3 +1,3 @@
 """`LaunchDescriptionSource` under its own module's name."""
 
-from zbot.launch import LaunchDescriptionSource as LaunchDescriptionSource
+from zbot.launch import LaunchDescriptionSource

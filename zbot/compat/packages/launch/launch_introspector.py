@@ -1,3 +1,3 @@
 """`LaunchIntrospector` under its own module's name."""
 
-from zbot.launch import LaunchIntrospector as LaunchIntrospector
+from zbot.launch import LaunchIntrospector

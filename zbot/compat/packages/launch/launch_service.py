@@ -1,3 +1,3 @@
 """`LaunchService` under its own module's name."""
 
-from zbot.launch import LaunchService as LaunchService
+from zbot.launch import LaunchService

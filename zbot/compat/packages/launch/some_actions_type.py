@@ -1,4 +1,4 @@
-"""What may be given where actions are wanted."""
+"""Type of arguments that contain actions."""
 
 from zbot.launch.event_handler import Entities as SomeActionsType
 from zbot.launch.event_handler import Entities_types_tuple as SomeActionsType_types_tuple

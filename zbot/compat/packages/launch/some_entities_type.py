@@ -1,4 +1,4 @@
-"""What may be given where entities are wanted."""
+"""Type of arguments that contain entities."""
 
 from zbot.launch.event_handler import Entities as SomeEntitiesType
 from zbot.launch.event_handler import Entities_types_tuple as SomeEntitiesType_types_tuple

@@ -1,6 +1,6 @@
-"""What may be given where a text is wanted."""
+"""Type of arguments that are strings or substitutions."""
 
-from zbot.launch.substitution import SomeSubstitutionsType as SomeSubstitutionsType
 from zbot.launch.substitution import (
-    SomeSubstitutionsType_types_tuple as SomeSubstitutionsType_types_tuple,
+    SomeSubstitutionsType,
+    SomeSubstitutionsType_types_tuple,
 )

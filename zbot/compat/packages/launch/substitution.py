@@ -1,3 +1,3 @@
 """`Substitution` under its own module's name."""
 
-from zbot.launch import Substitution as Substitution
+from zbot.launch import Substitution

@@ -1,3 +1,3 @@
-"""What may be given as a node's parameters."""
+"""Types of arguments that contain a node's parameters."""
 
-from zbot.launch.parameters import SomeParameters as SomeParameters
+from zbot.launch.parameters import SomeParameters

@@ -1,9 +1,7 @@
 """ROS 2's `launch_testing`: tests of launch files."""
 
-from zbot.compat.submodules import submodules as submodules
-from zbot.launch.testing.marker import parametrize as parametrize
-from zbot.launch.testing.marker import post_shutdown_test as post_shutdown_test
-from zbot.launch.testing.marker import ready_to_test_action_timeout as ready_to_test_action_timeout
+from zbot.compat.submodules import submodules
+from zbot.launch.testing.marker import parametrize, post_shutdown_test, ready_to_test_action_timeout
 from zbot.launch.testing.record import ExitRecord as ActiveProcInfoHandler
 from zbot.launch.testing.record import ExitRecord as ProcInfoHandler
 from zbot.launch.testing.record import OutputRecord as ActiveIoHandler

@@ -1,4 +1,4 @@
-"""What processes wrote."""
+"""Outputs of processes."""
 
 from zbot.launch.testing.record import OutputRecord as ActiveIoHandler
 from zbot.launch.testing.record import OutputRecord as IoHandler

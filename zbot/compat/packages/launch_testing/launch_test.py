@@ -1,4 +1,4 @@
-"""Running a test file: `launch_test` and `zbot test` do."""
+"""Function that runs a test file. `launch_test` and `zbot test` use it."""
 
 from zbot.launch.testing import test_run
 

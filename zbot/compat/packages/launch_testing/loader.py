@@ -1,4 +1,4 @@
-"""The runs of a test file."""
+"""Runs of a test file."""
 
 from zbot.launch.testing import test_run
 

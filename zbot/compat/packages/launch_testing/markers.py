@@ -1,4 +1,3 @@
-"""What test files write above functions."""
+"""Decorators for the functions of test files."""
 
-from zbot.launch.testing.marker import keep_alive as keep_alive
-from zbot.launch.testing.marker import retry_on_failure as retry_on_failure
+from zbot.launch.testing.marker import keep_alive, retry_on_failure

@@ -1,3 +1,3 @@
-"""Running the launches of a test file with their tests."""
+"""Runner of the launches of a test file and of their tests."""
 
-from zbot.launch.testing.test_runner import LaunchTestRunner as LaunchTestRunner
+from zbot.launch.testing.test_runner import LaunchTestRunner

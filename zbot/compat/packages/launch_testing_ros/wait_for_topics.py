@@ -1,3 +1,3 @@
-"""Whether messages come."""
+"""Helper that waits for messages of topics."""
 
-from zbot.launch.testing.topics import WaitForTopics as WaitForTopics
+from zbot.launch.testing.topics import WaitForTopics

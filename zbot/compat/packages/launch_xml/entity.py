@@ -1,3 +1,3 @@
 """`Entity` under its own module's name."""
 
-from zbot.launch.frontend.xml_file import Entity as Entity
+from zbot.launch.frontend.xml_file import Entity

@@ -1,3 +1,3 @@
 """`Parser` under its own module's name."""
 
-from zbot.launch.frontend.parser import Parser as Parser
+from zbot.launch.frontend.parser import Parser

@@ -1,7 +1,7 @@
-"""Which callbacks may run at the same time."""
+"""Groups that decide which callbacks may run at the same time."""
 
-from zbot.executor.callback_group import CallbackGroup as CallbackGroup
 from zbot.executor.callback_group import (
-    MutuallyExclusiveCallbackGroup as MutuallyExclusiveCallbackGroup,
+    CallbackGroup,
+    MutuallyExclusiveCallbackGroup,
+    ReentrantCallbackGroup,
 )
-from zbot.executor.callback_group import ReentrantCallbackGroup as ReentrantCallbackGroup

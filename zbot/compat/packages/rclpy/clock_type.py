@@ -1,3 +1,3 @@
 """Kinds of clocks."""
 
-from zbot.time import ClockType as ClockType
+from zbot.time import ClockType

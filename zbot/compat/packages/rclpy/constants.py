@@ -1,3 +1,3 @@
 """Numbers."""
 
-from zbot.time import S_TO_NS as S_TO_NS
+from zbot.time import S_TO_NS

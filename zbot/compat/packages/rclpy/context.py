@@ -1,3 +1,3 @@
 """Contexts."""
 
-from zbot.context import Context as Context
+from zbot.context import Context

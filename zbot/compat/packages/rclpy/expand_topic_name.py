@@ -1,3 +1,3 @@
 """Full names of topics."""
 
-from zbot.names import expand_topic_name as expand_topic_name
+from zbot.names import expand_topic_name

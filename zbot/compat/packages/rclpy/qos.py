@@ -1,31 +1,33 @@
 """Quality of service."""
 
 from zbot.errors import InvalidQoSProfileError as InvalidQoSProfileException
-from zbot.qos import DeadlineBestAvailable as DeadlineBestAvailable
-from zbot.qos import DurabilityPolicy as DurabilityPolicy
-from zbot.qos import HistoryPolicy as HistoryPolicy
-from zbot.qos import LivelinessLeaseDurationeBestAvailable as LivelinessLeaseDurationeBestAvailable
-from zbot.qos import LivelinessPolicy as LivelinessPolicy
-from zbot.qos import QoSCompatibility as QoSCompatibility
-from zbot.qos import QoSDurabilityPolicy as QoSDurabilityPolicy
-from zbot.qos import QoSHistoryPolicy as QoSHistoryPolicy
-from zbot.qos import QoSLivelinessPolicy as QoSLivelinessPolicy
-from zbot.qos import QoSPolicyEnum as QoSPolicyEnum
-from zbot.qos import QoSPolicyKind as QoSPolicyKind
-from zbot.qos import QoSPresetProfiles as QoSPresetProfiles
-from zbot.qos import QoSProfile as QoSProfile
-from zbot.qos import QoSReliabilityPolicy as QoSReliabilityPolicy
-from zbot.qos import ReliabilityPolicy as ReliabilityPolicy
-from zbot.qos import qos_check_compatible as qos_check_compatible
-from zbot.qos import qos_policy_name_from_kind as qos_policy_name_from_kind
-from zbot.qos import qos_profile_action_status_default as qos_profile_action_status_default
-from zbot.qos import qos_profile_best_available as qos_profile_best_available
-from zbot.qos import qos_profile_default as qos_profile_default
-from zbot.qos import qos_profile_parameter_events as qos_profile_parameter_events
-from zbot.qos import qos_profile_parameters as qos_profile_parameters
-from zbot.qos import qos_profile_rosout_default as qos_profile_rosout_default
-from zbot.qos import qos_profile_sensor_data as qos_profile_sensor_data
-from zbot.qos import qos_profile_services_default as qos_profile_services_default
-from zbot.qos import qos_profile_system_default as qos_profile_system_default
-from zbot.qos import qos_profile_unknown as qos_profile_unknown
-from zbot.time import Duration as Duration
+from zbot.qos import (
+    DeadlineBestAvailable,
+    DurabilityPolicy,
+    HistoryPolicy,
+    LivelinessLeaseDurationeBestAvailable,
+    LivelinessPolicy,
+    QoSCompatibility,
+    QoSDurabilityPolicy,
+    QoSHistoryPolicy,
+    QoSLivelinessPolicy,
+    QoSPolicyEnum,
+    QoSPolicyKind,
+    QoSPresetProfiles,
+    QoSProfile,
+    QoSReliabilityPolicy,
+    ReliabilityPolicy,
+    qos_check_compatible,
+    qos_policy_name_from_kind,
+    qos_profile_action_status_default,
+    qos_profile_best_available,
+    qos_profile_default,
+    qos_profile_parameter_events,
+    qos_profile_parameters,
+    qos_profile_rosout_default,
+    qos_profile_sensor_data,
+    qos_profile_services_default,
+    qos_profile_system_default,
+    qos_profile_unknown,
+)
+from zbot.time import Duration

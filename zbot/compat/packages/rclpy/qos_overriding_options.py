@@ -1,30 +1,29 @@
-"""Quality of service by parameters."""
+"""Parameters that override the quality of service."""
 
 from typing import Any
 
-from zbot.compat.annotation import QosCallbackType as QosCallbackType
-from zbot.compat.annotation import QoSProfileAttributes as QoSProfileAttributes
+from zbot.compat.annotation import QosCallbackType, QoSProfileAttributes
 from zbot.node.node import Node
-from zbot.node.publisher import Publisher as Publisher
-from zbot.node.subscription import Subscription as Subscription
-from zbot.parameters.errors import InvalidQosOverridesError as InvalidQosOverridesError
+from zbot.node.publisher import Publisher
+from zbot.node.subscription import Subscription
 from zbot.parameters.errors import (
-    ParameterAlreadyDeclaredException as ParameterAlreadyDeclaredException,
+    InvalidQosOverridesError,
+    ParameterAlreadyDeclaredException,
 )
-from zbot.parameters.parameter import Parameter as Parameter
-from zbot.parameters.qos_overrides import QoSOverridingOptions as QoSOverridingOptions
-from zbot.parameters.qos_overrides import override
-from zbot.qos import QoSDurabilityPolicy as QoSDurabilityPolicy
-from zbot.qos import QoSHistoryPolicy as QoSHistoryPolicy
-from zbot.qos import QoSLivelinessPolicy as QoSLivelinessPolicy
-from zbot.qos import QoSPolicyKind as QoSPolicyKind
-from zbot.qos import QoSProfile as QoSProfile
-from zbot.qos import QoSReliabilityPolicy as QoSReliabilityPolicy
-from zbot.time import Duration as Duration
+from zbot.parameters.parameter import Parameter
+from zbot.parameters.qos_overrides import QoSOverridingOptions, override
+from zbot.qos import (
+    QoSDurabilityPolicy,
+    QoSHistoryPolicy,
+    QoSLivelinessPolicy,
+    QoSPolicyKind,
+    QoSProfile,
+    QoSReliabilityPolicy,
+)
+from zbot.time import Duration
 
-from rcl_interfaces.msg import ParameterDescriptor as ParameterDescriptor
+from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
 from rcl_interfaces.msg import SetParametersResult as QosCallbackResult
-from rcl_interfaces.msg import SetParametersResult as SetParametersResult
 
 
 def _declare_qos_parameters(

@@ -1,3 +1,3 @@
-"""What is told of service calls."""
+"""Modes of service introspection."""
 
-from zbot.node.service_introspection import ServiceIntrospectionState as ServiceIntrospectionState
+from zbot.node.service_introspection import ServiceIntrospectionState

@@ -1,3 +1,3 @@
-"""Which messages a subscription wants."""
+"""Options of a subscription that takes only some messages."""
 
-from zbot.node.content_filter_options import ContentFilterOptions as ContentFilterOptions
+from zbot.node.content_filter_options import ContentFilterOptions

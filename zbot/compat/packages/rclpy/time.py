@@ -1,6 +1,3 @@
 """Points in time."""
 
-from zbot.time import S_TO_NS as S_TO_NS
-from zbot.time import ClockType as ClockType
-from zbot.time import Duration as Duration
-from zbot.time import Time as Time
+from zbot.time import S_TO_NS, ClockType, Duration, Time

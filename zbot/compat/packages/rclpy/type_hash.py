@@ -1,4 +1,4 @@
 """ROS 2's `rclpy.type_hash`: every name is zbot's."""
 
-from zbot.compat.annotation import TypeHashDictionary as TypeHashDictionary
-from zbot.graph.endpoint_info import TypeHash as TypeHash
+from zbot.compat.annotation import TypeHashDictionary
+from zbot.graph.endpoint_info import TypeHash

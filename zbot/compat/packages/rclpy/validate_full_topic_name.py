@@ -2,4 +2,4 @@
 
 from zbot.errors import InvalidServiceNameError as InvalidServiceNameException
 from zbot.errors import InvalidTopicNameError as InvalidTopicNameException
-from zbot.names import validate_full_topic_name as validate_full_topic_name
+from zbot.names import validate_full_topic_name

@@ -1,4 +1,4 @@
 """Checks of namespaces."""
 
 from zbot.errors import InvalidNamespaceError as InvalidNamespaceException
-from zbot.names import validate_namespace as validate_namespace
+from zbot.names import validate_namespace

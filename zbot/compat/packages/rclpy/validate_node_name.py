@@ -1,4 +1,4 @@
 """Checks of nodes' names."""
 
 from zbot.errors import InvalidNodeNameError as InvalidNodeNameException
-from zbot.names import validate_node_name as validate_node_name
+from zbot.names import validate_node_name

@@ -1,4 +1,4 @@
 """Checks of parameters' names."""
 
-from zbot.names import validate_parameter_name as validate_parameter_name
-from zbot.parameters.errors import InvalidParameterException as InvalidParameterException
+from zbot.names import validate_parameter_name
+from zbot.parameters.errors import InvalidParameterException

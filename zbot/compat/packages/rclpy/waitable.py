@@ -1,4 +1,3 @@
 """ROS 2's `rclpy.waitable`: every name is zbot's."""
 
-from zbot.executor.waitable import NumberOfEntities as NumberOfEntities
-from zbot.executor.waitable import Waitable as Waitable
+from zbot.executor.waitable import NumberOfEntities, Waitable

@@ -1,1 +1,1 @@
-"""ROS 2's `ros2cli`, for programs that take its node for a look at the graph."""
+"""ROS 2's `ros2cli`, for programs that query the graph with its node."""

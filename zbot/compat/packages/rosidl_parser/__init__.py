@@ -1,1 +1,1 @@
-"""ROS 2's `rosidl_parser`, as far as programs look at the types of fields."""
+"""ROS 2's `rosidl_parser`: the part that describes types of fields."""

@@ -1,1 +1,1 @@
-"""The common bases of interface classes, by ROS 2's name."""
+"""The common base classes of interface classes under ROS 2's name."""

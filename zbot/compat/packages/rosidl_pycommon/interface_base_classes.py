@@ -1,4 +1,4 @@
-"""What newer distributions than Kilted derive every generated class from."""
+"""Base classes of all generated classes in distributions after Kilted."""
 
 from zbot.interfaces.message import Action as BaseAction
 from zbot.interfaces.message import Impl as BaseImpl

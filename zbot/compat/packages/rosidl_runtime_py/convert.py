@@ -1,7 +1,9 @@
-"""Messages as text and dictionaries."""
+"""Functions that convert messages to strings and dictionaries."""
 
 from zbot.interfaces.conversion import convert_value as _convert_value
-from zbot.interfaces.conversion import get_message_slot_types as get_message_slot_types
-from zbot.interfaces.conversion import message_to_csv as message_to_csv
-from zbot.interfaces.conversion import message_to_ordereddict as message_to_ordereddict
-from zbot.interfaces.conversion import message_to_yaml as message_to_yaml
+from zbot.interfaces.conversion import (
+    get_message_slot_types,
+    message_to_csv,
+    message_to_ordereddict,
+    message_to_yaml,
+)

@@ -1,8 +1,10 @@
-"""Which types there are."""
+"""Functions that list types."""
 
-from zbot.interfaces.lookup import get_action_interfaces as get_action_interfaces
-from zbot.interfaces.lookup import get_interface_packages as get_interface_packages
-from zbot.interfaces.lookup import get_interface_path as get_interface_path
-from zbot.interfaces.lookup import get_interfaces as get_interfaces
-from zbot.interfaces.lookup import get_message_interfaces as get_message_interfaces
-from zbot.interfaces.lookup import get_service_interfaces as get_service_interfaces
+from zbot.interfaces.lookup import (
+    get_action_interfaces,
+    get_interface_packages,
+    get_interface_path,
+    get_interfaces,
+    get_message_interfaces,
+    get_service_interfaces,
+)

@@ -1,5 +1,5 @@
-"""Classes by their types."""
+"""Function that finds a class by its type."""
 
 from zbot.interfaces.lookup import (
-    import_message_from_namespaced_type as import_message_from_namespaced_type,
+    import_message_from_namespaced_type,
 )

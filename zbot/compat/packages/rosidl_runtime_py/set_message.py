@@ -1,3 +1,3 @@
-"""Messages filled from dictionaries."""
+"""Functions that fill messages from dictionaries."""
 
-from zbot.interfaces.set_fields import set_message_fields as set_message_fields
+from zbot.interfaces.set_fields import set_message_fields

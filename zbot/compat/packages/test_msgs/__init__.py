@@ -1,1 +1,1 @@
-"""ROS 2's `test_msgs`: types made to be tested with; `msg`, `srv` and `action` are found beside."""
+"""ROS 2's `test_msgs`: types for tests. zbot makes `msg`, `srv` and `action` at their import."""

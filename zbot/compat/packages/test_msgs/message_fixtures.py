@@ -1,4 +1,4 @@
-"""Messages to test with: `get_test_msg("BasicTypes")`, or `get_msg_basic_types()`."""
+"""Messages for tests, from `get_test_msg("BasicTypes")` or `get_msg_basic_types()`."""
 
 from collections.abc import Callable
 from functools import partial
@@ -18,7 +18,7 @@ def get_test_msg(message_name: str) -> list[Any]:
 
 
 def __getattr__(name: str) -> Callable[[], list[Any]]:
-    """Return the function of one type, `get_msg_wstrings` for `WStrings`."""
+    """Return the function of one type, e.g. `get_msg_wstrings` for `WStrings`."""
     if name.startswith("get_msg_"):
         wanted = name.removeprefix("get_msg_").replace("_", "")
         for full in registry.interface_names("test_msgs"):

@@ -1,4 +1,4 @@
-"""Requests and responses to test with."""
+"""Requests and responses for tests."""
 
 from typing import Any
 

@@ -1,3 +1,3 @@
 """Buffers of transforms."""
 
-from zbot.tf2.buffer import Buffer as Buffer
+from zbot.tf2.buffer import Buffer

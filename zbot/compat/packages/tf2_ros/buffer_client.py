@@ -1,3 +1,3 @@
 """A buffer of another node."""
 
-from zbot.tf2.remote_buffer import BufferClient as BufferClient
+from zbot.tf2.remote_buffer import BufferClient

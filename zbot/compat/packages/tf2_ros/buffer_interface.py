@@ -1,8 +1,9 @@
-"""What buffers have in common."""
+"""Base class of all buffers."""
 
-from zbot.tf2.buffer_interface import BufferInterface as BufferInterface
-from zbot.tf2.buffer_interface import ConvertRegistration as ConvertRegistration
-from zbot.tf2.buffer_interface import TransformRegistration as TransformRegistration
-from zbot.tf2.buffer_interface import convert as convert
-from zbot.tf2.errors import NotImplementedException as NotImplementedException
-from zbot.tf2.errors import TypeException as TypeException
+from zbot.tf2.buffer_interface import (
+    BufferInterface,
+    ConvertRegistration,
+    TransformRegistration,
+    convert,
+)
+from zbot.tf2.errors import NotImplementedException, TypeException

@@ -1,3 +1,3 @@
-"""Broadcasters of transforms that hold for ever."""
+"""Broadcasters of transforms that never change."""
 
-from zbot.tf2.broadcaster import StaticTransformBroadcaster as StaticTransformBroadcaster
+from zbot.tf2.broadcaster import StaticTransformBroadcaster

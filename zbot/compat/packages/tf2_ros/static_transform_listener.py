@@ -1,3 +1,3 @@
-"""Listeners to what holds for ever."""
+"""Listeners to transforms that never change."""
 
-from zbot.tf2.listener import StaticTransformListener as StaticTransformListener
+from zbot.tf2.listener import StaticTransformListener

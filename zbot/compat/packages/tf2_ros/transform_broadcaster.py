@@ -1,3 +1,3 @@
 """Broadcasters of transforms that change."""
 
-from zbot.tf2.broadcaster import TransformBroadcaster as TransformBroadcaster
+from zbot.tf2.broadcaster import TransformBroadcaster

@@ -1,3 +1,3 @@
 """Listeners."""
 
-from zbot.tf2.listener import TransformListener as TransformListener
+from zbot.tf2.listener import TransformListener

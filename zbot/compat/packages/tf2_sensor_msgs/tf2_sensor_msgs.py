@@ -1,4 +1,3 @@
-"""The same names, as some programs import them."""
+"""The same names under a second module's name, which some programs import."""
 
-from zbot.tf2.cloud_transform import do_transform_cloud as do_transform_cloud
-from zbot.tf2.cloud_transform import transform_points as transform_points
+from zbot.tf2.cloud_transform import do_transform_cloud, transform_points

@@ -1,43 +1,49 @@
-"""ROS 2's `tf_transformations`: rotations and matrices; needs numpy."""
+"""ROS 2's `tf_transformations`: rotations and matrices. It needs numpy."""
 
-from zbot.tf2.affine import clip_matrix as clip_matrix
-from zbot.tf2.affine import orthogonalization_matrix as orthogonalization_matrix
-from zbot.tf2.affine import projection_from_matrix as projection_from_matrix
-from zbot.tf2.affine import projection_matrix as projection_matrix
-from zbot.tf2.affine import random_vector as random_vector
-from zbot.tf2.affine import reflection_from_matrix as reflection_from_matrix
-from zbot.tf2.affine import reflection_matrix as reflection_matrix
-from zbot.tf2.affine import rotation_from_matrix as rotation_from_matrix
-from zbot.tf2.affine import scale_from_matrix as scale_from_matrix
-from zbot.tf2.affine import shear_from_matrix as shear_from_matrix
-from zbot.tf2.affine import shear_matrix as shear_matrix
-from zbot.tf2.affine import superimposition_matrix as superimposition_matrix
-from zbot.tf2.arcball import Arcball as Arcball
-from zbot.tf2.arcball import arcball_constrain_to_axis as arcball_constrain_to_axis
-from zbot.tf2.arcball import arcball_map_to_sphere as arcball_map_to_sphere
-from zbot.tf2.arcball import arcball_nearest_axis as arcball_nearest_axis
-from zbot.tf2.transformations import compose_matrix as compose_matrix
-from zbot.tf2.transformations import concatenate_matrices as concatenate_matrices
-from zbot.tf2.transformations import decompose_matrix as decompose_matrix
-from zbot.tf2.transformations import euler_from_matrix as euler_from_matrix
-from zbot.tf2.transformations import euler_from_quaternion as euler_from_quaternion
-from zbot.tf2.transformations import euler_matrix as euler_matrix
-from zbot.tf2.transformations import identity_matrix as identity_matrix
-from zbot.tf2.transformations import inverse_matrix as inverse_matrix
-from zbot.tf2.transformations import is_same_transform as is_same_transform
-from zbot.tf2.transformations import quaternion_about_axis as quaternion_about_axis
-from zbot.tf2.transformations import quaternion_conjugate as quaternion_conjugate
-from zbot.tf2.transformations import quaternion_from_euler as quaternion_from_euler
-from zbot.tf2.transformations import quaternion_from_matrix as quaternion_from_matrix
-from zbot.tf2.transformations import quaternion_inverse as quaternion_inverse
-from zbot.tf2.transformations import quaternion_matrix as quaternion_matrix
-from zbot.tf2.transformations import quaternion_multiply as quaternion_multiply
-from zbot.tf2.transformations import quaternion_slerp as quaternion_slerp
-from zbot.tf2.transformations import random_quaternion as random_quaternion
-from zbot.tf2.transformations import random_rotation_matrix as random_rotation_matrix
-from zbot.tf2.transformations import rotation_matrix as rotation_matrix
-from zbot.tf2.transformations import scale_matrix as scale_matrix
-from zbot.tf2.transformations import translation_from_matrix as translation_from_matrix
-from zbot.tf2.transformations import translation_matrix as translation_matrix
-from zbot.tf2.transformations import unit_vector as unit_vector
-from zbot.tf2.transformations import vector_norm as vector_norm
+from zbot.tf2.affine import (
+    clip_matrix,
+    orthogonalization_matrix,
+    projection_from_matrix,
+    projection_matrix,
+    random_vector,
+    reflection_from_matrix,
+    reflection_matrix,
+    rotation_from_matrix,
+    scale_from_matrix,
+    shear_from_matrix,
+    shear_matrix,
+    superimposition_matrix,
+)
+from zbot.tf2.arcball import (
+    Arcball,
+    arcball_constrain_to_axis,
+    arcball_map_to_sphere,
+    arcball_nearest_axis,
+)
+from zbot.tf2.transformations import (
+    compose_matrix,
+    concatenate_matrices,
+    decompose_matrix,
+    euler_from_matrix,
+    euler_from_quaternion,
+    euler_matrix,
+    identity_matrix,
+    inverse_matrix,
+    is_same_transform,
+    quaternion_about_axis,
+    quaternion_conjugate,
+    quaternion_from_euler,
+    quaternion_from_matrix,
+    quaternion_inverse,
+    quaternion_matrix,
+    quaternion_multiply,
+    quaternion_slerp,
+    random_quaternion,
+    random_rotation_matrix,
+    rotation_matrix,
+    scale_matrix,
+    translation_from_matrix,
+    translation_matrix,
+    unit_vector,
+    vector_norm,
+)

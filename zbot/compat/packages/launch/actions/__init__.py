@@ -1,35 +1,37 @@
-"""What a launch file can have done."""
+"""Actions of launch files."""
 
-from zbot.launch.actions import Action as Action
-from zbot.launch.actions import AppendEnvironmentVariable as AppendEnvironmentVariable
-from zbot.launch.actions import DeclareBooleanLaunchArgument as DeclareBooleanLaunchArgument
-from zbot.launch.actions import DeclareLaunchArgument as DeclareLaunchArgument
-from zbot.launch.actions import EmitEvent as EmitEvent
-from zbot.launch.actions import ExecuteLocal as ExecuteLocal
-from zbot.launch.actions import ExecuteProcess as ExecuteProcess
-from zbot.launch.actions import ForEach as ForEach
-from zbot.launch.actions import ForLoop as ForLoop
-from zbot.launch.actions import GroupAction as GroupAction
-from zbot.launch.actions import IncludeLaunchDescription as IncludeLaunchDescription
-from zbot.launch.actions import Log as Log
-from zbot.launch.actions import LogDebug as LogDebug
-from zbot.launch.actions import LogError as LogError
-from zbot.launch.actions import LogInfo as LogInfo
-from zbot.launch.actions import LogWarning as LogWarning
-from zbot.launch.actions import OpaqueCoroutine as OpaqueCoroutine
-from zbot.launch.actions import OpaqueFunction as OpaqueFunction
-from zbot.launch.actions import PopEnvironment as PopEnvironment
-from zbot.launch.actions import PopLaunchConfigurations as PopLaunchConfigurations
-from zbot.launch.actions import PushEnvironment as PushEnvironment
-from zbot.launch.actions import PushLaunchConfigurations as PushLaunchConfigurations
-from zbot.launch.actions import RegisterEventHandler as RegisterEventHandler
-from zbot.launch.actions import ReplaceEnvironmentVariables as ReplaceEnvironmentVariables
-from zbot.launch.actions import ResetEnvironment as ResetEnvironment
-from zbot.launch.actions import ResetLaunchConfigurations as ResetLaunchConfigurations
-from zbot.launch.actions import SetEnvironmentVariable as SetEnvironmentVariable
-from zbot.launch.actions import SetLaunchConfiguration as SetLaunchConfiguration
-from zbot.launch.actions import Shutdown as Shutdown
-from zbot.launch.actions import TimerAction as TimerAction
-from zbot.launch.actions import UnregisterEventHandler as UnregisterEventHandler
-from zbot.launch.actions import UnsetEnvironmentVariable as UnsetEnvironmentVariable
-from zbot.launch.actions import UnsetLaunchConfiguration as UnsetLaunchConfiguration
+from zbot.launch.actions import (
+    Action,
+    AppendEnvironmentVariable,
+    DeclareBooleanLaunchArgument,
+    DeclareLaunchArgument,
+    EmitEvent,
+    ExecuteLocal,
+    ExecuteProcess,
+    ForEach,
+    ForLoop,
+    GroupAction,
+    IncludeLaunchDescription,
+    Log,
+    LogDebug,
+    LogError,
+    LogInfo,
+    LogWarning,
+    OpaqueCoroutine,
+    OpaqueFunction,
+    PopEnvironment,
+    PopLaunchConfigurations,
+    PushEnvironment,
+    PushLaunchConfigurations,
+    RegisterEventHandler,
+    ReplaceEnvironmentVariables,
+    ResetEnvironment,
+    ResetLaunchConfigurations,
+    SetEnvironmentVariable,
+    SetLaunchConfiguration,
+    Shutdown,
+    TimerAction,
+    UnregisterEventHandler,
+    UnsetEnvironmentVariable,
+    UnsetLaunchConfiguration,
+)

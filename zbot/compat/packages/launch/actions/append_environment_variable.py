@@ -1,3 +1,3 @@
 """`AppendEnvironmentVariable` under its own module's name."""
 
-from zbot.launch.actions import AppendEnvironmentVariable as AppendEnvironmentVariable
+from zbot.launch.actions import AppendEnvironmentVariable

@@ -1,3 +1,3 @@
 """`DeclareBooleanLaunchArgument` under its own module's name."""
 
-from zbot.launch.actions import DeclareBooleanLaunchArgument as DeclareBooleanLaunchArgument
+from zbot.launch.actions import DeclareBooleanLaunchArgument

@@ -1,3 +1,3 @@
 """`DeclareLaunchArgument` under its own module's name."""
 
-from zbot.launch.actions import DeclareLaunchArgument as DeclareLaunchArgument
+from zbot.launch.actions import DeclareLaunchArgument

@@ -1,3 +1,3 @@
 """`EmitEvent` under its own module's name."""
 
-from zbot.launch.actions import EmitEvent as EmitEvent
+from zbot.launch.actions import EmitEvent

@@ -1,3 +1,3 @@
 """`ExecuteLocal` under its own module's name."""
 
-from zbot.launch.actions import ExecuteLocal as ExecuteLocal
+from zbot.launch.actions import ExecuteLocal

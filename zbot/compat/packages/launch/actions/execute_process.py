@@ -1,3 +1,3 @@
 """`ExecuteProcess` under its own module's name."""
 
-from zbot.launch.actions import ExecuteProcess as ExecuteProcess
+from zbot.launch.actions import ExecuteProcess

@@ -1,4 +1,3 @@
-"""Loops under their own module's name."""
+"""Loops under the name of their own module."""
 
-from zbot.launch.actions import ForEach as ForEach
-from zbot.launch.actions import ForLoop as ForLoop
+from zbot.launch.actions import ForEach, ForLoop

@@ -1,3 +1,3 @@
 """`GroupAction` under its own module's name."""
 
-from zbot.launch.actions import GroupAction as GroupAction
+from zbot.launch.actions import GroupAction

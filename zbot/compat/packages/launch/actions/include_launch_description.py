@@ -1,3 +1,3 @@
 """`IncludeLaunchDescription` under its own module's name."""
 
-from zbot.launch.actions import IncludeLaunchDescription as IncludeLaunchDescription
+from zbot.launch.actions import IncludeLaunchDescription

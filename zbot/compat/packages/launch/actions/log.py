@@ -1,3 +1,3 @@
 """`Log` under its own module's name."""
 
-from zbot.launch.actions import Log as Log
+from zbot.launch.actions import Log

@@ -1,3 +1,3 @@
 """`LogDebug` under its own module's name."""
 
-from zbot.launch.actions import LogDebug as LogDebug
+from zbot.launch.actions import LogDebug

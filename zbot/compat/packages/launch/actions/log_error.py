@@ -1,3 +1,3 @@
 """`LogError` under its own module's name."""
 
-from zbot.launch.actions import LogError as LogError
+from zbot.launch.actions import LogError

@@ -1,3 +1,3 @@
 """`LogInfo` under its own module's name."""
 
-from zbot.launch.actions import LogInfo as LogInfo
+from zbot.launch.actions import LogInfo

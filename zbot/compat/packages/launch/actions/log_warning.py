@@ -1,3 +1,3 @@
 """`LogWarning` under its own module's name."""
 
-from zbot.launch.actions import LogWarning as LogWarning
+from zbot.launch.actions import LogWarning

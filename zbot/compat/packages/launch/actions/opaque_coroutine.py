@@ -1,3 +1,3 @@
 """`OpaqueCoroutine` under its own module's name."""
 
-from zbot.launch.actions import OpaqueCoroutine as OpaqueCoroutine
+from zbot.launch.actions import OpaqueCoroutine

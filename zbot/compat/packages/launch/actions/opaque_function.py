@@ -1,3 +1,3 @@
 """`OpaqueFunction` under its own module's name."""
 
-from zbot.launch.actions import OpaqueFunction as OpaqueFunction
+from zbot.launch.actions import OpaqueFunction

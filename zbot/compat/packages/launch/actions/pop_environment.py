@@ -1,3 +1,3 @@
 """`PopEnvironment` under its own module's name."""
 
-from zbot.launch.actions import PopEnvironment as PopEnvironment
+from zbot.launch.actions import PopEnvironment

@@ -1,3 +1,3 @@
 """`PopLaunchConfigurations` under its own module's name."""
 
-from zbot.launch.actions import PopLaunchConfigurations as PopLaunchConfigurations
+from zbot.launch.actions import PopLaunchConfigurations

@@ -1,3 +1,3 @@
 """`PushEnvironment` under its own module's name."""
 
-from zbot.launch.actions import PushEnvironment as PushEnvironment
+from zbot.launch.actions import PushEnvironment

@@ -1,3 +1,3 @@
 """`PushLaunchConfigurations` under its own module's name."""
 
-from zbot.launch.actions import PushLaunchConfigurations as PushLaunchConfigurations
+from zbot.launch.actions import PushLaunchConfigurations

@@ -1,3 +1,3 @@
 """`RegisterEventHandler` under its own module's name."""
 
-from zbot.launch.actions import RegisterEventHandler as RegisterEventHandler
+from zbot.launch.actions import RegisterEventHandler

@@ -1,3 +1,3 @@
-"""The action under its own module's name."""
+"""`ReplaceEnvironmentVariables` under its own module's name."""
 
-from zbot.launch.actions import ReplaceEnvironmentVariables as ReplaceEnvironmentVariables
+from zbot.launch.actions import ReplaceEnvironmentVariables

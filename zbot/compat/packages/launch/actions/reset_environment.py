@@ -1,3 +1,3 @@
 """`ResetEnvironment` under its own module's name."""
 
-from zbot.launch.actions import ResetEnvironment as ResetEnvironment
+from zbot.launch.actions import ResetEnvironment

@@ -1,3 +1,3 @@
 """`ResetLaunchConfigurations` under its own module's name."""
 
-from zbot.launch.actions import ResetLaunchConfigurations as ResetLaunchConfigurations
+from zbot.launch.actions import ResetLaunchConfigurations

@@ -1,3 +1,3 @@
 """`SetEnvironmentVariable` under its own module's name."""
 
-from zbot.launch.actions import SetEnvironmentVariable as SetEnvironmentVariable
+from zbot.launch.actions import SetEnvironmentVariable

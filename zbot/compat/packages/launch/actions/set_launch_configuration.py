@@ -1,3 +1,3 @@
 """`SetLaunchConfiguration` under its own module's name."""
 
-from zbot.launch.actions import SetLaunchConfiguration as SetLaunchConfiguration
+from zbot.launch.actions import SetLaunchConfiguration

@@ -1,3 +1,3 @@
 """`TimerAction` under its own module's name."""
 
-from zbot.launch.actions import TimerAction as TimerAction
+from zbot.launch.actions import TimerAction

@@ -1,3 +1,3 @@
 """`UnregisterEventHandler` under its own module's name."""
 
-from zbot.launch.actions import UnregisterEventHandler as UnregisterEventHandler
+from zbot.launch.actions import UnregisterEventHandler

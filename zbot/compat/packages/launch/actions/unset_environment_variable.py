@@ -1,3 +1,3 @@
 """`UnsetEnvironmentVariable` under its own module's name."""
 
-from zbot.launch.actions import UnsetEnvironmentVariable as UnsetEnvironmentVariable
+from zbot.launch.actions import UnsetEnvironmentVariable

@@ -1,3 +1,3 @@
 """`UnsetLaunchConfiguration` under its own module's name."""
 
-from zbot.launch.actions import UnsetLaunchConfiguration as UnsetLaunchConfiguration
+from zbot.launch.actions import UnsetLaunchConfiguration

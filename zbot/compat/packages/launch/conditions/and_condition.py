@@ -1,3 +1,3 @@
 """`AndCondition` under its own module's name."""
 
-from zbot.launch.condition import AndCondition as AndCondition
+from zbot.launch.condition import AndCondition

@@ -1,4 +1,4 @@
-"""What conditions ask."""
+"""Function that evaluates the expression of a condition."""
 
-from zbot.launch.condition import evaluate_condition_expression as evaluate_condition_expression
+from zbot.launch.condition import evaluate_condition_expression
 from zbot.launch.errors import ConditionError as InvalidConditionExpressionError

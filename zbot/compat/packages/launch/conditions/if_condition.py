@@ -1,3 +1,3 @@
 """`IfCondition` under its own module's name."""
 
-from zbot.launch.condition import IfCondition as IfCondition
+from zbot.launch.condition import IfCondition

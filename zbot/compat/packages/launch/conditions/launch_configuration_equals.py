@@ -1,3 +1,3 @@
 """`LaunchConfigurationEquals` under its own module's name."""
 
-from zbot.launch.condition import LaunchConfigurationEquals as LaunchConfigurationEquals
+from zbot.launch.condition import LaunchConfigurationEquals

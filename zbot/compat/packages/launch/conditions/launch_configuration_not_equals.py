@@ -1,3 +1,3 @@
 """`LaunchConfigurationNotEquals` under its own module's name."""
 
-from zbot.launch.condition import LaunchConfigurationNotEquals as LaunchConfigurationNotEquals
+from zbot.launch.condition import LaunchConfigurationNotEquals

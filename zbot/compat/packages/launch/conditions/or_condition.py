@@ -1,3 +1,3 @@
 """`OrCondition` under its own module's name."""
 
-from zbot.launch.condition import OrCondition as OrCondition
+from zbot.launch.condition import OrCondition

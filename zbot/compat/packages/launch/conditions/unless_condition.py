@@ -1,3 +1,3 @@
 """`UnlessCondition` under its own module's name."""
 
-from zbot.launch.condition import UnlessCondition as UnlessCondition
+from zbot.launch.condition import UnlessCondition

@@ -1,3 +1,3 @@
-"""What to execute."""
+"""Descriptions of programs to execute."""
 
-from zbot.launch.actions.executable import Executable as Executable
+from zbot.launch.actions.executable import Executable

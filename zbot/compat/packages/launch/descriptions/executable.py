@@ -1,3 +1,3 @@
 """`Executable` under its own module's name."""
 
-from zbot.launch.actions.executable import Executable as Executable
+from zbot.launch.actions.executable import Executable

@@ -1,3 +1,3 @@
 """`OnActionEventBase` under its own module's name."""
 
-from zbot.launch.event_handler import OnActionEventBase as OnActionEventBase
+from zbot.launch.event_handler import OnActionEventBase

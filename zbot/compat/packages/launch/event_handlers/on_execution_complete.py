@@ -1,3 +1,3 @@
 """`OnExecutionComplete` under its own module's name."""
 
-from zbot.launch.event_handler import OnExecutionComplete as OnExecutionComplete
+from zbot.launch.event_handler import OnExecutionComplete

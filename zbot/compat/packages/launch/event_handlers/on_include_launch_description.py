@@ -1,3 +1,3 @@
 """`OnIncludeLaunchDescription` under its own module's name."""
 
-from zbot.launch.event_handler import OnIncludeLaunchDescription as OnIncludeLaunchDescription
+from zbot.launch.event_handler import OnIncludeLaunchDescription

@@ -1,3 +1,3 @@
 """`OnProcessExit` under its own module's name."""
 
-from zbot.launch.event_handler import OnProcessExit as OnProcessExit
+from zbot.launch.event_handler import OnProcessExit

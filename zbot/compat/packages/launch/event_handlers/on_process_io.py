@@ -1,3 +1,3 @@
 """`OnProcessIO` under its own module's name."""
 
-from zbot.launch.event_handler import OnProcessIO as OnProcessIO
+from zbot.launch.event_handler import OnProcessIO

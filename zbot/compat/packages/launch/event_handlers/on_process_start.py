@@ -1,3 +1,3 @@
 """`OnProcessStart` under its own module's name."""
 
-from zbot.launch.event_handler import OnProcessStart as OnProcessStart
+from zbot.launch.event_handler import OnProcessStart

@@ -1,3 +1,3 @@
 """`OnShutdown` under its own module's name."""
 
-from zbot.launch.event_handler import OnShutdown as OnShutdown
+from zbot.launch.event_handler import OnShutdown

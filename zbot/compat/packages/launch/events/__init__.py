@@ -1,4 +1,4 @@
-"""What can happen."""
+"""Events of a launch."""
 
 from zbot.compat.submodules import submodules
 from zbot.launch.event import ExecutionComplete, Shutdown, TimerEvent

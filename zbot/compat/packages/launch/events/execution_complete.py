@@ -1,3 +1,3 @@
 """`ExecutionComplete` under its own module's name."""
 
-from zbot.launch.event import ExecutionComplete as ExecutionComplete
+from zbot.launch.event import ExecutionComplete

@@ -1,3 +1,3 @@
-"""Which action an event is about."""
+"""Functions that check which action an event is about."""
 
-from zbot.launch.process_event import matches_action as matches_action
+from zbot.launch.process_event import matches_action

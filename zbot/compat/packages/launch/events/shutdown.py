@@ -1,3 +1,3 @@
 """`Shutdown` under its own module's name."""
 
-from zbot.launch.event import Shutdown as Shutdown
+from zbot.launch.event import Shutdown

@@ -1,3 +1,3 @@
 """`TimerEvent` under its own module's name."""
 
-from zbot.launch.event import TimerEvent as TimerEvent
+from zbot.launch.event import TimerEvent

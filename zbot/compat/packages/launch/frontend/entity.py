@@ -1,3 +1,3 @@
 """`Entity` under its own module's name."""
 
-from zbot.launch.frontend.entity import Entity as Entity
+from zbot.launch.frontend.entity import Entity

@@ -1,5 +1,4 @@
-"""Tags and substitutions of one's own."""
+"""Decorators for a program's own tags and substitutions."""
 
 from zbot.launch.frontend.registry import expose as __expose_impl
-from zbot.launch.frontend.registry import expose_action as expose_action
-from zbot.launch.frontend.registry import expose_substitution as expose_substitution
+from zbot.launch.frontend.registry import expose_action, expose_substitution

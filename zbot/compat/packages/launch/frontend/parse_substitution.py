@@ -1,4 +1,4 @@
-"""Texts with substitutions."""
+"""Functions that read strings with substitutions."""
 
 from zbot.launch.frontend.substitution_text import parse as parse_substitution
-from zbot.launch.frontend.substitution_text import parse_if_substitutions as parse_if_substitutions
+from zbot.launch.frontend.substitution_text import parse_if_substitutions

@@ -1,10 +1,12 @@
-"""Where launch descriptions come from."""
+"""Sources of launch descriptions."""
 
 from zbot.compat.submodules import submodules
 from zbot.launch.errors import LaunchFileError as InvalidPythonLaunchFileError
-from zbot.launch.source import AnyLaunchDescriptionSource as AnyLaunchDescriptionSource
-from zbot.launch.source import FrontendLaunchDescriptionSource as FrontendLaunchDescriptionSource
-from zbot.launch.source import PythonLaunchDescriptionSource as PythonLaunchDescriptionSource
+from zbot.launch.source import (
+    AnyLaunchDescriptionSource,
+    FrontendLaunchDescriptionSource,
+    PythonLaunchDescriptionSource,
+)
 from zbot.launch.source import load_launch_file as get_launch_description_from_any_launch_file
 from zbot.launch.source import load_launch_file as get_launch_description_from_frontend_launch_file
 from zbot.launch.source import (

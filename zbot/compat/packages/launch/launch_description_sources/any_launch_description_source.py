@@ -1,3 +1,3 @@
 """`AnyLaunchDescriptionSource` under its own module's name."""
 
-from zbot.launch.source import AnyLaunchDescriptionSource as AnyLaunchDescriptionSource
+from zbot.launch.source import AnyLaunchDescriptionSource

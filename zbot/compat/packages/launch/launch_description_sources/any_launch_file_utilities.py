@@ -1,6 +1,6 @@
 """Launch files of any format."""
 
-from zbot.launch.errors import InvalidLaunchFileError as InvalidLaunchFileError
+from zbot.launch.errors import InvalidLaunchFileError
 from zbot.launch.source import load_launch_file as get_launch_description_from_any_launch_file
 from zbot.launch.source import load_launch_file as get_launch_description_from_frontend_launch_file
 from zbot.launch.source import (

@@ -1,3 +1,3 @@
 """`FrontendLaunchDescriptionSource` under its own module's name."""
 
-from zbot.launch.source import FrontendLaunchDescriptionSource as FrontendLaunchDescriptionSource
+from zbot.launch.source import FrontendLaunchDescriptionSource

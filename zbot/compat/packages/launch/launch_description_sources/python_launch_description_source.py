@@ -1,3 +1,3 @@
 """`PythonLaunchDescriptionSource` under its own module's name."""
 
-from zbot.launch.source import PythonLaunchDescriptionSource as PythonLaunchDescriptionSource
+from zbot.launch.source import PythonLaunchDescriptionSource

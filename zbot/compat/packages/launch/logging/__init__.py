@@ -1,4 +1,4 @@
-"""The log of a launch, itself: what a test replaces here is replaced for every launch."""
+"""The log of a launch. A test that replaces a name here replaces it for every launch."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""Texts that are known only when a launch file runs."""
+"""Substitutions, whose strings are only known when a launch file runs."""
 
 from zbot.launch.errors import SubstitutionError as SubstitutionFailure
 from zbot.launch.substitutions import (

@@ -1,3 +1,3 @@
 """`AnonName` under its own module's name."""
 
-from zbot.launch.substitutions import AnonName as AnonName
+from zbot.launch.substitutions import AnonName

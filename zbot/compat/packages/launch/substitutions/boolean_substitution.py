@@ -1,7 +1,9 @@
-"""Truth values."""
+"""Substitutions with the values true and false."""
 
-from zbot.launch.substitutions import AllSubstitution as AllSubstitution
-from zbot.launch.substitutions import AndSubstitution as AndSubstitution
-from zbot.launch.substitutions import AnySubstitution as AnySubstitution
-from zbot.launch.substitutions import NotSubstitution as NotSubstitution
-from zbot.launch.substitutions import OrSubstitution as OrSubstitution
+from zbot.launch.substitutions import (
+    AllSubstitution,
+    AndSubstitution,
+    AnySubstitution,
+    NotSubstitution,
+    OrSubstitution,
+)

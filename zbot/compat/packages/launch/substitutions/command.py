@@ -1,3 +1,3 @@
 """`Command` under its own module's name."""
 
-from zbot.launch.substitutions import Command as Command
+from zbot.launch.substitutions import Command

@@ -1,3 +1,3 @@
 """`EnvironmentVariable` under its own module's name."""
 
-from zbot.launch.substitutions import EnvironmentVariable as EnvironmentVariable
+from zbot.launch.substitutions import EnvironmentVariable

@@ -1,3 +1,3 @@
 """`EqualsSubstitution` under its own module's name."""
 
-from zbot.launch.substitutions import EqualsSubstitution as EqualsSubstitution
+from zbot.launch.substitutions import EqualsSubstitution

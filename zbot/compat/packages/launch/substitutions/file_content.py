@@ -1,3 +1,3 @@
 """`FileContent` under its own module's name."""
 
-from zbot.launch.substitutions import FileContent as FileContent
+from zbot.launch.substitutions import FileContent

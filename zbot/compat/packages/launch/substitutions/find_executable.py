@@ -1,3 +1,3 @@
 """`FindExecutable` under its own module's name."""
 
-from zbot.launch.substitutions import FindExecutable as FindExecutable
+from zbot.launch.substitutions import FindExecutable

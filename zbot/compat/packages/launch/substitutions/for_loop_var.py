@@ -1,4 +1,3 @@
-"""The values of loops under their own module's name."""
+"""Variables of loops under the name of their own module."""
 
-from zbot.launch.substitutions import ForEachVar as ForEachVar
-from zbot.launch.substitutions import ForLoopIndex as ForLoopIndex
+from zbot.launch.substitutions import ForEachVar, ForLoopIndex

@@ -1,3 +1,3 @@
 """`IfElseSubstitution` under its own module's name."""
 
-from zbot.launch.substitutions import IfElseSubstitution as IfElseSubstitution
+from zbot.launch.substitutions import IfElseSubstitution

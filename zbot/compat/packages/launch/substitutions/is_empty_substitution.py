@@ -1,3 +1,3 @@
 """`IsEmptySubstitution` under its own module's name."""
 
-from zbot.launch.substitutions import IsEmptySubstitution as IsEmptySubstitution
+from zbot.launch.substitutions import IsEmptySubstitution

@@ -1,3 +1,3 @@
 """`LaunchConfiguration` under its own module's name."""
 
-from zbot.launch.substitutions import LaunchConfiguration as LaunchConfiguration
+from zbot.launch.substitutions import LaunchConfiguration

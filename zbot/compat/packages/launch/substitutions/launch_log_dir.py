@@ -1,3 +1,3 @@
 """`LaunchLogDir` under its own module's name."""
 
-from zbot.launch.substitutions import LaunchLogDir as LaunchLogDir
+from zbot.launch.substitutions import LaunchLogDir

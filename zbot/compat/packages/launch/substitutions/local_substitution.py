@@ -1,3 +1,3 @@
 """`LocalSubstitution` under its own module's name."""
 
-from zbot.launch.substitutions import LocalSubstitution as LocalSubstitution
+from zbot.launch.substitutions import LocalSubstitution

@@ -1,3 +1,3 @@
 """`NotEmptySubstitution` under its own module's name."""
 
-from zbot.launch.substitutions import NotEmptySubstitution as NotEmptySubstitution
+from zbot.launch.substitutions import NotEmptySubstitution

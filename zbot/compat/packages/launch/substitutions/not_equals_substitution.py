@@ -1,3 +1,3 @@
 """`NotEqualsSubstitution` under its own module's name."""
 
-from zbot.launch.substitutions import NotEqualsSubstitution as NotEqualsSubstitution
+from zbot.launch.substitutions import NotEqualsSubstitution

@@ -1,3 +1,3 @@
 """`PathJoinSubstitution` under its own module's name."""
 
-from zbot.launch.substitutions import PathJoinSubstitution as PathJoinSubstitution
+from zbot.launch.substitutions import PathJoinSubstitution

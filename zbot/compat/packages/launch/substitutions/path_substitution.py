@@ -1,3 +1,3 @@
 """`PathSubstitution` under its own module's name."""
 
-from zbot.launch.substitutions import PathSubstitution as PathSubstitution
+from zbot.launch.substitutions import PathSubstitution

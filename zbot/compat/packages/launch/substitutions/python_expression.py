@@ -1,3 +1,3 @@
 """`PythonExpression` under its own module's name."""
 
-from zbot.launch.substitutions import PythonExpression as PythonExpression
+from zbot.launch.substitutions import PythonExpression

@@ -1,3 +1,3 @@
 """`StringJoinSubstitution` under its own module's name."""
 
-from zbot.launch.substitutions import StringJoinSubstitution as StringJoinSubstitution
+from zbot.launch.substitutions import StringJoinSubstitution

@@ -1,3 +1,3 @@
 """`StringStripSubstitution` under its own module's name."""
 
-from zbot.launch.substitutions import StringStripSubstitution as StringStripSubstitution
+from zbot.launch.substitutions import StringStripSubstitution

@@ -1,4 +1,4 @@
-"""What a substitution raises."""
+"""Error that a failed substitution raises."""
 
 from zbot.launch.errors import SubstitutionError as SubstitutionFailure
 

@@ -1,3 +1,3 @@
 """`TextSubstitution` under its own module's name."""
 
-from zbot.launch.substitutions import TextSubstitution as TextSubstitution
+from zbot.launch.substitutions import TextSubstitution

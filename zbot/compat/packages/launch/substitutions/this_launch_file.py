@@ -1,3 +1,3 @@
 """`ThisLaunchFile` under its own module's name."""
 
-from zbot.launch.substitutions import ThisLaunchFile as ThisLaunchFile
+from zbot.launch.substitutions import ThisLaunchFile

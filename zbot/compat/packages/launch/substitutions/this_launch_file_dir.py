@@ -1,3 +1,3 @@
 """`ThisLaunchFileDir` under its own module's name."""
 
-from zbot.launch.substitutions import ThisLaunchFileDir as ThisLaunchFileDir
+from zbot.launch.substitutions import ThisLaunchFileDir

@@ -1,4 +1,4 @@
-"""Helpers of launch files that define actions of their own."""
+"""Helpers for launch files that define their own actions."""
 
 from zbot.launch.argument_check import (
     ensure_argument_type,

@@ -1,5 +1,3 @@
-"""What `launch.utilities` has, under its own module's name."""
+"""Names of `launch.utilities` under the name of their own module."""
 
-from zbot.launch.argument_check import is_a as is_a
-from zbot.launch.argument_check import is_a_subclass as is_a_subclass
-from zbot.launch.argument_check import isclassinstance as isclassinstance
+from zbot.launch.argument_check import is_a, is_a_subclass, isclassinstance

@@ -1,3 +1,3 @@
-"""What `launch.utilities` has, under its own module's name."""
+"""Names of `launch.utilities` under the name of their own module."""
 
-from zbot.launch.visit import create_future as create_future
+from zbot.launch.visit import create_future

@@ -1,3 +1,3 @@
-"""What `launch.utilities` has, under its own module's name."""
+"""Names of `launch.utilities` under the name of their own module."""
 
-from zbot.launch.argument_check import ensure_argument_type as ensure_argument_type
+from zbot.launch.argument_check import ensure_argument_type

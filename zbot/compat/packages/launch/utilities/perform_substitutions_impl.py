@@ -1,4 +1,4 @@
-"""What `launch.utilities` has, under its own module's name."""
+"""Names of `launch.utilities` under the name of their own module."""
 
 from zbot.launch.substitution import perform as perform_substitutions
 

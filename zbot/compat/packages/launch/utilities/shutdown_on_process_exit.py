@@ -1,3 +1,3 @@
-"""Ends the launch with one of its processes."""
+"""Function that ends the launch when a process ends."""
 
-from zbot.launch.actions import shutdown_on_process_exit as shutdown_on_process_exit
+from zbot.launch.actions import shutdown_on_process_exit

@@ -1,3 +1,3 @@
-"""What `launch.utilities` has, under its own module's name."""
+"""Names of `launch.utilities` under the name of their own module."""
 
-from zbot.launch.signal_manager import AsyncSafeSignalManager as AsyncSafeSignalManager
+from zbot.launch.signal_manager import AsyncSafeSignalManager

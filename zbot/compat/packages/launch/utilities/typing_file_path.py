@@ -1,4 +1,4 @@
-"""What a path may be given as."""
+"""Type of arguments that are paths."""
 
 import os
 

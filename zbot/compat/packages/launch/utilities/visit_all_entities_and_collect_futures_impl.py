@@ -1,5 +1,5 @@
-"""What `launch.utilities` has, under its own module's name."""
+"""Names of `launch.utilities` under the name of their own module."""
 
 from zbot.launch.visit import (
-    visit_all_entities_and_collect_futures as visit_all_entities_and_collect_futures,
+    visit_all_entities_and_collect_futures,
 )

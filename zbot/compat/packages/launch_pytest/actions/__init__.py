@@ -1,3 +1,3 @@
-"""Where tests may begin."""
+"""Action that marks when tests may begin."""
 
-from zbot.launch.actions.testing import ReadyToTest as ReadyToTest
+from zbot.launch.actions.testing import ReadyToTest

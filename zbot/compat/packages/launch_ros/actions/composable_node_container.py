@@ -1,3 +1,3 @@
 """`ComposableNodeContainer` under its own module's name."""
 
-from zbot.launch.actions import ComposableNodeContainer as ComposableNodeContainer
+from zbot.launch.actions import ComposableNodeContainer

@@ -1,3 +1,3 @@
 """`LifecycleNode` under its own module's name."""
 
-from zbot.launch.actions import LifecycleNode as LifecycleNode
+from zbot.launch.actions import LifecycleNode

@@ -1,3 +1,3 @@
 """`LifecycleTransition` under its own module's name."""
 
-from zbot.launch.actions import LifecycleTransition as LifecycleTransition
+from zbot.launch.actions import LifecycleTransition

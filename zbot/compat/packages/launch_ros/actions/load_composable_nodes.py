@@ -1,3 +1,3 @@
 """`LoadComposableNodes` under its own module's name."""
 
-from zbot.launch.actions import LoadComposableNodes as LoadComposableNodes
+from zbot.launch.actions import LoadComposableNodes

@@ -1,3 +1,3 @@
 """`Node` under its own module's name."""
 
-from zbot.launch.actions import Node as Node
+from zbot.launch.actions import Node

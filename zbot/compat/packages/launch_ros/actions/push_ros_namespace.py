@@ -1,3 +1,3 @@
 """`PushRosNamespace` under its own module's name."""
 
-from zbot.launch.actions import PushRosNamespace as PushRosNamespace
+from zbot.launch.actions import PushRosNamespace

@@ -1,3 +1,3 @@
 """`RosTimer` under its own module's name."""
 
-from zbot.launch.actions import RosTimer as RosTimer
+from zbot.launch.actions import RosTimer

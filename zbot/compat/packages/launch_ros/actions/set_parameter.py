@@ -1,3 +1,3 @@
 """`SetParameter` under its own module's name."""
 
-from zbot.launch.actions import SetParameter as SetParameter
+from zbot.launch.actions import SetParameter

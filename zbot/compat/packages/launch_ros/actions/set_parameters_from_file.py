@@ -1,3 +1,3 @@
 """`SetParametersFromFile` under its own module's name."""
 
-from zbot.launch.actions import SetParametersFromFile as SetParametersFromFile
+from zbot.launch.actions import SetParametersFromFile

@@ -1,3 +1,3 @@
 """`SetRemap` under its own module's name."""
 
-from zbot.launch.actions import SetRemap as SetRemap
+from zbot.launch.actions import SetRemap

@@ -1,3 +1,3 @@
 """`SetROSLogDir` under its own module's name."""
 
-from zbot.launch.actions import SetROSLogDir as SetROSLogDir
+from zbot.launch.actions import SetROSLogDir

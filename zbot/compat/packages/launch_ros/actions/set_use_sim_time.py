@@ -1,3 +1,3 @@
 """`SetUseSimTime` under its own module's name."""
 
-from zbot.launch.actions import SetUseSimTime as SetUseSimTime
+from zbot.launch.actions import SetUseSimTime

@@ -1,6 +1,4 @@
 """Components and parameters."""
 
-from zbot.launch.actions.composable import ComposableNode as ComposableNode
-from zbot.launch.parameters import Parameter as Parameter
-from zbot.launch.parameters import ParameterFile as ParameterFile
-from zbot.launch.parameters import ParameterValue as ParameterValue
+from zbot.launch.actions.composable import ComposableNode
+from zbot.launch.parameters import Parameter, ParameterFile, ParameterValue

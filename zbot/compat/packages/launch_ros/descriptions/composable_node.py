@@ -1,3 +1,3 @@
 """`ComposableNode` under its own module's name."""
 
-from zbot.launch.actions.composable import ComposableNode as ComposableNode
+from zbot.launch.actions.composable import ComposableNode

@@ -1,3 +1,3 @@
-"""What to do when a managed node changes its state."""
+"""Handlers that do something when a managed node changes its state."""
 
-from zbot.launch.lifecycle_event import OnStateTransition as OnStateTransition
+from zbot.launch.lifecycle_event import OnStateTransition

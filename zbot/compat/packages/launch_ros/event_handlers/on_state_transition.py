@@ -1,3 +1,3 @@
 """`OnStateTransition` under its own module's name."""
 
-from zbot.launch.lifecycle_event import OnStateTransition as OnStateTransition
+from zbot.launch.lifecycle_event import OnStateTransition

@@ -1,6 +1,6 @@
-"""What can happen to nodes."""
+"""Events of nodes."""
 
 from zbot.compat.submodules import submodules
-from zbot.launch.lifecycle_event import matches_node_name as matches_node_name
+from zbot.launch.lifecycle_event import matches_node_name
 
 __getattr__ = submodules(__name__, "lifecycle")

@@ -1,3 +1,3 @@
-"""Whether an event is for a node."""
+"""Function that checks whether an event is for a node."""
 
-from zbot.launch.lifecycle_event import matches_node_name as matches_node_name
+from zbot.launch.lifecycle_event import matches_node_name

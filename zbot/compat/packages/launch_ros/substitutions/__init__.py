@@ -1,7 +1,9 @@
-"""Packages, their programs, and parameters, as texts."""
+"""Substitutions for packages, their programs and parameters."""
 
-from zbot.launch.substitutions import ExecutableInPackage as ExecutableInPackage
-from zbot.launch.substitutions import FindPackage as FindPackage
-from zbot.launch.substitutions import FindPackagePrefix as FindPackagePrefix
-from zbot.launch.substitutions import FindPackageShare as FindPackageShare
-from zbot.launch.substitutions import Parameter as Parameter
+from zbot.launch.substitutions import (
+    ExecutableInPackage,
+    FindPackage,
+    FindPackagePrefix,
+    FindPackageShare,
+    Parameter,
+)

@@ -1,3 +1,3 @@
-"""Under its own module's name."""
+"""`ExecutableInPackage` under its own module's name."""
 
-from zbot.launch.substitutions import ExecutableInPackage as ExecutableInPackage
+from zbot.launch.substitutions import ExecutableInPackage

@@ -1,5 +1,3 @@
-"""Under its own module's name."""
+"""`FindPackage` and `FindPackageShare` under the name of their own module."""
 
-from zbot.launch.substitutions import FindPackage as FindPackage
-from zbot.launch.substitutions import FindPackagePrefix as FindPackagePrefix
-from zbot.launch.substitutions import FindPackageShare as FindPackageShare
+from zbot.launch.substitutions import FindPackage, FindPackagePrefix, FindPackageShare

@@ -1,3 +1,3 @@
-"""Under its own module's name."""
+"""`Parameter` under its own module's name."""
 
-from zbot.launch.substitutions import Parameter as Parameter
+from zbot.launch.substitutions import Parameter

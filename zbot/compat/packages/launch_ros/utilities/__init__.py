@@ -1,4 +1,4 @@
-"""Helpers of launch files and their tests."""
+"""Helpers for launch files and their tests."""
 
 from zbot.launch.actions.ros_names import absolute as make_namespace_absolute
 from zbot.launch.actions.ros_names import (

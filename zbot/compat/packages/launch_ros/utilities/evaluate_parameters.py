@@ -1,3 +1,3 @@
-"""What a node's parameters are."""
+"""Function that evaluates a node's parameters."""
 
-from zbot.launch.parameters import evaluate_parameters as evaluate_parameters
+from zbot.launch.parameters import evaluate_parameters

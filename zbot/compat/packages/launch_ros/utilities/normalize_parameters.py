@@ -1,3 +1,3 @@
-"""What may be given as parameters."""
+"""Function that normalizes a node's parameters."""
 
-from zbot.launch.parameters import normalize_parameters as normalize_parameters
+from zbot.launch.parameters import normalize_parameters

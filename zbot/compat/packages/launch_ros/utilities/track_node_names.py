@@ -1,4 +1,3 @@
-"""How many nodes of each name a launch has started."""
+"""Functions that count the nodes of each name in a launch."""
 
-from zbot.launch.node_names import add_node_name as add_node_name
-from zbot.launch.node_names import get_node_name_count as get_node_name_count
+from zbot.launch.node_names import add_node_name, get_node_name_count

@@ -1,6 +1,4 @@
-"""What a launch file under test can have done."""
+"""Actions of launch files under test."""
 
-from zbot.launch.actions.testing import ReadyToTest as ReadyToTest
-from zbot.launch.testing.test_action import GTest as GTest
-from zbot.launch.testing.test_action import PyTest as PyTest
-from zbot.launch.testing.test_action import Test as Test
+from zbot.launch.actions.testing import ReadyToTest
+from zbot.launch.testing.test_action import GTest, PyTest, Test

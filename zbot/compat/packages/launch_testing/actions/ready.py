@@ -1,3 +1,3 @@
 """`ReadyToTest` under its own module's name."""
 
-from zbot.launch.actions.testing import ReadyToTest as ReadyToTest
+from zbot.launch.actions.testing import ReadyToTest

@@ -1,3 +1,3 @@
-"""When a process is ready."""
+"""Handler that detects when a process is ready."""
 
-from zbot.launch.testing.ready_listener import StdoutReadyListener as StdoutReadyListener
+from zbot.launch.testing.ready_listener import StdoutReadyListener

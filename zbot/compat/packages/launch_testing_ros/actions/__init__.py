@@ -1,3 +1,3 @@
-"""launch_testing's actions."""
+"""Actions of `launch_testing`."""
 
-from zbot.launch.actions.testing import ReadyToTest as ReadyToTest
+from zbot.launch.actions.testing import ReadyToTest

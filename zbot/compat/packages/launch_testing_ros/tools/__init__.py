@@ -1,4 +1,4 @@
-"""Outputs of nodes."""
+"""Tools for outputs of nodes."""
 
 from zbot.launch.testing.output_text import ros_output_filter as basic_output_filter
 

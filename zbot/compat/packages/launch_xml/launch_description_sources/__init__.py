@@ -1,3 +1,3 @@
 """Launch files in XML as sources."""
 
-from zbot.launch.source import XMLLaunchDescriptionSource as XMLLaunchDescriptionSource
+from zbot.launch.source import XMLLaunchDescriptionSource

@@ -1,3 +1,3 @@
 """Launch files in YAML as sources."""
 
-from zbot.launch.source import YAMLLaunchDescriptionSource as YAMLLaunchDescriptionSource
+from zbot.launch.source import YAMLLaunchDescriptionSource

@@ -1,10 +1,8 @@
-"""Which actions there are."""
+"""Functions that list the actions of the graph."""
 
 from zbot.action.graph import (
-    get_action_client_names_and_types_by_node as get_action_client_names_and_types_by_node,
+    get_action_client_names_and_types_by_node,
+    get_action_names_and_types,
+    get_action_server_names_and_types_by_node,
 )
-from zbot.action.graph import get_action_names_and_types as get_action_names_and_types
-from zbot.action.graph import (
-    get_action_server_names_and_types_by_node as get_action_server_names_and_types_by_node,
-)
-from zbot.node.node import Node as Node
+from zbot.node.node import Node

@@ -1,4 +1,4 @@
-"""What rclpy is made of, as far as programs use it."""
+"""Internal modules of rclpy that programs use."""
 
 from zbot.compat.submodules import submodules
 

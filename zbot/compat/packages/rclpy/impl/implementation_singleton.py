@@ -1,4 +1,4 @@
-"""ROS 2's `rclpy.impl.implementation_singleton`: the module that stands for the C extension."""
+"""ROS 2's `rclpy.impl.implementation_singleton`, which names the C extension."""
 
 import importlib
 

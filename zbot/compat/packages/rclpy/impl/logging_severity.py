@@ -1,3 +1,3 @@
 """Severities of log lines."""
 
-from zbot.log import LoggingSeverity as LoggingSeverity
+from zbot.log import LoggingSeverity

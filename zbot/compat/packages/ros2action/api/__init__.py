@@ -1,4 +1,3 @@
 """Actions."""
 
-from zbot.compat.graph_listing import get_action_names as get_action_names
-from zbot.compat.graph_listing import get_action_names_and_types as get_action_names_and_types
+from zbot.compat.graph_listing import get_action_names, get_action_names_and_types

@@ -1,1 +1,1 @@
-"""Nodes for a look at the graph."""
+"""Nodes that query the graph."""

@@ -1,5 +1,4 @@
-"""The node that asks by itself."""
+"""The node that queries the graph itself."""
 
-from zbot.compat.command_node import NODE_NAME_PREFIX as NODE_NAME_PREFIX
+from zbot.compat.command_node import NODE_NAME_PREFIX, add_arguments
 from zbot.compat.command_node import CommandNode as DirectNode
-from zbot.compat.command_node import add_arguments as add_arguments

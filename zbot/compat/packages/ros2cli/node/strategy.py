@@ -1,4 +1,4 @@
-"""The node that programs are to take."""
+"""The node that programs should use."""
 
 from zbot.compat.command_node import CommandNode as NodeStrategy
-from zbot.compat.command_node import add_arguments as add_arguments
+from zbot.compat.command_node import add_arguments

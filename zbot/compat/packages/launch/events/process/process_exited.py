@@ -1,3 +1,3 @@
 """`ProcessExited` under its own module's name."""
 
-from zbot.launch.process_event import ProcessExited as ProcessExited
+from zbot.launch.process_event import ProcessExited

@@ -1,3 +1,3 @@
 """`ProcessIO` under its own module's name."""
 
-from zbot.launch.process_event import ProcessIO as ProcessIO
+from zbot.launch.process_event import ProcessIO

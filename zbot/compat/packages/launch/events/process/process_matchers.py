@@ -1,5 +1,3 @@
-"""Which process an event is about."""
+"""Functions that check which process an event is about."""
 
-from zbot.launch.process_event import matches_executable as matches_executable
-from zbot.launch.process_event import matches_name as matches_name
-from zbot.launch.process_event import matches_pid as matches_pid
+from zbot.launch.process_event import matches_executable, matches_name, matches_pid

@@ -1,3 +1,3 @@
 """`ProcessStarted` under its own module's name."""
 
-from zbot.launch.process_event import ProcessStarted as ProcessStarted
+from zbot.launch.process_event import ProcessStarted

@@ -1,3 +1,3 @@
 """`ProcessStderr` under its own module's name."""
 
-from zbot.launch.process_event import ProcessStderr as ProcessStderr
+from zbot.launch.process_event import ProcessStderr

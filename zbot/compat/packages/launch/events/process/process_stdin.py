@@ -1,3 +1,3 @@
 """`ProcessStdin` under its own module's name."""
 
-from zbot.launch.process_event import ProcessStdin as ProcessStdin
+from zbot.launch.process_event import ProcessStdin

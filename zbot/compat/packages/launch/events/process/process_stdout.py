@@ -1,3 +1,3 @@
 """`ProcessStdout` under its own module's name."""
 
-from zbot.launch.process_event import ProcessStdout as ProcessStdout
+from zbot.launch.process_event import ProcessStdout

@@ -1,3 +1,3 @@
 """`ProcessTargetedEvent` under its own module's name."""
 
-from zbot.launch.process_event import ProcessTargetedEvent as ProcessTargetedEvent
+from zbot.launch.process_event import ProcessTargetedEvent

@@ -1,3 +1,3 @@
 """`RunningProcessEvent` under its own module's name."""
 
-from zbot.launch.process_event import RunningProcessEvent as RunningProcessEvent
+from zbot.launch.process_event import RunningProcessEvent

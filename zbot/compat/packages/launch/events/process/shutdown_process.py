@@ -1,3 +1,3 @@
 """`ShutdownProcess` under its own module's name."""
 
-from zbot.launch.process_event import ShutdownProcess as ShutdownProcess
+from zbot.launch.process_event import ShutdownProcess

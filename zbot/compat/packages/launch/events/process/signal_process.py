@@ -1,3 +1,3 @@
 """`SignalProcess` under its own module's name."""
 
-from zbot.launch.process_event import SignalProcess as SignalProcess
+from zbot.launch.process_event import SignalProcess

@@ -1,5 +1,3 @@
-"""What can happen to managed nodes."""
+"""Events of managed nodes."""
 
-from zbot.launch.lifecycle_event import ChangeState as ChangeState
-from zbot.launch.lifecycle_event import StateTransition as StateTransition
-from zbot.launch.lifecycle_event import matches_node_name as matches_node_name
+from zbot.launch.lifecycle_event import ChangeState, StateTransition, matches_node_name

@@ -1,3 +1,3 @@
 """`ChangeState` under its own module's name."""
 
-from zbot.launch.lifecycle_event import ChangeState as ChangeState
+from zbot.launch.lifecycle_event import ChangeState

@@ -1,3 +1,3 @@
 """`StateTransition` under its own module's name."""
 
-from zbot.launch.lifecycle_event import StateTransition as StateTransition
+from zbot.launch.lifecycle_event import StateTransition
