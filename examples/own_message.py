@@ -1,4 +1,4 @@
-"""Message type of your own, written as a dataclass; nothing has to be built."""
+"""Message type of your own, written as a dataclass. Nothing has to be built."""
 
 from dataclasses import dataclass, field
 

@@ -1,4 +1,4 @@
-"""Read a zbot topic with only eclipse-zenoh and msgpack; docs/wire.md explains the format."""
+"""Read a zbot topic with only eclipse-zenoh and msgpack. docs/wire.md explains the format."""
 
 import os
 

@@ -66,51 +66,36 @@ if TYPE_CHECKING:
     from zbot.time import Duration as Duration
     from zbot.time import Time as Time
 
-# The module of each name. A name is imported at its first use, because a command that lists topics
+# The public names of each module. A name is imported at its first use: a command that lists topics
 # must not wait for the import of executors.
 _MODULES = {
-    "CallbackGroup": "zbot.executor.callback_group",
-    "MutuallyExclusiveCallbackGroup": "zbot.executor.callback_group",
-    "ReentrantCallbackGroup": "zbot.executor.callback_group",
-    "Clock": "zbot.executor.clock",
-    "ROSClock": "zbot.executor.clock",
-    "Context": "zbot.context",
-    "get_default_context": "zbot.context",
-    "ZbotError": "zbot.errors",
-    "Executor": "zbot.executor.executor",
-    "ExternalShutdownException": "zbot.errors",
-    "MultiThreadedExecutor": "zbot.executor.multi_threaded_executor",
-    "SingleThreadedExecutor": "zbot.executor.single_threaded_executor",
-    "LoggingSeverity": "zbot.log",
-    "get_logger": "zbot.log",
-    "Node": "zbot.node.node",
-    "Parameter": "zbot.parameters.parameter",
-    "Publisher": "zbot.node.publisher",
-    "DurabilityPolicy": "zbot.qos",
-    "HistoryPolicy": "zbot.qos",
-    "LivelinessPolicy": "zbot.qos",
-    "QoSPresetProfiles": "zbot.qos",
-    "QoSProfile": "zbot.qos",
-    "ReliabilityPolicy": "zbot.qos",
-    "create_node": "zbot.runtime",
-    "get_global_executor": "zbot.runtime",
-    "init": "zbot.runtime",
-    "ok": "zbot.runtime",
-    "shutdown": "zbot.runtime",
-    "spin": "zbot.runtime",
-    "spin_once": "zbot.runtime",
-    "spin_until_future_complete": "zbot.runtime",
-    "try_shutdown": "zbot.runtime",
-    "SignalHandlerOptions": "zbot.process.signals",
-    "MessageInfo": "zbot.node.message_info",
-    "Subscription": "zbot.node.subscription",
-    "Future": "zbot.executor.task",
-    "Task": "zbot.executor.task",
-    "ClockType": "zbot.time",
-    "Duration": "zbot.time",
-    "Time": "zbot.time",
-    "Rate": "zbot.executor.timer",
-    "Timer": "zbot.executor.timer",
+    "zbot.context": "Context get_default_context",
+    "zbot.errors": "ZbotError ExternalShutdownException",
+    "zbot.executor.callback_group": (
+        "CallbackGroup MutuallyExclusiveCallbackGroup ReentrantCallbackGroup"
+    ),
+    "zbot.executor.clock": "Clock ROSClock",
+    "zbot.executor.executor": "Executor",
+    "zbot.executor.multi_threaded_executor": "MultiThreadedExecutor",
+    "zbot.executor.single_threaded_executor": "SingleThreadedExecutor",
+    "zbot.executor.task": "Future Task",
+    "zbot.executor.timer": "Rate Timer",
+    "zbot.log": "LoggingSeverity get_logger",
+    "zbot.node.message_info": "MessageInfo",
+    "zbot.node.node": "Node",
+    "zbot.node.publisher": "Publisher",
+    "zbot.node.subscription": "Subscription",
+    "zbot.parameters.parameter": "Parameter",
+    "zbot.process.signals": "SignalHandlerOptions",
+    "zbot.qos": (
+        "DurabilityPolicy HistoryPolicy LivelinessPolicy QoSPresetProfiles QoSProfile "
+        "ReliabilityPolicy"
+    ),
+    "zbot.runtime": (
+        "create_node get_global_executor init ok shutdown spin spin_once "
+        "spin_until_future_complete try_shutdown"
+    ),
+    "zbot.time": "ClockType Duration Time",
 }
 
 __getattr__, __dir__ = lazy_names(__name__, _MODULES, "__version__")

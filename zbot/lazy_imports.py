@@ -11,15 +11,16 @@ if TYPE_CHECKING:
 
 
 def lazy_names(
-    package: str, homes: Mapping[str, str], *present: str
+    package: str, modules: Mapping[str, str], *present: str
 ) -> tuple[Callable[[str], Any], Callable[[], list[str]]]:
     """Return the functions `__getattr__` and `__dir__` of a package.
 
     Args:
         package: Name of the package, such as `zbot`.
-        homes: For each public name, its module, such as `zbot.node.node`.
+        modules: For each module, such as `zbot.node.node`, its public names with spaces between.
         present: Public names that the package itself defines.
     """
+    homes = {name: module for module, names in modules.items() for name in names.split()}
 
     def imported(name: str) -> Any:
         if name not in homes:

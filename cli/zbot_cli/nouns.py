@@ -1,4 +1,4 @@
-"""Commands of the nouns, which typer makes from their modules."""
+"""Commands of the nouns. typer makes each command from the module of its noun."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ _MODULES = {"class": "class_"}  # `class` is a keyword of Python
 
 
 def load(noun: str, words: Sequence[str] = ()) -> Any:
-    """Return the command of a noun; only the noun's module is imported.
+    """Return the command of a noun. Only the noun's module is imported.
 
     The result is a click command. Its type is `Any` because typer contains a private copy of click.
 
     Args:
         noun: One of `zbot_cli.main.NOUNS`.
-        words: The words after the noun. If the first is a verb, only that verb is made, because
-            typer needs some milliseconds for each.
+        words: The words after the noun. If the first word is a verb, only this verb is made,
+            because typer needs some milliseconds for each verb.
     """
     app = importlib.import_module(f"zbot_cli.commands.{_MODULES.get(noun, noun)}").app
     has_verbs = len(app.registered_commands) > 1
@@ -38,11 +38,11 @@ def load(noun: str, words: Sequence[str] = ()) -> Any:
 def _wanted(registered: list[Any], words: Sequence[str]) -> list[Any]:
     first = next((word for word in words if not word.startswith("-")), None)
     if first is None or all(verb.name != first for verb in registered):
-        return registered  # for help or a suggestion; or the noun has no verbs
+        return registered  # for help or a suggestion, or because the noun has no verbs
     return [verb for verb in registered if verb.name in words]
 
 
 def verbs(command: Any) -> dict[str, Any]:
-    """Return the verbs of a command by name; an empty dictionary if it has none."""
+    """Return the verbs of a command by name, or an empty dictionary if it has no verbs."""
     found: dict[str, Any] = getattr(command, "commands", {})
     return found

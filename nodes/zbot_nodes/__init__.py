@@ -1,1 +1,1 @@
-"""Nodes that come with zbot; each is one short file."""
+"""Nodes that come with zbot. Each node is one short file."""

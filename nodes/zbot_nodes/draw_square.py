@@ -45,7 +45,7 @@ class DrawSquare(zbot.Node):
         self.reset_client.call_async(Empty.Request()).add_done_callback(self.accept_poses)
 
     def accept_poses(self, _reset: zbot.Future[Empty.Response]) -> None:
-        """Use poses after the reset; one pose from before it may still arrive."""
+        """Use poses after the reset. One pose from before the reset may still arrive."""
         self.poses_to_ignore = 1
 
     def locate(self, pose: Pose) -> None:

@@ -52,7 +52,7 @@ class FibonacciActionServer(zbot.Node):
 def main() -> None:
     """Run until Ctrl-C."""
     with zbot.init():
-        # With several threads, one can receive a cancel request while another one sleeps.
+        # One thread can receive a cancel request while another thread sleeps.
         zbot.spin(FibonacciActionServer(), executor=zbot.MultiThreadedExecutor())
 
 

@@ -27,7 +27,7 @@ class LifecycleTalker(LifecycleNode):
         self.timer: zbot.Timer | None = None
 
     def greet(self) -> None:
-        """Publish one greeting; it is not sent while the node is not active."""
+        """Publish one greeting. It is sent only while the node is active."""
         if self.publisher is None:
             return
         msg = String()

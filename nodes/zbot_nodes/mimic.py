@@ -1,4 +1,4 @@
-"""Let one turtle repeat the movements of another.
+"""Let one turtle repeat the movements of another turtle.
 
 Run:        zbot run turtlesim mimic --ros-args -r input/pose:=turtle1/pose \
                 -r output/cmd_vel:=turtle2/cmd_vel

@@ -9,7 +9,7 @@ import zbot
 
 
 class ParameterBlackboard(zbot.Node):
-    """Accepts every parameter; those of the command line and of files are set at the start."""
+    """Accepts every parameter. Parameters of the command line and of files are set at the start."""
 
     def __init__(self) -> None:
         super().__init__(

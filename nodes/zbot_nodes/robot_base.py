@@ -67,7 +67,7 @@ class Base(zbot.Node):
         self.publish_wheels(speed)
 
     def move(self) -> float:
-        """Turn, and move ahead unless a wall is there; return the speed."""
+        """Turn, and move ahead unless a wall is there. Return the speed."""
         x, y, yaw = self.pose
         yaw = turn_to(yaw + self.turn * PERIOD_S)
         ahead_x = x + self.speed * PERIOD_S * math.cos(yaw)

@@ -22,7 +22,7 @@ NOISE_M = 0.01
 
 
 class Laser(zbot.Node):
-    """Scans in a full circle ten times a second; the first ray points ahead."""
+    """Scans in a full circle ten times a second. The first ray points ahead."""
 
     def __init__(self) -> None:
         super().__init__("laser_scanner")

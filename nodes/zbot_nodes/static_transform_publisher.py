@@ -20,7 +20,7 @@ _OLD_STYLE = (8, 9)  # x y z yaw pitch roll frame child, or with a quaternion's 
 
 
 def read_arguments(words: list[str]) -> argparse.Namespace:
-    """Read the command line: options, or ROS 1's order of values."""
+    """Read the command line, which has options or values in ROS 1's order."""
     parser = argparse.ArgumentParser(prog="static_transform_publisher")
     for name in ("x", "y", "z", "roll", "pitch", "yaw", "qx", "qy", "qz"):
         parser.add_argument(f"--{name}", type=float, default=0.0)
@@ -39,7 +39,7 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
 
 
 def _problem(options: argparse.Namespace) -> str:
-    """Return a reason why listeners would ignore the transform; an empty text if there is none."""
+    """Return a reason why listeners would ignore the transform, or an empty string."""
     if options.frame_id.strip("/") == options.child_frame_id.strip("/"):
         return f"cannot publish a transform from {options.frame_id!r} to itself"
     numbers = (options.qx, options.qy, options.qz, options.qw)
@@ -66,7 +66,7 @@ class StaticTransformPublisher(zbot.Node):
     """Publishes one transform, once."""
 
     def __init__(self, options: argparse.Namespace) -> None:
-        # Often several run at the same time, so each gets its own name.
+        # Often several publishers run at the same time, so each publisher gets its own name.
         super().__init__(f"static_transform_publisher_{os.getpid()}")
         message = TransformStamped(child_frame_id=options.child_frame_id)
         message.header.frame_id = options.frame_id

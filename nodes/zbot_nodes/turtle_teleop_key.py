@@ -24,7 +24,7 @@ Use G|B|V|C|D|E|R|T keys to rotate to absolute orientations. 'F' to cancel a rot
 'Q' to quit."""
 #: Velocities, forward and turn, by the last character of an arrow key's sequence.
 _ARROWS = {"A": (1.0, 0.0), "B": (-1.0, 0.0), "C": (0.0, -1.0), "D": (0.0, 1.0)}
-#: Headings in rad; the keys lie around F on the keyboard in the directions of their headings.
+#: Headings in rad. On the keyboard, each key lies in the direction of its heading, seen from F.
 _HEADINGS = {
     "g": 0.0,
     "t": 0.7854,
@@ -51,7 +51,7 @@ class TeleopTurtle(zbot.Node):
         self.goal: Any = None
 
     def press(self, key: str) -> None:
-        """Publish the command of a key; a key without a command is ignored."""
+        """Publish the command of a key. A key without a command is ignored."""
         if key in _ARROWS:
             forward, turn = _ARROWS[key]
             twist = Twist()
@@ -101,7 +101,7 @@ def spin(executor: zbot.Executor) -> None:
     try:
         executor.spin()
     except zbot.ExternalShutdownException:
-        return  # Ctrl-C: the other thread ends too
+        return  # at Ctrl-C, the other thread ends too
 
 
 if __name__ == "__main__":

@@ -80,7 +80,7 @@ class TurtlesimNode(zbot.Node):
             logger.error(text)
 
     def match_ports(self) -> None:
-        """Create the entities of new turtles, and destroy those of removed turtles."""
+        """Create the entities of new turtles, and destroy the entities of removed turtles."""
         turtles = self.world.turtles
         for name, ports in list(self.ports.items()):
             if turtles.get(name) is not ports.turtle:
@@ -89,7 +89,7 @@ class TurtlesimNode(zbot.Node):
             self.ports[name] = TurtlePorts(self, self.world, turtles[name])
 
     def spawn(self, request: Spawn.Request, response: Spawn.Response) -> Spawn.Response:
-        """Add a turtle; the response has its name, or an empty name if it is taken or invalid."""
+        """Add a turtle. The response's name is empty if the requested name is taken or invalid."""
         if request.name and not self.is_possible(request.name):
             return response
         turtle = self.world.spawn(request.x, request.y, request.theta, request.name)
@@ -98,7 +98,7 @@ class TurtlesimNode(zbot.Node):
         return response
 
     def is_possible(self, name: str) -> bool:
-        """Return whether a turtle's name can be part of topic names; log an error if it cannot."""
+        """Return whether a turtle's name can be part of topic names. Log an error if it cannot."""
         try:
             validate_topic_name(f"{name}/pose")
         except InvalidTopicNameError as error:

@@ -1,4 +1,4 @@
-"""Import names of ROS 2: after `import zbot.compat`, `import rclpy` imports zbot.
+"""Import names of ROS 2. After `import zbot.compat`, `import rclpy` imports zbot.
 
 `zbot run` and `zbot launch` import this before the program. Each folder of `packages/` is for one
 import name, and only re-exports names of zbot. A real package is used instead if it is installed.
@@ -20,13 +20,13 @@ _preferred: set[str] = set()
 
 
 class _NameFinder:
-    """Finder of ROS 2's packages, such as `rclpy`, in `packages/`, unless they are installed."""
+    """Finder that looks in `packages/` for ROS 2's packages, such as `rclpy`, if not installed."""
 
     @staticmethod
     def find_spec(
         fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """Return the spec of a top-level package; Python itself finds its submodules."""
+        """Return the spec of a top-level package. Python itself finds its submodules."""
         if path is not None:
             return None
         own = PathFinder.find_spec(fullname, [_PACKAGES], target)
@@ -36,7 +36,7 @@ class _NameFinder:
 
 
 def _is_installed(name: str) -> bool:
-    """Return whether a real package is installed; a folder without `__init__` does not count."""
+    """Return whether a real package is installed. A folder without `__init__` does not count."""
     for finder in sys.meta_path:
         spec = None if finder is _NameFinder else finder.find_spec(name, None)
         if spec is not None and spec.origin is not None:
@@ -45,14 +45,14 @@ def _is_installed(name: str) -> bool:
 
 
 def install_names(preferred: Iterable[str] = ()) -> None:
-    """Make ROS 2's names importable; may be called again.
+    """Make ROS 2's names importable. This function may be called again.
 
     Args:
         preferred: Names that import zbot even if the real packages are installed.
     """
     _preferred.update(preferred)
     if _NameFinder not in sys.meta_path:
-        # First in the list, because Python's own finder accepts any folder of that name.
+        # It is the first finder, because Python's own finder accepts any folder of that name.
         sys.meta_path.insert(0, _NameFinder)
 
 

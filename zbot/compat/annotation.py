@@ -1,4 +1,4 @@
-"""Types of rclpy for annotations in programs; nothing at run time depends on them."""
+"""Types of rclpy for annotations in programs. They have no effect at run time."""
 
 from __future__ import annotations
 
@@ -23,22 +23,22 @@ GoalT = TypeVar("GoalT")
 ResultT_co = TypeVar("ResultT_co", covariant=True)
 FeedbackT_co = TypeVar("FeedbackT_co", covariant=True)
 
-#: Value of a parameter: a bool, a number or a text, or a list of one of these.
+#: Value of a parameter: a bool, a number, a string, or a list of values of one of these types.
 AllowableParameterValue: TypeAlias = Any
 AllowableParameterValueT = TypeVar("AllowableParameterValueT")
 CallbackNames: TypeAlias = Literal[
     "on_configure", "on_cleanup", "on_shutdown", "on_activate", "on_deactivate", "on_error"
 ]
-#: Argument of an event's callback: one of the info classes.
+#: Argument of an event's callback: an object of one of the info classes.
 EventHandlerData: TypeAlias = Any
 JumpHandlePreCallbackType: TypeAlias = Callable[[], None]
 ClientGoalHandleDict: TypeAlias = dict[str, object]
 ServerGoalHandleDict: TypeAlias = dict[str, object]
-#: Value of a QoS policy: a member of one of its enums, a number or a duration.
+#: Value of a QoS policy: a member of an enum, a number or a duration.
 QoSProfileAttributes: TypeAlias = Any
 #: Function that takes a profile and returns a `SetParametersResult`.
 QosCallbackType: TypeAlias = Callable[[Any], Any]
-#: Items that an executor yields: a task, the entity whose callback it runs, and its node.
+#: Items that an executor yields: a task, the entity with the task's callback, and its node.
 YieldedCallback: TypeAlias = Any
 #: Class of a service, which has the attributes `Request`, `Response`.
 SendGoalService: TypeAlias = Service
@@ -47,7 +47,7 @@ ProtocolType: Any = type(Protocol)
 
 
 class PyCapsule(Protocol):
-    """Pointer of C, of which zbot has none."""
+    """Pointer of C. zbot has no such pointers."""
 
 
 class CommonMsgSrvMetaClass(ProtocolType):  # type: ignore[misc]

@@ -19,13 +19,13 @@ NODE_NAME_PREFIX = "_ros2cli"
 
 
 class CommandNode:
-    """Hidden node for a `with` block; it has all methods and attributes of a `Node`.
+    """Hidden node for a `with` block. It has all methods and attributes of a `Node`.
 
     The graph is complete as soon as the node exists, so nothing waits for a daemon.
 
     Args:
-        args: Namespace that `argparse` returned; only its attribute `argv`, for `init`, is used.
-        node_name: Name of the node after its prefix; the pid of the process if left out.
+        args: Namespace that `argparse` returned. `init` gets its attribute `argv`.
+        node_name: Name of the node after its prefix. The default is the pid of the process.
     """
 
     def __init__(self, args: Any = None, *, node_name: str | None = None) -> None:
@@ -38,7 +38,7 @@ class CommandNode:
 
     @property
     def direct_node(self) -> Self:
-        """This node: zbot has no daemon."""
+        """This node, because zbot has no daemon."""
         return self
 
     def __getattr__(self, name: str) -> Any:
@@ -59,7 +59,7 @@ class CommandNode:
 
 
 def add_arguments(parser: ArgumentParser) -> None:
-    """Add the options that the commands of `ros2` share to a parser; they have no effect."""
+    """Add the shared options of `ros2` commands to a parser. The options have no effect."""
     parser.add_argument("--spin-time", type=float, help="Accepted; no effect")
     parser.add_argument("-s", "--use-sim-time", action="store_true", help="Accepted")
     parser.add_argument("--no-daemon", action="store_true", help="Accepted; no effect")

@@ -1,4 +1,4 @@
-"""Functions of ros2cli's Python packages about the graph; hidden names are left out."""
+"""Functions of ros2cli's Python packages about the graph. They skip hidden names by default."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import NamesAndTypes
     from zbot.node.node import Node
 
-_STEP_S = 0.5  # longest time until a wait for the graph notices that the context has ended
+_STEP_S = 0.5  # longest time until waiting for the graph notices the end of the context
 
 
 class SeveralTypesError(ZbotError, RuntimeError):
@@ -44,7 +44,7 @@ class TopicInfo(NamedTuple):
 
 
 def get_absolute_node_name(node_name: str) -> str | None:
-    """Return the name with a leading slash, None for an empty name."""
+    """Return the name with a leading slash, or None for an empty name."""
     return f"/{node_name.removeprefix('/')}" if node_name else None
 
 
@@ -79,7 +79,7 @@ def get_publisher_info(
 def get_subscriber_info(
     *, node: Node, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
-    """Return the topics that a node subscribes to; see `get_publisher_info`."""
+    """Return the topics that a node subscribes to. See `get_publisher_info`."""
     name, namespace, _ = parse_node_name(remote_node_name)
     return _infos(node.get_subscriber_names_and_types_by_node(name, namespace), include_hidden)
 
@@ -87,7 +87,7 @@ def get_subscriber_info(
 def get_service_server_info(
     *, node: Node, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
-    """Return the services that a node serves; see `get_publisher_info`."""
+    """Return the services that a node serves. See `get_publisher_info`."""
     name, namespace, _ = parse_node_name(remote_node_name)
     return _infos(node.get_service_names_and_types_by_node(name, namespace), include_hidden)
 
@@ -95,7 +95,7 @@ def get_service_server_info(
 def get_service_client_info(
     *, node: Node, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
-    """Return the services that a node is a client of; see `get_publisher_info`."""
+    """Return the services that a node is a client of. See `get_publisher_info`."""
     name, namespace, _ = parse_node_name(remote_node_name)
     return _infos(node.get_client_names_and_types_by_node(name, namespace), include_hidden)
 
@@ -103,7 +103,7 @@ def get_service_client_info(
 def get_action_server_info(
     *, node: Node, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
-    """Return the actions that a node serves; see `get_publisher_info`."""
+    """Return the actions that a node serves. See `get_publisher_info`."""
     name, namespace, _ = parse_node_name(remote_node_name)
     found = action_graph.get_action_server_names_and_types_by_node(node, name, namespace)
     return _infos(found, include_hidden)
@@ -112,7 +112,7 @@ def get_action_server_info(
 def get_action_client_info(
     *, node: Node, remote_node_name: str, include_hidden: bool = False
 ) -> list[TopicInfo]:
-    """Return the actions that a node is a client of; see `get_publisher_info`."""
+    """Return the actions that a node is a client of. See `get_publisher_info`."""
     name, namespace, _ = parse_node_name(remote_node_name)
     found = action_graph.get_action_client_names_and_types_by_node(node, name, namespace)
     return _infos(found, include_hidden)
@@ -158,7 +158,7 @@ def get_action_names(*, node: Node) -> list[str]:
 def get_msg_class(
     node: Node, topic: str, blocking: bool = False, include_hidden_topics: bool = False
 ) -> type[Any] | None:
-    """Return the class of a topic's messages, None if no node uses the topic.
+    """Return the class of a topic's messages, or None if no node uses the topic.
 
     Args:
         node: The node whose context has the graph.
@@ -168,7 +168,7 @@ def get_msg_class(
 
     Raises:
         InvalidTopicNameError: The name breaks ROS 2's grammar.
-        SeveralTypesError: The topic has several types; also a RuntimeError.
+        SeveralTypesError: The topic has several types. The error is also a RuntimeError.
     """
     name = node.resolve_topic_name(topic, only_expand=True)
     if is_hidden(name) and not include_hidden_topics:
@@ -185,7 +185,7 @@ def get_msg_class(
 def get_service_class(
     node: Node, service: str, blocking: bool = False, include_hidden_services: bool = False
 ) -> type[Any] | None:
-    """Return the class of a service, None if no node uses the service; see `get_msg_class`."""
+    """Return the class of a service, or None if no node uses it. See `get_msg_class`."""
     name = node.resolve_service_name(service, only_expand=True)
     if is_hidden(name) and not include_hidden_services:
         return None

@@ -63,7 +63,7 @@ class LoggingFilterArgs(TypedDict, total=False):
 
 
 class LoggingFilterParams(TypedDict, total=False):
-    """Options of a filter with their defaults; `None` for an option without a default."""
+    """Options of a filter with their defaults. An option without a default is `None`."""
 
     once: bool | None
     throttle_duration_sec: float | None
@@ -85,7 +85,7 @@ class _CallerId(NamedTuple):
 
 
 class CallerId(_CallerId):
-    """Call site of a log call: the given frame, or the innermost frame outside of zbot."""
+    """Call site of a log call. It is the given frame, or the innermost frame outside of zbot."""
 
     __slots__ = ()
 
@@ -100,9 +100,9 @@ class CallerId(_CallerId):
 
 
 class LoggingFilter:
-    """Base class of the filters, which lets all lines pass."""
+    """Base class of the filters. It lets all lines pass."""
 
-    #: Options of the filter and their defaults; an option whose default is `None` is required.
+    #: Options of the filter and their defaults. An option whose default is `None` is required.
     params: ClassVar[LoggingFilterParams] = {}
 
     @classmethod
@@ -131,7 +131,7 @@ class Once(LoggingFilter):
 
     @classmethod
     def initialize_context(cls, context: Any, **kwargs: Any) -> None:
-        """Add the filter's options to a call's context, and record that it has not logged."""
+        """Add the filter's options to a call's context, and record that the call has not logged."""
         super().initialize_context(context, **kwargs)
         context["has_been_logged_once"] = False
 
@@ -152,7 +152,7 @@ class Throttle(LoggingFilter):
 
     @classmethod
     def initialize_context(cls, context: Any, **kwargs: Any) -> None:
-        """Add the filter's options to a call's context, and record that it has not logged.
+        """Add the filter's options to a call's context, and record that the call has not logged.
 
         Raises:
             NotAClockError: `throttle_time_source_type` is not a clock.
@@ -205,7 +205,7 @@ def get_filters_from_kwargs(**kwargs: Any) -> list[SupportedFiltersKeys]:
     """Return the names of the filters that the options of a log call enable.
 
     Raises:
-        LogOptionError: An option is unknown, or a required one is missing.
+        LogOptionError: An option is unknown, or a required option is missing.
     """
     known = [name for one in supported_filters.values() for name in one.params]
     for name in kwargs:

@@ -43,12 +43,12 @@ class NoParameterServiceError(ZbotError, RuntimeError):
 
 
 def get_value(*, parameter_value: ParameterValue) -> Any:
-    """Return the value in a message; None if it is not set."""
+    """Return the value in a message, or None if no value is set."""
     return parameter.parameter_value_to_python(parameter_value)
 
 
 def get_parameter_value(*, string_value: str) -> ParameterValue:
-    """Return the value of a text on the command line, as a message."""
+    """Return the value of a string on the command line, as a message."""
     return parameter.get_parameter_value(string_value)
 
 
@@ -60,9 +60,9 @@ def get_parameter_type_string(parameter_type: int) -> str:
 def call_get_parameters(
     *, node: Node, node_name: str, parameter_names: Sequence[str]
 ) -> GetParameters.Response:
-    """Ask a node for parameters; `values` has one for each name, "not set" if there is none.
+    """Ask a node for parameters. `values` has a value for each name, which may be "not set".
 
-    May be called anywhere, also in a callback.
+    This function may be called anywhere, also in a callback.
 
     Args:
         node: The node that asks.
@@ -81,7 +81,7 @@ def call_get_parameters(
 def call_set_parameters(
     *, node: Node, node_name: str, parameters: Sequence[Parameter]
 ) -> SetParameters.Response:
-    """Set parameters of a node; `results` has a result for each. See `call_get_parameters`."""
+    """Set a node's parameters. `results` has a result for each. See `call_get_parameters`."""
     request = SetParameters.Request(parameters=list(parameters))
     response: SetParameters.Response = _answer(node, SetParameters, node_name, request)
     return response

@@ -1,7 +1,7 @@
 """Plugin of pytest for launch tests: files of `launch_testing`, functions of `launch_pytest`.
 
-pytest loads this by its entry point if zbot is installed. It has no effect on files that use
-neither of them.
+If zbot is installed, pytest loads this plugin by its entry point. The plugin has no effect on files
+without such tests.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def pytest_configure(config: pytest.Config) -> None:
 def pytest_pycollect_makemodule(
     module_path: Path, parent: pytest.Collector
 ) -> pytest.Module | None:
-    """Return a collector for a file with one of the marks, `None` for other files."""
+    """Return a collector for a file with one of the marks, or `None` for other files."""
     text = module_path.read_text(encoding="utf-8", errors="replace")
     if "generate_test_description" not in text or not any(mark in text for mark in _MARKS):
         return None  # avoids imports for files that do not need them
@@ -50,7 +50,7 @@ def pytest_pycollect_makemodule(
 
 
 class _LaunchModule(pytest.Module):
-    """File with a launch test: one item for each row of its parameters."""
+    """File with a launch test. It has one item for each row of its parameters."""
 
     def collect(self) -> Iterable[pytest.Item]:
         from zbot.launch.testing.test_run import test_runs  # noqa: PLC0415 - only files that need it
@@ -106,7 +106,7 @@ class _FailedCasesError(Exception):
 def pytest_pycollect_makeitem(
     collector: pytest.Module | pytest.Class, name: str, obj: Any
 ) -> list[pytest.Item] | None:
-    """Return the items of a function that is marked with `launch`, with its fixture."""
+    """Return the items of a function that is marked with `launch`. They use the mark's fixture."""
     marks = [mark for mark in getattr(obj, "pytestmark", []) if mark.name == "launch"]
     if not marks or isinstance(obj, type) or not collector.funcnamefilter(name):
         return None
@@ -178,7 +178,7 @@ def _skipped(collector: pytest.Module | pytest.Class, name: str) -> pytest.Item:
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Move tests that end a launch after all others that share it."""
+    """Move tests that end a launch after all other tests of the same launch."""
     places: defaultdict[Any, list[int]] = defaultdict(list)
     for place, item in enumerate(items):
         stage = item.stash.get(_STAGE, None)

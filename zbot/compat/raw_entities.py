@@ -1,7 +1,8 @@
 """Classes of rclpy's C extension from which programs build their own `Waitable`.
 
-Each returns the handle of an object of zbot that no executor serves: the program adds it to its
-wait set and takes messages or requests from it. It is destroyed with its node.
+Each function returns the handle of an object of zbot that no executor serves. The program adds the
+handle to its wait set, and takes messages or requests from it. The object is destroyed with its
+node.
 """
 
 from __future__ import annotations
@@ -80,7 +81,7 @@ def Client(  # noqa: N802 - rclpy's name of a class
 def GuardCondition(  # noqa: N802 - rclpy's name of a class
     context: Handle[Context],
 ) -> guard_condition.GuardConditionHandle:
-    """Return the handle of a guard condition, with which any thread can make the waitable ready."""
+    """Return the handle of a guard condition. With it, any thread can make the waitable ready."""
     return guard_condition.GuardCondition(context=context.entity).handle
 
 
@@ -90,6 +91,6 @@ def Timer(  # noqa: N802 - rclpy's name of a class
     period_nsec: int,
     autostart: bool = True,
 ) -> timer.TimerHandle:
-    """Return the handle of a timer, which makes the waitable ready every period."""
+    """Return the handle of a timer. It makes the waitable ready every period."""
     group = ReentrantCallbackGroup()
     return timer.Timer(None, group, period_nsec, clock, ReadyQueue(), autostart=autostart).handle

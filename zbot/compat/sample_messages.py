@@ -14,10 +14,10 @@ _SEQUENCE_LENGTH = 3  # for sequences without a bound
 
 
 def sample_messages(name: str) -> list[Any]:
-    """Return messages of a type: with default, with highest and with lowest values.
+    """Return messages of a type with default values, highest values and lowest values.
 
     Args:
-        name: The type's full name, `test_msgs/msg/Arrays`.
+        name: The type's full name, e.g. `test_msgs/msg/Arrays`.
 
     Raises:
         UnknownInterfaceError: There is no such type.

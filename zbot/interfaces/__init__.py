@@ -33,35 +33,21 @@ if TYPE_CHECKING:
     from zbot.interfaces.spec import MessageSpec as MessageSpec
     from zbot.interfaces.spec import ServiceSpec as ServiceSpec
 
-# Module of each name. A name is imported at its first use, because a command such as
+# The public names of each module. A name is imported at its first use, because a command such as
 # `zbot topic list` needs no definitions.
 _MODULES = {
-    "Action": "zbot.interfaces.message",
-    "Message": "zbot.interfaces.message",
-    "Service": "zbot.interfaces.message",
-    "has_sequences": "zbot.interfaces.python_class",
-    "message_spec_of": "zbot.interfaces.python_class",
-    "spec_of": "zbot.interfaces.python_class",
-    "type_description": "zbot.interfaces.python_class",
-    "type_hash": "zbot.interfaces.python_class",
-    "type_name": "zbot.interfaces.python_class",
-    "definition_text": "zbot.interfaces.registry",
-    "get_action": "zbot.interfaces.registry",
-    "get_interface": "zbot.interfaces.registry",
-    "get_message": "zbot.interfaces.registry",
-    "get_service": "zbot.interfaces.registry",
-    "get_spec": "zbot.interfaces.registry",
-    "interface_names": "zbot.interfaces.registry",
-    "packages": "zbot.interfaces.registry",
-    "register_spec": "zbot.interfaces.registry",
-    "register_description": "zbot.interfaces.remote_definition",
-    "ActionSpec": "zbot.interfaces.spec",
-    "Constant": "zbot.interfaces.spec",
-    "Field": "zbot.interfaces.spec",
-    "FieldType": "zbot.interfaces.spec",
-    "InterfaceSpec": "zbot.interfaces.spec",
-    "MessageSpec": "zbot.interfaces.spec",
-    "ServiceSpec": "zbot.interfaces.spec",
+    "zbot.interfaces.message": "Action Message Service",
+    "zbot.interfaces.python_class": (
+        "has_sequences message_spec_of spec_of type_description type_hash type_name"
+    ),
+    "zbot.interfaces.registry": (
+        "definition_text get_action get_interface get_message get_service get_spec "
+        "interface_names packages register_spec"
+    ),
+    "zbot.interfaces.remote_definition": "register_description",
+    "zbot.interfaces.spec": (
+        "ActionSpec Constant Field FieldType InterfaceSpec MessageSpec ServiceSpec"
+    ),
 }
 
 __getattr__, __dir__ = lazy_names(__name__, _MODULES, "install_importer")

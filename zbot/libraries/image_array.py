@@ -1,7 +1,7 @@
 """Conversion between images and numpy arrays: `CvBridge` of ROS 2's `cv_bridge`.
 
-Needs numpy (`pip install 'zbot[numpy]'`). Only Bayer patterns, YUV and compressed images need
-OpenCV.
+This module needs numpy (`pip install 'zbot[numpy]'`). Only Bayer patterns, YUV and compressed
+images need OpenCV.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ _KINDS = {"U": "u", "S": "i", "F": "f"}
 #: Indices of red, green, blue and alpha in colour encodings.
 _ORDERS = {"rgb": (0, 1, 2), "bgr": (2, 1, 0), "rgba": (0, 1, 2, 3), "bgra": (2, 1, 0, 3)}
 _COLOR = re.compile(r"(rgba|bgra|rgb|bgr|mono)(8|16)\Z")
-#: OpenCV's conversion to bgr8 of the encodings that numpy alone cannot convert.
+#: OpenCV's conversions to bgr8, for the encodings that numpy alone cannot convert.
 _CV_TO_BGR = {
     "bayer_rggb8": "COLOR_BayerBG2BGR",
     "bayer_bggr8": "COLOR_BayerRG2BGR",
@@ -54,7 +54,7 @@ class CvBridge:
 
         Args:
             img_msg: The image. Its pixels are copied only if they are converted.
-            desired_encoding: `bgr8`, `rgb8`, `mono8` ...; `passthrough` keeps the encoding.
+            desired_encoding: `bgr8`, `rgb8`, `mono8` ... `passthrough` keeps the encoding.
 
         Raises:
             CvBridgeError: The encoding or conversion does not exist, or the image lacks data.
@@ -149,7 +149,7 @@ class CvBridge:
         return f"{names[code[0]]}{8 * int(code[1])}", channels
 
     def encoding_to_cvtype2(self, encoding: str) -> str:
-        """Return OpenCV's type of an encoding: `8UC3` for `bgr8`."""
+        """Return OpenCV's type of an encoding, e.g. `8UC3` for `bgr8`."""
         code, channels = _layout(encoding)
         return _cv_type(code, channels)
 
@@ -165,7 +165,7 @@ class CvBridge:
 
 
 def _layout(encoding: str) -> tuple[str, int]:
-    """Return numpy's code of a value and the number of channels: ('u1', 3) for `bgr8`."""
+    """Return numpy's code of a value and the number of channels, e.g. ('u1', 3) for `bgr8`."""
     if match := _GENERIC.match(encoding):
         bits, kind, channels = match.groups()
         return f"{_KINDS[kind]}{int(bits) // 8}", int(channels or 1)
@@ -209,7 +209,7 @@ def _pixels(image: Image) -> NDArray[Any]:
 
 
 def converted(array: NDArray[Any], source: str, target: str) -> NDArray[Any]:
-    """Return an image of one encoding in another; the range of values is adapted.
+    """Return an image of one encoding in another encoding. The range of values is adapted.
 
     Raises:
         CvBridgeError: An encoding does not exist, or the conversion is not possible.
@@ -251,7 +251,7 @@ def _recolored(array: NDArray[Any], source: str, target: str) -> NDArray[Any]:
 
 
 def _scaled(array: NDArray[Any], code: str) -> NDArray[Any]:
-    """Return values of 8 bits as 16 bits or the reverse; the largest value stays the largest."""
+    """Return values of 8 bits as 16 bits or the reverse. The largest value stays the largest."""
     import numpy as np  # noqa: PLC0415 - part of an extra
 
     if array.dtype.itemsize == int(code[1]):

@@ -1,6 +1,6 @@
 """Message filters: subscribers, caches, chains and synchronizers.
 
-Names and behaviour are those of ROS 2's `message_filters`, also the spelling of methods.
+Names and behaviour are the same as in ROS 2's `message_filters`. Methods are spelled as there.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ class SimpleFilter:
         self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
 
     def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:  # noqa: N802 - as above
-        """Register a function for each output, with `args` appended; return the connection's id."""
+        """Register a function for each output. It also gets `args`. Return the connection's id."""
         connection = max(self.callbacks, default=-1) + 1
         self.callbacks[connection] = (cb, args)
         return connection
@@ -55,7 +55,7 @@ class Subscriber(SimpleFilter):
         node: The node that subscribes.
         msg_type: Class of the messages.
         topic: Name of the topic.
-        qos_profile: As in `create_subscription`; 10 if left out.
+        qos_profile: As in `create_subscription`. The default is 10.
         options: Other arguments of `create_subscription`.
     """
 
@@ -78,7 +78,7 @@ class Subscriber(SimpleFilter):
         return self.topic
 
     def unsubscribe(self) -> None:
-        """Destroy the subscription; may be called twice."""
+        """Destroy the subscription. This method may be called twice."""
         self.node.destroy_subscription(self.sub)
 
     def __getattr__(self, name: str) -> Any:
@@ -91,7 +91,7 @@ class Cache(SimpleFilter):
     """Cache of the most recent messages, with lookups by time.
 
     Args:
-        f: The filter whose messages are kept; the cache passes them on too.
+        f: The filter whose messages are kept. The cache passes them on too.
         cache_size: Number of messages to keep.
         allow_headerless: Use the present time for a message without a stamp.
     """
@@ -129,26 +129,26 @@ class Cache(SimpleFilter):
         return self.cache_msgs[first:last]
 
     def getElemAfterTime(self, stamp: Time) -> Any:  # noqa: N802 - as above
-        """Return the oldest message at or after a time; None if there is none."""
+        """Return the oldest message at or after a time, or None if there is no such message."""
         return next(iter(self.cache_msgs[self._before(stamp) :]), None)
 
     def getElemBeforeTime(self, stamp: Time) -> Any:  # noqa: N802 - as above
-        """Return the newest message at or before a time; None if there is none."""
+        """Return the newest message at or before a time, or None if there is no such message."""
         older = self.cache_msgs[: self._until(stamp)]
         return older[-1] if older else None
 
     def getLatestTime(self) -> Time | None:  # noqa: N802 - as above
-        """Return the time of the newest message; None if there is none."""
+        """Return the time of the newest message, or None if there is no message."""
         return self.cache_times[-1] if self.cache_times else None
 
     getLastestTime = getLatestTime  # noqa: N815 - ROS 2's spelling
 
     def getOldestTime(self) -> Time | None:  # noqa: N802 - as above
-        """Return the time of the oldest message; None if there is none."""
+        """Return the time of the oldest message, or None if there is no message."""
         return self.cache_times[0] if self.cache_times else None
 
     def getLast(self) -> Any:  # noqa: N802 - as above
-        """Return the newest message; None if there is none."""
+        """Return the newest message, or None if there is no message."""
         return self.cache_msgs[-1] if self.cache_msgs else None
 
     def _before(self, stamp: Time) -> int:
@@ -159,7 +159,7 @@ class Cache(SimpleFilter):
 
 
 class Chain(SimpleFilter):
-    """Chain of filters; the output of the last filter is the output of the chain.
+    """Chain of filters. The output of the last filter is the output of the chain.
 
     Args:
         message_filter: The filter whose messages are the input.
@@ -211,17 +211,17 @@ class Chain(SimpleFilter):
 
 
 class TimeSynchronizer(SimpleFilter):
-    """Synchronizer whose output is one message of each filter, all with the same stamp.
+    """Synchronizer that outputs one message of each filter if all have the same stamp.
 
     Args:
         fs: The filters.
-        queue_size: How many messages of each wait for the others; then the oldest is dropped.
+        queue_size: Largest number of waiting messages per filter. Beyond it, the oldest is dropped.
     """
 
     def __init__(self, fs: Sequence[Filter], queue_size: int) -> None:
         super().__init__()
         self.queue_size = queue_size
-        # Reentrant, because a callback may add a message, and another thread may do so meanwhile.
+        # A lock against other threads. It is reentrant, because a callback may add a message.
         self.lock = threading.RLock()
         self.connectInput(fs)
 
@@ -250,12 +250,12 @@ class TimeSynchronizer(SimpleFilter):
 
 
 class ApproximateTimeSynchronizer(TimeSynchronizer):
-    """Synchronizer whose output is one message of each filter, with stamps close together.
+    """Synchronizer that outputs one message of each filter if their stamps are close together.
 
     Args:
         fs: The filters.
-        queue_size: How many messages of each wait for the others; then the oldest is dropped.
-        slop: Largest difference of the stamps, seconds.
+        queue_size: Largest number of waiting messages per filter. Beyond it, the oldest is dropped.
+        slop: Largest difference of the stamps in seconds.
         allow_headerless: Use the present time for a message without a stamp.
         sync_arrival_time: Use the times at which messages arrive instead of their stamps.
     """
@@ -298,13 +298,13 @@ class ApproximateTimeSynchronizer(TimeSynchronizer):
 
 
 def _within_slop(queue: Iterable[int], stamp_ns: int, slop_ns: int) -> list[int]:
-    """Return the stamps that are within the slop, the closest first."""
+    """Return the stamps that are within the slop. The closest stamp comes first."""
     near = (each for each in queue if abs(each - stamp_ns) <= slop_ns)
     return sorted(near, key=lambda each: abs(each - stamp_ns))
 
 
 def stamp_of(msg: Any, allow_headerless: bool) -> Time | None:
-    """Return the stamp of a message; without one, the present time, or None and a warning."""
+    """Return a message's stamp, or the present time if allowed, or None after a warning."""
     stamp = getattr(getattr(msg, "header", None), "stamp", None)
     if stamp is not None:
         return stamp if hasattr(stamp, "nanoseconds") else Time.from_msg(stamp)

@@ -1,6 +1,6 @@
 """Conversion between point clouds and numpy arrays: functions of `sensor_msgs_py.point_cloud2`.
 
-Needs numpy, which `pip install 'zbot[numpy]'` brings.
+This module needs numpy, which `pip install 'zbot[numpy]'` installs.
 """
 
 from __future__ import annotations
@@ -46,10 +46,10 @@ def dtype_from_fields(
 
     Args:
         fields: The fields of a point. A field `x` with a count of 3 becomes `x_0`, `x_1`, `x_2`.
-        point_step: Bytes from one point to the next; the size of the fields if left out.
+        point_step: Bytes from one point to the next. The default is the size of the fields.
 
     Raises:
-        PointCloudError: Two fields have the same name, or one has an unknown data type.
+        PointCloudError: Two fields have the same name, or a field has an unknown data type.
     """
     return _dtype(fields, point_step, "=")
 
@@ -84,12 +84,12 @@ def read_points(
     uvs: Iterable[int] | None = None,
     reshape_organized_cloud: bool = False,
 ) -> NDArray[np.void]:
-    """Return the points of a cloud as a structured array: `points['x']` has the x of all points.
+    """Return the points of a cloud as a structured array. `points['x']` has the x of all points.
 
     Args:
-        cloud: The cloud; its bytes are copied only if necessary.
-        field_names: The fields to return; all if left out.
-        skip_nans: Leave out points with a value that is NaN; not checked if the cloud has
+        cloud: The cloud. Its bytes are copied only if necessary.
+        field_names: The fields to return. The default is all fields.
+        skip_nans: Leave out points with a value that is NaN. This is not checked if the cloud has
             `is_dense`.
         uvs: The indices of the points to return.
         reshape_organized_cloud: Return an array of two dimensions for a cloud with several rows.
@@ -157,7 +157,7 @@ def read_points_numpy(
     uvs: Iterable[int] | None = None,
     reshape_organized_cloud: bool = False,
 ) -> NDArray[Any]:
-    """Return the points of a cloud as an array of shape (points, fields); see `read_points`.
+    """Return the points of a cloud as an array of shape (points, fields). See `read_points`.
 
     Raises:
         PointCloudError: The fields have different data types, so no such array can hold them.
@@ -183,7 +183,7 @@ def read_points_list(
     skip_nans: bool = False,
     uvs: Iterable[int] | None = None,
 ) -> list[Any]:
-    """Return the points of a cloud as named tuples: `points[0].x`; see `read_points`."""
+    """Return the points of a cloud as named tuples, e.g. `points[0].x`. See `read_points`."""
     points = read_points(cloud, field_names, skip_nans, uvs)
     point = namedtuple("Point", points.dtype.names or ())  # type: ignore[misc]
     return [point._make(each) for each in points]
@@ -203,8 +203,8 @@ def create_cloud(
         fields: The fields of a point.
         points: An array of shape (points, fields) or (rows, columns, fields), a structured array,
             or lists of such a shape.
-        step: Bytes from one point to the next; the size of the fields, or of a structured array's
-            element, if left out.
+        step: Bytes from one point to the next. The default is the size of the fields, or the size
+            of a structured array's element.
         point_step: Another name for `step`.
 
     Raises:
@@ -247,7 +247,7 @@ def _structured(fields: Sequence[PointField], points: Any, step: int | None) -> 
 def create_cloud_xyz32(
     header: Header, points: Any, step: int | None = None, point_step: int | None = None
 ) -> PointCloud2:
-    """Return points of three coordinates each, in metres, as a cloud; see `create_cloud`."""
+    """Return points of three coordinates each, in metres, as a cloud. See `create_cloud`."""
     fields = [
         PointField(name=name, offset=4 * index, datatype=PointField.FLOAT32, count=1)
         for index, name in enumerate("xyz")

@@ -4,7 +4,7 @@
     listener = TransformListener(buffer, node)
     pose = buffer.lookup_transform("map", "base_link", Time())
 
-Names and meanings are those of ROS 2's tf2_ros.
+Names and meanings are the same as in ROS 2's tf2_ros.
 """
 
 from zbot.tf2.broadcaster import StaticTransformBroadcaster as StaticTransformBroadcaster

@@ -1,6 +1,6 @@
 """Reflections, shears, projections and superimpositions of tf_transformations, with numpy.
 
-Points are returned with a fourth coordinate, 1, as in that package.
+As in that package, points in results have a fourth coordinate, which is 1.
 """
 
 from __future__ import annotations
@@ -57,7 +57,7 @@ def random_vector(size: int) -> Vector:
 
 
 def reflection_matrix(point: Any, normal: Any) -> Matrix:
-    """Return the matrix that reflects at a plane, given by a point and the normal."""
+    """Return the matrix that reflects at a plane. A point and the normal define the plane."""
     across = unit_vector(_vector(normal))
     flip = np.identity(3) - 2 * np.outer(across, across)
     return _affine(flip, 2 * (_vector(point) @ across) * across)
@@ -153,9 +153,9 @@ def projection_matrix(
     Args:
         point: A point of the plane.
         normal: The normal of the plane.
-        direction: Direction of the rays; at right angles to the plane if left out.
+        direction: Direction of the rays. The default is at right angles to the plane.
         perspective: Point from which the rays start, instead of a direction.
-        pseudo: Keep the order of depths, with a perspective.
+        pseudo: Whether a perspective keeps the order of depths.
     """
     across = unit_vector(_vector(normal))
     height = _vector(point) @ across
@@ -189,7 +189,7 @@ def projection_from_matrix(
     rays, values, normals = np.linalg.svd(m[:3, :3].T)
     if values[2] > _EPSILON:
         raise NoSuchTransformError("projection")
-    # The ray is in the null space of the matrix; the normal is in that of its transpose.
+    # The matrix maps the ray to 0. The transpose of the matrix maps the normal to 0.
     return _point(m[:3, 3]), normals[2], rays[:, 2], None, False
 
 
@@ -212,7 +212,7 @@ def clip_matrix(  # noqa: PLR0917 - the order of OpenGL, and of tf_transformatio
     far: float,
     perspective: bool = False,
 ) -> Matrix:
-    """Return the matrix that maps a box, or with `perspective` a frustum, to -1 ... 1.
+    """Return the matrix that maps a box to -1 ... 1. With `perspective`, it maps a frustum.
 
     Raises:
         ValueError: The box has no volume, or the near plane of the frustum is behind the eye.
@@ -234,7 +234,7 @@ def clip_matrix(  # noqa: PLR0917 - the order of OpenGL, and of tf_transformatio
 
 
 def orthogonalization_matrix(lengths: Any, angles: Any) -> Matrix:
-    """Return the matrix from a crystal's coordinates to rectangular ones.
+    """Return the matrix from a crystal's coordinates to rectangular coordinates.
 
     Args:
         lengths: Lengths of the cell's edges.
@@ -242,7 +242,7 @@ def orthogonalization_matrix(lengths: Any, angles: Any) -> Matrix:
     """
     a, b, c = lengths
     alpha, beta, gamma = np.radians(angles)
-    # The third edge lies along z, the second in the plane of y and z.
+    # The third edge lies along z. The second edge lies in the plane of y and z.
     y = (math.cos(gamma) - math.cos(alpha) * math.cos(beta)) / math.sin(alpha)
     x = math.sqrt(math.sin(beta) ** 2 - y**2)
     edges = [
@@ -254,12 +254,12 @@ def orthogonalization_matrix(lengths: Any, angles: Any) -> Matrix:
 
 
 def superimposition_matrix(v0: Any, v1: Any, scaling: bool = False, usesvd: bool = True) -> Matrix:
-    """Return the rotation and translation, optionally with scale, that best maps points to others.
+    """Return the matrix of a rotation and translation that best maps points to other points.
 
     Args:
         v0: The points, one per column.
         v1: The points to which they are mapped.
-        scaling: Whether the matrix may scale.
+        scaling: Whether the matrix may also scale.
         usesvd: Accepted without effect.
     """
     del usesvd
@@ -267,7 +267,7 @@ def superimposition_matrix(v0: Any, v1: Any, scaling: bool = False, usesvd: bool
     centres: tuple[Vector, Vector] = start.mean(axis=1), goal.mean(axis=1)
     start, goal = start - centres[0][:, None], goal - centres[1][:, None]
     left, _, right = np.linalg.svd(goal @ start.T)
-    # Kabsch's algorithm; the sign excludes reflections, which may fit better than any rotation.
+    # Kabsch's algorithm. The sign excludes reflections, which may fit better than any rotation.
     handedness = np.diag([1.0, 1.0, np.sign(np.linalg.det(left @ right))])
     turn = left @ handedness @ right
     if scaling:

@@ -57,7 +57,7 @@ class Arcball:
     """Ball that a pointer rotates.
 
     Args:
-        initial: The first orientation: a quaternion, or a 4 x 4 matrix.
+        initial: The first orientation, as a quaternion or a 4 x 4 matrix.
     """
 
     def __init__(self, initial: Any = None) -> None:
@@ -79,7 +79,7 @@ class Arcball:
         self._center, self._radius = np.asarray(center, dtype=float)[:2], float(radius)
 
     def setaxes(self, *axes: Any) -> None:
-        """Set the axes of rotation for the constrained ball; without arguments, all are allowed."""
+        """Set the axes of rotation for the constrained ball. Without arguments, all are allowed."""
         self._axes = [unit_vector(axis) for axis in axes] or None
 
     def setconstrain(self, constrain: bool) -> None:

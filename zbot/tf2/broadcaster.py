@@ -28,7 +28,7 @@ class TransformBroadcaster:
 
     Args:
         node: The node that publishes.
-        qos: Quality of service; depth 100 if left out.
+        qos: Quality of service. The default is depth 100.
     """
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
@@ -47,7 +47,7 @@ class StaticTransformBroadcaster:
 
     Args:
         node: The node that publishes.
-        qos: Quality of service; transient local with depth 1 if left out.
+        qos: Quality of service. The default is transient local with depth 1.
     """
 
     def __init__(self, node: Node, qos: QoSProfile | int | None = None) -> None:
@@ -59,9 +59,9 @@ class StaticTransformBroadcaster:
     def sendTransform(  # noqa: N802 - tf2_ros' name
         self, transform: TransformStamped | Iterable[TransformStamped]
     ) -> None:
-        """Publish one transform or several, together with all that were sent before."""
+        """Publish one transform or several, together with all earlier transforms."""
         sent = {one.child_frame_id: one for one in self.net_message.transforms}
-        # Copies, because programs may change and send the same message object again.
+        # It keeps copies, because programs may change and send the same message object again.
         sent.update((one.child_frame_id, copy.deepcopy(one)) for one in _listed(transform))
         self.net_message.transforms = list(sent.values())
         self.pub_tf.publish(self.net_message)

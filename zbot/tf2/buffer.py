@@ -1,4 +1,4 @@
-"""Buffer of transforms that can wait for transforms, and that transforms stamped messages."""
+"""Buffer of transforms. It can wait for transforms, and it transforms stamped messages."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ class Buffer(BufferCore, BufferInterface):
     """Buffer of frames and their history.
 
     Args:
-        cache_time: Time for which samples are kept; 10 s if left out.
-        node: Accepted as in tf2_ros, without effect.
+        cache_time: Time for which samples are kept. The default is 10 s.
+        node: Accepted as in tf2_ros, but without effect.
     """
 
     def __init__(self, cache_time: Duration | None = None, node: Any = None) -> None:
@@ -48,9 +48,10 @@ class Buffer(BufferCore, BufferInterface):
         Args:
             target_frame: The frame of the coordinates.
             source_frame: The frame whose position and orientation are returned.
-            time: The time of the transform; `Time()` is the latest that all frames between have.
-            timeout: Longest time to wait until the transform is known. In a callback, messages of
-                its own executor are received meanwhile.
+            time: The time of the transform. `Time()` means the latest time that all frames between
+                have.
+            timeout: Longest time to wait until the transform is known. If a callback waits, its
+                executor still receives transforms.
 
         Raises:
             LookupException: A frame does not exist.
@@ -72,7 +73,7 @@ class Buffer(BufferCore, BufferInterface):
     ) -> Any:
         """Return the transform of `source_frame` at one time in `target_frame` at another time.
 
-        `fixed_frame` is assumed not to move between the two times; see `lookup_transform`.
+        `fixed_frame` must not move between the two times. For errors see `lookup_transform`.
         """
         ends = (target_frame, target_time, source_frame, source_time, fixed_frame)
         self._wait(lambda: self.can_transform_full(*ends), timeout)
@@ -88,7 +89,7 @@ class Buffer(BufferCore, BufferInterface):
     ) -> bool | tuple[bool, str]:
         """Return whether a lookup succeeds within `timeout`.
 
-        With `return_debug_tuple`: a tuple of that and the reason for a failure.
+        With `return_debug_tuple`, return a tuple of this result and the reason for a failure.
         """
         self._wait(lambda: self._is_possible(target_frame, source_frame, time), timeout)
         answer = self.can_transform_core(target_frame, source_frame, time)
@@ -184,7 +185,7 @@ class Buffer(BufferCore, BufferInterface):
             future.set_result(found)  # without the lock, because it may call callbacks
 
     def _found(self) -> list[tuple[Future[Any], Any]]:
-        """Remove and return the futures whose transforms are known now, with the transforms."""
+        """Remove the futures whose transforms are known now. Return them and the transforms."""
         complete, waiting = [], []
         with self._changed:
             for find, future in self._waiting:

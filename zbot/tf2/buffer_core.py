@@ -31,7 +31,7 @@ class BufferCore:
     """Tree of frames with their history. All methods may be called from any thread.
 
     Args:
-        cache_time: Time for which samples are kept; 10 s if left out.
+        cache_time: Time for which samples are kept. The default is 10 s.
     """
 
     def __init__(self, cache_time: Duration | None = None) -> None:
@@ -44,7 +44,7 @@ class BufferCore:
     # -- setting -------------------------------------------------------------------------------
 
     def set_transform(self, transform: Any, authority: str = "default_authority") -> None:
-        """Add a `TransformStamped`; an invalid or too old one is ignored and logged once."""
+        """Add a `TransformStamped`. An invalid or too old transform is ignored and logged once."""
         self._set(transform, authority, is_static=False)
 
     def set_transform_static(self, transform: Any, authority: str = "default_authority") -> None:
@@ -89,7 +89,7 @@ class BufferCore:
         Args:
             target_frame: The frame of the coordinates.
             source_frame: The frame whose position and orientation are returned.
-            time: The time of the transform; zero is the latest that all frames between have.
+            time: The time of the transform. Zero is the latest time that all frames between have.
 
         Raises:
             InvalidArgumentException: A name is empty or begins with a slash.
@@ -111,7 +111,7 @@ class BufferCore:
     ) -> Any:
         """Return the transform of `source_frame` at one time in `target_frame` at another time.
 
-        `fixed_frame` is assumed not to move between the two times. For errors see
+        `fixed_frame` must not move between the two times. For errors see
         `lookup_transform_core`.
         """
         with self._changed:
@@ -151,7 +151,7 @@ class BufferCore:
         return answer
 
     def _is_possible(self, target: str, source: str, time: Any) -> bool:
-        """Return whether a lookup would succeed, without the cost of a reason in words."""
+        """Return whether a lookup would succeed. To save time, give no reason."""
         with self._changed:
             if not (self._exists(target) and self._exists(source)):
                 return False
@@ -162,7 +162,7 @@ class BufferCore:
         return True
 
     def get_latest_common_time(self, target_frame: str, source_frame: str) -> Time:
-        """Return the latest time that all frames between have; 0 if all of them are static.
+        """Return the latest time that all frames between have, or 0 if all of them are static.
 
         Raises:
             InvalidArgumentException: A name is empty or begins with a slash.
@@ -197,16 +197,16 @@ class BufferCore:
     def _to_ancestors(
         self, name: str, stamp_ns: int, ends: Container[str]
     ) -> tuple[dict[str, Rigid], ExtrapolationException | None]:
-        """Return the transforms of a frame in itself and its ancestors, and the error at the end.
+        """Return a frame's transforms in itself and in its ancestors, and the error if any.
 
-        The ancestors end at one of the `ends`, at the root of the tree, or at a frame whose
-        transform is unknown at that time; only then there is an error.
+        The ancestors end at a frame in `ends`, at the root of the tree, or at a frame whose
+        transform is unknown at that time. Only the last case has an error.
         """
         pose = Rigid()
         poses = {name: pose}
         while name not in ends and (frame := self._frames.get(name)) is not None:
             try:
-                sample = frame.at(stamp_ns)  # has the parent at that time, which may have changed
+                sample = frame.at(stamp_ns)  # contains the parent at that time, as it may change
             except ExtrapolationException as error:
                 return poses, error
             if sample.parent in poses:
@@ -216,7 +216,7 @@ class BufferCore:
         return poses, None
 
     def _latest_common_ns(self, target: str, source: str) -> int:
-        """Return the latest time that all frames between have; 0 if all of them are static."""
+        """Return the latest time that all frames between have, or 0 if all of them are static."""
         if target == source:
             links = [source] if source in self._frames else []
         else:

@@ -1,4 +1,4 @@
-"""Interface of buffers, which transforms objects of registered classes."""
+"""Interface of buffers. It transforms objects of registered classes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ _conversions: dict[tuple[type[Any], type[Any]], Callable[[Any], Any]] = {}
 
 
 class BufferInterface:
-    """Base class of buffers; a subclass implements the lookups."""
+    """Base class of buffers. A subclass implements the lookups."""
 
     def lookup_transform(
         self, target_frame: str, source_frame: str, time: Any, timeout: Duration = NO_WAIT
@@ -33,7 +33,7 @@ class BufferInterface:
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Return the transform of `source_frame` at one time in `target_frame` at another."""
+        """Return the transform of `source_frame` at one time in `target_frame` at another time."""
         raise NotImplementedException(f"{type(self).__name__} has no lookup_transform_full")
 
     def transform(
@@ -43,7 +43,7 @@ class BufferInterface:
         timeout: Duration = NO_WAIT,
         new_type: type[Any] | None = None,
     ) -> Any:
-        """Return a point, vector or pose with header, in another frame.
+        """Return a stamped point, vector or pose in another frame.
 
         Args:
             object_stamped: An object of a registered class.
@@ -52,7 +52,7 @@ class BufferInterface:
             new_type: The class to convert the result to.
 
         Raises:
-            TypeException: No function to transform or convert objects of its class is registered.
+            TypeException: No function is registered to transform or convert objects of its class.
             TransformException: For the other errors see `Buffer.lookup_transform`.
         """
         do_transform = conversion.registered(type(object_stamped))
@@ -71,7 +71,7 @@ class BufferInterface:
         timeout: Duration = NO_WAIT,
         new_type: type[Any] | None = None,
     ) -> Any:
-        """Return a point, vector or pose with header, in another frame at another time."""
+        """Return a stamped point, vector or pose in another frame at another time."""
         do_transform = conversion.registered(type(object_stamped))
         header = object_stamped.header
         when = Time.from_msg(header.stamp)
@@ -86,7 +86,7 @@ def convert(value: Any, new_type: type[Any]) -> Any:
     """Return an object converted to another class, by a function of `ConvertRegistration`.
 
     Raises:
-        TypeException: None is registered for these classes.
+        TypeException: No function is registered for these classes.
     """
     if type(value) is new_type:
         return value
@@ -100,17 +100,17 @@ def convert(value: Any, new_type: type[Any]) -> Any:
 
 
 class TransformRegistration:
-    """Registry of the functions with which buffers transform objects."""
+    """Registry of the functions that buffers use to transform objects."""
 
     def add(self, key: type[Any], callback: Callable[[Any, Any], Any]) -> None:
-        """Register a function of an object and a `TransformStamped` that returns a new object."""
+        """Register a function that makes a new object from an object and a `TransformStamped`."""
         conversion.add(key, callback)
 
     def get(self, key: type[Any]) -> Callable[[Any, Any], Any]:
         """Return the function of a class.
 
         Raises:
-            TypeException: None is registered.
+            TypeException: No function is registered for the class.
         """
         return conversion.registered(key)
 
@@ -119,5 +119,5 @@ class ConvertRegistration:
     """Registry of the functions that `convert` uses."""
 
     def add_convert(self, key: tuple[type[Any], type[Any]], callback: Callable[[Any], Any]) -> None:
-        """Register a function for a pair of classes: of its argument and of its result."""
+        """Register a function for the pair of its argument's class and its result's class."""
         _conversions[key] = callback

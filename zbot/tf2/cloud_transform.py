@@ -1,6 +1,6 @@
 """Transformation of point clouds: the functions of `tf2_sensor_msgs`.
 
-Needs numpy, which `pip install 'zbot[numpy]'` brings.
+This module needs numpy, which `pip install 'zbot[numpy]'` installs.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def transform_points(point_cloud: ArrayLike, transform: Any) -> NDArray[np.float
 
 
 def do_transform_cloud(cloud: Any, transform: Any) -> Any:
-    """Return a `PointCloud2` in the transform's parent frame; only x, y and z change.
+    """Return a `PointCloud2` in the transform's parent frame. Only x, y and z change.
 
     Raises:
         PointCloudError: The cloud has no x, y or z, or less data than its size needs.

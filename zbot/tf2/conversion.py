@@ -1,4 +1,4 @@
-"""Transformation of points, vectors and poses; programs can register further classes."""
+"""Transformation of points, vectors and poses. Programs can register further classes."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _registered: dict[type[Any], Transformation] = {}
 
 
 def add(stamped_class: type[Any], transformation: Transformation) -> None:
-    """Register the function with which buffers transform objects of a class."""
+    """Register the function that buffers use to transform objects of a class."""
     _registered[stamped_class] = transformation
 
 
@@ -33,7 +33,7 @@ def registered(stamped_class: type[Any]) -> Transformation:
     """Return the function that transforms objects of a class.
 
     Raises:
-        TypeException: None is registered.
+        TypeException: No function is registered for the class.
     """
     transformation = _registered.get(stamped_class)
     if transformation is None:
@@ -62,7 +62,7 @@ def do_transform_point(point: Any, transform: Any) -> Any:
 
 
 def do_transform_vector3(vector: Any, transform: Any) -> Any:
-    """Return a `Vector3Stamped`, rotated only."""
+    """Return a `Vector3Stamped` that is rotated, but not translated."""
     moved = Vector3Stamped(header=copy.deepcopy(transform.header))
     v = vector.vector
     turned = rotate(rigid(transform).rotation, (v.x, v.y, v.z))

@@ -30,7 +30,7 @@ class TimeoutException(TransformException):
 
 
 class TypeException(TransformException):
-    """No function to transform objects of a class is registered."""
+    """No function is registered that transforms objects of a class."""
 
 
 class NotImplementedException(TransformException):

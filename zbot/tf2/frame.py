@@ -23,11 +23,11 @@ class Sample(NamedTuple):
 
 
 class Frame:
-    """Samples of one frame in the order of time; a static frame has one sample for all times.
+    """Samples of one frame in the order of time. A static frame has one sample for all times.
 
     Args:
         name: Name of the frame.
-        cache_ns: Age at which samples are dropped, relative to the latest sample, nanoseconds.
+        cache_ns: Age in nanoseconds at which samples are dropped, relative to the latest sample.
     """
 
     def __init__(self, name: str, cache_ns: int) -> None:
@@ -54,12 +54,12 @@ class Frame:
 
     @property
     def rate_hz(self) -> float:
-        """Mean rate of the samples that are kept; 0 for fewer than two."""
+        """Mean rate of the samples that are kept, or 0 for fewer than two samples."""
         span = self.latest_ns - self.oldest_ns
         return (len(self._samples) - 1) / (span / 1e9) if span else 0.0
 
     def add(self, sample: Sample, *, is_static: bool) -> bool:
-        """Add a sample; return `False` if it is too old, or if one with its time exists."""
+        """Add a sample. Return `False` if it is too old, or if another sample has the same time."""
         self.is_static = is_static
         if is_static:
             self._samples = [sample]

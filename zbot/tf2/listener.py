@@ -23,14 +23,14 @@ _DEPTH = 100
 
 
 class TransformListener:
-    """Subscriber of transforms, which adds them to a buffer.
+    """Subscriber that adds transforms to a buffer.
 
     Args:
         buffer: The buffer.
-        node: The node that subscribes; if left out, a new node that a thread spins.
+        node: The node that subscribes. The default is a new node that a thread spins.
         spin_thread: Whether the listener starts a thread that spins the node.
-        qos: Quality of service for `/tf`; depth 100 if left out.
-        static_qos: Quality of service for `/tf_static`; transient local if left out.
+        qos: Quality of service for `/tf`. The default is depth 100.
+        static_qos: Quality of service for `/tf_static`. The default is transient local.
         tf_topic: Another topic than `/tf`.
         tf_static_topic: Another topic than `/tf_static`.
         static_only: Do not subscribe to `/tf`.
@@ -110,7 +110,7 @@ class TransformListener:
                 self.buffer.set_transform_static(transform, "default_authority")
 
     def unregister(self) -> None:
-        """Destroy the subscriptions; may be called twice."""
+        """Destroy the subscriptions. This method may be called twice."""
         for subscription in self._subscriptions:
             if subscription in self.buffer.subscriptions:
                 self.buffer.subscriptions.remove(subscription)
@@ -123,13 +123,13 @@ class TransformListener:
 
 
 class StaticTransformListener(TransformListener):
-    """Subscriber of static transforms only, which adds them to a buffer.
+    """Subscriber that adds only static transforms to a buffer.
 
     Args:
         buffer: The buffer.
         node: The node that subscribes.
         spin_thread: Whether the listener starts a thread that spins the node.
-        static_qos: Quality of service; transient local if left out.
+        static_qos: Quality of service. The default is transient local.
         tf_static_topic: Another topic than `/tf_static`.
     """
 

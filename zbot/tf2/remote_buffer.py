@@ -42,7 +42,7 @@ class BufferServer:
 
     Args:
         buffer: The buffer.
-        node: The node that has the action; its executor runs the callbacks.
+        node: The node that has the action. The node's executor runs the callbacks.
         ns: The action's name.
     """
 
@@ -82,11 +82,11 @@ class BufferClient(BufferInterface):
     """Client that looks transforms up in another node's buffer.
 
     Args:
-        node: The node of the client; another thread, or the calling callback, runs its executor.
+        node: The node of the client. Another thread, or the calling callback, runs its executor.
         ns: The action's name.
         check_frequency: Accepted without effect, because nothing is polled.
-        timeout_padding: Time to wait for the server in addition to a lookup's timeout; a
-            `Duration`, or seconds.
+        timeout_padding: Time to wait for the server in addition to a lookup's timeout, as a
+            `Duration` or in seconds.
     """
 
     def __init__(
@@ -103,7 +103,7 @@ class BufferClient(BufferInterface):
         self._padding = timeout_padding
 
     def wait_for_server(self, timeout: Duration = NO_WAIT) -> bool:
-        """Wait for a server; return whether it appeared within `timeout`."""
+        """Wait for a server. Return whether it appeared within `timeout`."""
         return self._client.wait_for_server(timeout.nanoseconds / 1e9)
 
     def lookup_transform(
@@ -113,7 +113,7 @@ class BufferClient(BufferInterface):
 
         Raises:
             TimeoutException: The action has no server.
-            TransformException: The server's buffer raised it.
+            TransformException: The server's buffer raised this error.
         """
         return self._ask(
             timeout,
@@ -131,7 +131,7 @@ class BufferClient(BufferInterface):
         fixed_frame: str,
         timeout: Duration = NO_WAIT,
     ) -> Any:
-        """Return the transform of `source_frame` at one time in `target_frame` at another."""
+        """Return the transform of `source_frame` at one time in `target_frame` at another time."""
         return self._ask(
             timeout,
             target_frame=target_frame,

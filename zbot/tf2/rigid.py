@@ -8,7 +8,7 @@ from typing import NamedTuple
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
 
-_NEARLY_PARALLEL = 0.9995  # above, the sine of the angle is too small to divide by
+_NEARLY_PARALLEL = 0.9995  # above this value, the sine of the angle is too small to divide by
 
 
 def multiply(a: Quaternion, b: Quaternion) -> Quaternion:
@@ -32,7 +32,7 @@ def normalized(q: Quaternion) -> Quaternion:
     """Return a quaternion of length 1.
 
     Raises:
-        ZeroDivisionError: Its length is 0.
+        ZeroDivisionError: The length of the quaternion is 0.
     """
     length = math.sqrt(sum(part * part for part in q))
     x, y, z, w = q
@@ -46,7 +46,7 @@ def rotate(q: Quaternion, v: Vector) -> Vector:
 
 
 def slerp(a: Quaternion, b: Quaternion, share: float) -> Quaternion:
-    """Return the interpolated rotation on the shorter way; `share` from 0 (`a`) to 1 (`b`)."""
+    """Return a rotation on the shorter way from `a` (`share` is 0) to `b` (`share` is 1)."""
     cosine = sum(p * q for p, q in zip(a, b, strict=True))
     if cosine < 0:
         b = (-b[0], -b[1], -b[2], -b[3])
@@ -61,7 +61,7 @@ def slerp(a: Quaternion, b: Quaternion, share: float) -> Quaternion:
 
 
 class Rigid(NamedTuple):
-    """Transform of a child frame in its parent: maps the child's coordinates to the parent's."""
+    """Transform of a child frame in its parent. It maps the child's coordinates to the parent."""
 
     translation: Vector = (0.0, 0.0, 0.0)
     rotation: Quaternion = (0.0, 0.0, 0.0, 1.0)
@@ -83,7 +83,7 @@ class Rigid(NamedTuple):
         return Rigid((-x, -y, -z), back)
 
     def towards(self, other: Rigid, share: float) -> Rigid:
-        """Return the interpolated transform; `share` from 0 (this one) to 1 (the other)."""
+        """Return a transform between this transform (`share` is 0) and `other` (`share` is 1)."""
         x, y, z = (
             p + share * (q - p) for p, q in zip(self.translation, other.translation, strict=True)
         )

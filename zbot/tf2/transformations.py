@@ -1,7 +1,7 @@
 """Functions of ROS 2's tf_transformations, with numpy. Quaternions are x y z w.
 
-Axes are named as in that package: `sxyz` rotates about the fixed axes x, y, z in this order, `rzyx`
-about the axes of the rotating body.
+Axes have the same names as in that package. `sxyz` rotates about the fixed axes x, y, z in this
+order. `rzyx` rotates about the axes z, y, x of the rotating body.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ Matrix = npt.NDArray[np.float64]
 Quaternion = npt.NDArray[np.float64]
 
 _EPSILON = 1e-12
-#: First axis (0 x, 1 y, 2 z); whether the others follow in reverse order; whether the first axis
-#: is also the last; whether the axes rotate with the body.
+#: First axis (0 x, 1 y, 2 z). Then 1 if the other axes follow in reverse order, 1 if the first
+#: axis is also the last axis, and 1 if the axes rotate with the body.
 _AXES: dict[str, tuple[int, int, int, int]] = {
     "sxyz": (0, 0, 0, 0),
     "sxyx": (0, 0, 1, 0),
@@ -77,7 +77,7 @@ def translation_from_matrix(matrix: Any) -> npt.NDArray[np.float64]:
 
 
 def scale_matrix(factor: float, origin: Any = None, direction: Any = None) -> Matrix:
-    """Return the 4 x 4 matrix that scales about a point, in all directions or along one."""
+    """Return the 4 x 4 matrix that scales about a point, in one or all directions."""
     matrix = np.identity(4)
     if direction is None:
         matrix[:3, :3] *= factor
@@ -100,7 +100,7 @@ def rotation_matrix(angle: float, direction: Any, point: Any = None) -> Matrix:
 
 
 def concatenate_matrices(*matrices: Any) -> Matrix:
-    """Return the product of matrices: the last one is applied first."""
+    """Return the product of matrices. The last matrix is applied first."""
     product = np.identity(4)
     for matrix in matrices:
         product = product @ np.asarray(matrix, dtype=float)
@@ -167,7 +167,7 @@ def decompose_matrix(
     affine = np.vstack([m[:3], [0.0, 0.0, 0.0, 1.0]])
     perspective = m[3] @ np.linalg.inv(affine)
     turned, upper = np.linalg.qr(m[:3, :3])
-    signs = np.sign(np.diag(upper))  # of all decompositions, the one with positive scales
+    signs = np.sign(np.diag(upper))  # of all decompositions, take the one with positive scales
     turned, upper = turned * signs, signs[:, None] * upper
     if np.linalg.det(turned) < 0:
         turned, upper = -turned, -upper
@@ -212,12 +212,12 @@ def euler_from_matrix(matrix: Any, axes: str = "sxyz") -> tuple[float, float, fl
 
 
 def euler_from_quaternion(quaternion: Any, axes: str = "sxyz") -> tuple[float, float, float]:
-    """Return the three angles of a rotation: roll, pitch and yaw in rad, for `sxyz`."""
+    """Return the three angles of a rotation in rad. For `sxyz` they are roll, pitch and yaw."""
     return euler_from_matrix(quaternion_matrix(quaternion), axes)
 
 
 def quaternion_from_euler(ai: float, aj: float, ak: float, axes: str = "sxyz") -> Quaternion:
-    """Return the rotation of three angles: roll, pitch and yaw in rad, for `sxyz`."""
+    """Return the rotation of three angles in rad. For `sxyz` they are roll, pitch and yaw."""
     first, parity, repetition, frame = _axes(axes)
     i, j, k = first, (first + 1 + parity) % 3, (first + 2 - parity) % 3
     third = i if repetition else k
@@ -244,7 +244,7 @@ def quaternion_about_axis(angle: float, axis: Any) -> Quaternion:
 
 
 def quaternion_matrix(quaternion: Any) -> Matrix:
-    """Return the 4 x 4 matrix of a quaternion; its length may be any number above 0."""
+    """Return the 4 x 4 matrix of a quaternion. Its length may be any number above 0."""
     x, y, z, w = np.asarray(quaternion, dtype=float)[:4]
     square = x * x + y * y + z * z + w * w
     matrix = np.identity(4)
@@ -307,7 +307,7 @@ def quaternion_inverse(quaternion: Any) -> Quaternion:
 def quaternion_slerp(
     quat0: Any, quat1: Any, fraction: float, spin: int = 0, shortestpath: bool = True
 ) -> Quaternion:
-    """Return the interpolated rotation; `fraction` from 0 to 1, with `spin` more full turns."""
+    """Return the rotation at `fraction` (0 to 1) of the way, which has `spin` more full turns."""
     q0, q1 = unit_vector(quat0), unit_vector(quat1)
     cosine = float(np.dot(q0, q1))
     if shortestpath and cosine < 0:
@@ -324,12 +324,12 @@ def quaternion_slerp(
 
 
 def random_rotation_matrix(rand: Any = None) -> Matrix:
-    """Return a random rotation matrix; `rand` may give three numbers from 0 to 1."""
+    """Return a random rotation matrix. `rand` may give three numbers from 0 to 1."""
     return quaternion_matrix(random_quaternion(rand))
 
 
 def random_quaternion(rand: Any = None) -> Quaternion:
-    """Return a uniformly distributed rotation; `rand` may give three numbers from 0 to 1."""
+    """Return a uniformly distributed rotation. `rand` may give three numbers from 0 to 1."""
     a, b, c = np.random.default_rng().random(3) if rand is None else np.asarray(rand, dtype=float)
     r1, r2 = math.sqrt(1 - a), math.sqrt(a)
     t1, t2 = 2 * math.pi * b, 2 * math.pi * c

@@ -1,1 +1,1 @@
-"""Commands: a module for each noun, or a folder where its verbs fill one."""
+"""Commands. Each noun has a module, or a folder if its verbs need several modules."""

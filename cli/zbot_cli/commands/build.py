@@ -1,4 +1,4 @@
-"""`zbot build`: checks packages for errors that would show when they run; nothing is built."""
+"""`zbot build`: checks packages for errors before they run. It builds nothing."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 app = new_app("Check packages; nothing needs building", has_verbs=False)
 
-#: Options of colcon without effect here, by the number of words that follow them: none, one, many.
+#: Options of colcon that have no effect here. They take no word, one word or many words.
 _FLAGS = frozenset({
     "--symlink-install", "--merge-install", "--continue-on-error", "--cmake-clean-cache",
     "--cmake-clean-first", "--cmake-force-configure", "--cmake-target-skip-unavailable",
@@ -56,7 +56,7 @@ class UnknownPackagesError(ZbotError):
 
 
 class DuplicatePackagesError(ZbotError):
-    """Several folders contain a package of the same name."""
+    """Several folders contain packages of the same name."""
 
     def __init__(self, found: dict[str, list[Path]]) -> None:
         self.found = found
@@ -171,7 +171,7 @@ def _needs(folder: Path, folders: Iterable[str]) -> list[str]:
 
 
 def _in_order(needs: dict[str, list[str]], wanted: Iterable[str]) -> list[str]:
-    """Return packages, each after the packages that it depends on."""
+    """Return packages in an order in which each package comes after its dependencies."""
     done: list[str] = []
 
     def add(name: str, path: list[str]) -> None:

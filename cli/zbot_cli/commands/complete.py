@@ -1,6 +1,6 @@
 """`zbot complete`: prints the possible next words of a command line, for Tab in a shell.
 
-Options come from the commands, names from the running nodes, types from this machine.
+It takes options from the commands, names from the running nodes, and types from this machine.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from zbot_cli.output.exit_status import Status
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-#: Empty words as PowerShell passes them: its older versions drop an empty word without quotes.
+#: Empty words as PowerShell passes them. Its older versions drop an empty word without quotes.
 _EMPTY = ('""', "''")
 
 
@@ -125,7 +125,7 @@ def _parameters(done: Sequence[str], _: str) -> Iterable[str]:
 
 
 def _parameter_to_set(done: Sequence[str], unfinished: str) -> Iterable[str]:
-    # NODE PARAM VALUE PARAM VALUE: values cannot be completed.
+    # The words are NODE PARAM VALUE PARAM VALUE. Values cannot be completed.
     return _parameters(done, unfinished) if len(done) % 2 else []
 
 
@@ -251,7 +251,7 @@ def _shells(_: Sequence[str], __: str) -> Iterable[str]:
     return ("bash", "zsh", "fish", "powershell")
 
 
-#: Sources of candidates for the words after each verb; the last source also serves later words.
+#: Sources of candidates for the words after each verb. The last source also serves later words.
 _VALUES: dict[tuple[str, str], tuple[Any, ...]] = {
     ("action", "echo"): (_actions, _action_type),
     ("action", "find"): (_action_types,),

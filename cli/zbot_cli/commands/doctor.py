@@ -1,4 +1,4 @@
-"""`zbot doctor`: checks this machine and the domain; prints a line for each check, with advice."""
+"""`zbot doctor`: checks this machine and the domain, and prints a line of advice for each check."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _LARGEST_CLOCK_STEP_S = 0.1
 
 @dataclass(frozen=True)
 class Finding:
-    """Result of one check; `advice` says what to do, and is empty if nothing is wrong."""
+    """Result of one check. `advice` says what to do, and is empty if nothing is wrong."""
 
     check: str
     text: str

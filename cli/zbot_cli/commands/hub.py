@@ -1,4 +1,4 @@
-"""`zbot hub`: a router that links machines without a class."""
+"""`zbot hub`: runs a router that links machines without a classroom."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ OnlyActions = Annotated[bool, typer.Option("-a", "--only-actions", help="Only ac
 
 
 class InterfaceNameError(ZbotError):
-    """A name without three parts is the name of no type, or of several."""
+    """A name without three parts is the name of no type or of several types."""
 
     def __init__(self, name: str, found: list[str]) -> None:
         self.hint = type_hint(name, found, all_types()) if name else "write std_msgs/msg/String"

@@ -1,4 +1,4 @@
-"""`zbot join`: links this machine with a class or with another machine."""
+"""`zbot join`: links this machine with a classroom or with another machine."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def join(
 
 
 def _ask_pin(class_name: str) -> str | None:
-    """Return the PIN from `$ZBOT_PIN`, else from a hidden prompt, else from a line of stdin."""
+    """Return the PIN from `$ZBOT_PIN`, or else from a hidden prompt or a line of stdin."""
     given = os.environ.get("ZBOT_PIN")
     if given:
         return given.strip()

@@ -32,7 +32,7 @@ app = new_app("Run a launch file", has_verbs=False)
 
 
 class LaunchOptionError(ZbotError):
-    """An option of `zbot launch` needs another one."""
+    """An option of `zbot launch` needs another option."""
 
 
 @app.command()
@@ -82,7 +82,8 @@ def launch(
         raise LaunchOptionError(
             "--launch-prefix must be specified if --launch-prefix-filter is provided"
         )
-    # Launch files get zbot's `launch`, even if ROS 2's is installed: only its objects can be run.
+    # Launch files get zbot's `launch` even if ROS 2's `launch` is installed, because zbot can run
+    # only its own objects.
     zbot.compat.install_names({"launch", "launch_ros", "launch_xml", "launch_yaml"})
     path, rest = launch_file.find(words)
     arguments = parse_arguments(rest)
@@ -102,7 +103,7 @@ def launch(
     for text in _likely_typos(source, path, arguments):
         service.context.writer.warning("launch", text)
     include = IncludeLaunchDescription(source, launch_arguments=arguments.items())
-    include.origin = None  # the command line, not a line of a launch file, includes it
+    include.origin = None  # the command line includes it, not a line of a launch file
     service.include_launch_description(LaunchDescription([include]))
     return service.run() or int(service.context.program_failed)
 
@@ -110,7 +111,7 @@ def launch(
 def _likely_typos(
     source: AnyLaunchDescriptionSource, path: Path, arguments: Iterable[str]
 ) -> Iterable[str]:
-    """Yield a warning for each argument that is not declared but similar to one that is."""
+    """Yield a warning for each undeclared argument that is similar to a declared argument."""
     if not arguments:
         return
     try:

@@ -22,12 +22,12 @@ if TYPE_CHECKING:
 
 app = new_app("Look at nodes")
 
-#: Service types that `info` leaves out, as ros2 does: nodes describe their types with these.
+#: Service type that `info` leaves out, as ros2 does. Nodes use it to describe their types.
 _TYPE_DESCRIPTION = "type_description_interfaces/srv/GetTypeDescription"
 
 
 class UnknownNodeNameError(ZbotError):
-    """No node of that name is running; the hint names a similar one."""
+    """No node of that name is running. The hint names a similar node."""
 
     def __init__(self, name: str, known: list[str]) -> None:
         self.name = name

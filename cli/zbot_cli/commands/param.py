@@ -39,7 +39,7 @@ NodeAndNames = Annotated[
 ]
 
 
-# Texts for a change that a node accepts, and for one that it rejects.
+# Texts for a change that a node accepts, and for a change that it rejects.
 _SINGLE = ("Set parameter successful", "Setting parameter failed")
 _ATOMIC = ("Set parameters atomically successful", "Setting parameters atomically failed")
 _DELETED = ("Deleted parameter successfully", "Deleting parameter failed")
@@ -165,7 +165,7 @@ def get(
 
 @contextmanager
 def _heading(node: str, *, is_shown: bool) -> Iterator[str]:
-    """Print a node's name if it was not given; yield the indentation of the lines below it."""
+    """Print a node's name if `is_shown`. Yield the indentation of the lines below it."""
     if is_shown:
         print(f"{node}:")
     yield "  " if is_shown else ""
@@ -174,7 +174,7 @@ def _heading(node: str, *, is_shown: bool) -> Iterator[str]:
 def _targets(
     remote: RemoteParameters, words: Sequence[str], *, include_hidden: bool
 ) -> tuple[list[str], list[str]]:
-    """Return nodes and parameters of `NODE PARAM...`; without NODE, all nodes that have them."""
+    """Return nodes and parameters of `NODE PARAM...`. Without NODE, use all nodes with PARAM."""
     if len(words) > 1:
         return [remote.find(words[0])], list(words[1:])
     return _nodes_with(remote, words, include_hidden=include_hidden), list(words)
@@ -240,7 +240,7 @@ def set_parameters(
 
 
 def _reject_options(words: Sequence[str]) -> None:
-    # Only known options are rejected: -5 begins with a dash and is a value.
+    # Only known options are rejected, because -5 begins with a dash but is a value.
     for word in words:
         if word.startswith("--"):
             raise typer.BadParameter(f"there is no option {word}")
@@ -257,7 +257,7 @@ def _send(
 
 
 def _report(label: str, result: Any, success: str, failure: str) -> bool:
-    """Print the result for one parameter; return whether it failed."""
+    """Print the result for one parameter. Return whether it failed."""
     if result.successful:
         print(f"{label}{success}" + (f": {result.reason}" if result.reason else ""))
         return False
@@ -369,7 +369,7 @@ def load(
 
 
 def _load(remote: RemoteParameters, node: str, values: dict[str, Any], indent: str) -> int:
-    """Set the values of a file for one node; return how many of them the node does not have now."""
+    """Set a file's values for one node. Return how many values it does not have afterwards."""
     parameters = remote.typed(node, values)
     results = _send(remote, node, [one.to_parameter_msg() for one in parameters])
     refused = []

@@ -181,7 +181,7 @@ def _executables(name: str) -> list[Executable]:
         inside = executables.installed_package(name)
         if not inside:
             raise UnknownPackageError(name, sorted({one.name for one in everywhere}))
-    # If several packages have one name, the first is used.
+    # If several packages have the same name, the first package is used.
     first = {package.name: package for package in reversed(inside)}
     return sorted(one for package in first.values() for one in package.executables)
 

@@ -1,4 +1,4 @@
-"""Verbs of `zbot security`: make, list and check the certificates of machines, named as in ros2."""
+"""Verbs of `zbot security`, with ros2's names: make, list and check machines' certificates."""
 
 from __future__ import annotations
 

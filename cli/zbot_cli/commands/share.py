@@ -1,4 +1,4 @@
-"""`zbot share`: lets a student read another's topics, or all students publish in /class/."""
+"""`zbot share`: lets a student read another student's topics, or lets all publish in /class/."""
 
 from __future__ import annotations
 

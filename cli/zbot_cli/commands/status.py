@@ -1,4 +1,4 @@
-"""`zbot status`: shows the class or machine joined, and whether this machine is linked to it."""
+"""`zbot status`: shows the classroom or machine that was joined, and whether the link works."""
 
 from __future__ import annotations
 

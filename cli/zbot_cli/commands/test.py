@@ -60,7 +60,7 @@ def run_tests(
       zbot test src/my_package -- -k talker
     """
     given = list(words or ())
-    # The options of pytest begin with the first word with a dash: typer removes the `--`.
+    # The options of pytest begin at the first word with a dash, because typer removes the `--`.
     end = next((place for place, word in enumerate(given) if word.startswith("-")), len(given))
     given, options = given[:end], given[end:]
     paths = [Path(word) for word in given if ":=" not in word]

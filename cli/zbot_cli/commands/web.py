@@ -75,7 +75,7 @@ def check_extra() -> None:
     """Check that the packages of the extra `web` are installed.
 
     Raises:
-        NoWebExtraError: One is not installed.
+        NoWebExtraError: One of the packages is not installed.
     """
     from importlib.util import find_spec  # noqa: PLC0415 - only the page needs it
 

@@ -1,4 +1,4 @@
-"""Actions and their types: from words of the command line, and from the graph."""
+"""Actions and their types, from words of the command line or from the graph."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class UnknownActionError(ZbotError):
 
 
 class SeveralActionTypesError(ZbotError):
-    """An action has more than one type, and the command line names none."""
+    """An action has more than one type, and the command line names no type."""
 
     def __init__(self, name: str, types: list[str]) -> None:
         self.name, self.types = name, types
@@ -39,7 +39,7 @@ class SeveralActionTypesError(ZbotError):
 
 
 def suggestion(name: str, graph: Snapshot) -> str | None:
-    """Return a hint with the action whose name is most similar; `None` if there is none."""
+    """Return a hint with the most similar action name, or `None` if no name is similar."""
     guess = nearest(name, [known for known, _ in graph.actions()])
     return f"did you mean {guess}?" if guess else None
 
@@ -61,7 +61,7 @@ def _is_action(name: str) -> bool:
 
 
 def action_class(type_name: str) -> type[Any]:
-    """Return an action class; a definition missing on this machine is asked from the nodes.
+    """Return an action class. If this machine lacks the definition, ask the nodes for it.
 
     Raises:
         InvalidActionTypeError: Neither this machine nor a node has a definition of the type.
@@ -78,10 +78,10 @@ def action_class(type_name: str) -> type[Any]:
 
 
 def only_action_type(graph: Snapshot, name: str) -> str | None:
-    """Return the type of an action, `None` if it has no server and no client.
+    """Return the type of an action, or `None` if no node uses the action.
 
     Raises:
-        SeveralActionTypesError: It has more than one type.
+        SeveralActionTypesError: The action has more than one type.
     """
     types = dict(graph.actions()).get(name)
     if types is not None and len(types) > 1:

@@ -1,4 +1,4 @@
-"""Session of a command in its domain: a Zenoh client of the meeting point."""
+"""Session of a command in its domain, as a Zenoh client of the meeting point."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @contextlib.contextmanager
 def client(*, wait: bool = False) -> Iterator[Context]:
-    """Yield a context in the domain; its session is closed at the end.
+    """Yield a context in the domain. Its session is closed at the end of the `with` block.
 
     Args:
         wait: Keep the session open even if no node is running, so that later nodes are found.
@@ -41,7 +41,7 @@ def client(*, wait: bool = False) -> Iterator[Context]:
 
 
 def snapshot_of(context: Context) -> Snapshot:
-    """Return the graph; it is empty if no node is running."""
+    """Return the graph. It is empty if no node is running."""
     return Snapshot(()) if context.is_closed else context.graph.snapshot()
 
 
@@ -55,13 +55,13 @@ def snapshot() -> Snapshot:
 def hidden_node(
     verb: str, name: str | None = None, *, use_sim_time: bool = False, survives_ctrl_c: bool = False
 ) -> Iterator[Node]:
-    """Yield a node for a command that publishes or subscribes; it is hidden unless it has a name.
+    """Yield a node for a command that publishes or subscribes. Without `name`, it is hidden.
 
     Args:
-        verb: Verb of the command; part of the hidden name.
+        verb: Verb of the command. It is part of the hidden name.
         name: A visible name.
         use_sim_time: Whether the node follows `/clock`.
-        survives_ctrl_c: Whether Ctrl-C leaves the node open, for a command that must clean up.
+        survives_ctrl_c: Whether the node stays open at Ctrl-C, so that the command can clean up.
     """
     from zbot.node.node import Node  # noqa: PLC0415 - not needed by `list`
     from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - not needed by `list`

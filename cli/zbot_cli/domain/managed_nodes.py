@@ -1,4 +1,4 @@
-"""Managed nodes of the domain: their states and transitions, over their services."""
+"""Client of the managed nodes' services for states and transitions."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
 
     from lifecycle_msgs.msg import State, TransitionDescription
 
-ANSWER_TIMEOUT_S = 5.0  #: for each answer, except during the callback of a transition
+ANSWER_TIMEOUT_S = 5.0  #: for each answer, but without a limit for a transition's callback
 _GET_STATE = "lifecycle_msgs/srv/GetState"
 
 
 class NodeNotFoundError(ZbotError):
-    """No managed node of that name appeared in time; the hint names similar ones."""
+    """No managed node of that name appeared in time. The hint names similar nodes."""
 
     def __init__(self, name: str, graph: Snapshot) -> None:
         self.name = name
@@ -66,7 +66,7 @@ class UnknownTransitionError(ZbotError):
 
 
 class TransitionFailedError(ZbotError):
-    """The callback of the transition failed, or the state changed meanwhile."""
+    """The callback of the transition failed, or the state changed before its start."""
 
     def __init__(self, node: str, state: State) -> None:
         self.node, self.state = node, state
@@ -122,7 +122,7 @@ class ManagedNodes:
         return full
 
     def states(self, nodes: Iterable[str]) -> dict[str, State | NodeSilentError]:
-        """Return the states of nodes, asked at the same time; an error for each without answer."""
+        """Ask nodes for their states at the same time. A node without an answer gets an error."""
         pending = {}
         states: dict[str, State | NodeSilentError] = {}
         for name in nodes:
@@ -139,7 +139,7 @@ class ManagedNodes:
         """Return the state of a node.
 
         Raises:
-            NodeSilentError: It does not answer.
+            NodeSilentError: The node does not answer.
         """
         answer = self.states([name])[name]
         if isinstance(answer, NodeSilentError):
@@ -150,7 +150,7 @@ class ManagedNodes:
         """Return the transitions that are possible now, or all transitions of the node.
 
         Raises:
-            NodeSilentError: It does not answer.
+            NodeSilentError: The node does not answer.
         """
         service = "get_transition_graph" if show_all else "get_available_transitions"
         request = GetAvailableTransitions.Request()
@@ -159,7 +159,7 @@ class ManagedNodes:
         return found
 
     def change(self, name: str, wanted: str) -> None:
-        """Make a transition, given by label or number; the node's callback has no time limit.
+        """Make a transition with this label or number. The node's callback has no time limit.
 
         Raises:
             UnknownTransitionError: The transition is not possible now.

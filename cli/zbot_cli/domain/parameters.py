@@ -1,4 +1,4 @@
-"""Client of the parameter services of the domain's nodes, which asks several nodes at once."""
+"""Client of the nodes' parameter services. It asks several nodes at the same time."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ ANSWER_TIMEOUT_S = 5.0  #: for each answer, as in ros2
 
 
 class NodeNotFoundError(ZbotError):
-    """No node of that name appeared in time; the hint names similar ones."""
+    """No node of that name appeared in time. The hint names similar nodes."""
 
     def __init__(self, name: str, known: Sequence[str]) -> None:
         self.name = name
@@ -45,7 +45,7 @@ class NoParameterServicesError(ZbotError):
 
 
 class ParameterNotSetError(ZbotError):
-    """The node has no parameter of that name; without a node: no node of the domain has it."""
+    """The node has no parameter of this name. If no node is given, no node of the domain has it."""
 
     def __init__(self, node: str | None, name: str, known: Sequence[str]) -> None:
         self.node, self.name = node, name
@@ -61,7 +61,7 @@ def _others(known: Sequence[str]) -> str:
 
 @dataclass(slots=True)
 class Answers:
-    """Answers of several nodes, and the errors of the others."""
+    """Answers of nodes, and the errors of nodes without an answer."""
 
     found: dict[str, Any] = field(default_factory=dict)
     errors: dict[str, ZbotError] = field(default_factory=dict)
@@ -107,12 +107,12 @@ class RemoteParameters:
     def ask_all(
         self, nodes: Iterable[str], service: str, make: Callable[[type[Any], str], Any]
     ) -> Answers:
-        """Return the answers of nodes, all asked at the same time.
+        """Ask nodes at the same time, and return their answers.
 
         Args:
-            nodes: Their full names.
+            nodes: Full names of the nodes.
             service: The type of the service, e.g. `GetParameters`.
-            make: Called with the request's class and a node's name; returns the request.
+            make: Function that makes a request from its class and a node's name.
         """
         answers = Answers()
         pending = {}
@@ -158,10 +158,10 @@ class RemoteParameters:
         return sorted(self.ask(node, "ListParameters").result.names)
 
     def values(self, node: str, names: Sequence[str]) -> dict[str, Parameter[Any]]:
-        """Return parameters of a node; a parameter declared with only a type has no value.
+        """Return parameters of a node. A parameter that was declared only by type has no value.
 
         Raises:
-            ParameterNotSetError: The node has none of that name.
+            ParameterNotSetError: The node has no parameter of that name.
         """
         answer = self.ask(node, "GetParameters", names=list(names)).values
         if len(answer) == len(names):
@@ -176,7 +176,7 @@ class RemoteParameters:
         """Return the names if the node has them all.
 
         Raises:
-            ParameterNotSetError: The node lacks one of them.
+            ParameterNotSetError: The node lacks one of the parameters.
         """
         known = self.names(node)
         for name in names:
@@ -185,7 +185,7 @@ class RemoteParameters:
         return names
 
     def values_or_none(self, node: str, names: Sequence[str]) -> dict[str, Any]:
-        """Return the values of parameters; parameters that the node lacks are left out."""
+        """Return the values of parameters, without the parameters that the node lacks."""
         known = set(self.names(node)) if names else set()
         found = self.values(node, [name for name in names if name in known]) if known else {}
         return {name: parameter.value for name, parameter in found.items()}
@@ -194,7 +194,7 @@ class RemoteParameters:
         """Return the descriptors of parameters, as messages.
 
         Raises:
-            ParameterNotSetError: The node has none of that name.
+            ParameterNotSetError: The node has no parameter of that name.
         """
         answer: list[Any] = self.ask(node, "DescribeParameters", names=list(names)).descriptors
         if len(answer) < len(names) or not all(one.name for one in answer):
@@ -207,7 +207,7 @@ class RemoteParameters:
         return {one.name: Parameter.Type(one.type) for one in answer}
 
     def typed(self, node: str, values: dict[str, Any]) -> list[Parameter[Any]]:
-        """Return values of a file as parameters; the file has lists of integers for bytes."""
+        """Return values of a file as parameters. In the file, bytes are lists of integers."""
         lists = [name for name, one in values.items() if is_octets(one)]
         known = set(self.names(node)) if lists else set()
         types = self.types(node, [name for name in lists if name in known]) if known else {}
@@ -226,7 +226,7 @@ def visible_nodes(graph: Snapshot) -> list[str]:
 
 
 def is_octets(value: Any) -> bool:
-    """Return whether a value may be bytes: a list of integers from 0 to 255."""
+    """Return whether a value can be bytes, because it is a list of integers from 0 to 255."""
     return isinstance(value, list) and all(
         isinstance(one, int) and not isinstance(one, bool) and 0 <= one < 256 for one in value
     )

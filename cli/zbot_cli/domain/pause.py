@@ -1,4 +1,4 @@
-"""Pause between two messages, which ends early at Ctrl-C."""
+"""Pause between two messages. Ctrl-C ends it early."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class Pause:
-    """Waiter for a point in time, which also returns when its context ends."""
+    """Waiter for a point in time. It also stops waiting when its context ends."""
 
     def __init__(self, context: Context) -> None:
         self._context = context

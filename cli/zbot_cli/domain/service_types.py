@@ -1,4 +1,4 @@
-"""Services and their types: from words of the command line, and from the graph."""
+"""Services and their types, from words of the command line or from the graph."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class UnknownServiceError(ZbotError):
 
 
 class SeveralServiceTypesError(ZbotError):
-    """A service has more than one type, and the command line names none."""
+    """A service has more than one type, and the command line names no type."""
 
     def __init__(self, name: str, types: list[str]) -> None:
         self.name, self.types = name, types
@@ -55,7 +55,7 @@ class SeveralServiceTypesError(ZbotError):
 
 
 class OtherServiceTypeError(ZbotError):
-    """The servers of a service have another type than the command line names."""
+    """The type on the command line is not the type of the service's servers."""
 
     def __init__(self, name: str, wanted: str, types: list[str]) -> None:
         self.name, self.wanted, self.types = name, wanted, types
@@ -64,7 +64,7 @@ class OtherServiceTypeError(ZbotError):
 
 
 def suggestion(name: str, graph: Snapshot) -> str | None:
-    """Return a hint with the service whose name is most similar; `None` if there is none."""
+    """Return a hint with the most similar service name, or `None` if no name is similar."""
     guess = nearest(name, [known for known, _ in graph.services()])
     return f"did you mean {guess}?" if guess else None
 
@@ -75,10 +75,10 @@ def known_services(graph: Snapshot) -> NamesAndTypes:
 
 
 def served_type(graph: Snapshot, name: str) -> str | None:
-    """Return the type of a service, `None` if it has no server.
+    """Return the type of a service, or `None` if it has no server.
 
     Raises:
-        SeveralServiceTypesError: It has more than one type.
+        SeveralServiceTypesError: The service has more than one type.
     """
     types = dict(graph.services()).get(name)
     if types is not None and len(types) > 1:
@@ -87,7 +87,7 @@ def served_type(graph: Snapshot, name: str) -> str | None:
 
 
 def check_served(graph: Snapshot, name: str, type_name: str) -> None:
-    """Check that a server of the service has this type, if it has servers: no other could answer.
+    """Check that a service has a server of this type, or has no server at all.
 
     Raises:
         OtherServiceTypeError: All servers have another type.
@@ -116,7 +116,7 @@ def _is_service(name: str) -> bool:
 
 
 def service_class(type_name: str) -> type[Any]:
-    """Return a service class; a definition missing on this machine is asked from the nodes.
+    """Return a service class. If this machine lacks the definition, ask the nodes for it.
 
     Raises:
         InvalidServiceTypeError: Neither this machine nor a node has a definition of the type.

@@ -1,4 +1,4 @@
-"""Types of topics, from the graph; a command can wait until a topic has one."""
+"""Types of topics in the graph. A command can wait until a topic has a type."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class SeveralTypesError(ZbotError):
-    """A topic has more than one type, and the command line names none."""
+    """A topic has more than one type, and the command line names no type."""
 
     def __init__(self, name: str, types: list[str]) -> None:
         self.name, self.types = name, types
@@ -34,10 +34,10 @@ class UndefinedTypeError(ZbotError):
 
 
 def only_type(graph: Snapshot, name: str) -> str | None:
-    """Return the type of a topic, `None` if it has no publisher and no subscription.
+    """Return the type of a topic, or `None` if no node uses the topic.
 
     Raises:
-        SeveralTypesError: It has more than one type.
+        SeveralTypesError: The topic has more than one type.
     """
     types = dict(graph.topics()).get(name)
     if types is None:
@@ -48,7 +48,7 @@ def only_type(graph: Snapshot, name: str) -> str | None:
 
 
 def wait_for_type(node: Node, name: str) -> str:
-    """Return the type of a topic as soon as the topic exists; print a note before waiting."""
+    """Wait until a topic exists, and return its type. Print a note before waiting."""
     graph = node.context.graph
     found = only_type(graph.snapshot(), name)
     if found is None:
@@ -60,7 +60,7 @@ def wait_for_type(node: Node, name: str) -> str:
 
 
 def print_waiting(graph: Snapshot, name: str) -> None:
-    """Print on stderr that the command waits for a topic, with the most similar name if any."""
+    """Print on stderr that the command waits for a topic. Add the most similar name if any."""
     known = [topic for topic, _ in graph.topics()]
     guess = nearest(name, known)
     hint = f"; did you mean {guess}?" if guess else ""
@@ -68,7 +68,7 @@ def print_waiting(graph: Snapshot, name: str) -> None:
 
 
 def message_class(type_name: str) -> type[Any]:
-    """Return a message class; a definition missing on this machine is asked from the nodes.
+    """Return a message class. If this machine lacks the definition, ask the nodes for it.
 
     Raises:
         UndefinedTypeError: Neither this machine nor a node has a definition of the type.

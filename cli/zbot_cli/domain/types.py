@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot import interfaces  # its names are loaded when they are used: lists use none
+from zbot import interfaces  # loads a name when it is used, and lists use no name
 from zbot.errors import ZbotError
 from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.kinds import KINDS
@@ -44,7 +44,7 @@ def resolve_message_type(word: str) -> str:
 
 
 def find_types(word: str) -> list[str]:
-    """Return the full names of all types that match a word, first those on this machine.
+    """Return the full names of all types that match a word. Types on this machine come first.
 
     If this machine has no such type, the nodes are asked for its definition.
     """
@@ -56,7 +56,7 @@ def find_types(word: str) -> list[str]:
 
 
 def learn(name: str) -> bool:
-    """Ask the nodes that use a type for its definition; return whether one had it.
+    """Ask the nodes that use a type for its definition. Return whether a node had it.
 
     Raises:
         InterfaceConflictError: This machine has another definition of a nested type.
@@ -104,7 +104,7 @@ def all_messages() -> Iterator[str]:
 
 
 def type_hint(word: str, found: list[str], known: Iterator[str]) -> str:
-    """Return the hint for a word that is the name of no type, or of several."""
+    """Return the hint for a word that is the name of no type or of several types."""
     if found:
         return f"there are several: {', '.join(found)}"
     names = list(known)
@@ -114,7 +114,7 @@ def type_hint(word: str, found: list[str], known: Iterator[str]) -> str:
 
 
 def _short_guess(word: str, names: list[str]) -> str | None:
-    """Return a type of any package whose last part is similar to that of the word."""
+    """Return a type of any package whose last part is similar to the last part of the word."""
     last = word.replace(".", "/").rpartition("/")[2]
     by_last = {name.rpartition("/")[2].lower(): name for name in reversed(names)}
     guess = nearest(last.lower(), by_last) if last == word else None

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator, Sequence
 
-#: Bits of the dots of a braille character, by column and row: U+2800 plus the bits of its dots.
+#: Bits of a braille character's dots, by column and row. The character is U+2800 plus its bits.
 _BLANK = 0x2800
 _BITS = ((0x01, 0x02, 0x04, 0x40), (0x08, 0x10, 0x20, 0x80))
-#: Colours of the curves, as numbers of a terminal's 256: blue, orange, green, purple, red, cyan.
+#: Numbers of the curves' colours in a terminal: blue, orange, green, purple, red and cyan.
 _COLOURS = (33, 208, 35, 141, 197, 44)
 _SMALLEST_WIDTH, _SMALLEST_HEIGHT = 10, 3
 _ROWS_A_TICK = 3
@@ -44,7 +44,7 @@ class Canvas:
         self._owners = [[-1] * width for _ in range(height)]
 
     def dot(self, x: int, y: int, owner: int) -> None:
-        """Set a dot, counted from the upper left; a dot outside of the canvas is ignored."""
+        """Set a dot. (0, 0) is the upper left. A dot outside of the canvas is ignored."""
         column, row = x // 2, y // 4
         if 0 <= column < self.width and 0 <= row < self.height:
             self._cells[row][column] |= _BITS[x % 2][y % 4]
@@ -59,13 +59,13 @@ class Canvas:
             self.dot(round(x + (to_x - x) * part), round(y + (to_y - y) * part), owner)
 
     def rows(self, *, coloured: bool) -> Iterator[str]:
-        """Yield the rows as text; a character has the colour of the curve drawn last in it."""
+        """Yield the rows as text. A character has the colour of the last curve drawn in it."""
         for cells, owners in zip(self._cells, self._owners, strict=True):
             marks = [chr(_BLANK + bits) if bits else " " for bits in cells]
             if not coloured:
                 yield "".join(marks)
                 continue
-            # One colour sequence for neighbours of one colour: a third of the bytes over SSH.
+            # Neighbours of one colour share a colour sequence. SSH then sends a third of the bytes.
             runs = groupby(zip(owners, marks, strict=True), key=lambda pair: pair[0])
             yield "".join(_coloured("".join(mark for _, mark in run), owner) for owner, run in runs)
 
@@ -87,7 +87,7 @@ def ticks(low: float, high: float, most: int) -> list[float]:
 
 
 def span(values: Iterable[float]) -> tuple[float, float]:
-    """Return the range of an axis: the values' range and a margin; its length is never 0."""
+    """Return the range of an axis: the range of the values plus a margin. It is never empty."""
     finite = [value for value in values if math.isfinite(value)]
     if not finite:
         return -1.0, 1.0
@@ -108,7 +108,7 @@ def draw(
     """Return a plot as lines of text.
 
     Args:
-        curves: The curves; points outside of the times are left out.
+        curves: The curves. Points outside of the times are left out.
         width: Width of the plot with its axes, in characters.
         height: Height of the plot with its axes and legend, in lines.
         from_s: Time at the left edge.

@@ -9,7 +9,7 @@ class Status(IntEnum):
     """Exit code of `zbot`, for shell scripts."""
 
     OK = 0
-    ERROR = 1  #: something failed or was not found; a sentence on stderr says what
+    ERROR = 1  #: something failed or was not found. A sentence on stderr says what
     USAGE = 2  #: the command line is invalid
     INTERRUPTED = 130  #: Ctrl-C: 128 + SIGINT, as in shells
     TERMINATED = 143  #: 128 + SIGTERM

@@ -1,4 +1,4 @@
-"""Options and output that listings share: ros2's options for its daemon, and JSON."""
+"""Options and output that all listings share, such as ros2's daemon options and JSON."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class DaemonOptions:
-    """Group of ros2's options for its daemon; verbs that create a node use `--use-sim-time`."""
+    """Group of ros2's options for its daemon. Verbs that create a node use `--use-sim-time`."""
 
     spin_time: Annotated[
         float, typer.Option("--spin-time", hidden=True, help="Accepted; no effect")
@@ -31,7 +31,7 @@ class DaemonOptions:
 
 @dataclass(frozen=True)
 class NodeSearch(DaemonOptions):
-    """Group of options for the nodes that a verb asks, and the time that it waits for them."""
+    """Group of options that say which nodes a verb asks, and how long it waits for them."""
 
     include_hidden: Annotated[
         bool, typer.Option("--include-hidden-nodes", help="Consider hidden nodes too")
@@ -47,7 +47,7 @@ ShowTypes = Annotated[bool, typer.Option("-t", "--show-types", help="Add the typ
 
 
 def new_app(text: str, *, has_verbs: bool = True) -> typer.Typer:
-    """Return the typer app of a noun; without rich, whose import takes longer than most verbs."""
+    """Return the typer app of a noun. It does not use rich, because rich is slow to import."""
     return typer.Typer(
         help=text,
         no_args_is_help=has_verbs,
@@ -64,7 +64,7 @@ def print_json(value: Any) -> None:
 
 
 def print_names(names: Sequence[str], *, count: bool, as_json: bool) -> None:
-    """Print names one per line, as JSON, or only their number."""
+    """Print names on separate lines or as JSON, or print only their number."""
     if count:
         print(len(names))
     elif as_json:
@@ -86,7 +86,7 @@ def print_entries(
 
     Args:
         entries: Names and types.
-        facts: Returns the JSON value for a name and its types.
+        facts: Function that makes the JSON value for a name and its types.
         show_types: Print the types after each name.
         count: Print only the number of names.
         as_json: Print JSON.

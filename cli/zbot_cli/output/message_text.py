@@ -25,7 +25,7 @@ SEPARATOR = "---\n"
 
 @dataclass(frozen=True)
 class Form(Shortening):
-    """Form in which messages are printed; `length` is `None` to shorten nothing."""
+    """Form in which messages are printed. If `length` is `None`, nothing is shortened."""
 
     length: int | None = 128
     csv: bool = False
@@ -39,11 +39,11 @@ class Form(Shortening):
 
 
 class Formatter:
-    """Formatter of messages; each text ends with a newline.
+    """Formatter of messages. Each text ends with a newline.
 
     Args:
         form: The form of the texts.
-        with_topic: Whether each text names its topic, because there are several.
+        with_topic: Whether each text names its topic, because there are several topics.
 
     Raises:
         FieldPathError: A field of the form is not a valid path.
@@ -58,7 +58,7 @@ class Formatter:
         """Check that messages of a type have the fields of the form.
 
         Raises:
-            FieldPathError: They lack a field.
+            FieldPathError: The messages lack a field.
         """
         if not self._form.raw:
             for path in self._paths:
@@ -73,8 +73,8 @@ class Formatter:
 
         Args:
             topic: The topic of the message.
-            message: The message; its bytes if the form is raw.
-            info: Times at which it was sent and received.
+            message: The message, or its bytes if the form is raw.
+            info: Times at which the message was sent and received.
         """
         form = self._form
         if form.json and not form.raw:

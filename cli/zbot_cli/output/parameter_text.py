@@ -1,4 +1,4 @@
-"""Parameters as text: as `zbot param` prints them, and as a parameter file."""
+"""Parameters as text, in the form that `zbot param` prints and as a parameter file."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def message_of(name: str, text: str) -> Any:
-    """Return a parameter's message, with a type that follows from the text of the value."""
+    """Return a parameter as a message. Its type follows from the text of the value."""
     from rcl_interfaces.msg import Parameter as Message  # noqa: PLC0415 - made at first import
 
     return Message(name=name, value=get_parameter_value(text))
@@ -83,7 +83,7 @@ def description_lines(descriptor: Any) -> Iterator[str]:
 
 
 def file_text(values: Mapping[str, Mapping[str, Parameter[Any]]]) -> str:
-    """Return a parameter file with values of nodes; parameters without a value are left out."""
+    """Return a parameter file with values of nodes. It leaves out parameters without a value."""
     return yaml_text.dump(
         {
             node: {
@@ -101,7 +101,7 @@ def file_text(values: Mapping[str, Mapping[str, Parameter[Any]]]) -> str:
 
 
 def _safe(value: Any) -> Any:
-    """Return a value that YAML reads back with the same type: the text `1e3` needs quotes."""
+    """Return a value that YAML reads back with the same type. The string `1e3` needs quotes."""
     if isinstance(value, list):
         return [_safe(one) for one in value]
     if not isinstance(value, str):
@@ -114,7 +114,7 @@ def _safe(value: Any) -> Any:
 
 
 def _tree(values: dict[str, Any]) -> dict[str, Any]:
-    """Return dotted names as nested groups; a name stays dotted if its prefix has a value too."""
+    """Return dotted names as nested groups. A name stays dotted if its prefix has a value too."""
     tree: dict[str, Any] = {}
     for name, value in values.items():
         *groups, last = name.split(PARAMETER_SEPARATOR_STRING)
@@ -137,7 +137,7 @@ def _sorted(tree: dict[str, Any]) -> Iterator[tuple[str, Any]]:
 def values_for(
     content: Sequence[tuple[str, dict[str, Any]]], node: str, *, use_wildcards: bool
 ) -> dict[str, Any]:
-    """Return a file's values for a node; those under the node's own name override wildcards."""
+    """Return a file's values for a node. Values under the node's own name override wildcards."""
     groups = [
         (pattern, values)
         for pattern, values in content

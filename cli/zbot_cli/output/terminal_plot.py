@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from zbot.web.watch import Watch
 
 _FRAME_S = 0.1
-#: Seconds between two pictures in a file or a pipe, where all pictures are kept.
+#: Seconds between two pictures if the output is a file or a pipe, which keeps all pictures.
 _PIPED_FRAME_S = 1.0
 _MOST_POINTS = 20_000
 _HOME, _CLEAR_LINE, _CLEAR_BELOW = "\033[H", "\033[K", "\033[J"
@@ -38,9 +38,9 @@ class TerminalPlot:
 
     Args:
         system: The running system.
-        names: Topics or fields of topics; a topic stands for all its numeric fields.
+        names: Topics or fields of topics. A topic stands for all its numeric fields.
         window_s: Seconds that the plot shows.
-        duration_s: Seconds until the end; `None` for no end.
+        duration_s: Seconds until the end, or `None` for no end.
     """
 
     def __init__(

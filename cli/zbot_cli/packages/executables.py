@@ -55,7 +55,7 @@ class Package:
 
     name: str
     executables: tuple[Executable, ...] = ()
-    folder: Path | None = None  #: folder of the sources; `None` for an installed package
+    folder: Path | None = None  #: folder of the sources, or `None` for an installed package
     fault: str = ""  #: reason why its executables are unknown
     compiled: frozenset[str] = frozenset()  #: its C++ programs, which zbot cannot run
 

@@ -35,10 +35,10 @@ def to_quaternion(yaw: float) -> Quaternion:
 
 
 def to_yaw(q: Quaternion) -> float:
-    """Return the rotation about the vertical axis of a quaternion, from -pi to pi."""
+    """Return a quaternion's rotation about the vertical axis, from -pi to pi."""
     return math.atan2(2 * (q.w * q.z + q.x * q.y), 1 - 2 * (q.y * q.y + q.z * q.z))
 
 
 def turn_to(angle: float) -> float:
-    """Return an angle as the equal angle from -pi to pi: the shorter way to turn."""
+    """Return the equal angle from -pi to pi, which is the shorter way to turn."""
     return math.atan2(math.sin(angle), math.cos(angle))

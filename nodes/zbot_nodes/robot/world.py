@@ -55,7 +55,8 @@ def distance(x: float, y: float, angle: float) -> float:
         angle: Radians, counter-clockwise from the x axis.
 
     Returns:
-        Metres; infinity if no wall is in that direction, seen from outside of the room.
+        The distance in metres. From outside of the room it is infinity if no wall is in that
+            direction.
     """
     cos, sin = math.cos(angle), math.sin(angle)
     nearest = math.inf

@@ -10,7 +10,7 @@ from zbot_nodes.turtlesim.picture import png
 
 WIDTH = HEIGHT = 500  #: pixels
 _UNTOUCHED = (255, 255, 255, 0)  # white for the colour sensor, transparent for a page
-_MOST_LINES = 2000  # half a minute of a turtle; a page that asks less often gets the picture
+_MOST_LINES = 2000  # half a minute of a turtle. A page that asks less often gets the picture
 
 
 class Pen(NamedTuple):
@@ -49,10 +49,10 @@ class Drawing:
         self._pixels[:] = bytes(_UNTOUCHED) * (WIDTH * HEIGHT)
 
     def add(self, line: Line) -> None:
-        """Draw a line with square ends and without antialiasing; pixels outside are ignored."""
+        """Draw a line with square ends and without antialiasing. Pixels outside are ignored."""
         self.lines.append(line)
         self.until += 1
-        # Square ends: a square of the pen's width is drawn on each pixel of the line.
+        # For square ends, a square of the pen's width is drawn on each pixel of the line.
         steps = max(1, round(max(abs(line.x1 - line.x0), abs(line.y1 - line.y0))))
         for step in range(steps + 1):
             share = step / steps
@@ -66,7 +66,7 @@ class Drawing:
         """Return the lines that were added since `self.until` had this value.
 
         Returns:
-            The lines; `None` if the drawing was cleared since, or if there are too many lines.
+            The lines, or `None` if the drawing was cleared since then or there are too many lines.
         """
         first = self.until - len(self.lines)
         if not first <= until <= self.until:
@@ -89,7 +89,7 @@ class Drawing:
             self._pixels[begin : begin + len(row)] = row
 
     def colour_at(self, x: float, y: float) -> tuple[int, int, int]:
-        """Return red, green and blue of the pixel at a point; white where nothing was drawn."""
+        """Return red, green and blue of the pixel at a point, or white where nothing was drawn."""
         column = min(max(round(x), 0), WIDTH - 1)
         row = min(max(round(y), 0), HEIGHT - 1)
         begin = (row * WIDTH + column) * 4

@@ -1,4 +1,4 @@
-"""Page of the turtle simulator, opened in the browser of the user who started it."""
+"""Page of the turtle simulator. It opens in the browser of the user who started the simulator."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ _HOW_TO_GET = "The turtles can be seen in a browser: pip install 'zbot[web]'"
 def shown(node: zbot.Node) -> Iterator[None]:
     """Show a simulator in the browser during the `with` block, if a user is at the terminal.
 
-    A page of this machine that already shows the domain is used; otherwise one is served. The
-    option `--no-browser` and `$ZBOT_NO_BROWSER` prevent it.
+    If a page on this machine already shows the domain, this page is used. Otherwise a new page is
+    served. The option `--no-browser` or the variable `$ZBOT_NO_BROWSER` prevents both.
     """
     if NO_BROWSER in sys.argv or not has_desktop():
         yield

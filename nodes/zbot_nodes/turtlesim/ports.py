@@ -47,7 +47,7 @@ class TurtlePorts:
         )
 
     def drive(self, command: Twist) -> None:
-        """Set the turtle's velocity; sideways only if turtles are holonomic."""
+        """Set the turtle's velocity. It moves sideways only if turtles are holonomic."""
         is_holonomic = self.node.get_parameter("holonomic").value
         sideways = command.linear.y if is_holonomic else None
         self.world.command(self.turtle.name, command.linear.x, command.angular.z, sideways)
@@ -72,7 +72,7 @@ class TurtlePorts:
         return response
 
     async def rotate(self, goal_handle: Any) -> RotateAbsolute.Result:
-        """Turn to a heading; one step at each tick."""
+        """Turn to a heading, one step at each tick."""
         ended: zbot.Future[RotateAbsolute.Result] = zbot.Future()
         endings = {
             RotationState.SUCCEEDED: goal_handle.succeed,

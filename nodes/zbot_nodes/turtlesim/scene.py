@@ -13,12 +13,12 @@ if TYPE_CHECKING:
 
     from zbot_msgs.srv import TurtleScene
 
-#: Name of the service, below the node's name; hidden, because its last part begins with `_`.
+#: Name of the service below the node's name. It is hidden, because its last part begins with `_`.
 SCENE = "~/_scene"
 
 
 class Scene:
-    """Server of the scene: each response has the changes since the page's request before.
+    """Server of the scene. Each response has the changes since the page's previous request.
 
     Args:
         world: The world to show.

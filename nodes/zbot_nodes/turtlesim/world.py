@@ -1,7 +1,7 @@
-"""World of the turtles: a square in which time advances by ticks, without clock and messages.
+"""World of the turtles: a square in which time advances by ticks. It uses no clock or messages.
 
-Constants and order of operations are those of ROS 2's turtlesim, so that the output is the same as
-in tutorials. In this module y points down, as in a picture; in messages it points up.
+Constants and the order of operations are the same as in ROS 2's turtlesim, so that the output is
+the same as in tutorials. In this module y points down, as in a picture. In messages y points up.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from zbot_nodes.turtlesim.drawing import HEIGHT, Drawing, Line, Pen
 
 TICK_S = 0.016  #: seconds of one tick
 PIXELS_PER_METRE = 45.0
-#: Metres of one side; a 32-bit float in turtlesim, whose rounding error is visible in its output.
+#: Metres of one side. turtlesim uses a 32-bit float, and its output shows the rounding error.
 SIZE: float = unpack("f", pack("f", (HEIGHT - 1) / PIXELS_PER_METRE))[0]
 
 _PI = 3.14159265  # the value in turtlesim
@@ -25,7 +25,7 @@ _COMMAND_LASTS_S = 1.0
 _TURN_SPEED = 1.0  # rad/s towards the heading of a rotation goal
 _CLOSE_ENOUGH = 0.02  # rad
 
-#: Function that logs: takes `info`, `warning` or `error`, and a text.
+#: Function that logs. Its arguments are `info`, `warning` or `error`, and a string.
 Log = Callable[[str, str], None]
 
 
@@ -58,7 +58,7 @@ class Rotation:
 
 @dataclass
 class Turtle:
-    """Turtle; lengths in metres, angles in rad, y downwards."""
+    """Turtle. Lengths are in metres, angles are in rad, and y points down."""
 
     name: str
     x: float
@@ -83,7 +83,7 @@ class Turtle:
         return math.hypot(self.forward, self.sideways)
 
     def command(self, forward: float, turn: float, sideways: float | None = None) -> None:
-        """Set a velocity, which lasts 1 s; `None` keeps the present value of `sideways`."""
+        """Set a velocity, which lasts 1 s. `None` keeps the present value of `sideways`."""
         self.forward, self.turn = forward, turn
         if sideways is not None:
             self.sideways = sideways
@@ -113,7 +113,7 @@ class Turtle:
         self.pen = lifted if off else Pen(r, g, b, width or 1)
 
     def rotate(self, rotation: Rotation, log: Log) -> None:
-        """Begin to turn to a heading; a previous goal that has not ended is aborted."""
+        """Begin to turn to a heading. A previous goal that has not ended is aborted."""
         if self.rotation is not None:
             log(
                 "warning",
@@ -203,7 +203,7 @@ class TurtleWorld:
         self.spawn(SIZE / 2, SIZE / 2, 0.0)
 
     def spawn(self, x: float, y_up: float, theta: float, name: str = "") -> Turtle | None:
-        """Add a turtle; an empty name means `turtle2` and so on.
+        """Add a turtle. An empty name means `turtle2` and so on.
 
         Returns:
             The turtle, or `None` if the name is taken.
@@ -219,7 +219,7 @@ class TurtleWorld:
         return turtle
 
     def kill(self, name: str) -> None:
-        """Remove a turtle; an unknown name is only logged."""
+        """Remove a turtle. An unknown name is only logged."""
         turtle = self.turtles.pop(name, None)
         if turtle is None:
             self._log("error", f"Tried to kill turtle [{name}], which does not exist")
@@ -227,7 +227,7 @@ class TurtleWorld:
             turtle.end_rotation(RotationState.ABORTED)
 
     def clear(self) -> None:
-        """Clear the drawing; the turtles stay."""
+        """Clear the drawing. The turtles stay."""
         self._log("info", "Clearing turtlesim.")
         self.drawing.clear()
 
@@ -252,7 +252,7 @@ class TurtleWorld:
     def command(
         self, name: str, forward: float, turn: float, sideways: float | None = None
     ) -> None:
-        """Set a turtle's velocity; its rotation goal is aborted.
+        """Set a turtle's velocity. Its rotation goal is aborted.
 
         Raises:
             KeyError: There is no such turtle.
@@ -268,7 +268,7 @@ class TurtleWorld:
         return self.drawing.colour_at(turtle.x * PIXELS_PER_METRE, turtle.y * PIXELS_PER_METRE)
 
     def tick(self) -> bool:
-        """Advance by 16 ms, except at the first tick; return whether time advanced."""
+        """Advance by 16 ms, except at the first tick. Return whether time advanced."""
         if not self._has_begun:
             self._has_begun = True
             return False

@@ -56,7 +56,7 @@ def _facts(graph: Snapshot, name: str, types: list[str]) -> dict[str, object]:
 
 
 def _nodes(graph: Snapshot, name: str, kind: EntityKind) -> dict[str, list[str]]:
-    """Return the nodes that are servers or clients of an action, with the types that they use."""
+    """Return the nodes that are servers or clients of an action, and the types that they use."""
     found: dict[str, list[str]] = {}
     for node in graph.nodes:
         full = fully_qualified(node.namespace, node.node)

@@ -1,4 +1,4 @@
-"""`zbot action echo`: the messages between the server and the clients of an action."""
+"""`zbot action echo`: prints the messages between the server and the clients of an action."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from zbot_cli.output.message_text import Form, Formatter
 
 _DEPTH = QoSProfile(depth=100)
-_STEP_S = 0.5  # Ctrl-C is noticed after each step, because it does not end a wait for the graph
+_STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
 
 #: Topic, type and quality of service of each part of an action, by ros2's names for the parts.
 #: `{}` is the type of the action.
@@ -49,8 +49,8 @@ class ActionEcho:
 
     Args:
         name: The action's full name.
-        type_word: The action's type; `None` to take it from the graph.
-        interfaces: Names of parts, separated by `|`; `None` for all.
+        type_word: The action's type, or `None` to take it from the graph.
+        interfaces: Names of parts, separated by `|`, or `None` for all parts.
         form: How to show messages.
 
     Raises:

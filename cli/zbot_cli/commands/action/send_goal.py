@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from zbot.executor.task import Future
     from zbot.node.node import Node
 
-_STEP_S = 0.5  # Ctrl-C is noticed after each step, because it does not end a wait for the graph
+_STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
 _REPR_OF = {True: "AttributeError", False: "ValueError"}
 
 
@@ -62,9 +62,9 @@ class SendGoal:
 
     Args:
         name: The action's full name.
-        words: A type and values; the type may be left out if the action has a server.
+        words: A type and values. The type may be left out if the action has a server.
         with_feedback: Print feedback.
-        timeout_s: Seconds to wait for a server; `None` for no limit.
+        timeout_s: Seconds to wait for a server, or `None` for no limit.
         stdin: Read the values from standard input.
         goal_file: Read the values from a file.
         as_json: Print one JSON document for each event.
@@ -96,13 +96,13 @@ class SendGoal:
             self._values = [read_values(goal_file)]
 
     def run(self) -> Status:
-        """Send the goal; return the exit code of the command.
+        """Send the goal. Return the exit code of the command.
 
         Raises:
             NoActionServerError: No server appeared in time.
             GoalValuesError: The values do not fit the goal.
             CancelError: The server did not accept the request to cancel the goal.
-            ServiceError: The server ended before the goal did.
+            ServiceError: The server ended before the goal ended.
         """
         import zbot  # noqa: F401, PLC0415 - makes the message packages importable
 
@@ -234,7 +234,7 @@ def _text(message: Any) -> str:
 
 
 def _as_block_lists(value: Any) -> Any:
-    """Return values whose lists are printed with an item on each line, as ros2 prints them."""
+    """Return values whose lists are printed with one item per line, as ros2 prints lists."""
     if isinstance(value, dict):
         return {name: _as_block_lists(item) for name, item in value.items()}
     return [_as_block_lists(item) for item in value] if isinstance(value, list) else value

@@ -1,4 +1,4 @@
-"""Verbs of `zbot class`: start a class, list and check its students, and stop it."""
+"""Verbs of `zbot class`: start a classroom, list and check its students, and stop it."""
 
 from __future__ import annotations
 

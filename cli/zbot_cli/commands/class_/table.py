@@ -10,7 +10,7 @@ _SECONDS = {"s": 60.0, "min": 60.0, "h": 24.0, "d": float("inf")}
 
 
 def table(found: dict[str, Any]) -> str:
-    """Return the students of a class as text, one per line."""
+    """Return the students of a classroom as text, with one student per line."""
     rows = [_HEADINGS, *(_row(student) for student in found["students"])]
     rows += [(str(one["number"]), one["name"], "-", "", "", "", "") for one in found["expected"]]
     here = sum(student["here"] for student in found["students"])

@@ -1,6 +1,7 @@
 """`zbot run`: finds an executable and runs it in this process.
 
-It does not use typer: the words after the executable belong to the node, and typer starts slowly.
+It does not use typer, because the words after the executable belong to the node, and because
+typer starts slowly.
 """
 
 from __future__ import annotations
@@ -33,7 +34,7 @@ Options:
 Examples:
   zbot run sensor
   zbot run my_package my_node --ros-args -r __node:=other -p rate:=2.0"""
-#: Places that are searched for a name, in this order; the first place that has the name is used.
+#: Places to search for a name, in this order. The first place that has the name is used.
 _PLACES: tuple[Callable[[], list[Package]], ...] = (
     executables.workspace_packages,
     executables.bundled_packages,
@@ -55,7 +56,7 @@ class PackageNotFoundError(ZbotError):
 
 
 class ExecutableNotFoundError(ZbotError):
-    """The package has no executable of that name; without a package: no package has it."""
+    """The package has no executable of this name. If no package is given, no package has it."""
 
     def __init__(self, name: str, known: Sequence[str], packages: Sequence[Package] = ()) -> None:
         self.name = name
@@ -109,8 +110,8 @@ def run(words: list[str]) -> int | Callable[[], NoReturn]:
         words: The words after `zbot run`.
 
     Returns:
-        A function that runs the executable and ends the process, to be called outside of the
-        command's error handling; or an exit code if there is nothing to run.
+        A function that runs the executable and ends the process, or an exit code if there is
+        nothing to run. The caller must call the function outside of its error handling.
     """
     prefix: list[str] = []
     while words and words[0].startswith("-"):
@@ -144,13 +145,13 @@ def _split(prefix: str) -> list[str]:
 
 
 def find(words: Sequence[str]) -> tuple[Executable, list[str]]:
-    """Return the executable that a command line begins with, and its arguments.
+    """Return the executable at the start of a command line, and the arguments after it.
 
     Raises:
         ProgramNotFoundError: There is no file of that path.
         PackageNotFoundError: There is no package of that name.
         ExecutableNotFoundError: There is no executable of that name.
-        SeveralExecutablesError: Several packages have it, and the words name no package.
+        SeveralExecutablesError: Several packages have this executable, and the words name none.
     """
     first, rest = words[0], list(words[1:])
     if _is_path(first):
@@ -200,7 +201,7 @@ def _file(word: str) -> Executable:
 
 
 def _named(name: str, packages: Iterable[Package]) -> list[Executable]:
-    """Return the executables of a name, each program once; the name may lack `.py`."""
+    """Return the executables of a name, each program once. The name may lack `.py`."""
     found: dict[str, Executable] = {}
     for package in packages:
         for one in package.executables:

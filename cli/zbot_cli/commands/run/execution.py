@@ -1,7 +1,7 @@
 """Execution of a program in the process of `zbot run`.
 
-No second process is started, so the program gets the signals and sets the exit code, on Windows
-too, and `ps` shows it.
+No second process is started. So the program gets the signals and sets the exit code, also on
+Windows, and `ps` shows the program.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def _run(executable: Executable, arguments: Sequence[str]) -> NoReturn:
 
 
 def _folder_of(executable: Executable) -> Path:
-    """Return the folder that contains a program, to look for its workspace from there."""
+    """Return the folder that contains a program. The search for its workspace begins there."""
     if is_file(executable.target):
         return Path(executable.target).parent
     return Path(next(iter(executable.folders), "."))
@@ -94,7 +94,7 @@ def _set_path(executable: Executable) -> None:
     folders = list(executable.folders)
     if is_file(executable.target):
         folders.insert(0, str(Path(executable.target).resolve().parent))
-    # The first entry is the folder of the `zbot` command or the current folder: a random.py there
+    # The first entry is the folder of the `zbot` command or the current folder. A random.py there
     # must not replace Python's `random`.
     has_own_entry = not getattr(sys.flags, "safe_path", False)
     sys.path[: int(has_own_entry)] = folders
@@ -116,7 +116,7 @@ def _function(executable: Executable) -> Any:
 
 
 def _leave_out_own_frames() -> None:
-    """Remove the frames of zbot from tracebacks, which then begin in the program."""
+    """Remove the frames of zbot from tracebacks, so that tracebacks begin in the program."""
     report = sys.excepthook
 
     def shortened(

@@ -1,4 +1,4 @@
-"""Execution of a Python file, which also starts the node of a file that only defines one."""
+"""Execution of a Python file. If the file only defines a node class, the node is started."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class NothingToRunError(ZbotError):
-    """A file contains only definitions, without a `main()` and without exactly one node class."""
+    """A file contains only definitions: no `main()`, and no node class or several of them."""
 
     def __init__(self, path: str) -> None:
         self.path = path
@@ -29,10 +29,10 @@ def run_script(path: str) -> Any:
     """Run a file as `__main__`.
 
     A file with only definitions, as in many lesson sheets, would end at once. So its `main()` is
-    called or, without one, its only node class is created and spun.
+    called. If it has no `main()`, a node of its only node class is created and spun.
 
     Raises:
-        NothingToRunError: The file has neither.
+        NothingToRunError: The file has no `main()`, and no node class or several of them.
     """
     with io.open_code(str(Path(path).resolve())) as file:
         source = file.read()

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from zbot_cli.input.message_values import Template
     from zbot_cli.input.qos_options import QosOptions
 
-_STEP_S = 0.5  # Ctrl-C is noticed after each step, because it does not end a wait for the graph
+_STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
 
 
 class CallRateError(ZbotError):
@@ -58,10 +58,10 @@ class ServiceCall:
 
     Args:
         name: The service's full name.
-        words: A type and values; the type may be left out if the service has a server.
+        words: A type and values. The type may be left out if the service has a server.
         qos: Quality of service options.
-        rate_hz: Calls a second; `None` for a single call.
-        timeout_s: Seconds to wait for the server and for each response; `None` for no limit.
+        rate_hz: Calls a second, or `None` for a single call.
+        timeout_s: Seconds to wait for the server and for each response, or `None` for no limit.
         stdin: Read the values from standard input.
         as_json: Print one JSON document for each call.
     """
@@ -172,15 +172,15 @@ class ServiceCall:
 
 
 def served_type_of(graph: Snapshot, name: str, wanted: str | None) -> str | None:
-    """Return the type to call a service with; `None` while it has no server.
+    """Return the type with which to call a service, or `None` while it has no server.
 
     Args:
         graph: The graph of the domain.
         name: The full name of the service.
-        wanted: The type that the command line names, if any.
+        wanted: The type on the command line, if any.
 
     Raises:
-        OtherServiceTypeError: The servers have another type than `wanted`.
+        OtherServiceTypeError: The type of the servers is not `wanted`.
         SeveralServiceTypesError: The service has several types, and `wanted` is `None`.
     """
     if wanted is None:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from zbot_cli.input.qos_options import QosOptions
     from zbot_cli.output.message_text import Form
 
-_STEP_S = 0.5  # Ctrl-C is noticed after each step, because it does not end a wait for the graph
+_STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
 
 
 class ServiceEcho:
@@ -32,7 +32,7 @@ class ServiceEcho:
 
     Args:
         name: The service's full name.
-        type_word: The service's type; `None` to take it from the graph.
+        type_word: The service's type, or `None` to take it from the graph.
         form: How to show events.
         qos: Quality of service options.
 

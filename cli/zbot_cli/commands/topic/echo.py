@@ -37,14 +37,14 @@ class NothingReceivedError(ZbotError):
 
 
 class Echo:
-    """Printer of messages until Ctrl-C, the first message, or a time limit.
+    """Printer of messages. It ends at Ctrl-C, after the first message, or at a time limit.
 
     Args:
         words: Topics, possibly with wildcards, and optionally a type after the last topic.
         form: How to show messages.
         qos: Quality of service options.
         once: End after the first message that is printed.
-        timeout_s: End after this many seconds; it is an error if no message was printed by then.
+        timeout_s: End after this many seconds. It is an error if no message was printed by then.
         node_name: A visible name for the subscribing node.
         use_sim_time: Whether the node follows `/clock`.
     """
@@ -108,7 +108,7 @@ class Echo:
             graph.add_listener(self._on_change)
 
     def _on_change(self, token: Token, appeared: bool) -> None:
-        # Called in Zenoh's thread, in which creating a subscription could deadlock.
+        # Zenoh's thread calls this method. Creating a subscription in this thread could deadlock.
         if (
             not appeared
             or not isinstance(token, EndpointToken)
@@ -182,7 +182,7 @@ def _filter(form: Form) -> Filter | None:
 
 
 def _split(words: list[str]) -> tuple[list[str], str | None]:
-    """Return the topics and the type; the type is the last word and has no leading slash."""
+    """Return the topics and the type. The type is the last word, and has no leading slash."""
     if len(words) > 1 and not words[-1].startswith("/") and "*" not in words[-1]:
         from zbot_cli.domain.types import resolve_message_type  # noqa: PLC0415 - only with a type
 

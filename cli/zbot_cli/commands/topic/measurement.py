@@ -1,4 +1,4 @@
-"""Measurement of topics, shared by `zbot topic hz`, `bw` and `delay`: prints figures every second.
+"""Measurement of topics for `zbot topic hz`, `bw` and `delay`. It prints figures every second.
 
 Rates and bandwidths are taken from the bytes. Messages are decoded only for `delay` and for
 `hz --filter`.
@@ -41,18 +41,18 @@ class Meter(Protocol):
     """Collector of the figures of one topic."""
 
     def add(self, message: Any) -> None:
-        """Add a message: decoded if the measurement decodes, otherwise its bytes."""
+        """Add a message. It is decoded if the measurement decodes. Otherwise it is bytes."""
 
     def figures(self) -> dict[str, float] | None:
         """Return the figures, or `None` if no message came since the last call."""
 
 
 class Measurement(Protocol):
-    """Quantity to measure: makes a meter for each topic, and formats its figures."""
+    """Quantity to measure. It makes a meter for each topic, and formats the meter's figures."""
 
     decodes: bool  #: whether its meters get decoded messages
     prints_subscription: bool  #: whether a line says that a single topic is subscribed
-    compares_stamps: bool  #: whether times are the node's, which stamps are compared with
+    compares_stamps: bool  #: whether stamps are compared with the node's time
     columns: tuple[str, ...]
 
     def meter(self, now_ns: Callable[[], int]) -> Meter:

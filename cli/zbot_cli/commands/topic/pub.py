@@ -70,8 +70,8 @@ class Pace:
 
     rate_hz: float = 1.0
     print_every: int = 1
-    times: int = 0  #: 0: until Ctrl-C
-    wait_for: int | None = None  #: subscriptions; `None`: 1 if `times`, else 0
+    times: int = 0  #: 0 means until Ctrl-C
+    wait_for: int | None = None  #: subscriptions; `None` means 1 if `times` is above 0, else 0
     max_wait_s: float | None = None
     keep_alive_s: float = 0.1
 
@@ -94,11 +94,11 @@ class Pace:
 
 
 class Pub:
-    """Publisher of messages until Ctrl-C, a number of messages, or the end of a file.
+    """Publisher that ends at Ctrl-C, after a number of messages, or at the end of a file.
 
     Args:
         topic: The topic's name.
-        words: A type and values; the type may be left out if a node uses the topic.
+        words: A type and values. The type may be left out if a node uses the topic.
         pace: Rate of publishing, and conditions to start and end it.
         qos: Quality of service options.
         node_name: A visible name for the publishing node.
