@@ -280,8 +280,8 @@ def main() -> None:
     report.say(
         f"{datetime.now(timezone.utc):%Y-%m-%d}, {platform.system()} {platform.machine()}, "
         f"{os.cpu_count()} cores, Python {platform.python_version()}, zbot {zbot.__version__}, "
-        f"eclipse-zenoh {version('eclipse-zenoh')}; medians of {rounds} interleaved runs, {3 * rounds} "
-        "where rates of messages or starts are counted."
+        f"eclipse-zenoh {version('eclipse-zenoh')}. Each value is the median of {rounds} interleaved "
+        f"runs ({3 * rounds} runs for rates of messages and for starts)."
     )
     latency_table(report, rounds)
     service_table(report, rounds)

@@ -26,6 +26,10 @@ if TYPE_CHECKING:
 
     from zbot.log.record import Record
 
+    MakeContext = Callable[[], zbot.Context]
+    Spin = Callable[..., "Spinner"]
+    Start = Callable[..., "Program"]
+
 # No deadline: other tests use the machine at the same time and slow examples down.
 hypothesis.settings.register_profile(
     "zbot",
@@ -125,6 +129,15 @@ def wait_until(condition: Callable[[], bool], timeout_s: float = 5.0) -> bool:
             return False
         pause.wait(0.005)
     return True
+
+
+def in_threads(work: Callable[[int], object], count: int) -> None:
+    """Call a function with each number below `count`, in threads of their own, and wait for all."""
+    threads = [threading.Thread(target=work, args=(number,)) for number in range(count)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
 
 
 @pytest.fixture

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 # A router answers within 10 ms, or within seconds when 40 nodes start at once on two cores.
 _LINK_TIMEOUT_S = 5.0
 # Pause between attempts to open the router. When two processes take a port within the same
-# microseconds, Linux may refuse it to both. Processes of a launch file do so (6 of 100 times).
+# microseconds, Linux may refuse it to both. This happens in 6 of 100 starts of launch files.
 _HOLD_PAUSE_S = 0.1
 # Longest waits of the first graph query and of the first message. They usually take 2 ms.
 _DISCOVERY_TIMEOUT_S = 2.0
@@ -92,8 +92,6 @@ class Context:
         self.dialect = NATIVE
         self._in_class = False
         self.is_student = False  #: whether this is a student's machine in a classroom
-
-    # -- init and shutdown ---------------------------------------------------------------------
 
     def init(
         self,
@@ -228,8 +226,6 @@ class Context:
         """A handle of the context, as in rclpy."""
         return Handle(self)
 
-    # -- nodes ---------------------------------------------------------------------------------
-
     def add_node(self, node: ContextNode) -> None:
         """Add a node, with a weak reference."""
         self._nodes.add(node)
@@ -247,8 +243,6 @@ class Context:
     def executors(self) -> set[at_exit.Executor]:
         """The executors of the context's nodes."""
         return {node.executor for node in self._nodes if node.executor is not None}
-
-    # -- session -------------------------------------------------------------------------------
 
     @property
     def session(self) -> zenoh.Session:
@@ -358,7 +352,7 @@ class Context:
     def _set_session(
         self, session: zenoh.Session, meeting: MeetingPoint, *, watch: bool = True
     ) -> None:
-        # The order matters. After a Ctrl-C in between, `close` must find all that is open.
+        # The order matters: `close` must find all that is open if a Ctrl-C comes in between.
         self._session, self._meeting = session, meeting
         at_exit.open_contexts.add(self)
         at_exit.register()
@@ -443,7 +437,7 @@ class Context:
 
     @defers_signals
     def close(self) -> None:
-        """Close the session, as the last part of `shutdown()`, even if a signal interrupts that."""
+        """Close the session, also after a signal has interrupted `shutdown()`."""
         # The session is closed first, because this ends the threads that wait for its data.
         if self._session is not None:
             blocked_put.cancel_all(self.sessions)

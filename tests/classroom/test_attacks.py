@@ -243,12 +243,7 @@ def test_guess_the_pin(room: AttackedClass, lobby_user: zenoh.Session) -> None:
 
 @pytest.mark.parametrize(
     ("words", "sentence"),
-    [
-        ("000000", "wrong PIN"),
-        ("", "PIN"),
-        ("4711001", "wrong PIN"),
-        ("x" * 100_000, "wrong PIN"),
-    ],
+    [("000000", "wrong PIN"), ("", "PIN"), ("4711001", "wrong PIN"), ("x" * 100_000, "wrong PIN")],
 )
 def test_join_with_a_wrong_pin(room: AttackedClass, words: str, sentence: str) -> None:
     eve = room.computer(f"eve{abs(hash(words))}")

@@ -90,9 +90,7 @@ def test_a_class_that_does_not_know_the_pin_is_rejected(
     assert seen.is_set()
 
 
-def test_an_invalid_membership_is_rejected(
-    malicious_hub: Callable[[Answer], Address],
-) -> None:
+def test_an_invalid_membership_is_rejected(malicious_hub: Callable[[Answer], Address]) -> None:
     server = PinServer(PIN)
 
     def answer(question: dict[str, Any]) -> dict[str, Any]:

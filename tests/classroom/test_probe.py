@@ -58,9 +58,7 @@ def test_an_unknown_name_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
         first_reachable([Address("teecher.local")])
 
 
-def test_an_unreachable_name_server_is_not_waited_for(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_an_unreachable_name_server_is_not_waited_for(monkeypatch: pytest.MonkeyPatch) -> None:
     over = threading.Event()
 
     def hang(*_: object, **__: object) -> object:

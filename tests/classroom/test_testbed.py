@@ -5,11 +5,8 @@ from __future__ import annotations
 import socket
 from typing import TYPE_CHECKING
 
-import pytest
-
 from tests.classroom.impairment import Impairment, impair
 from tests.classroom.network import namespaces
-from tests.classroom.watch import Watch
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -88,34 +85,6 @@ def test_multicast_does_not_pass(make_testbed: Callable[[int], LanTestbed]) -> N
     listener.wait_for("silence")
 
 
-@pytest.mark.parametrize("way", ["unplug", "disconnect", "block_port"])
-def test_a_laptop_can_be_cut_off_and_come_back(
-    make_testbed: Callable[[int], LanTestbed], way: str
-) -> None:
-    testbed = make_testbed(1)
-    laptop = testbed.laptops[0]
-    serve(testbed.teacher)
-    cut, undo = {
-        "unplug": (laptop.unplug, laptop.plug_in),
-        "disconnect": (laptop.disconnect, laptop.reconnect),
-        "block_port": (lambda: laptop.block_port(7000), laptop.unblock_ports),
-    }[way]
-
-    cut()
-    assert dial(laptop, testbed.teacher) in {"TimeoutError", "OSError"}
-    undo()
-    assert dial(laptop, testbed.teacher) == "reached"
-
-
-def test_a_blocked_port_leaves_the_others_open(make_testbed: Callable[[int], LanTestbed]) -> None:
-    testbed = make_testbed(1)
-    serve(testbed.teacher)
-
-    testbed.laptops[0].block_port(7447)
-
-    assert dial(testbed.laptops[0], testbed.teacher) == "reached"
-
-
 def test_traffic_is_counted(make_testbed: Callable[[int], LanTestbed]) -> None:
     testbed = make_testbed(1)
     serve(testbed.teacher)
@@ -156,22 +125,6 @@ def test_without_a_class_nothing_leaves_the_laptop(
     assert laptop.run("zbot", "node", "list").out == "/temperature_sensor\n"
     assert testbed.teacher.run("zbot", "node", "list").out == ""
     assert (laptop.traffic() - before).sent_bytes == 0
-
-
-def test_hubs_carry_nodes_from_laptops_to_the_teacher(
-    make_testbed: Callable[[int], LanTestbed],
-) -> None:
-    testbed = make_testbed(1)
-    laptop = testbed.laptops[0]
-    testbed.teacher.start("plain_hub.py", "tcp/0.0.0.0:7447").wait_for("hub")
-    dialled = f"tcp/{testbed.teacher.address}:7447"
-    laptop.start("plain_hub.py", "tcp/127.0.0.1:7447", dialled).wait_for("hub")
-    watch = Watch(testbed.teacher)
-
-    pupil = laptop.start("pupil.py", "ana", "ana")
-
-    watch.until(lambda nodes: (0, "/ana") in nodes)
-    pupil.wait_for("hears")
 
 
 ROUND_TRIPS = """

@@ -21,11 +21,7 @@ from example_interfaces.action import Fibonacci
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from tests.conftest import Program, Spinner
-
-    Start = Callable[..., Program]
-    Spin = Callable[..., Spinner]
-    MakeContext = Callable[[], library.Context]
+    from tests.conftest import MakeContext, Spin, Start
 
 TYPE = "example_interfaces/action/Fibonacci"
 RESULT = "Result:\n    sequence:\n- 0\n- 1\n- 1\n\n"

@@ -33,8 +33,7 @@ def test_the_bundled_nodes_are_the_entry_points() -> None:
 
 
 @pytest.mark.parametrize(
-    "words",
-    [["talker"], ["zbot_nodes", "talker"], ["zbot", "talker"], ["demo_nodes_py", "talker"]],
+    "words", [["talker"], ["zbot_nodes", "talker"], ["zbot", "talker"], ["demo_nodes_py", "talker"]]
 )
 @pytest.mark.usefixtures("workspace")
 def test_a_bundled_node_has_several_names(words: list[str]) -> None:

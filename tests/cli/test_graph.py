@@ -20,8 +20,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from tests.cli.conftest import Command
-
-    MakeContext = Callable[[], library.Context]
+    from tests.conftest import MakeContext
 
 
 def ignore(_: Any) -> None:

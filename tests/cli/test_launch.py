@@ -174,9 +174,7 @@ def test_shutdown_ends_the_others(launch: Callable[..., Program]) -> None:
     assert "[INFO] [long-1]: sending signal 'SIGINT' to process[long-1]" in program.output
 
 
-def test_an_unresponsive_program_gets_sigterm_and_sigkill(
-    launch: Callable[..., Program],
-) -> None:
+def test_an_unresponsive_program_gets_sigterm_and_sigkill(launch: Callable[..., Program]) -> None:
     program = launch(
         f"python({_STUBBORN!r}, name='deaf', sigterm_timeout='0.2', sigkill_timeout=0.2)"
     )

@@ -18,11 +18,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from tests.cli.conftest import Command
-    from tests.conftest import Program, Spinner
-
-    Start = Callable[..., Program]
-    Spin = Callable[..., Spinner]
-    MakeContext = Callable[[], library.Context]
+    from tests.conftest import MakeContext, Spin, Start
 
 
 class Robot(LifecycleNode):

@@ -18,12 +18,8 @@ from zbot_cli.output.exit_status import Status
 from zbot_cli.output.report import report
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from tests.cli.conftest import Command
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Start
 
 LOADED = sorted(set(NOUNS) - {"run"})
 

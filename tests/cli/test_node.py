@@ -13,11 +13,8 @@ from example_interfaces.action import Fibonacci
 from std_srvs.srv import SetBool
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from tests.cli.conftest import Command
-
-    MakeContext = Callable[[], library.Context]
+    from tests.conftest import MakeContext
 
 SERVED = """\
 {0}

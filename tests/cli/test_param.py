@@ -22,15 +22,10 @@ from rcl_interfaces.msg import (  # isort: skip
 )
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from pathlib import Path
 
     from tests.cli.conftest import Command
-    from tests.conftest import Program, Spinner
-
-    MakeContext = Callable[[], library.Context]
-    Spin = Callable[..., Spinner]
-    Start = Callable[..., Program]
+    from tests.conftest import MakeContext, Spin, Start
 
 SERVICE = "/minimal_service"
 

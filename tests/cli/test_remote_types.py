@@ -9,12 +9,9 @@ import pytest
 from tests.cli.command import zbot
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from pathlib import Path
 
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Program, Start
 
 FILES = {
     "package.xml": "<package><name>far_robot</name></package>",

@@ -10,12 +10,9 @@ import pytest
 from tests.cli.command import zbot
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from pathlib import Path
 
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Start
 
 SETUP = """
 from setuptools import setup

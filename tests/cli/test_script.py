@@ -11,12 +11,9 @@ import pytest
 from tests.cli.command import zbot
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from pathlib import Path
 
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Start
 
 NODE_CLASS = """
 import zbot
@@ -37,13 +34,7 @@ def test_output_of_a_program_is_not_buffered(start: Start, tmp_path: Path) -> No
     assert program.output == "ready"
 
 
-@pytest.mark.parametrize(
-    "source",
-    [
-        "def main(args=None):\n    print('started')\n",
-        NODE_CLASS,
-    ],
-)
+@pytest.mark.parametrize("source", ["def main(args=None):\n    print('started')\n", NODE_CLASS])
 def test_a_file_that_only_defines_a_node_is_started(
     start: Start, tmp_path: Path, source: str
 ) -> None:

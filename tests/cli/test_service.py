@@ -18,14 +18,8 @@ from example_interfaces.srv import AddTwoInts
 from std_srvs.srv import SetBool, Trigger
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from tests.cli.conftest import Command
-    from tests.conftest import Program, Spinner
-
-    MakeContext = Callable[[], library.Context]
-    Spin = Callable[..., Spinner]
-    Start = Callable[..., Program]
+    from tests.conftest import MakeContext, Spin, Start
 
 WAITING = "waiting for service to become available...\n"
 NODE_SERVICES = """\
@@ -80,11 +74,7 @@ def test_list_leaves_out_the_services_of_every_node(zbot_command: Command) -> No
 
 @pytest.mark.parametrize(
     "words",
-    [
-        ["list", "-a"],
-        ["list", "--include-hidden-services"],
-        ["--include-hidden-services", "list"],
-    ],
+    [["list", "-a"], ["list", "--include-hidden-services"], ["--include-hidden-services", "list"]],
 )
 @pytest.mark.usefixtures("node")
 def test_list_shows_all_services_with_the_option(zbot_command: Command, words: list[str]) -> None:

@@ -19,14 +19,9 @@ from sensor_msgs.msg import LaserScan  # isort: skip
 from std_msgs.msg import Header, Int32, String  # isort: skip
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from pathlib import Path
 
-    from tests.conftest import Program, Spinner
-
-    Start = Callable[..., Program]
-    Spin = Callable[..., Spinner]
-    MakeContext = Callable[[], library.Context]
+    from tests.conftest import MakeContext, Spin, Start
 
 
 @pytest.fixture

@@ -46,12 +46,7 @@ from std_msgs.msg import Int32, String
 from std_srvs.srv import Trigger
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Spinner
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
+    from tests.conftest import MakeContext, Spin
 
 
 @pytest.fixture

@@ -16,12 +16,7 @@ from zbot.wire.serialization import deserialize_message
 from std_msgs.msg import Int64
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Spinner
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
+    from tests.conftest import MakeContext, Spin
 
 ABOVE_TWO = ContentFilterOptions("data > %0", ["2"])
 

@@ -12,9 +12,7 @@ import zbot
 from zbot.errors import NotInitializedError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    MakeContext = Callable[[], zbot.Context]
+    from tests.conftest import MakeContext
 
 
 def test_a_given_context_is_shut_down_once(domain: int) -> None:

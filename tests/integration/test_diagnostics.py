@@ -14,9 +14,8 @@ from std_msgs.msg import Float32, String
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from tests.conftest import MakeContext
     from zbot.log.record import Record
-
-    MakeContext = Callable[[], zbot.Context]
 
 CHECK_DELAY_S = 0.05
 
@@ -41,11 +40,9 @@ def after_the_check(node: zbot.Node, lines: Callable[[], list[str]]) -> list[str
 
 
 def test_a_misspelt_topic_is_one_line(
-    make_context: MakeContext, lines: Callable[[], list[str]]
+    talker: zbot.Node, listener: zbot.Node, lines: Callable[[], list[str]]
 ) -> None:
-    talker = zbot.Node("talker", context=make_context())
     talker.create_publisher(Float32, "temperature", 10)
-    listener = zbot.Node("listener", context=make_context())
     listener.create_subscription(Float32, "temprature", print, 10)
     listener.create_subscription(Float32, "temprature", print, 10)
     advice = (
@@ -56,22 +53,18 @@ def test_a_misspelt_topic_is_one_line(
 
 
 def test_a_name_of_another_type_or_unlike_all_others_is_not_reported(
-    make_context: MakeContext, lines: Callable[[], list[str]]
+    talker: zbot.Node, listener: zbot.Node, lines: Callable[[], list[str]]
 ) -> None:
-    talker = zbot.Node("talker", context=make_context())
     talker.create_publisher(String, "temperature", 10)
     talker.create_publisher(Float32, "pressure", 10)
-    listener = zbot.Node("listener", context=make_context())
     listener.create_subscription(Float32, "temprature", print, 10)
     listener.create_subscription(Float32, "_presure", print, 10)
     assert after_the_check(listener, lines) == []
 
 
 def test_a_publisher_that_comes_in_time_is_not_reported(
-    make_context: MakeContext, lines: Callable[[], list[str]]
+    talker: zbot.Node, listener: zbot.Node, lines: Callable[[], list[str]]
 ) -> None:
-    talker = zbot.Node("talker", context=make_context())
-    listener = zbot.Node("listener", context=make_context())
     talker.create_publisher(Float32, "temperature_1", 10)
     listener.create_subscription(Float32, "temperature_2", print, 10)
     talker.create_publisher(Float32, "temperature_2", 10)
@@ -89,10 +82,8 @@ def test_a_destroyed_subscription_is_not_reported(
 
 
 def test_two_types_on_one_topic_are_one_line_for_each_side(
-    make_context: MakeContext, lines: Callable[[], list[str]]
+    talker: zbot.Node, listener: zbot.Node, lines: Callable[[], list[str]]
 ) -> None:
-    talker = zbot.Node("talker", context=make_context())
-    listener = zbot.Node("listener", context=make_context())
     listener.create_subscription(String, "temperature", print, 10)
     talker.create_publisher(Float32, "temperature", 10)
     talker.create_publisher(Float32, "temperature", 10)

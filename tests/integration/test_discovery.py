@@ -25,14 +25,10 @@ from zbot_cli.domain.client import client
 from std_msgs.msg import String
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
     from pathlib import Path
 
-    from tests.conftest import Program, Spinner
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
-    Start = Callable[..., Program]
+    from tests.conftest import MakeContext, Spin, Start
 
 needs_sigkill = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGKILL")
 

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import pytest
-
 import zbot
 from tests.conftest import wait_until
 from zbot.executor.wait_set import WaitSet
@@ -28,15 +26,24 @@ from zbot.qos import HistoryPolicy, LivelinessPolicy, QoSPolicyKind, QoSProfile
 from std_msgs.msg import Float32, Int64, String
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Spinner
+    from tests.conftest import Spin
     from zbot.log.record import Record
 
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
-
 KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
+
+
+def offer(node: zbot.Node, kind: type[Any], qos: Any = 10, **callbacks: Any) -> Any:
+    """Create a publisher of "chatter" with callbacks for its events."""
+    events = PublisherEventCallbacks(**callbacks)
+    return node.create_publisher(kind, "chatter", qos, event_callbacks=events)
+
+
+def request(
+    node: zbot.Node, kind: type[Any], qos: Any = 10, take: Any = print, **callbacks: Any
+) -> Any:
+    """Create a subscription to "chatter" with callbacks for its events."""
+    events = SubscriptionEventCallbacks(**callbacks)
+    return node.create_subscription(kind, "chatter", take, qos, event_callbacks=events)
 
 
 def every(seconds: float) -> QoSProfile:
@@ -48,23 +55,12 @@ def leased(seconds: float, liveliness: LivelinessPolicy) -> QoSProfile:
     return QoSProfile(depth=10, liveliness=liveliness, liveliness_lease_duration=lease)
 
 
-@pytest.fixture
-def talker(make_context: MakeContext) -> zbot.Node:
-    return zbot.Node("talker", context=make_context())
-
-
-@pytest.fixture
-def listener(make_context: MakeContext) -> zbot.Node:
-    return zbot.Node("listener", context=make_context())
-
-
 def test_a_publisher_is_notified_of_subscriptions_that_come_and_go(
     talker: zbot.Node, listener: zbot.Node, spin: Spin
 ) -> None:
     infos: list[QoSMatchedInfo] = []
     listener.create_subscription(String, "chatter", print, 10)
-    events = PublisherEventCallbacks(matched=infos.append)
-    talker.create_publisher(String, "chatter", 10, event_callbacks=events)
+    offer(talker, String, matched=infos.append)
     spin(talker)
     assert wait_until(lambda: infos == [QoSMatchedInfo(1, 1, 1, 1)])
     second = listener.create_subscription(String, "chatter", print, 10)
@@ -133,8 +129,7 @@ def test_a_subscription_is_notified_of_publishers_that_come_and_go(
     talker: zbot.Node, listener: zbot.Node, spin: Spin
 ) -> None:
     infos: list[QoSMatchedInfo] = []
-    events = SubscriptionEventCallbacks(matched=infos.append)
-    listener.create_subscription(String, "chatter", print, 10, event_callbacks=events)
+    request(listener, String, matched=infos.append)
     spin(listener)
     talker.create_publisher(String, "elsewhere", 10)
     publisher = talker.create_publisher(String, "chatter", 10)
@@ -147,8 +142,7 @@ def test_a_subscription_is_notified_of_the_number_of_live_publishers(
     talker: zbot.Node, listener: zbot.Node, spin: Spin
 ) -> None:
     infos: list[QoSLivelinessChangedInfo] = []
-    events = SubscriptionEventCallbacks(liveliness=infos.append)
-    listener.create_subscription(String, "chatter", print, 10, event_callbacks=events)
+    request(listener, String, liveliness=infos.append)
     spin(listener)
     talker.create_publisher(String, "chatter", 10)
     assert wait_until(lambda: infos == [QoSLivelinessChangedInfo(1, 0, 1, 0)])
@@ -162,23 +156,8 @@ def test_both_endpoints_are_notified_of_an_inconsistent_type(
     at_talker: list[IncompatibleTypeInfo] = []
     at_listener: list[IncompatibleTypeInfo] = []
     matched: list[Any] = []
-    talker.create_publisher(
-        Float32,
-        "chatter",
-        10,
-        event_callbacks=PublisherEventCallbacks(
-            incompatible_type=at_talker.append, matched=matched.append
-        ),
-    )
-    listener.create_subscription(
-        String,
-        "chatter",
-        print,
-        10,
-        event_callbacks=SubscriptionEventCallbacks(
-            incompatible_type=at_listener.append, matched=matched.append
-        ),
-    )
+    offer(talker, Float32, incompatible_type=at_talker.append, matched=matched.append)
+    request(listener, String, incompatible_type=at_listener.append, matched=matched.append)
     spin(talker)
     spin(listener)
     assert wait_until(lambda: at_talker == at_listener == [IncompatibleTypeInfo(1, 1)])
@@ -190,15 +169,15 @@ def test_a_subscription_is_notified_of_the_number_of_lost_messages(
 ) -> None:
     infos: list[QoSMessageLostInfo] = []
     inbox: list[int] = []
-    listener.create_subscription(
+    request(
+        listener,
         Int64,
-        "count",
-        lambda message: inbox.append(message.data),
         2,
-        event_callbacks=SubscriptionEventCallbacks(message_lost=infos.append),
+        take=lambda message: inbox.append(message.data),
+        message_lost=infos.append,
     )
     mark = listener.create_subscription(String, "mark", lambda _: None, 1)
-    publisher = talker.create_publisher(Int64, "count", KEEP_ALL)
+    publisher = talker.create_publisher(Int64, "chatter", KEEP_ALL)
     marker = talker.create_publisher(String, "mark", KEEP_ALL)
     executor = zbot.SingleThreadedExecutor(context=listener.context)
     executor.add_node(listener)
@@ -219,19 +198,8 @@ def test_a_subscription_is_notified_of_the_number_of_lost_messages(
 def test_each_missed_deadline_is_an_event(talker: zbot.Node, spin: Spin) -> None:
     offered: list[QoSOfferedDeadlineMissedInfo] = []
     requested: list[QoSRequestedDeadlineMissedInfo] = []
-    talker.create_publisher(
-        String,
-        "chatter",
-        every(0.01),
-        event_callbacks=PublisherEventCallbacks(deadline=offered.append),
-    )
-    talker.create_subscription(
-        String,
-        "chatter",
-        print,
-        every(0.01),
-        event_callbacks=SubscriptionEventCallbacks(deadline=requested.append),
-    )
+    offer(talker, String, every(0.01), deadline=offered.append)
+    request(talker, String, every(0.01), deadline=requested.append)
     spin(talker)
     assert wait_until(lambda: len(offered) >= 3 and len(requested) >= 3)
     assert offered[:3] == [QoSOfferedDeadlineMissedInfo(count, 1) for count in (1, 2, 3)]
@@ -240,20 +208,9 @@ def test_each_missed_deadline_is_an_event(talker: zbot.Node, spin: Spin) -> None
 
 def test_a_kept_deadline_is_not_an_event(talker: zbot.Node, spin: Spin) -> None:
     missed: list[Any] = []
-    publisher = talker.create_publisher(
-        Int64,
-        "count",
-        every(0.25),
-        event_callbacks=PublisherEventCallbacks(deadline=missed.append),
-    )
+    publisher = offer(talker, Int64, every(0.25), deadline=missed.append)
     inbox: list[Int64] = []
-    talker.create_subscription(
-        Int64,
-        "count",
-        inbox.append,
-        every(0.25),
-        event_callbacks=SubscriptionEventCallbacks(deadline=missed.append),
-    )
+    request(talker, Int64, every(0.25), take=inbox.append, deadline=missed.append)
     talker.create_timer(0.01, lambda: publisher.publish(Int64()))
     spin(talker)
     assert wait_until(lambda: len(inbox) > 60)
@@ -262,12 +219,7 @@ def test_a_kept_deadline_is_not_an_event(talker: zbot.Node, spin: Spin) -> None:
 
 def test_asserting_liveliness_does_not_keep_a_deadline(talker: zbot.Node, spin: Spin) -> None:
     missed: list[Any] = []
-    publisher = talker.create_publisher(
-        String,
-        "chatter",
-        every(0.01),
-        event_callbacks=PublisherEventCallbacks(deadline=missed.append),
-    )
+    publisher = offer(talker, String, every(0.01), deadline=missed.append)
     talker.create_timer(0.001, publisher.assert_liveliness)
     spin(talker)
     assert wait_until(lambda: bool(missed))
@@ -276,11 +228,8 @@ def test_asserting_liveliness_does_not_keep_a_deadline(talker: zbot.Node, spin: 
 def test_an_expired_lease_is_one_event_until_it_is_renewed(talker: zbot.Node, spin: Spin) -> None:
     lost: list[QoSLivelinessLostInfo] = []
     ticks: list[int] = []
-    publisher = talker.create_publisher(
-        String,
-        "chatter",
-        leased(0.02, LivelinessPolicy.MANUAL_BY_TOPIC),
-        event_callbacks=PublisherEventCallbacks(liveliness=lost.append),
+    publisher = offer(
+        talker, String, leased(0.02, LivelinessPolicy.MANUAL_BY_TOPIC), liveliness=lost.append
     )
     talker.create_timer(0.02, lambda: ticks.append(1))
     spin(talker)
@@ -296,12 +245,7 @@ def test_an_expired_lease_is_one_event_until_it_is_renewed(talker: zbot.Node, sp
 def test_an_automatic_lease_lasts_as_long_as_the_process(talker: zbot.Node, spin: Spin) -> None:
     lost: list[Any] = []
     ticks: list[int] = []
-    talker.create_publisher(
-        String,
-        "chatter",
-        leased(0.01, LivelinessPolicy.AUTOMATIC),
-        event_callbacks=PublisherEventCallbacks(liveliness=lost.append),
-    )
+    offer(talker, String, leased(0.01, LivelinessPolicy.AUTOMATIC), liveliness=lost.append)
     talker.create_timer(0.01, lambda: ticks.append(1))
     spin(talker)
     assert wait_until(lambda: len(ticks) > 5)
@@ -313,12 +257,7 @@ def test_a_destroyed_endpoint_has_no_events(
 ) -> None:
     infos: list[Any] = []
     ticks: list[int] = []
-    publisher = talker.create_publisher(
-        String,
-        "chatter",
-        every(0.01),
-        event_callbacks=PublisherEventCallbacks(matched=infos.append, deadline=infos.append),
-    )
+    publisher = offer(talker, String, every(0.01), matched=infos.append, deadline=infos.append)
     talker.create_timer(0.01, lambda: ticks.append(1))
     spin(talker)
     assert wait_until(lambda: bool(infos))

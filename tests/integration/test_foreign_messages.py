@@ -4,49 +4,21 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-import msgpack  # type: ignore[import-untyped]
 import pytest
 
-import zbot
 from tests.conftest import wait_until
+from tests.integration.conftest import await_match, lines_about, packed
 from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 
 from std_msgs.msg import Float32, String
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Spinner
+    import zbot
+    from tests.conftest import Spin
     from zbot.log.record import Record
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
 
 LATCHED = QoSProfile(depth=3, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
-
-
-@pytest.fixture
-def talker(make_context: MakeContext) -> zbot.Node:
-    return zbot.Node("talker", context=make_context())
-
-
-@pytest.fixture
-def listener(make_context: MakeContext) -> zbot.Node:
-    return zbot.Node("listener", context=make_context())
-
-
-def packed(value: object) -> bytes:
-    data: bytes = msgpack.Packer().pack(value)
-    return data
-
-
-def await_match(publisher: zbot.Publisher[Any], count: int = 1) -> None:
-    assert wait_until(lambda: publisher.get_subscription_count() == count)
-
-
-def lines_about(logged: list[Record], text: str) -> list[str]:
-    return [record.message for record in logged if text in record.message]
 
 
 def put(node: zbot.Node, key: str, payload: Any, encoding: str | None = None) -> None:

@@ -28,10 +28,8 @@ from std_msgs.msg import Float32, String
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from tests.conftest import Program
+    from tests.conftest import MakeContext, Start
 
-    MakeContext = Callable[[], zbot.Context]
-    Start = Callable[..., Program]
     MakeNode = Callable[..., zbot.Node]
 
 NODE = """

@@ -13,9 +13,7 @@ from tests.conftest import wait_until
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Start
 
 FILES = Path(__file__).parents[1] / "programs" / "launch"
 MIMIC, POSE = ("[mimic-3]: process started",), "/north/turtle1/pose"
@@ -71,11 +69,7 @@ CASES = [
         ("crane:=new",),
         "unwanted",
     ),
-    Case(
-        "pier.launch.yaml",
-        ("- Translation: [0.000, 0.000, 1.000]",),
-        PIER,
-    ),
+    Case("pier.launch.yaml", ("- Translation: [0.000, 0.000, 1.000]",), PIER),
 ]
 
 

@@ -9,11 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Start
 
 FILES = Path(__file__).parents[1] / "programs" / "launch_tests"
 PYTEST = (sys.executable, "-m", "pytest", "-p", "zbot.compat.pytest_plugin", "-p",

@@ -29,13 +29,8 @@ from lifecycle_msgs.srv import ChangeState, GetAvailableStates, GetAvailableTran
 from std_msgs.msg import String
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Spinner
+    from tests.conftest import MakeContext, Spin
     from zbot.log.record import Record
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
 
 UNCONFIGURED = LifecycleState("unconfigured", 1)
 INACTIVE = LifecycleState("inactive", 2)

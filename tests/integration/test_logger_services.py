@@ -11,12 +11,7 @@ from rcl_interfaces.msg import LoggerLevel
 from rcl_interfaces.srv import GetLoggerLevels, SetLoggerLevels
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Spinner
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
+    from tests.conftest import MakeContext, Spin
 
 
 def test_levels_can_be_set_and_read(make_context: MakeContext, spin: Spin) -> None:

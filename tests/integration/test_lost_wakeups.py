@@ -24,7 +24,7 @@ from std_srvs.srv import Trigger
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    MakeContext = Callable[[], zbot.Context]
+    from tests.conftest import MakeContext
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 

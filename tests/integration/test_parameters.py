@@ -35,13 +35,9 @@ from rosgraph_msgs.msg import Clock
 from std_msgs.msg import String
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from pathlib import Path
 
-    from tests.conftest import Spinner
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
+    from tests.conftest import MakeContext, Spin
 
 Type = Parameter.Type
 SPEED: Any = [Parameter("speed", value=1)]  # rclpy accepts these in place of messages
@@ -164,8 +160,7 @@ def test_a_declared_value_may_be_a_message(node: zbot.Node) -> None:
 
 
 @pytest.mark.parametrize(
-    "parameters",
-    [[("a", 1, None, 2)], [()], ["a"], [(1, 1)], [("a", 1, "no descriptor")]],
+    "parameters", [[("a", 1, None, 2)], [()], ["a"], [(1, 1)], [("a", 1, "no descriptor")]]
 )
 def test_a_malformed_declaration_is_refused(node: zbot.Node, parameters: Any) -> None:
     with pytest.raises(ParameterListError, match="element 0 of the list must be a tuple"):
@@ -521,10 +516,7 @@ def test_invalid_quality_of_service_is_refused(make_context: MakeContext) -> Non
     node = zbot.Node("tuned", context=make_context(), parameter_overrides=wrong)
     with pytest.raises(UnknownQoSKeyError, match="relaible"):
         node.create_publisher(
-            String,
-            "scan",
-            10,
-            qos_overriding_options=QoSOverridingOptions.with_default_policies(),
+            String, "scan", 10, qos_overriding_options=QoSOverridingOptions.with_default_policies()
         )
     options = QoSOverridingOptions.with_default_policies(
         callback=lambda _: SetParametersResult(successful=False, reason="too deep")

@@ -14,7 +14,7 @@ from std_srvs.srv import Trigger
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    MakeContext = Callable[[], zbot.Context]
+    from tests.conftest import MakeContext
 
 MAKE: dict[str, Callable[[zbot.Node], Any]] = {
     "publishers": lambda node: node.create_publisher(String, "chatter", 1),

@@ -9,11 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import pytest
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Program, Start
 
 PROGRAMS = Path(__file__).parents[1] / "programs"
 
@@ -105,9 +101,7 @@ SCENARIOS = [
     ),
     (
         endless(
-            "rabbit_farm",
-            "[farm]: a fox came",
-            "[farm]: no more than 100000 seasons were wanted",
+            "rabbit_farm", "[farm]: a fox came", "[farm]: no more than 100000 seasons were wanted"
         ),
         ending(
             "rabbit_keeper",
@@ -197,13 +191,7 @@ SCENARIOS = [
             "own False",
         ),
     ),
-    (
-        ending(
-            "vineyard",
-            "6 4 18 [40, 120, 20] [20. 60. 10.]",
-            "(2, 3) 1.5 in field",
-        ),
-    ),
+    (ending("vineyard", "6 4 18 [40, 120, 20] [20. 60. 10.]", "(2, 3) 1.5 in field"),),
     (ending("mower", "20 poses on the lawn", "at 2.00 2.00, turned by 90.0"),),
     (
         Part("turtlesim", is_endless=True, codes=(-signal.SIGINT,)),

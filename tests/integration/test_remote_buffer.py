@@ -14,12 +14,7 @@ from geometry_msgs.msg import PointStamped, TransformStamped
 from tf2_msgs.action import LookupTransform
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Spinner
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
+    from tests.conftest import MakeContext, Spin
 
 LATEST = zbot.Time()
 MOMENT = zbot.Duration(seconds=0.05)

@@ -15,12 +15,7 @@ from example_interfaces.action import Fibonacci
 from example_interfaces.srv import AddTwoInts
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Spinner
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
+    from tests.conftest import MakeContext, Spin
 
 TOPIC = "/add/_service_event"
 OFF, METADATA, CONTENTS = ServiceIntrospectionState

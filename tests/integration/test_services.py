@@ -21,15 +21,9 @@ from example_interfaces.srv import AddTwoInts
 from std_srvs.srv import Trigger
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     import zenoh
 
-    from tests.conftest import Program, Spinner
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
-    Start = Callable[..., Program]
+    from tests.conftest import MakeContext, Spin, Start
 
 Request, Response = AddTwoInts.Request, AddTwoInts.Response
 

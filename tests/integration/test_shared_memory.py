@@ -21,14 +21,9 @@ from nav_msgs.srv import LoadMap
 from std_msgs.msg import UInt8MultiArray
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from pathlib import Path
 
-    from tests.conftest import Program, Spinner
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
-    Start = Callable[..., Program]
+    from tests.conftest import MakeContext, Spin, Start
 
 MEGABYTE = 1_000_000
 KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)

@@ -24,14 +24,8 @@ from geometry_msgs.msg import PointStamped, PoseStamped, TransformStamped
 from std_msgs.msg import String
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Program, Spinner
+    from tests.conftest import MakeContext, Spin
     from zbot.log.record import Record
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
-    Start = Callable[..., Program]
 
 NOW = zbot.Time()
 SECOND = zbot.Duration(seconds=1)
@@ -195,17 +189,3 @@ def test_points_and_poses_change_frames() -> None:
     assert buffer.transform(pose, "base").pose.position.x == -5
     with pytest.raises(TypeException, match="String"):
         buffer.transform(String(), "map")
-
-
-def test_the_bundled_programs_send_and_print_transforms(start: Start) -> None:
-    words = ["--x", "1", "--yaw", "1.5708", "--frame-id", "map", "--child-frame-id", "base"]
-    start("zbot", "run", "tf2_ros", "static_transform_publisher", *words).wait_for("from 'map'")
-    old = ["0", "0", "0.5", "0", "0", "0", "base", "laser"]
-    start("zbot", "run", "tf2_ros", "static_transform_publisher", *old).wait_for("from 'base'")
-    echo = start("zbot", "run", "tf2_ros", "tf2_echo", "map", "laser")
-    echo.wait_for("- Translation: [1.000, 0.000, 0.500]")
-    echo.wait_for("- Rotation: in RPY (degree) [0.000, 0.000, 90.000]")
-    assert echo.stop() == -2
-    waiting = start("zbot", "run", "tf2_ros", "tf2_echo", "map", "nowhere")
-    waiting.wait_for('"nowhere" passed to lookupTransform')
-    assert start("zbot", "run", "tf2_ros", "tf2_echo", "map").wait() == 1

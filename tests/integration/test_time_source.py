@@ -18,9 +18,7 @@ from builtin_interfaces.msg import Time as Stamp
 from rosgraph_msgs.msg import Clock as ClockMessage
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    MakeContext = Callable[[], zbot.Context]
+    from tests.conftest import MakeContext
 
 NINE_SECONDS = ClockMessage(clock=Stamp(sec=9))
 

@@ -21,13 +21,10 @@ from zbot.time import ClockType, Time
 from rosgraph_msgs.msg import Clock as ClockMessage
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
-    from tests.conftest import Spinner
+    from tests.conftest import MakeContext, Spin
     from zbot.executor.timer import TimerInfo
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
 
 
 @pytest.fixture

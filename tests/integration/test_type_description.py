@@ -22,11 +22,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
-    from tests.conftest import Program, Spinner
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
-    Start = Callable[..., Program]
+    from tests.conftest import MakeContext, Spin, Start
 
 Request = GetTypeDescription.Request
 OFF = zbot.Parameter("start_type_description_service", value=False)

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import re
-import subprocess
-import sys
 from typing import TYPE_CHECKING
 
 import pytest
 
+from tests.cli.command import zbot
+
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Program, Start
 
 TWIST = "{linear: {x: 2.0, y: 0.0, z: 0.0}, angular: {x: 0.0, y: 0.0, z: 1.8}}"
 TWIST_TEXT = """\
@@ -31,16 +27,10 @@ angular:
 LOG = r"\[{}\] \[\d+\.\d{{9}}\] \[{}\]: {}"
 
 
-def zbot(*words: str, timeout_s: float = 20, code: int = 0) -> str:
-    done = subprocess.run(
-        [sys.executable, "-m", "zbot_cli", *words],
-        capture_output=True,
-        encoding="utf-8",
-        timeout=timeout_s,
-        check=False,
-    )
-    assert done.returncode == code, done.stderr
-    return done.stdout
+def out(*words: str) -> str:
+    done = zbot(*words)
+    assert done.code == 0, done.err
+    return done.out
 
 
 @pytest.fixture
@@ -51,7 +41,7 @@ def sensor(start: Start) -> Program:
 
 
 def test_version() -> None:
-    assert re.match(r"zbot \d+\.\d+\.\d+ \(eclipse-zenoh \d", zbot("--version"))
+    assert re.match(r"zbot \d+\.\d+\.\d+ \(eclipse-zenoh \d", out("--version"))
 
 
 def test_the_sensor_and_the_monitor_say_what_the_lesson_says(start: Start, sensor: Program) -> None:
@@ -75,8 +65,8 @@ def test_the_sensor_and_the_monitor_say_what_the_lesson_says(start: Start, senso
 
 @pytest.mark.usefixtures("sensor")
 def test_nodes_are_listed_and_described() -> None:
-    assert zbot("node", "list") == "/temperature_sensor\n"
-    assert zbot("node", "info", "/temperature_sensor") == (
+    assert out("node", "list") == "/temperature_sensor\n"
+    assert out("node", "info", "/temperature_sensor") == (
         "/temperature_sensor\n"
         "  Subscribers:\n\n"
         "  Publishers:\n"
@@ -99,20 +89,20 @@ def test_nodes_are_listed_and_described() -> None:
 
 @pytest.mark.usefixtures("sensor")
 def test_topics_are_listed_and_described() -> None:
-    assert zbot("topic", "list") == "/parameter_events\n/rosout\n/temperature\n"
-    assert zbot("topic", "list", "-t") == (
+    assert out("topic", "list") == "/parameter_events\n/rosout\n/temperature\n"
+    assert out("topic", "list", "-t") == (
         "/parameter_events [rcl_interfaces/msg/ParameterEvent]\n"
         "/rosout [rcl_interfaces/msg/Log]\n"
         "/temperature [std_msgs/msg/Float32]\n"
     )
-    assert zbot("topic", "info", "/temperature") == (
+    assert out("topic", "info", "/temperature") == (
         "Type: std_msgs/msg/Float32\nPublisher count: 1\nSubscription count: 0\n"
     )
 
 
 @pytest.mark.usefixtures("sensor")
 def test_a_topic_is_echoed() -> None:
-    assert re.fullmatch(r"data: 2\d\.\d+\n---\n", zbot("topic", "echo", "--once", "temperature"))
+    assert re.fullmatch(r"data: 2\d\.\d+\n---\n", out("topic", "echo", "--once", "temperature"))
 
 
 @pytest.mark.usefixtures("sensor")
@@ -130,7 +120,7 @@ def test_a_rate_is_measured(start: Start) -> None:
 def test_the_turtle_is_told_to_move_once(start: Start) -> None:
     listener = start("zbot", "topic", "echo", "/turtle1/cmd_vel")
     listener.wait_for("waiting for /turtle1/cmd_vel")
-    published = zbot("topic", "pub", "--once", "/turtle1/cmd_vel", "geometry_msgs/msg/Twist", TWIST)
+    published = out("topic", "pub", "--once", "/turtle1/cmd_vel", "geometry_msgs/msg/Twist", TWIST)
     assert published.endswith(
         "publisher: beginning loop\n"
         "publishing #1: geometry_msgs.msg.Twist(linear=geometry_msgs.msg.Vector3(x=2.0, y=0.0, "
@@ -146,20 +136,20 @@ def test_the_turtle_is_told_to_move_at_a_rate(start: Start) -> None:
         "zbot", "topic", "pub", "--rate", "1", "/turtle1/cmd_vel", "geometry_msgs/msg/Twist", TWIST
     )
     speaker.wait_for("publishing #2")
-    assert zbot("topic", "echo", "/turtle1/cmd_vel", "--once") == TWIST_TEXT
-    assert zbot("topic", "type", "/turtle1/cmd_vel") == "geometry_msgs/msg/Twist\n"
-    assert zbot("topic", "find", "geometry_msgs/msg/Twist") == "/turtle1/cmd_vel\n"
+    assert out("topic", "echo", "/turtle1/cmd_vel", "--once") == TWIST_TEXT
+    assert out("topic", "type", "/turtle1/cmd_vel") == "geometry_msgs/msg/Twist\n"
+    assert out("topic", "find", "geometry_msgs/msg/Twist") == "/turtle1/cmd_vel\n"
     assert speaker.stop() == 130
 
 
 def test_strings_are_published(start: Start) -> None:
     speaker = start("zbot", "topic", "pub", "/chatter", "std_msgs/msg/String", "data: 'Hello'")
     speaker.wait_for("publishing #1: std_msgs.msg.String(data='Hello')")
-    assert zbot("topic", "echo", "/chatter", "--once") == "data: Hello\n---\n"
+    assert out("topic", "echo", "/chatter", "--once") == "data: Hello\n---\n"
 
 
 def test_interfaces_are_shown() -> None:
-    twist = zbot("interface", "show", "geometry_msgs/msg/Twist").splitlines()
+    twist = out("interface", "show", "geometry_msgs/msg/Twist").splitlines()
     assert [line for line in twist if line and not line.startswith("#")] == [
         "Vector3  linear",
         "\tfloat64 x",
@@ -170,7 +160,7 @@ def test_interfaces_are_shown() -> None:
         "\tfloat64 y",
         "\tfloat64 z",
     ]
-    assert "string data" in zbot("interface", "show", "std_msgs/msg/String").splitlines()
+    assert "string data" in out("interface", "show", "std_msgs/msg/String").splitlines()
 
 
 def test_the_assignment_publishes_an_id_and_a_number(start: Start) -> None:
@@ -179,9 +169,9 @@ def test_the_assignment_publishes_an_id_and_a_number(start: Start) -> None:
     listener = start("zbot", "run", "student_subscriber")
     listener.wait_for("Received student ID: S1234567")
     listener.wait_for("Received random number: ")
-    assert zbot("topic", "echo", "/student_id", "--once") == "data: S1234567\n---\n"
-    assert zbot("node", "list") == "/student_publisher\n/student_subscriber\n"
-    assert zbot("topic", "info", "/random_number") == (
+    assert out("topic", "echo", "/student_id", "--once") == "data: S1234567\n---\n"
+    assert out("node", "list") == "/student_publisher\n/student_subscriber\n"
+    assert out("topic", "info", "/random_number") == (
         "Type: std_msgs/msg/Int32\nPublisher count: 1\nSubscription count: 1\n"
     )
 
@@ -195,8 +185,8 @@ def test_talker_and_listener(start: Start) -> None:
 
 @pytest.mark.usefixtures("sensor")
 def test_parameters_are_listed_and_read() -> None:
-    assert zbot("param", "list") == (
+    assert out("param", "list") == (
         "/temperature_sensor:\n  start_type_description_service\n  use_sim_time\n"
     )
-    value = zbot("param", "get", "/temperature_sensor", "use_sim_time")
+    value = out("param", "get", "/temperature_sensor", "use_sim_time")
     assert value == "Boolean value is: False\n"

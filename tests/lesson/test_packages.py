@@ -16,9 +16,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Start
 
 NAME = "my_publisher_subscriber"
 PUBLISHER = """\

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 import re
-import subprocess
-import sys
 from typing import TYPE_CHECKING
 
 import pytest
+
+from tests.cli.command import zbot
 
 if TYPE_CHECKING:
     from collections.abc import Callable
     from pathlib import Path
 
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Program, Start
 
 HEAD = "import rclpy\nfrom rclpy.node import Node\n"
 MAIN = """
@@ -213,10 +211,8 @@ def test_the_temperature_is_watched(run: Callable[[str], Program]) -> None:
 def test_the_package_is_launched(start: Start, tmp_path: Path) -> None:
     sources = tmp_path / "ros2_ws" / "src"
     sources.mkdir(parents=True)
-    create = [sys.executable, "-m", "zbot_cli", "pkg", "create", "--build-type", "ament_python"]
-    subprocess.run(
-        [*create, "my_robot_pkg"], cwd=sources, check=True, capture_output=True, timeout=30
-    )
+    words = ("pkg", "create", "--build-type", "ament_python", "my_robot_pkg")
+    assert zbot(*words, cwd=sources).code == 0
     package = sources / "my_robot_pkg"
     (package / "launch").mkdir()
     (package / "launch" / "temperature_system.launch.py").write_text(LAUNCH, encoding="utf-8")

@@ -10,12 +10,9 @@ import pytest
 from tests.cli.command import zbot
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from pathlib import Path
 
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Program, Start
 
 TWIST = "{linear: {x: 2.0}, angular: {z: 1.8}}"
 SPAWN = "{x: 2, y: 2, theta: 0.2, name: ''}"

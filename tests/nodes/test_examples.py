@@ -9,11 +9,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Start
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 SAYS = {

@@ -21,11 +21,7 @@ from tf2_msgs.msg import TFMessage  # isort: skip
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from tests.conftest import Program, Spinner
-
-    Start = Callable[..., Program]
-    Spin = Callable[..., Spinner]
-    MakeContext = Callable[[], zbot.Context]
+    from tests.conftest import MakeContext, Program, Spin, Start
 
 
 class Student(zbot.Node):

@@ -1,74 +1,52 @@
-"""Tests of the programs of tf2_ros in real processes."""
+"""Tests of the programs of tf2_ros."""
 
 from __future__ import annotations
 
+import sys
 from typing import TYPE_CHECKING
 
 import pytest
 
+from zbot_nodes import tf2_echo
+from zbot_nodes.static_transform_publisher import read_arguments, rotation
+
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Start
 
 PUBLISHER = ("zbot", "run", "tf2_ros", "static_transform_publisher")
 ECHO = ("zbot", "run", "tf2_ros", "tf2_echo")
 FRAMES = ("--frame-id", "map", "--child-frame-id", "base")
-PROGRAM = """
-import zbot.compat
-import rclpy
-from rclpy.duration import Duration
-from rclpy.node import Node
-from rclpy.time import Time
-from tf2_ros import Buffer, TransformException, TransformListener
-import tf2_geometry_msgs
 
 
-class Looker(Node):
-    def __init__(self):
-        super().__init__("looker")
-        self.buffer = Buffer()
-        self.listener = TransformListener(self.buffer, self, spin_thread=True)
-        self.timer = self.create_timer(0.1, self.look)
-        self.done = rclpy.Future()
-
-    def look(self):
-        try:
-            seen = self.buffer.lookup_transform("map", "base", Time(), Duration(seconds=5))
-        except TransformException as error:
-            self.get_logger().info(str(error))
-            return
-        t = seen.transform.translation
-        print("seen", t.x, t.y, t.z)
-        self.done.set_result(None)
-
-
-rclpy.init()
-node = Looker()
-rclpy.spin_until_future_complete(node, node.done)
-rclpy.shutdown()
-"""
-
-
-def test_echo_shows_every_form_of_a_rotation(start: Start) -> None:
-    start(*PUBLISHER, "--z", "0.5", "--qz", "0.7", "--qw", "0.7", *FRAMES).wait_for("from 'map'")
-    echo = start(*ECHO, "map", "base", "10")
+def test_echo_shows_every_form_of_a_transform(start: Start) -> None:
+    words = ("--x", "1", "--qz", "0.7", "--qw", "0.7", *FRAMES)
+    start(*PUBLISHER, *words).wait_for("from 'map'")
+    start(*PUBLISHER, *["0", "0", "0.5", "0", "0", "0", "base", "laser"]).wait_for("from 'base'")
+    echo = start(*ECHO, "map", "laser", "10")
     echo.wait_for("At time 0.0")
-    echo.wait_for("- Translation: [0.000, 0.000, 0.500]")
+    echo.wait_for("- Translation: [1.000, 0.000, 0.500]")
     echo.wait_for("- Rotation: in Quaternion (xyzw) [0.000, 0.000, 0.707, 0.707]")
     echo.wait_for("- Rotation: in RPY (radian) [0.000, 0.000, 1.571]")
     echo.wait_for("- Rotation: in RPY (degree) [0.000, 0.000, 90.000]")
     echo.wait_for("- Matrix:")
-    assert echo.wait_for("1.000").split() == ["0.000", "-1.000", "0.000", "0.000"]
+    assert echo.wait_for("1.000").split() == ["0.000", "-1.000", "0.000", "1.000"]
+    assert echo.stop() == -2
+    start(*ECHO, "map", "nowhere").wait_for('"nowhere" passed to lookupTransform')
 
 
-def test_a_program_written_for_ros2_looks_up_a_transform(start: Start) -> None:
-    start(*PUBLISHER, "1", "2", "3", "0", "0", "0", "1", "map", "base").wait_for("from 'map'")
-    program = start(source=PROGRAM)
-    program.wait_for("seen 1.0 2.0 3.0")
-    assert program.wait() == 0
+@pytest.mark.parametrize(
+    "words",
+    [
+        ("--x=1", "--y=2", "--z=3", "--yaw=1.5708", *FRAMES),
+        ["1", "2", "3", "1.5708", "0", "0", "map", "base"],
+        ["1", "2", "3", "0", "0", "0.7", "0.7", "map", "base"],
+    ],
+)
+def test_a_transform_can_be_given_in_three_forms(words: list[str]) -> None:
+    options = read_arguments(list(words))
+    assert (options.frame_id, options.child_frame_id) == ("map", "base")
+    assert (options.x, options.y, options.z) == (1, 2, 3)
+    assert rotation(options) == pytest.approx((0, 0, 0.5**0.5, 0.5**0.5), abs=1e-5)
 
 
 @pytest.mark.parametrize(
@@ -80,14 +58,25 @@ def test_a_program_written_for_ros2_looks_up_a_transform(start: Start) -> None:
         (("--x", "1"), "--frame-id"),
     ],
 )
-def test_invalid_arguments_are_refused(start: Start, words: tuple[str, ...], sentence: str) -> None:
-    publisher = start(*PUBLISHER, *words)
-    assert publisher.wait() == 2
-    assert sentence in publisher.output
+def test_invalid_arguments_are_refused(
+    words: tuple[str, ...], sentence: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit, match="2"):
+        read_arguments(list(words))
+    assert sentence in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("rate", ["fast", "0"])
-def test_an_invalid_rate_is_refused(start: Start, rate: str) -> None:
-    echo = start(*ECHO, "map", "base", rate)
-    assert echo.wait() == 1
-    assert f"echo_rate must be a number above 0, not '{rate}'" in echo.output
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
+        (("map",), "Usage: tf2_echo source_frame target_frame"),
+        (("map", "base", "fast"), "echo_rate must be a number above 0, not 'fast'"),
+        (("map", "base", "0"), "echo_rate must be a number above 0, not '0'"),
+    ],
+)
+def test_echo_refuses_invalid_arguments(
+    words: tuple[str, ...], sentence: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(sys, "argv", ["tf2_echo", *words])
+    with pytest.raises(SystemExit, match=sentence):
+        tf2_echo.main()

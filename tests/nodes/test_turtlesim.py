@@ -8,11 +8,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Program, Start
 
 
 @pytest.fixture

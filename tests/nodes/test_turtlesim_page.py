@@ -12,12 +12,9 @@ import pytest
 from tests.conftest import wait_until
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from pathlib import Path
 
-    from tests.conftest import Program
-
-    Start = Callable[..., Program]
+    from tests.conftest import Start
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="a browser is chosen otherwise")
 

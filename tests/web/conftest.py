@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
     from pathlib import Path
 
-    from playwright.sync_api import Browser, Page
+    from playwright.sync_api import Browser, Locator, Page
 
 _LOCAL = {"127.0.0.1", "localhost"}
 _ARGUMENTS = [
@@ -261,6 +261,18 @@ def read_only_server(
 ) -> Server:
     """Return the shared `zbot web` whose pages are read-only."""
     return shared_browser.server(tmp_path_factory.getbasetemp(), "--read-only")
+
+
+@pytest.fixture
+def turtlesim(start: Callable[..., Program]) -> Program:
+    program = start("zbot", "run", "turtlesim", "turtlesim_node", "--no-browser")
+    program.wait_for("Spawning turtle [turtle1]")
+    return program
+
+
+def command(page: Page) -> Locator:
+    """Return the command that does in a terminal what the panel does."""
+    return page.locator(".zb-command")
 
 
 def pytest_configure() -> None:

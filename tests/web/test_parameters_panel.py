@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.command import zbot
+from tests.web.conftest import command
 
 pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 
@@ -18,10 +19,8 @@ if TYPE_CHECKING:
 
     from playwright.sync_api import Locator, Page
 
-    from tests.conftest import Program
+    from tests.conftest import Program, Start
     from tests.web.conftest import Server
-
-    Start = Callable[..., Program]
 
 
 @pytest.fixture
@@ -41,15 +40,10 @@ def entry(page: Page, name: str) -> Locator:
     return page.locator(f".zb-parameter[data-name='{name}']")
 
 
-def command(page: Page) -> Locator:
-    return page.locator(".zb-command")
-
-
 def test_a_slider_changes_the_background_of_the_turtles(
-    start: Start, server: Server, page: Page, another_page: Callable[[], Page]
+    turtlesim: Program, server: Server, page: Page, another_page: Callable[[], Page]
 ) -> None:
-    program = start("zbot", "run", "turtlesim", "turtlesim_node", "--no-browser")
-    program.wait_for("Spawning turtle [turtle1]")
+    assert turtlesim.process.poll() is None
     turtles = another_page()
     turtles.goto(f"{server.address}/turtle")
     expect(turtles.locator(".zb-stage")).to_have_css("background-color", "rgb(69, 86, 255)")

@@ -12,14 +12,10 @@ pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 from playwright.sync_api import expect
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from playwright.sync_api import Locator, Page
 
-    from tests.conftest import Program
+    from tests.conftest import Program, Start
     from tests.web.conftest import Server
-
-    Start = Callable[..., Program]
 
 
 @pytest.fixture

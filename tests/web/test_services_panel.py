@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 import zbot
+from tests.web.conftest import command
 from zbot.action import ActionServer, CancelResponse
 
 pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
@@ -22,11 +23,8 @@ if TYPE_CHECKING:
 
     from playwright.sync_api import Locator, Page
 
-    from tests.conftest import Program, Spinner
+    from tests.conftest import Program, Spin
     from tests.web.conftest import Server
-
-    Start = Callable[..., Program]
-    Spin = Callable[..., Spinner]
 
 
 @pytest.fixture
@@ -34,19 +32,8 @@ def node(make_context: Callable[[], zbot.Context]) -> zbot.Node:
     return zbot.Node("worker", context=make_context())
 
 
-@pytest.fixture
-def turtlesim(start: Start) -> Program:
-    program = start("zbot", "run", "turtlesim", "turtlesim_node", "--no-browser")
-    program.wait_for("Spawning turtle [turtle1]")
-    return program
-
-
 def row(page: Page, key: str) -> Locator:
     return page.locator(f".zb-list tr[data-key='{key}']")
-
-
-def command(page: Page) -> Locator:
-    return page.locator(".zb-command")
 
 
 def test_a_form_calls_spawn_and_a_second_turtle_is_drawn(

@@ -11,6 +11,7 @@ import pytest
 
 from tests.cli.command import zbot
 from tests.conftest import wait_until
+from tests.web.conftest import command
 
 pytest.importorskip("playwright.sync_api", reason="Playwright is not installed")
 
@@ -21,10 +22,8 @@ if TYPE_CHECKING:
 
     from playwright.sync_api import Locator, Page
 
-    from tests.conftest import Program
+    from tests.conftest import Program, Start
     from tests.web.conftest import Server
-
-    Start = Callable[..., Program]
 
 PLACE = re.compile(r"(\w+) +x (\S+) m +y (\S+) m +theta (\S+) rad")
 #: Red, green, blue and opacity of a pixel of the sheet; the position is in metres.
@@ -33,13 +32,6 @@ PIXEL = """([x, y]) => {
   const [column, row] = [x * 45 * scale, (499 - y * 45) * scale];
   return [...sheet.getContext("2d").getImageData(column, row, 1, 1).data];
 }"""
-
-
-@pytest.fixture
-def turtlesim(start: Start) -> Program:
-    program = start("zbot", "run", "turtlesim", "turtlesim_node", "--no-browser")
-    program.wait_for("Spawning turtle [turtle1]")
-    return program
 
 
 @pytest.fixture
@@ -75,10 +67,6 @@ def is_blank(page: Page, x: float, y: float) -> bool:
 def near(*colour: int) -> object:
     # A canvas rounds colours.
     return pytest.approx(colour, abs=3)
-
-
-def command(page: Page) -> Locator:
-    return page.locator(".zb-command")
 
 
 def wait_in_page(page: Page, condition: Callable[[], bool], timeout_s: float = 15) -> bool:

@@ -12,9 +12,10 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar, cast
 
 from zbot.action.client_goal_handle import ClientGoalHandle
+from zbot.action.endpoint import ActionEndpoint
 from zbot.action.errors import ActionMessageError, NotAnActionTypeError
 from zbot.action.feedback import FeedbackSubscription
-from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
+from zbot.action.generic import FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalState
 from zbot.action.work_queue import WorkQueue
 from zbot.errors import InvalidHandleError
@@ -38,11 +39,8 @@ from unique_identifier_msgs.msg import UUID
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from typing_extensions import Self
-
     from zbot.executor.callback_group import CallbackGroup
     from zbot.node.node import Node
-    from zbot.node.service_introspection import ServiceIntrospectionState
 
     from action_msgs.msg import GoalStatus
 
@@ -84,7 +82,7 @@ class _ActionFuture(Future[T]):
             executor.create_task(outcome)
 
 
-class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
+class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
     """Sends goals. It has three clients and two subscriptions of a node, below one name.
 
     All methods may be called from any thread.
@@ -159,23 +157,12 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         self._cancel_client = connect(
             impl.CancelGoalService, f"{name}/cancel_goal", qos_profile=cancel_service_qos_profile
         )
-
-    @property
-    def action_type(self) -> type[Any]:
-        """The action class."""
-        return self._action_type
-
-    @property
-    def action_name(self) -> str:
-        """The action's full name."""
-        return self._action_name
-
-    # -- server --------------------------------------------------------------------------------
+        self._services = [self._goal_client, self._result_client, self._cancel_client]
 
     def server_is_ready(self) -> bool:
         """Return whether there is a server that has all its services and topics."""
-        clients = (self._goal_client, self._result_client, self._cancel_client)
-        return all(client.service_is_ready() for client in clients) and self._has_publishers()
+        is_served = all(client.service_is_ready() for client in self._services)
+        return is_served and self._has_publishers()
 
     def _has_publishers(self) -> bool:
         graph = self._node.context.graph
@@ -217,8 +204,6 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
                 return False
             context.graph.wait_for(lambda _: self._has_publishers(), step)
         return self.server_is_ready()
-
-    # -- goals ---------------------------------------------------------------------------------
 
     def send_goal_async(
         self,
@@ -415,8 +400,6 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         """Ask the server to cancel a goal, and wait for the response (see `ClientGoalHandle`)."""
         return cast("CancelGoal.Response", self._cancel_client.call(_cancel_request(goal_handle)))
 
-    # -- messages of the server ----------------------------------------------------------------
-
     def _on_feedback(self, message: Any) -> Any:
         goal = self._goals.get(bytes(message.goal_id.uuid))
         if goal is None or goal.feedback_callback is None:
@@ -436,21 +419,9 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
             if goal.is_over or goal.state.is_terminal:
                 self._forget(key)
 
-    def configure_introspection(
-        self,
-        clock: Clock,
-        service_event_qos_profile: QoSProfile | int,
-        introspection_state: ServiceIntrospectionState,
-    ) -> None:
-        """Switch service introspection of the three services on or off (see `Service`)."""
-        for one in (self._goal_client, self._result_client, self._cancel_client):
-            one.configure_introspection(clock, service_event_qos_profile, introspection_state)
-
     def get_num_entities(self) -> NumberOfEntities:
         """Return the numbers of the client's entities, by kind."""
         return NumberOfEntities(num_subscriptions=2, num_clients=3)
-
-    # -- the end -------------------------------------------------------------------------------
 
     def destroy(self) -> None:
         """Destroy the client and forget its goals. A second call does nothing."""
@@ -459,16 +430,10 @@ class ActionClient(ActionGeneric[GoalT, ResultT, FeedbackT]):
         self._work_queue.destroy()
         for timer in list(self._timers):
             self._drop_timer(timer)
-        for client in (self._goal_client, self._result_client, self._cancel_client):
+        for client in self._services:
             self._node.destroy_client(client)
         with self._lock:
             self._goals.clear()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *exc_info: object) -> None:
-        self.destroy()
 
 
 def _ignore_losses(missing: int) -> None:  # noqa: ARG001 - a subscription's callback

@@ -10,8 +10,9 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, cast
 
 from zbot.action.cancellation import ERROR_REJECTED, CancelQuery
+from zbot.action.endpoint import ActionEndpoint
 from zbot.action.errors import ActionMessageError, ExecuteCallbackError, NotAnActionTypeError
-from zbot.action.generic import ActionGeneric, FeedbackT, GoalT, ResultT
+from zbot.action.generic import FeedbackT, GoalT, ResultT
 from zbot.action.goal_state import GoalEvent, GoalState, GoalTransitionError
 from zbot.action.server_goal_handle import ServerGoalHandle
 from zbot.action.service import Reply, call, create_action_service
@@ -34,12 +35,8 @@ from action_msgs.msg import GoalInfo
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from typing_extensions import Self
-
     from zbot.executor.callback_group import CallbackGroup
-    from zbot.executor.clock import Clock
     from zbot.node.node import Node
-    from zbot.node.service_introspection import ServiceIntrospectionState
 
 
 qos_profile_action_feedback = QoSProfile(depth=10)
@@ -74,7 +71,7 @@ def default_cancel_callback(cancel_request: Any) -> CancelResponse:  # noqa: ARG
     return CancelResponse.REJECT
 
 
-class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
+class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
     """Executes goals. It has three services and two topics of a node, below one name.
 
     All callbacks may be coroutine functions. As in rclpy, goals are executed outside of callback
@@ -99,8 +96,8 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         cancel_service_qos_profile: For the service that cancels goals.
         feedback_pub_qos_profile: For the topic with the feedback.
         status_pub_qos_profile: For the topic with the states of all goals.
-        result_timeout: Seconds of the node's clock that the server keeps a result after the
-            goal's end. With a number below 0, it keeps results for ever.
+        result_timeout: Seconds for which the server keeps a result after the goal's end, on the
+            node's clock. With a number below 0, it keeps results for ever.
 
     Raises:
         NotAnActionTypeError: The class is not an action type.
@@ -143,9 +140,9 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         self._action_name = node.resolve_service_name(action_name)
         self._logger = node.get_logger().get_child("action_server")
         self._goal_handles: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
-        self._clock = node.get_clock()  # if it is simulated, so is the time that results are kept
+        self._clock = node.get_clock()  # it may be simulated
         self._result_timeout_ns = int(result_timeout * S_TO_NS)
-        self._ended: deque[tuple[int, bytes]] = deque()  # when (the node's clock) and which goal
+        self._ended: deque[tuple[int, bytes]] = deque()  # end time and goal
         group = callback_group or node.default_callback_group
         unprotected = ReentrantCallbackGroup()  # for goals, results and the timer
         self._executions = WorkQueue(node.handle.ready_queue, unprotected)
@@ -173,7 +170,7 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
                 qos_profile=result_service_qos_profile,
                 callback_group=unprotected,
             ),
-            # Made last, because clients that find it expect the other parts too.
+            # This service comes last: a client that finds it expects the other parts too.
             serve(
                 impl.SendGoalService,
                 f"{name}/send_goal",
@@ -190,21 +187,9 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         return timer
 
     @property
-    def action_type(self) -> type[Any]:
-        """The action class."""
-        return self._action_type
-
-    @property
-    def action_name(self) -> str:
-        """The action's full name."""
-        return self._action_name
-
-    @property
     def is_over(self) -> bool:
         """Whether the node was destroyed or the context was shut down."""
         return self._node.handle.is_destroyed or not self._node.context.ok()
-
-    # -- callbacks -----------------------------------------------------------------------------
 
     def register_execute_callback(
         self, execute_callback: Callable[[ServerGoalHandle[GoalT, ResultT, FeedbackT]], Any]
@@ -233,8 +218,6 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
     def register_cancel_callback(self, cancel_callback: Callable[[Any], Any] | None) -> None:
         """Replace the callback that decides about cancel requests. `None` rejects all requests."""
         self._cancel_callback = cancel_callback or default_cancel_callback
-
-    # -- requests ------------------------------------------------------------------------------
 
     async def _on_goal_request(self, request: Any, response: Any) -> Reply | Any:
         key = bytes(request.goal_id.uuid)
@@ -294,8 +277,6 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
             response.status = GoalState.UNKNOWN.value
             return response
         return handle.result_future
-
-    # -- execution -----------------------------------------------------------------------------
 
     def notify_execute(
         self,
@@ -391,8 +372,6 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
                 self._goal_handles.pop(key).destroy()
             self._schedule_expiry()
 
-    # -- topics --------------------------------------------------------------------------------
-
     def publish_status(self) -> None:
         """Publish the states of all known goals."""
         message = self._action_type.Impl.GoalStatusMessage()
@@ -414,21 +393,9 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         message = self._action_type.Impl.FeedbackMessage(goal_id=handle.goal_id, feedback=feedback)
         self._feedback.publish(message)
 
-    def configure_introspection(
-        self,
-        clock: Clock,
-        service_event_qos_profile: QoSProfile | int,
-        introspection_state: ServiceIntrospectionState,
-    ) -> None:
-        """Switch service introspection of the three services on or off (see `Service`)."""
-        for one in self._services:
-            one.configure_introspection(clock, service_event_qos_profile, introspection_state)
-
     def get_num_entities(self) -> NumberOfEntities:
         """Return the numbers of the server's entities, by kind."""
         return NumberOfEntities(num_timers=1, num_services=len(self._services))
-
-    # -- the end -------------------------------------------------------------------------------
 
     def destroy(self) -> None:
         """Destroy the server. Clients that wait for a result get an error. May be called twice."""
@@ -444,9 +411,3 @@ class ActionServer(ActionGeneric[GoalT, ResultT, FeedbackT]):
         self._expiry.destroy()
         self._node.handle.ready_queue.remove(self._expiry)
         self._executions.destroy()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *exc_info: object) -> None:
-        self.destroy()

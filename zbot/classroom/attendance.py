@@ -33,7 +33,7 @@ class ConnectedLaptop:
     """Facts about a student's laptop."""
 
     is_here: bool = False
-    since_ns: int = 0  #: when it was connected or lost, since the epoch (0 if it was never seen)
+    since_ns: int = 0  #: time of the last connection or disconnection (0 if never connected)
     version: str = ""
     system: str = ""
     last_error: dict[str, Any] | None = field(default=None)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     import zenoh
 
 # A link without messages for this time is closed. The time is short enough to notice soon that a
-# laptop sleeps, and long enough for TCP to repeat a packet three times that Wi-Fi loses.
+# laptop sleeps, and long enough for TCP to repeat a packet three times if Wi-Fi loses it.
 _LEASE_MS = 4000
 # Messages in a lease. TCP acknowledges each message, so thirty idle laptops cause 4 kB/s at the
 # teacher's hub.

@@ -40,9 +40,6 @@ class TopicInfo(NamedTuple):
     types: list[str]
 
 
-# -- ros2node ----------------------------------------------------------------------------------
-
-
 def get_absolute_node_name(node_name: str) -> str | None:
     """Return the name with a leading slash, or None for an empty name."""
     return f"/{node_name.removeprefix('/')}" if node_name else None
@@ -116,9 +113,6 @@ def get_action_client_info(
     name, namespace, _ = parse_node_name(remote_node_name)
     found = action_graph.get_action_client_names_and_types_by_node(node, name, namespace)
     return _infos(found, include_hidden)
-
-
-# -- ros2topic, ros2service, ros2action --------------------------------------------------------
 
 
 def get_topic_names_and_types(*, node: Node, include_hidden_topics: bool = False) -> NamesAndTypes:

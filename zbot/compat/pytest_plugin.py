@@ -33,9 +33,6 @@ def pytest_configure(config: pytest.Config) -> None:
         config.addinivalue_line("markers", line)
 
 
-# -- launch_testing --------------------------------------------------------------------------------
-
-
 def pytest_pycollect_makemodule(
     module_path: Path, parent: pytest.Collector
 ) -> pytest.Module | None:
@@ -83,7 +80,6 @@ class _LaunchItem(pytest.Item):
             raise unittest.SkipTest("all of its tests were skipped")
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
-        """Return the tracebacks of the test cases."""
         if isinstance(excinfo.value, _FailedCasesError):
             return str(excinfo.value)
         return super().repr_failure(excinfo, style)
@@ -97,9 +93,6 @@ class _FailedCasesError(Exception):
     def __init__(self, failed: list[tuple[str, str]]) -> None:
         self.failed = failed
         super().__init__("\n".join(f"{case}\n{text}" for case, text in failed))
-
-
-# -- launch_pytest ---------------------------------------------------------------------------------
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -61,8 +61,6 @@ class Executor(EntityQueue):
         self._spinning_thread: int | None = None
         context.add_waker(self.wake)
 
-    # -- nodes ---------------------------------------------------------------------------------
-
     @property
     def is_spinning(self) -> bool:
         """Whether a thread spins this executor now."""
@@ -103,8 +101,6 @@ class Executor(EntityQueue):
         """Return the nodes in the order in which they were added."""
         return list(self._nodes)
 
-    # -- tasks ---------------------------------------------------------------------------------
-
     def create_future(self) -> Future[Any]:
         """Return a future whose done callbacks run in this executor."""
         return Future(executor=self)
@@ -133,8 +129,6 @@ class Executor(EntityQueue):
         for entity in self._groups.drain():
             self._queue(entity)
         self._wakeup.set()
-
-    # -- work ----------------------------------------------------------------------------------
 
     def _next_work(
         self, deadline_ns: int | None, stop: Callable[[], bool] | None = None
@@ -317,8 +311,6 @@ class Executor(EntityQueue):
             self._timers.put(entity, due)
         return False
 
-    # -- spinning ------------------------------------------------------------------------------
-
     def spin(self) -> None:
         """Run callbacks until the context or this executor is shut down.
 
@@ -416,8 +408,6 @@ class Executor(EntityQueue):
             self._spinning_thread = None
             signals.MainThread.spins -= in_main
             self._spin_lock.release()
-
-    # -- end -----------------------------------------------------------------------------------
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
         """Stop spinning, wait for running callbacks, and remove all nodes. May be called twice.

@@ -247,8 +247,8 @@ class Task(Future[T]):
 
     def _resume_after(self, awaited: object) -> None:
         if isinstance(awaited, Future):
-            # Not a done callback, because the task continues in the task's executor, which may be
-            # different from the future's.
+            # A waker, because a done callback would run in the future's executor. The task must
+            # continue in its own executor.
             awaited.add_waker(self._schedule)
         else:
             self._schedule()

@@ -107,8 +107,6 @@ class WaitSet:
         """Return the `pointer` of each handle that was ready at the end of the last `wait`."""
         return [handle.pointer for handle in self._ready.get(kind, ())]
 
-    # -- for executors -------------------------------------------------------------------------
-
     @property
     def due_ns(self) -> int | None:
         """When the first timer or event is due (monotonic clock, nanoseconds)."""

@@ -126,8 +126,6 @@ class _Parser:
         if not self._accept(sign):
             raise self._error(f"{sign!r} is missing")
 
-    # -- conditions ----------------------------------------------------------------------------
-
     def _and_or(self) -> Condition:
         # DDS defines no precedence of AND and OR. Fast DDS evaluates them from left to right.
         condition = self._negation()
@@ -188,8 +186,6 @@ class _Parser:
                 re.compile(pattern)
             except re.error as exc:
                 raise self._error(f"{pattern!r} is not a regular expression: {exc}") from None
-
-    # -- operands ------------------------------------------------------------------------------
 
     def _operand(self) -> _Operand:
         if self._position >= len(self._tokens):

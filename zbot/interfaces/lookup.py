@@ -109,9 +109,6 @@ def import_message_from_namespaced_type(
     return cls
 
 
-# -- lists of interfaces -----------------------------------------------------------------------
-
-
 def get_interface_packages() -> list[str]:
     """Return all packages with messages, services or actions."""
     return registry.packages()

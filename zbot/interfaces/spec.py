@@ -117,14 +117,9 @@ class Constant:
     line: int = field(default=0, compare=False)  #: line in the file, from 1
 
 
-@dataclass(frozen=True, slots=True)
-class MessageSpec:
-    """A message, which can be a part of a service or an action."""
-
-    name: str  #: `std_msgs/msg/String`, `std_srvs/srv/SetBool_Request`
-    fields: tuple[Field, ...]
-    constants: tuple[Constant, ...] = ()
-    text: str = field(default="", compare=False)  #: the definition with its comments
+class _Named:
+    __slots__ = ()
+    name: str
 
     @property
     def package(self) -> str:
@@ -133,7 +128,17 @@ class MessageSpec:
 
 
 @dataclass(frozen=True, slots=True)
-class ServiceSpec:
+class MessageSpec(_Named):
+    """A message, which can be a part of a service or an action."""
+
+    name: str  #: `std_msgs/msg/String`, `std_srvs/srv/SetBool_Request`
+    fields: tuple[Field, ...]
+    constants: tuple[Constant, ...] = ()
+    text: str = field(default="", compare=False)  #: the definition with its comments
+
+
+@dataclass(frozen=True, slots=True)
+class ServiceSpec(_Named):
     """A service and the messages made from it."""
 
     name: str  #: `std_srvs/srv/SetBool`
@@ -142,14 +147,9 @@ class ServiceSpec:
     event: MessageSpec
     text: str = field(default="", compare=False)  #: the definition with its comments
 
-    @property
-    def package(self) -> str:
-        """The first part of the name."""
-        return self.name.split("/", 1)[0]
-
 
 @dataclass(frozen=True, slots=True)
-class ActionSpec:
+class ActionSpec(_Named):
     """An action, with the messages and services made from it."""
 
     name: str  #: `example_interfaces/action/Fibonacci`
@@ -160,11 +160,6 @@ class ActionSpec:
     get_result: ServiceSpec
     feedback_message: MessageSpec
     text: str = field(default="", compare=False)  #: the definition with its comments
-
-    @property
-    def package(self) -> str:
-        """The first part of the name."""
-        return self.name.split("/", 1)[0]
 
 
 InterfaceSpec = Union[MessageSpec, ServiceSpec, ActionSpec]  # noqa: UP007 - as Scalar

@@ -205,7 +205,6 @@ class LaunchService:
 
 
 def _close(loop: asyncio.AbstractEventLoop) -> None:
-    """Cancel all tasks of a loop and close it."""
     tasks = asyncio.all_tasks(loop)
     for task in tasks:
         task.cancel()

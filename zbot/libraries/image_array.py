@@ -205,9 +205,6 @@ def _pixels(image: Image) -> NDArray[Any]:
     return array[:, :, 0] if channels == 1 else array
 
 
-# -- conversion --------------------------------------------------------------------------------
-
-
 def converted(array: NDArray[Any], source: str, target: str) -> NDArray[Any]:
     """Return an image of one encoding in another encoding. The range of values is adapted.
 

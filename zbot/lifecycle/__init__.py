@@ -1,4 +1,4 @@
-"""Managed nodes: other programs configure, activate, deactivate and shut them down.
+"""Managed nodes: other programs configure them, activate them, deactivate them and shut them down.
 
     from std_msgs.msg import String
     from zbot.lifecycle import LifecycleNode, TransitionCallbackReturn

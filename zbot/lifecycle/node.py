@@ -104,8 +104,6 @@ class LifecycleNodeMixin(ManagedEntity):
         # a program can assign its own state machine to the name.
         return self._zbot_lifecycle.machine
 
-    # -- transitions ---------------------------------------------------------------------------
-
     def trigger_configure(self) -> TransitionCallbackReturn:
         """Make an unconfigured node inactive. Return the result of its callback."""
         return self._zbot_change_state("configure")
@@ -173,8 +171,6 @@ class LifecycleNodeMixin(ManagedEntity):
             if isinstance(entity, SimpleManagedEntity):
                 SimpleManagedEntity.on_deactivate(entity, start)
 
-    # -- callbacks -----------------------------------------------------------------------------
-
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Prepare. By default, call the managed entities until a callback does not succeed."""
         return self._zbot_call_entities("on_configure", state)
@@ -208,8 +204,6 @@ class LifecycleNodeMixin(ManagedEntity):
             if outcome is not TransitionCallbackReturn.SUCCESS:
                 return outcome
         return TransitionCallbackReturn.SUCCESS
-
-    # -- managed entities ----------------------------------------------------------------------
 
     def add_managed_entity(self, entity: ManagedEntity) -> None:
         """Call an entity's callbacks at each transition from now on.

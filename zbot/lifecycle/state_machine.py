@@ -153,7 +153,7 @@ class StateMachine:
         return self._state.state_id, self._state.label
 
     def find(self, wanted: str | int) -> Transition:
-        """Return the transition from the present state that has this label or number.
+        """Return the transition that has this label or number and starts at the present state.
 
         Raises:
             TransitionNotPossibleError: The present state does not allow the transition.

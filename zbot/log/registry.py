@@ -70,8 +70,6 @@ class LogRegistry:
         self._file_prefix = ""
         self._outputs: _Outputs | None = None
 
-    # -- settings ------------------------------------------------------------------------------
-
     def configure(
         self,
         levels: Mapping[str, int] | int | None = None,
@@ -119,8 +117,6 @@ class LogRegistry:
         if outputs is not None:
             outputs.file.close()
 
-    # -- levels --------------------------------------------------------------------------------
-
     def set_logger_level(self, name: str, level: int, detailed_error: bool = False) -> None:  # noqa: ARG002, FBT - rclpy's signature
         """Set the lowest severity that a logger and its children write.
 
@@ -150,8 +146,6 @@ class LogRegistry:
                 return level
             name = name.rpartition(".")[0]
         return self._levels.get("", _DEFAULT_LEVEL)
-
-    # -- sinks ---------------------------------------------------------------------------------
 
     def add_sink(self, logger_name: str, sink: Sink) -> None:
         """Add a function that gets every line of a logger and its children.
@@ -184,8 +178,6 @@ class LogRegistry:
             yield
         finally:
             self._thread.are_sinks_disabled = was
-
-    # -- lines ---------------------------------------------------------------------------------
 
     def state_of(self, name: str) -> LoggerState:
         """Return the state that all loggers of a name share."""

@@ -103,8 +103,6 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         """Whether the client was destroyed."""
         return self._querier is None
 
-    # -- the server ----------------------------------------------------------------------------
-
     def service_is_ready(self) -> bool:
         """Return whether a call would reach a server."""
         querier = self._querier
@@ -150,8 +148,6 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     def _on_match(self, _: object) -> None:
         self._arrival.set()
-
-    # -- calling -------------------------------------------------------------------------------
 
     def call_async(self, request: RequestT) -> Future[ResponseT]:
         """Send a request.
@@ -269,8 +265,6 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
                 if number == sequence_number:
                     return future
         raise KeyError(f"no pending request with number {sequence_number}")
-
-    # -- responses -----------------------------------------------------------------------------
 
     def complete(self, response: ResponseFuture[ResponseT], reply: zenoh.Reply | None) -> None:
         """Complete a call's future. Zenoh's thread or the thread of a local server calls this."""

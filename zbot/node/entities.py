@@ -315,8 +315,6 @@ class NodeEntities(PrivateAliases):
         handle.rates.append(rate)
         return rate
 
-    # -- destroying ----------------------------------------------------------------------------
-
     def destroy_publisher(self, publisher: Publisher[Any]) -> bool:
         """Destroy a publisher, and return whether the node had it."""
         if publisher in self._zbot_state.publishers:

@@ -78,7 +78,7 @@ class ServiceError(ZbotError, RuntimeError):
     Attributes:
         service: Full name of the service.
         kind: `no_server`, `server_gone`, `bad_reply`, or the class of the handler's exception.
-        message: The server's own sentence, or a sentence without the service's name.
+        message: The server's text, or zbot's own text, without the service's name.
     """
 
     def __init__(self, service: str, kind: str, message: str) -> None:

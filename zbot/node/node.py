@@ -121,8 +121,6 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
             self, ParameterEvent, "/parameter_events", qos_profile_parameter_events
         )
 
-    # -- names and state -----------------------------------------------------------------------
-
     @property
     def handle(self) -> NodeState:
         """The node's internal state, which user code must not use."""
@@ -188,8 +186,6 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
 
     def _zbot_resolve(self, name: str, *, only_expand: bool, is_service: bool) -> str:
         return self._zbot_state.resolve(name, only_expand=only_expand, is_service=is_service)
-
-    # -- the end -------------------------------------------------------------------------------
 
     def destroy_node(self) -> None:
         """Remove the node and all its entities from the graph. This method may be called twice."""

@@ -39,7 +39,7 @@ class AsyncParameterClient:
     Args:
         node: The node that sends the requests.
         remote_node_name: The other node's name, absolute or relative to the namespace of `node`.
-        qos_profile: Profile of the six clients. Only the graph shows it.
+        qos_profile: Profile of the six clients. The graph shows it; it has no other effect.
         callback_group: Group of the callbacks. `None` means the node's default group.
     """
 

@@ -76,7 +76,6 @@ class NodeParameters:
         store.declare(Declaration(name, one.value) for name, one in store.overrides.items())
 
     def _zbot_declare_own(self) -> None:
-        """Declare the parameters that every node has."""
         store = self._zbot_parameters
         services = Descriptor(description=_TYPE_SERVICE_TEXT, read_only=True)
         own = [
@@ -84,8 +83,6 @@ class NodeParameters:
             Declaration(START_TYPE_DESCRIPTION_SERVICE, True, services),
         ]
         store.declare(one for one in own if one.name not in store.values)
-
-    # -- declaring -----------------------------------------------------------------------------
 
     def declare_parameter(
         self,
@@ -141,8 +138,6 @@ class NodeParameters:
             ParameterImmutableException: The parameter is read-only.
         """
         self._zbot_parameters.undeclare(name)
-
-    # -- getting -------------------------------------------------------------------------------
 
     def has_parameter(self, name: str) -> bool:
         """Return whether a parameter is declared."""
@@ -221,8 +216,6 @@ class NodeParameters:
         """Return the descriptors of several parameters. See `describe_parameter`."""
         return [NodeParameters.describe_parameter(self, name) for name in _checked_names(names)]
 
-    # -- setting -------------------------------------------------------------------------------
-
     def set_parameters(self, parameter_list: Parameters) -> list[SetParametersResult]:
         """Set parameters one after the other, and return the result of each.
 
@@ -265,8 +258,6 @@ class NodeParameters:
         return store.set_descriptor(
             name, Descriptor.of(descriptor), alternative
         ).get_parameter_value()
-
-    # -- callbacks -----------------------------------------------------------------------------
 
     def add_pre_set_parameters_callback(self, callback: PreSet) -> None:
         """Add a callback that runs before new values are checked. It returns the list to set."""

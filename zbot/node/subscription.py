@@ -190,8 +190,6 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         """Return how many publishers the topic has in the whole domain."""
         return len(self._context.graph.snapshot().publishers(self.topic_name))
 
-    # -- content filter ------------------------------------------------------------------------
-
     @property
     def is_cft_enabled(self) -> bool:
         """Whether there is a content filter."""
@@ -227,8 +225,6 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         if self._filter is None:
             raise NoContentFilterError(self.topic_name)
         return self._filter_options
-
-    # -- receiving -----------------------------------------------------------------------------
 
     def _listen(self) -> None:
         receive, queue, armed = self._channel.recv, self._queue, self._armed

@@ -108,9 +108,6 @@ def _specs(described: dict[str, Any]) -> Iterator[InterfaceSpec]:
         yield get_spec(one["type_name"])
 
 
-# -- from dictionaries to messages ---------------------------------------------------------------
-
-
 def _description_message(described: dict[str, Any]) -> Any:
     from type_description_interfaces.msg import (  # noqa: PLC0415 - made at first import
         TypeDescription,

@@ -101,8 +101,6 @@ class ParameterStore:
         self.post_set: list[Callable[[Parameters], object]] = []
         self._publish = publish
 
-    # -- reading -------------------------------------------------------------------------------
-
     def get(self, name: str) -> Parameter[Any]:
         """Return a parameter.
 
@@ -160,8 +158,6 @@ class ParameterStore:
         if unknown and not self.allow_undeclared:
             raise ParameterNotDeclaredException(unknown, self.values)
 
-    # -- declaring -----------------------------------------------------------------------------
-
     def declare(
         self, declarations: Iterable[Declaration], *, ignore_override: bool = False
     ) -> Parameters:
@@ -212,8 +208,6 @@ class ParameterStore:
             raise ParameterImmutableException(name)
         del self.values[name], self.descriptors[name]
         self._publish(Changes(deleted=[Parameter(name)]))
-
-    # -- setting -------------------------------------------------------------------------------
 
     def set(self, parameters: Parameters) -> str:
         """Set all given parameters, or none. If a name occurs twice, its last value is set.

@@ -77,8 +77,8 @@ def _watch(reader: socket.socket, _writer: socket.socket) -> None:
 def cancel_all(sessions: Iterable[zenoh.Session]) -> None:
     """Cut the links of sessions, so that all blocked puts return. Any thread may call this.
 
-    Messages that are on their way are lost. The call takes no time if no put is running, at most
-    0.2 s if no put is blocked, and at most 1.2 s otherwise.
+    Messages that are on their way are lost. The call takes at most 1.2 s if a put is blocked,
+    and at most 0.2 s if puts are running. It returns at once if no put is running.
     """
     blocked = _SignalWatch.is_needed and _blocked()
     if not blocked:
@@ -94,7 +94,6 @@ def cancel_all(sessions: Iterable[zenoh.Session]) -> None:
 
 
 def _blocked() -> set[tuple[int, int, int]]:
-    """Return the puts that are blocked."""
     puts = _puts()
     if puts:
         time.sleep(_BLOCKED_AFTER_S)
@@ -113,7 +112,6 @@ def _puts() -> set[tuple[int, int, int]]:
 
 
 def _frames() -> dict[int, FrameType]:
-    """Return the present frame of each thread."""
     # Python 3.11 and older hold a lock here. A thread that ends waits for that lock, and no other
     # thread can run meanwhile. Garbage collection may switch to such a thread. Then both threads
     # would block for ever.

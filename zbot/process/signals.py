@@ -133,9 +133,7 @@ def _signal_main_thread(number: int) -> None:
 
 
 def _on_sigint(number: int, frame: FrameType | None) -> None:
-    if at_exit.is_ending():
-        return
-    if _is_postponed(number, frame):
+    if at_exit.is_ending() or _is_postponed(number, frame):
         return
     _interrupt_contexts()
     previous = _Process.previous.get(number)
@@ -146,9 +144,7 @@ def _on_sigint(number: int, frame: FrameType | None) -> None:
 
 
 def _on_sigterm(number: int, frame: FrameType | None) -> None:
-    if at_exit.is_ending():
-        return
-    if _is_postponed(number, frame):
+    if at_exit.is_ending() or _is_postponed(number, frame):
         return
     _interrupt_contexts()
     previous = _Process.previous.get(number)

@@ -124,8 +124,6 @@ class Buffer(BufferCore, BufferInterface):
             with self._changed:
                 self._changed.wait(min(left, _LOOK_S if own else LONGEST_WAIT_S))
 
-    # -- for coroutines ------------------------------------------------------------------------
-
     def wait_for_transform_async(
         self, target_frame: str, source_frame: str, time: Any
     ) -> Future[bool]:

@@ -41,8 +41,6 @@ class BufferCore:
         self._changed = threading.Condition()
         self._refused: set[str] = set()
 
-    # -- setting -------------------------------------------------------------------------------
-
     def set_transform(self, transform: Any, authority: str = "default_authority") -> None:
         """Add a `TransformStamped`. An invalid or too old transform is ignored and logged once."""
         self._set(transform, authority, is_static=False)
@@ -80,8 +78,6 @@ class BufferCore:
         """Remove all transforms except static ones, which are published only once."""
         with self._changed:
             self._frames = {name: one for name, one in self._frames.items() if one.is_static}
-
-    # -- looking up ----------------------------------------------------------------------------
 
     def lookup_transform_core(self, target_frame: str, source_frame: str, time: Any) -> Any:
         """Return the transform of `source_frame` in `target_frame`, as `TransformStamped`.
@@ -259,8 +255,6 @@ class BufferCore:
             if name in from_target:
                 return from_source[:place], from_target[: from_target.index(name)]
         raise _unconnected(target, source)
-
-    # -- the tree ------------------------------------------------------------------------------
 
     def all_frames_as_string(self) -> str:
         """Return one line for each frame, with the name of its parent."""

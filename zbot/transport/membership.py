@@ -38,7 +38,7 @@ class Membership:
     """The class or hub that this machine has joined."""
 
     role: Role  #: `partner` means that the machine joined a hub without a class
-    host: str  #: address of the joined hub, or this machine's own address if it is the teacher's
+    host: str  #: address of the joined hub; on the teacher's machine, its own address
     port: int
     class_name: str = ""
     number: int = 0  #: the student's number, which is this machine's domain (0 if there is none)

@@ -106,8 +106,6 @@ class Peering:
                 return
             pause_s = min(2 * pause_s, _LONGEST_PAUSE_S)
 
-    # -- links ---------------------------------------------------------------------------------
-
     def _own(self) -> str:
         return str(self._session.info.zid())
 
@@ -165,8 +163,6 @@ class Peering:
         for router in self._routers():
             found |= admin_query.sessions(self._session, router, timeout_s)
         return found
-
-    # -- introductions -------------------------------------------------------------------------
 
     def _introduce_unlinked(self) -> float | None:
         """Introduce the peers that are not linked. Return the seconds until the next check."""

@@ -126,9 +126,6 @@ def _parsed_float(text: str, path: str) -> float:
         raise EntryError(path, f"write {hint}, not {text!r}") from None
 
 
-# -- times -------------------------------------------------------------------------------------
-
-
 def _instant(base: str, text: str, path: str, now_ns: Callable[[], int]) -> Any:
     message: Any = get_message(base)()
     is_now = text == NOW and base == TIME
@@ -147,9 +144,6 @@ def _nanoseconds(text: str, path: str) -> int:
     if not seconds.is_finite():
         raise EntryError(path, f"write seconds, not {text!r}")
     return int(seconds * _NANOSECONDS)
-
-
-# -- lists -------------------------------------------------------------------------------------
 
 
 def _list(kind: FieldType, text: str, path: str) -> list[Any]:
@@ -215,9 +209,6 @@ def _zero(kind: FieldType) -> Any:
     if kind.is_string:
         return ""
     return {"bool": False, "byte": b"\0", "float32": 0.0, "float64": 0.0}.get(kind.base, 0)
-
-
-# -- values to text ----------------------------------------------------------------------------
 
 
 def show(kind: FieldType, value: Any) -> str:

@@ -12,7 +12,7 @@ from zbot.web.value_text import tree
 if TYPE_CHECKING:
     from zbot.web.panel import Section
 
-_COLUMNS = (
+TREE_COLUMNS = (
     Column("Field", "zb-mono zb-cut", "40%"),
     Column("Value", "zb-mono zb-wrap"),
     Column("Type", "zb-muted zb-cut", "20%"),
@@ -32,7 +32,7 @@ class MessageView:
             with ui.element("div").classes("zb-row"):
                 ui.label(title).classes("zb-heading")
                 self._note = ui.label().classes("zb-muted")
-            self._table = Table(section.page, _COLUMNS)
+            self._table = Table(section.page, TREE_COLUMNS)
             self._table.element.classes("zb-tree")
             self._error = ui.label().classes("zb-bad zb-wrap")
         self.clear()

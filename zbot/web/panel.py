@@ -194,8 +194,6 @@ class Page(Section):
         if element_id in self._choosers:
             self._choosers[element_id](str(key))
 
-    # -- drawing -------------------------------------------------------------------------------
-
     def set_query(self, **query: str) -> None:
         """Set the parameters of the address, so that the page shows the same after a reload."""
         self.query = query
@@ -206,7 +204,7 @@ class Page(Section):
 
         Use it for data that does not belong to an element of NiceGUI.
         """
-        # JSON is valid JavaScript, so that a string in a message cannot become code.
+        # JSON is valid JavaScript. So a string in a message stays a string and cannot run as code.
         words = ",".join(json.dumps(one) for one in arguments)
         # Client.run_javascript would enqueue the code later, after `_on_ask` has read the outbox.
         code = {"code": f"{function}({words})"}

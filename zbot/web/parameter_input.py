@@ -63,8 +63,6 @@ class ParameterInput:
             shower(value)
         return True
 
-    # -- inputs --------------------------------------------------------------------------------
-
     def _build(self) -> None:
         parameter = self._parameter
         if parameter.is_read_only or self._section.page.read_only:
@@ -123,8 +121,6 @@ class ParameterInput:
 
     def _text(self, value: Any) -> str:
         return show_value(self._parameter.type, value)
-
-    # -- setting -------------------------------------------------------------------------------
 
     async def _set(self, value: Any) -> None:
         if self._is_setting:

@@ -82,7 +82,6 @@ class _PublishForm:
         self.section.page.show_command(f"zbot topic pub {how} {shlex.join(words)}")
 
     def publish(self) -> None:
-        """Send the message once."""
         if self.view.problems:
             return
         with self.section.system.publisher(self.topic, self.type_name) as reference:
@@ -91,7 +90,6 @@ class _PublishForm:
         self.show_command()
 
     def toggle(self) -> None:
-        """Start or stop repeating the message."""
         if self.repetition is None:
             repeat, make = self.section.system.repeat, self.view.maker()
             repetition = repeat(self.topic, self.type_name, make, self.rate_hz)

@@ -129,8 +129,6 @@ class System:
     def __exit__(self, *_: object) -> None:
         self.close()
 
-    # -- graph ---------------------------------------------------------------------------------
-
     def snapshot(self) -> Snapshot:
         """Return the graph as it is now. Until the next change, return the same object."""
         seen = self._seen
@@ -164,8 +162,6 @@ class System:
                 self._executor.create_task(self._subscribe, feed)
         for callback in list(self._callbacks):
             callback()
-
-    # -- watching ------------------------------------------------------------------------------
 
     def watch(
         self, topic: str, type_name: str | None = None, *, keep: int = 0, is_active: bool = True
@@ -253,8 +249,6 @@ class System:
             key = (feed.topic, feed.asked_type)
             if feed.is_abandoned and self._feeds.get(key) is feed:
                 del self._feeds[key]
-
-    # -- publishing and calling ----------------------------------------------------------------
 
     def interface(self, type_name: str) -> Any:
         """Return the class of a message, service or action type.

@@ -7,8 +7,9 @@ from urllib.parse import urlencode
 
 from nicegui import ui
 
+from zbot.web.message_view import TREE_COLUMNS
 from zbot.web.publish_form import add_publish_form
-from zbot.web.table import Cell, Column, Table
+from zbot.web.table import Cell, Table
 from zbot.web.topic_picture import add_picture
 from zbot.web.topic_rows import topic_rows
 from zbot.web.value_text import amount, tree
@@ -21,11 +22,6 @@ if TYPE_CHECKING:
     from zbot.web.watch import Watch
 
 _TREE_HZ = 10.0
-_COLUMNS = (
-    Column("Field", "zb-mono zb-cut", "40%"),
-    Column("Value", "zb-mono zb-wrap"),
-    Column("Type", "zb-muted zb-cut", "20%"),
-)
 
 
 def show_topic(section: Section, topic: str, close: Callable[[], None]) -> None:
@@ -100,7 +96,7 @@ def _fill(chips: ui.element, nodes: Sequence[str]) -> None:
 def _add_tree(section: Section, watch: Watch) -> None:
     ui.label("Last message").classes("zb-heading")
     waiting = ui.label("No message yet.").classes("zb-muted")
-    table = Table(section.page, _COLUMNS)
+    table = Table(section.page, TREE_COLUMNS)
     table.element.classes("zb-tree")
     shown: object = None
 

@@ -20,8 +20,8 @@ class TopicRow:
 
     name: str
     types: tuple[str, ...]
-    publishers: tuple[str, ...]  #: full names of nodes, sorted; once for each publisher
-    subscriptions: tuple[str, ...]  #: full names of nodes, sorted; once for each subscription
+    publishers: tuple[str, ...]  #: sorted full names of nodes, one for each publisher
+    subscriptions: tuple[str, ...]  #: sorted full names of nodes, one for each subscription
     guess: str | None  #: a published topic with a similar name, if this topic has no publisher
 
     @property

@@ -104,8 +104,6 @@ class TurtleControl:
         if driver is not None and self._system.context.ok():
             driver.destroy_node()
 
-    # -- driving -------------------------------------------------------------------------------
-
     def drive(self, turtle: str, forward: float, turn: float) -> None:
         """Give a turtle a velocity (m/s, rad/s) for 1 s.
 
@@ -170,8 +168,6 @@ class TurtleControl:
         if sent is not None:
             goal = await await_future(sent)
             await await_future(goal.cancel_goal_async())
-
-    # -- simulator -----------------------------------------------------------------------------
 
     async def call(self, relative: str, type_name: str, **values: Any) -> Any:
         """Call a service of the simulator. The keyword arguments are the fields of the request."""

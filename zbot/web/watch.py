@@ -80,8 +80,6 @@ class Feed:
         self._history: deque[Record] = deque(maxlen=0)
         self._history_bytes = 0
 
-    # -- watches -------------------------------------------------------------------------------
-
     @property
     def is_wanted(self) -> bool:
         """Whether a watch is active."""
@@ -103,8 +101,6 @@ class Feed:
                 self._history_bytes = sum(len(one.payload) for one in self._history)
             wanted = self.is_wanted
         (self._subscribe if wanted else self._unsubscribe)(self)
-
-    # -- messages ------------------------------------------------------------------------------
 
     def take(self, payload: bytes, info: MessageInfo) -> None:
         """Keep a message. This method is the callback of the subscription."""

@@ -43,7 +43,7 @@ class Formatter:
 
     Args:
         form: The form of the texts.
-        with_topic: Whether each text names its topic, because there are several topics.
+        with_topic: Whether each text contains the name of its topic.
 
     Raises:
         FieldPathError: A field of the form is not a valid path.

@@ -10,7 +10,7 @@ from zbot_nodes.turtlesim.picture import png
 
 WIDTH = HEIGHT = 500  #: pixels
 _UNTOUCHED = (255, 255, 255, 0)  # white for the colour sensor, transparent for a page
-_MOST_LINES = 2000  # half a minute of a turtle. A page that asks less often gets the picture
+_MOST_LINES = 2000  # half a minute of a turtle; a page that asks later gets a whole picture
 
 
 class Pen(NamedTuple):
@@ -38,7 +38,7 @@ class Drawing:
 
     def __init__(self) -> None:
         self.lines: deque[Line] = deque(maxlen=_MOST_LINES)
-        self.until = 0  #: number of lines that were drawn and of times that the drawing was cleared
+        self.until = 0  #: number of drawn lines, plus the number of times the drawing was cleared
         self._pixels = bytearray()
         self.clear()
 
@@ -63,7 +63,7 @@ class Drawing:
             )
 
     def since(self, until: int) -> list[Line] | None:
-        """Return the lines that were added since `self.until` had this value.
+        """Return the lines that were added after `self.until` was equal to `until`.
 
         Returns:
             The lines, or `None` if the drawing was cleared since then or there are too many lines.

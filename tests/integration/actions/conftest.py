@@ -23,10 +23,7 @@ from unique_identifier_msgs.msg import UUID
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from tests.conftest import Spinner
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
+    from tests.conftest import MakeContext, Spin
 
 Goal = ServerGoalHandle[Any, Any, Any]
 Handle = ClientGoalHandle[Any, Any, Any]

@@ -21,13 +21,7 @@ from tests.integration.actions.conftest import (
     pause,
     status_of,
 )
-from zbot.action import (
-    ActionClient,
-    ActionServer,
-    CancelResponse,
-    GoalState,
-    GoalTransitionError,
-)
+from zbot.action import ActionClient, ActionServer, CancelResponse, GoalState, GoalTransitionError
 from zbot.node.errors import ServiceError
 from zbot.time import ClockType, Time
 
@@ -38,12 +32,8 @@ from std_msgs.msg import String
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from tests.conftest import Program, Spinner
+    from tests.conftest import MakeContext, Program, Spin
     from zbot.log.record import Record
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
-
 
 # -- ends --------------------------------------------------------------------------------------
 

@@ -10,35 +10,14 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
-from tests.integration.actions.conftest import (
-    Goal,
-    Pair,
-    compute,
-    done,
-    pause,
-    sequence,
-    status_of,
-)
-from zbot.action import (
-    ActionClient,
-    ActionServer,
-    CancelResponse,
-    GoalResponse,
-    GoalState,
-)
+from tests.integration.actions.conftest import Goal, Pair, compute, done, pause, sequence, status_of
+from zbot.action import ActionClient, ActionServer, CancelResponse, GoalResponse, GoalState
 
 from example_interfaces.action import Fibonacci
 from unique_identifier_msgs.msg import UUID
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Spinner
     from zbot.log.record import Record
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
-
 
 # -- goals and results -------------------------------------------------------------------------
 
@@ -342,10 +321,7 @@ def test_fifty_goals_with_cancels_each_get_their_own_result(pair: Pair) -> None:
     for turn in range(2):
         heard: set[int] = set()
         futures = [
-            pair.client.send_goal_async(
-                Fibonacci.Goal(order=order),
-                partial(_note, heard),
-            )
+            pair.client.send_goal_async(Fibonacci.Goal(order=order), partial(_note, heard))
             for order in range(50)
         ]
         handles = [done(future, 10) for future in futures]

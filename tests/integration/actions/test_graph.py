@@ -29,14 +29,8 @@ from example_interfaces.action import Fibonacci
 from std_msgs.msg import String
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from tests.conftest import Spinner
+    from tests.conftest import MakeContext, Spin
     from zbot.log.record import Record
-
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
-
 
 # -- status ------------------------------------------------------------------------------------
 

@@ -16,7 +16,7 @@ from zbot.action.errors import ExecuteCallbackError
 from example_interfaces.action import Fibonacci
 
 if TYPE_CHECKING:
-    from tests.integration.actions.conftest import MakeContext
+    from tests.conftest import MakeContext
 
 RESULT = Fibonacci.Result(sequence=[7])
 

@@ -12,10 +12,8 @@ import zbot
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-    from tests.conftest import Spinner
+    from tests.conftest import MakeContext
 
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
     MakeExecutor = Callable[..., zbot.Executor]
 
 BOTH = [zbot.SingleThreadedExecutor, zbot.MultiThreadedExecutor]

@@ -19,10 +19,8 @@ from std_msgs.msg import Int64
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from tests.conftest import Spinner
+    from tests.conftest import Spin
 
-    MakeContext = Callable[[], zbot.Context]
-    Spin = Callable[..., Spinner]
     MakeExecutor = Callable[..., zbot.Executor]
 
 BOTH = [zbot.SingleThreadedExecutor, zbot.MultiThreadedExecutor]

@@ -44,10 +44,7 @@ def test_each_node_runs_in_the_thread_that_its_executor_selects(context: zbot.Co
     executor = PriorityExecutor(context)
     for name, seen in threads.items():
         node = zbot.Node(name, context=context)
-        node.create_timer(
-            0.01,
-            lambda seen=seen: seen.append(threading.current_thread().name),
-        )
+        node.create_timer(0.01, lambda seen=seen: seen.append(threading.current_thread().name))
         executor.add_node(node)
         if name == "hurried":
             executor.urgent.add(node)

@@ -18,9 +18,7 @@ from zbot.executor.waitable import NumberOfEntities, Waitable
 from std_msgs.msg import String
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    MakeContext = Callable[[], zbot.Context]
+    from tests.conftest import MakeContext
 
 
 class TriggeredWaitable(Waitable[str]):

@@ -2,33 +2,19 @@ from __future__ import annotations
 
 import pytest
 
+from tests.unit.tokens import STRING, endpoint_token
 from zbot.classroom.expectation import Expectation, ExpectationError, parse_expectations
 from zbot.graph.snapshot import Snapshot
-from zbot.qos import QoSProfile
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
-
-STRING = "std_msgs/msg/String"
 
 
 def endpoint(kind: EntityKind, name: str, type_name: str = STRING) -> EndpointToken:
-    return EndpointToken(
-        domain=17,
-        zid="a1",
-        nid=0,
-        eid=1,
-        kind=kind,
-        namespace="/",
-        node="talker",
-        name=name,
-        type_name=type_name,
-        type_hash="RIHS01_0",
-        qos=QoSProfile(depth=10),
-    )
+    return endpoint_token(name, domain=17, kind=kind, type_name=type_name)
 
 
 WORK = Snapshot(
     (
-        NodeToken(domain=17, zid="a1", nid=0, namespace="/", node="talker"),
+        NodeToken(domain=17, zid="a", nid=1, namespace="/", node="talker"),
         endpoint(EntityKind.PUBLISHER, "/student_id"),
         endpoint(EntityKind.SUBSCRIPTION, "/cmd_vel", "geometry_msgs/msg/Twist"),
         endpoint(EntityKind.SERVICE, "/add_two_ints", "example_interfaces/srv/AddTwoInts"),

@@ -29,7 +29,8 @@ This page lists every public module, class, function and method of rclpy 9.1 (RO
 
 * **present**: the name is there. `tests/unit/compat/test_rclpy_calls.py` calls each of its methods.
 * **partly**: the class is there. The listed methods are absent, have no effect, or do less.
-* **no-op**: programs can import the name, but it has no effect. Annotations use it.
+* **no-op**: programs can import the name, but it does nothing when the program runs. It is there
+  for type annotations.
 * **absent**: the name is not there.
 
 `python -m tests.unit.compat.rclpy_table` writes this page. A test compares it with the code.
@@ -38,8 +39,8 @@ zbot differs from rclpy on purpose in these points:
 
 * A call of a service without a server fails at once with a `ServiceError`. A call whose server
   ends fails too. In rclpy the future stays pending for ever.
-* The entities of a node leave the graph with the node, an action server too. In rclpy the action
-  server stays until its own `destroy()`.
+* When a node is destroyed, all its entities disappear from the graph at the same time. This is
+  also true for action servers. In rclpy an action server stays until its own `destroy()`.
 * A rate sleeps also when no executor spins in another thread.
 * A `MultiThreadedExecutor` has at least two threads if the program does not give a number.
 

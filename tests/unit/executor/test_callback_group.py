@@ -5,6 +5,7 @@ import threading
 
 import pytest
 
+from tests.conftest import in_threads
 from zbot.executor.callback_group import (
     CallbackGroup,
     MutuallyExclusiveCallbackGroup,
@@ -44,15 +45,11 @@ def test_only_one_of_many_threads_reserves_an_exclusive_group() -> None:
     group, barrier = MutuallyExclusiveCallbackGroup(), threading.Barrier(8)
     entered: list[bool] = []
 
-    def enter() -> None:
+    def enter(_: int) -> None:
         barrier.wait(5)
         entered.append(group.beginning_execution(Entity()))
 
-    threads = [threading.Thread(target=enter) for _ in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    in_threads(enter, 8)
     assert sorted(entered) == [False] * 7 + [True]
 
 

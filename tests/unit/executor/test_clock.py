@@ -333,24 +333,15 @@ def test_simulated_sleep_ends_at_its_time(context: FakeContext, simulated: ROSCl
     assert sleeper.wake() is True
 
 
-def test_deactivated_simulation_ends_a_sleep(context: FakeContext, simulated: ROSClock) -> None:
-    sleeper = Sleeper(simulated, ros_time(200), context)
-    simulated.set_ros_time_is_active(False)
-    assert sleeper.wake() is False
-
-
-def test_activated_simulation_ends_a_sleep(context: FakeContext) -> None:
+@pytest.mark.parametrize("states", [[True, False], [False, True], [False, True, False]])
+def test_simulation_switched_on_or_off_ends_a_sleep(
+    states: list[bool], context: FakeContext
+) -> None:
     clock = ROSClock()
+    clock.set_ros_time_is_active(states[0])
     sleeper = Sleeper(clock, clock.now() + FAR, context)
-    clock.set_ros_time_is_active(True)
-    assert sleeper.wake() is False
-
-
-def test_simulation_switched_on_and_off_ends_a_sleep(context: FakeContext) -> None:
-    clock = ROSClock()
-    sleeper = Sleeper(clock, clock.now() + FAR, context)
-    clock.set_ros_time_is_active(True)
-    clock.set_ros_time_is_active(False)
+    for is_active in states[1:]:
+        clock.set_ros_time_is_active(is_active)
     assert sleeper.wake() is False
 
 

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from tests.conftest import in_threads
 from zbot.errors import ExternalShutdownException
 from zbot.executor.task import Future, FutureState, Task
 
@@ -56,19 +57,20 @@ def cancelled() -> Future[Any]:
 
 
 @pytest.mark.parametrize(
-    ("make", "done", "was_cancelled", "over"),
+    ("make", "done", "was_cancelled", "over", "state"),
     [
-        (pending, False, False, False),
-        (finished, True, False, True),
-        (failed, True, False, True),
-        (cancelled, False, True, True),
+        (pending, False, False, False, FutureState.PENDING),
+        (finished, True, False, True, FutureState.FINISHED),
+        (failed, True, False, True, FutureState.FINISHED),
+        (cancelled, False, True, True, FutureState.CANCELLED),
     ],
 )
-def test_a_future_has_the_state_of_its_end(
-    make: Callable[[], Future[Any]], *, done: bool, was_cancelled: bool, over: bool
+def test_a_future_has_the_state_of_its_end_as_in_rclpy(
+    make: Callable[[], Future[Any]], done: bool, was_cancelled: bool, over: bool, state: FutureState
 ) -> None:
     future = make()
     assert (future.done(), future.cancelled(), future.is_over) == (done, was_cancelled, over)
+    assert future._state is state
 
 
 def test_a_future_holds_a_result_or_an_exception() -> None:
@@ -148,11 +150,7 @@ def test_many_threads_complete_a_future() -> None:
         barrier.wait(5)
         future.set_result(number)
 
-    threads = [threading.Thread(target=complete, args=(k,)) for k in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    in_threads(complete, 8)
     assert future.result() in range(8)
     assert calls == [future]
 
@@ -281,18 +279,3 @@ def test_a_signal_in_a_done_callback_reaches_the_completing_thread() -> None:
     future.add_done_callback(interrupted)
     with pytest.raises(ExternalShutdownException):
         future.set_result(3)
-
-
-@pytest.mark.parametrize(
-    ("make", "state"),
-    [
-        (pending, FutureState.PENDING),
-        (finished, FutureState.FINISHED),
-        (failed, FutureState.FINISHED),
-        (cancelled, FutureState.CANCELLED),
-    ],
-)
-def test_a_futures_state_is_one_of_rclpys(
-    make: Callable[[], Future[Any]], state: FutureState
-) -> None:
-    assert make()._state is state

@@ -4,14 +4,13 @@ from itertools import count
 
 import pytest
 
+from tests.unit.tokens import STRING, endpoint_token
 from zbot.graph.dot import dot
 from zbot.graph.filters import InvalidFilterError
 from zbot.graph.snapshot import Snapshot
 from zbot.graph.view import BoxKind, Edge, Filters, Grouping, Mode, view
-from zbot.qos import QoSProfile
 from zbot.wire.tokens import EndpointToken, EntityKind, NodeToken
 
-STRING = "std_msgs/msg/String"
 _numbers = count(1)
 
 
@@ -20,19 +19,7 @@ def node(name: str) -> NodeToken:
 
 
 def end(kind: EntityKind, node_name: str, topic: str, type_name: str = STRING) -> EndpointToken:
-    return EndpointToken(
-        domain=0,
-        zid="a",
-        nid=1,
-        eid=next(_numbers),
-        kind=kind,
-        namespace="/",
-        node=node_name,
-        name=topic,
-        type_name=type_name,
-        type_hash="RIHS01_0",
-        qos=QoSProfile(depth=1),
-    )
+    return endpoint_token(topic, kind=kind, node=node_name, type_name=type_name)
 
 
 def publishes(node_name: str, topic: str, type_name: str = STRING) -> EndpointToken:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from tests.conftest import in_threads
 from zbot.interfaces import (
     definition_text,
     get_action,
@@ -279,13 +280,9 @@ def test_threads_get_the_same_class(workspace: Path) -> None:
     found: list[type[Any]] = []
     start = threading.Barrier(8)
 
-    def look_up() -> None:
+    def look_up(_: int) -> None:
         start.wait()
         found.append(get_message("threaded_interfaces/msg/Pair"))
 
-    threads = [threading.Thread(target=look_up) for _ in range(8)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    in_threads(look_up, 8)
     assert len(set(found)) == 1

@@ -51,7 +51,7 @@ def test_points_are_chosen_by_field_value_and_index() -> None:
     assert read_points_numpy(cloud, skip_nans=True).shape == (3, 3)
     assert read_points_numpy(cloud, ["x", "z"], skip_nans=True).shape == (4, 2)
     assert read_points(cloud, uvs=[3, 0])["x"].tolist() == [6.0, 0.0]
-    cloud.is_dense = True  # this skips no points
+    cloud.is_dense = True  # states that every point is valid
     assert len(read_points(cloud, skip_nans=True)) == 4
 
 

@@ -8,6 +8,7 @@ import pytest
 from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, invariant, rule
 
+from tests.conftest import in_threads
 from zbot.lifecycle.state_machine import (
     ERROR_PROCESSING,
     FINALIZED,
@@ -155,6 +156,7 @@ def test_of_threads_that_leave_a_state_one_succeeds() -> None:
         barrier = threading.Barrier(4)
 
         def leave(
+            _: int,
             machine: StateMachine = machine,
             barrier: threading.Barrier = barrier,
             refusals: list[TransitionNotPossibleError] = refusals,
@@ -165,11 +167,7 @@ def test_of_threads_that_leave_a_state_one_succeeds() -> None:
             except TransitionNotPossibleError as error:
                 refusals.append(error)
 
-        threads = [threading.Thread(target=leave) for _ in range(4)]
-        for thread in threads:
-            thread.start()
-        for thread in threads:
-            thread.join()
+        in_threads(leave, 4)
         assert len(refusals) == 3
 
 

@@ -59,31 +59,26 @@ def test_skip_first_and_once_write_the_second() -> None:
     assert logged == [False, True, False, False]
 
 
-def test_throttle_writes_one_line_in_its_duration() -> None:
+@pytest.mark.parametrize(
+    ("duration_s", "times_s", "expected"),
+    [
+        (1.0, (1.0, 1.5, 1.99, 2.0, 2.5, 7.0, 7.1), [True, False, False, True, False, True, False]),
+        (1.0, (100.0, 100.5, 0.0, 0.5), [True, False, True, False]),
+        (2.0, (0.0, 1.0, 2.0, 3.0), [False, False, True, False]),
+    ],
+    ids=["one line in its duration", "simulated time begins again", "it has not begun"],
+)
+def test_throttle_measures_the_time_of_its_clock(
+    duration_s: float, times_s: tuple[float, ...], expected: list[bool]
+) -> None:
     logger, clock, logged = get_logger("sensor"), FakeClock(), []
-    for clock.sec in (1.0, 1.5, 1.99, 2.0, 2.5, 7.0, 7.1):
-        logged.append(
-            logger.info("text", throttle_duration_sec=1.0, throttle_time_source_type=clock)
-        )
-    assert logged == [True, False, False, True, False, True, False]
-
-
-def test_throttle_writes_when_simulated_time_begins_again() -> None:
-    logger, clock, logged = get_logger("sensor"), FakeClock(), []
-    for clock.sec in (100.0, 100.5, 0.0, 0.5):
-        logged.append(
-            logger.info("text", throttle_duration_sec=1.0, throttle_time_source_type=clock)
-        )
-    assert logged == [True, False, True, False]
-
-
-def test_throttle_waits_until_simulated_time_has_begun() -> None:
-    logger, clock, logged = get_logger("sensor"), FakeClock(), []
-    for clock.sec in (0.0, 1.0, 2.0, 3.0):
-        logged.append(
-            logger.info("text", throttle_duration_sec=2.0, throttle_time_source_type=clock)
-        )
-    assert logged == [False, False, True, False]
+    options: dict[str, Any] = {
+        "throttle_duration_sec": duration_s,
+        "throttle_time_source_type": clock,
+    }
+    for clock.sec in times_s:
+        logged.append(logger.info("text", **options))
+    assert logged == expected
 
 
 def test_throttle_measures_monotonic_time_by_default() -> None:

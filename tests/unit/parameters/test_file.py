@@ -9,6 +9,7 @@ from zbot.parameters.errors import ParametersFileError, ParameterValueError
 from zbot.parameters.file import load, matches, parse_value, sections
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
 
@@ -168,20 +169,15 @@ three: {ros__parameters: {<<: *values, b: 2}}
     assert load(path, "/three") == {"a": 1, "b": 2}
 
 
-def test_a_missing_file_is_named() -> None:
-    with pytest.raises(ParametersFileError, match=r"no/such\.yaml: No such file"):
-        load("no/such.yaml", "/a")
-
-
 def test_values_keep_their_types(tmp_path: Path) -> None:
     text = "/**:\n  ros__parameters: {a: 1, b: 1e3, c: on, d: '1', e: [x, y]}\n"
     expected: dict[str, Any] = {"a": 1, "b": 1000.0, "c": True, "d": "1", "e": ["x", "y"]}
     assert load(written(tmp_path, text), "/n") == expected
 
 
-def test_a_missing_file_is_a_file_not_found_error(tmp_path: Path) -> None:
-    path = str(tmp_path / "none.yaml")
-    with pytest.raises(FileNotFoundError, match=r"cannot use the parameter file .*none\.yaml: No"):
-        sections(path)
-    with pytest.raises(ParametersFileError):
-        sections(path)
+@pytest.mark.parametrize("read", [sections, lambda path: load(path, "/a")])
+def test_a_missing_file_is_a_file_not_found_error(read: Callable[[str], object]) -> None:
+    reason = r"cannot use the parameter file .*no/such\.yaml: No such file"
+    with pytest.raises(ParametersFileError, match=reason) as caught:
+        read("no/such.yaml")
+    assert isinstance(caught.value, FileNotFoundError)

@@ -1,31 +1,19 @@
 from __future__ import annotations
 
-from itertools import count
-
+from tests.unit.tokens import STRING, endpoint_token
 from zbot.graph.snapshot import Snapshot
-from zbot.qos import QoSProfile
 from zbot.web.topic_rows import topic_rows
 from zbot.wire.tokens import EndpointToken, EntityKind
 
-STRING, FLOAT = "std_msgs/msg/String", "std_msgs/msg/Float32"
+FLOAT = "std_msgs/msg/Float32"
 OWN = "/_zbot_web_1"
-_numbers = count(1)
 
 
 def end(node: str, topic: str, type_name: str = STRING, *, publishes: bool = True) -> EndpointToken:
     namespace, _, name = node.rpartition("/")
-    return EndpointToken(
-        domain=0,
-        zid="a",
-        nid=1,
-        eid=next(_numbers),
-        kind=EntityKind.PUBLISHER if publishes else EntityKind.SUBSCRIPTION,
-        namespace=namespace or "/",
-        node=name,
-        name=topic,
-        type_name=type_name,
-        type_hash="RIHS01_0",
-        qos=QoSProfile(depth=1),
+    kind = EntityKind.PUBLISHER if publishes else EntityKind.SUBSCRIPTION
+    return endpoint_token(
+        topic, kind=kind, namespace=namespace or "/", node=name, type_name=type_name
     )
 
 

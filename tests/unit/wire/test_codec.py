@@ -1,7 +1,6 @@
 from __future__ import annotations
 
 import math
-import threading
 from array import array
 from dataclasses import dataclass
 from typing import Annotated, Any
@@ -9,69 +8,59 @@ from typing import Annotated, Any
 import msgpack  # type: ignore[import-untyped]
 import pytest
 
+import zbot  # noqa: F401 - makes the messages importable
+from tests.conftest import in_threads
+from tests.unit.wire.coded import decode, encode, packb
 from zbot.errors import ExternalShutdownException
 from zbot.interfaces import get_interface, get_message
 from zbot.interfaces.errors import NotAMessageTypeError
 from zbot.wire.codec import codec_for
 from zbot.wire.errors import CodecError
 
-packb: Any = msgpack.packb
-
-
-def class_of(name: str) -> Any:
-    """Return a message class as Any: type checkers do not know its fields."""
-    return get_message(name)
-
-
-String = class_of("std_msgs/msg/String")
-Twist = class_of("geometry_msgs/msg/Twist")
-Image = class_of("sensor_msgs/msg/Image")
-LaserScan = class_of("sensor_msgs/msg/LaserScan")
-Odometry = class_of("nav_msgs/msg/Odometry")
-Path = class_of("nav_msgs/msg/Path")
-Float32 = class_of("std_msgs/msg/Float32")
-Float64 = class_of("std_msgs/msg/Float64")
-ByteMultiArray = class_of("std_msgs/msg/ByteMultiArray")
-Byte = class_of("std_msgs/msg/Byte")
-
-
-def encode(value: Any) -> bytes:
-    return codec_for(type(value)).encode(value)
-
-
-def decode(message_class: Any, value: Any) -> Any:
-    data = value if isinstance(value, (bytes, bytearray, memoryview)) else packb(value)
-    return codec_for(message_class).decode(data)
+from geometry_msgs.msg import PoseStamped, Twist, Vector3
+from nav_msgs.msg import Odometry, Path
+from sensor_msgs.msg import Image, LaserScan
+from std_msgs.msg import (
+    Bool,
+    Byte,
+    ByteMultiArray,
+    Empty,
+    Float32,
+    Int16MultiArray,
+    String,
+    UInt8MultiArray,
+)
+from unique_identifier_msgs.msg import UUID
 
 
 @pytest.mark.parametrize(
     ("message", "value"),
     [
         (String(data="hé"), {"data": "hé"}),
-        (class_of("std_msgs/msg/Empty")(), {}),
+        (Empty(), {}),
         (
-            Twist(linear=class_of("geometry_msgs/msg/Vector3")(x=0.5)),
+            Twist(linear=Vector3(x=0.5)),
             {"linear": {"x": 0.5, "y": 0.0, "z": 0.0}, "angular": {"x": 0.0, "y": 0.0, "z": 0.0}},
         ),
-        (class_of("std_msgs/msg/Bool")(data=True), {"data": True}),
+        (Bool(data=True), {"data": True}),
         (Byte(data=b"\x07"), {"data": 7}),
         (
             ByteMultiArray(data=[b"\x01", b"\xff"]),
             {"layout": {"dim": [], "data_offset": 0}, "data": b"\1\xff"},
         ),
         (
-            class_of("std_msgs/msg/UInt8MultiArray")(data=b"\1\2"),
+            UInt8MultiArray(data=b"\1\2"),
             {"layout": {"dim": [], "data_offset": 0}, "data": b"\1\2"},
         ),
         (
-            class_of("std_msgs/msg/Int16MultiArray")(data=[1, -2]),
+            Int16MultiArray(data=[1, -2]),
             {
                 "layout": {"dim": [], "data_offset": 0},
                 "data": msgpack.ExtType(ord("h"), b"\x01\x00\xfe\xff"),
             },
         ),
         (
-            class_of("unique_identifier_msgs/msg/UUID")(uuid=range(16)),
+            UUID(uuid=range(16)),
             {"uuid": bytes(range(16))},
         ),
     ],
@@ -97,7 +86,8 @@ def test_extension_codes_are_array_typecodes() -> None:
         ("Float32", "f"),
         ("Float64", "d"),
     ]:
-        message = class_of(f"std_msgs/msg/{name}MultiArray")(data=[1, 2, 3])
+        message_class: Any = get_message(f"std_msgs/msg/{name}MultiArray")
+        message = message_class(data=[1, 2, 3])
         extension = msgpack.unpackb(encode(message))["data"]
         assert (extension.code, len(extension.data)) == (
             ord(typecode),
@@ -115,7 +105,8 @@ def test_a_nested_numeric_array_is_an_extension_too() -> None:
 
 
 def test_a_map_with_many_fields_keeps_its_order() -> None:
-    marker = class_of("visualization_msgs/msg/Marker")(id=5, text="here")
+    marker_class: Any = get_message("visualization_msgs/msg/Marker")
+    marker = marker_class(id=5, text="here")
     value = msgpack.unpackb(encode(marker))
     assert list(value) == list(type(marker).get_fields_and_field_types())
     assert decode(type(marker), encode(marker)) == marker
@@ -142,7 +133,7 @@ def test_large_numeric_arrays_round_trip() -> None:
 
 
 def test_long_lists_round_trip() -> None:
-    path = Path(poses=[class_of("geometry_msgs/msg/PoseStamped")() for _ in range(1500)])
+    path = Path(poses=[PoseStamped() for _ in range(1500)])
     assert decode(Path, encode(path)) == path
 
 
@@ -226,9 +217,5 @@ def test_threads_share_codecs() -> None:
             if decode(String, encode(message)) != message:
                 failures.append(message.data)
 
-    threads = [threading.Thread(target=work, args=(number,)) for number in range(4)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    in_threads(work, 4)
     assert not failures

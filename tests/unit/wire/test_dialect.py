@@ -1,9 +1,8 @@
 from __future__ import annotations
 
-from zbot.qos import QoSProfile
+from tests.unit.tokens import endpoint_token
 from zbot.wire.dialect import CLASSROOM, NATIVE
 from zbot.wire.keys import SHARED_DOMAIN
-from zbot.wire.tokens import EndpointToken, EntityKind
 
 
 def test_names_below_class_have_one_key_in_all_domains_of_a_class() -> None:
@@ -23,19 +22,8 @@ def test_tokens_of_two_domains_are_selected_in_a_class() -> None:
 
 
 def test_the_token_of_a_shared_topic_round_trips() -> None:
-    token = EndpointToken(
-        domain=CLASSROOM.domain_of(17, "/class/news"),
-        zid="a1",
-        nid=0,
-        eid=1,
-        kind=EntityKind.PUBLISHER,
-        namespace="/",
-        node="talker",
-        name="/class/news",
-        type_name="std_msgs/msg/String",
-        type_hash="RIHS01_0",
-        qos=QoSProfile(depth=10),
-    )
+    domain = CLASSROOM.domain_of(17, "/class/news")
+    token = endpoint_token("/class/news", domain=domain, zid="a1", nid=0, eid=1)
     assert token.key.startswith("@zbot/class/a1/0/1/MP/%/%/talker/%class%news/")
     read = CLASSROOM.parse_token(token.key)
     assert read == token

@@ -62,19 +62,7 @@ def expose_action(name: str) -> Callable[[Exposed], Exposed]:
 
     The function takes the entity and the parser, and returns a class and its keyword arguments.
     """
-
-    def register(exposed: Exposed) -> Exposed:
-        parse: Callable[..., Any] = getattr(exposed, "parse", exposed)
-
-        def build(entity: Entity, parser: Parser) -> LaunchDescriptionEntity:
-            made, arguments = parse(entity, parser)
-            entity_made: LaunchDescriptionEntity = made(**arguments)
-            return entity_made
-
-        ACTIONS[name] = build
-        return exposed
-
-    return register
+    return _registered_in(ACTIONS, name)
 
 
 def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
@@ -82,16 +70,18 @@ def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
 
     The function takes the arguments, and returns a class and its keyword arguments.
     """
+    return _registered_in(_EXPOSED, name)
 
+
+def _registered_in(builders: dict[str, Any], name: str) -> Callable[[Exposed], Exposed]:
     def register(exposed: Exposed) -> Exposed:
         parse: Callable[..., Any] = getattr(exposed, "parse", exposed)
 
-        def build(arguments: list[list[Substitution]]) -> Substitution:
-            made, options = parse(arguments)
-            substitution: Substitution = made(**options)
-            return substitution
+        def build(*arguments: Any) -> Any:
+            made, options = parse(*arguments)
+            return made(**options)
 
-        _EXPOSED[name] = build
+        builders[name] = build
         return exposed
 
     return register
@@ -105,20 +95,13 @@ def _joined(arguments: list[list[Substitution]]) -> list[Substitution]:
     return parts
 
 
+def _with_option(make: Callable[..., Substitution], option: str) -> Callable[..., Substitution]:
+    """Return a factory that passes its second argument, if there is one, under a keyword."""
+    return lambda first, *second: make(first, **({option: second[0]} if second else {}))
+
+
 def _optional_environment(name: Any, default: Any = "") -> Substitution:
     return subs.EnvironmentVariable(name, default_value=default)
-
-
-def _environment(name: Any, default: Any = None) -> Substitution:
-    return subs.EnvironmentVariable(name, default_value=default)
-
-
-def _configuration(name: Any, default: Any = None) -> Substitution:
-    return subs.LaunchConfiguration(name, default=default)
-
-
-def _command(command: Any, on_stderr: Any = "fail") -> Substitution:
-    return subs.Command(command, on_stderr=on_stderr)
 
 
 def _expression(*words: Any) -> Substitution:
@@ -127,19 +110,13 @@ def _expression(*words: Any) -> Substitution:
     return subs.PythonExpression(_joined([*words]))
 
 
-def _loop_value(name: Any, default: Any = None) -> Substitution:
-    return subs.ForEachVar(name, default_value=default)
-
-
-def _parameter(name: Any, default: Any = None) -> Substitution:
-    return subs.Parameter(name, default=default)
-
+_configuration = _with_option(subs.LaunchConfiguration, "default")
 
 #: For each substitution: its factory, its minimum and its maximum number of arguments.
 _FACTORIES: dict[str, tuple[Callable[..., Substitution], int, int]] = {
     "var": (_configuration, 1, 2),
     "arg": (_configuration, 1, 2),
-    "env": (_environment, 1, 2),
+    "env": (_with_option(subs.EnvironmentVariable, "default_value"), 1, 2),
     "optenv": (_optional_environment, 1, 2),
     "find-pkg-share": (subs.FindPackageShare, 1, 1),
     "find-pkg-prefix": (subs.FindPackagePrefix, 1, 1),
@@ -152,7 +129,7 @@ _FACTORIES: dict[str, tuple[Callable[..., Substitution], int, int]] = {
     "launch_log_dir": (subs.LaunchLogDir, 0, 0),
     "log_dir": (subs.LaunchLogDir, 0, 0),
     "eval": (_expression, 1, 999),
-    "command": (_command, 1, 2),
+    "command": (_with_option(subs.Command, "on_stderr"), 1, 2),
     "not": (subs.NotSubstitution, 1, 1),
     "and": (subs.AndSubstitution, 2, 2),
     "or": (subs.OrSubstitution, 2, 2),
@@ -168,9 +145,9 @@ _FACTORIES: dict[str, tuple[Callable[..., Substitution], int, int]] = {
     "path-join": (lambda *parts: subs.PathJoinSubstitution(parts), 1, 999),
     "str-join": (lambda *parts: subs.StringJoinSubstitution(parts[1:], parts[0]), 1, 999),
     "string-join": (lambda *parts: subs.StringJoinSubstitution(parts[1:], parts[0]), 1, 999),
-    "for-var": (_loop_value, 1, 2),
+    "for-var": (_with_option(subs.ForEachVar, "default_value"), 1, 2),
     "index": (subs.ForLoopIndex, 1, 1),
-    "param": (_parameter, 1, 2),
+    "param": (_with_option(subs.Parameter, "default"), 1, 2),
     "anon": (subs.AnonName, 1, 1),
     "pathsep": (lambda: TextSubstitution(text=os.pathsep), 0, 0),
 }

@@ -9,7 +9,14 @@ from zbot.errors import ZbotError
 from zbot.launch import actions
 from zbot.launch.actions.composable import ComposableNode
 from zbot.launch.frontend.registry import action, expose_action
-from zbot.launch.frontend.tags import boolean, process_options, required_text, text, words
+from zbot.launch.frontend.tags import (
+    add_plain_tags,
+    boolean,
+    process_options,
+    required_text,
+    text,
+    words,
+)
 from zbot.launch.parameters import ParameterFile, ParameterValue
 from zbot.launch.substitution import TextSubstitution
 from zbot.parameters.file import parse_value
@@ -135,11 +142,14 @@ def lifecycle_node_options(entity: Entity, parser: Parser) -> dict[str, Any]:
 
 expose_action("node")(actions.Node)
 expose_action("lifecycle_node")(actions.LifecycleNode)
-
-
-@action("push_ros_namespace")
-def _push_namespace(entity: Entity, parser: Parser) -> Action:
-    return actions.PushROSNamespace(required_text(entity, parser, "namespace"))
+add_plain_tags(
+    {
+        "push_ros_namespace": (actions.PushROSNamespace, "namespace"),
+        "set_remap": (actions.SetRemap, "from", "to"),
+        "set_use_sim_time": (actions.SetUseSimTime, "value"),
+        "set_ros_log_dir": (actions.SetROSLogDir, "new_log_dir"),
+    }
+)
 
 
 @action("set_parameter")
@@ -152,23 +162,6 @@ def _set_parameters(entity: Entity, parser: Parser) -> Action:
     return actions.SetParametersFromFile(
         required_text(entity, parser, "filename"), node_name=text(entity, parser, "node")
     )
-
-
-@action("set_remap")
-def _set_remap(entity: Entity, parser: Parser) -> Action:
-    return actions.SetRemap(
-        required_text(entity, parser, "from"), required_text(entity, parser, "to")
-    )
-
-
-@action("set_use_sim_time")
-def _use_sim_time(entity: Entity, parser: Parser) -> Action:
-    return actions.SetUseSimTime(required_text(entity, parser, "value"))
-
-
-@action("set_ros_log_dir")
-def _set_log_dir(entity: Entity, parser: Parser) -> Action:
-    return actions.SetROSLogDir(required_text(entity, parser, "new_log_dir"))
 
 
 @action("ros_timer")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from functools import partial
 from typing import TYPE_CHECKING, Any, Final
 
 from zbot.launch import actions
@@ -110,15 +111,44 @@ def process_options(entity: Entity, parser: Parser) -> dict[str, Any]:
             raise entity.error(f"'on_exit' can only be 'shutdown', not '{options['on_exit']}'")
     if "respawn_max_retries" in options:
         options["respawn_max_retries"] = entity.get_attr("respawn_max_retries", data_type=int)
-    environment = _environment(entity, parser)
+    environment = _named_values(entity, parser, "env")
     return {**options, **({"additional_env": environment} if environment else {})}
 
 
-def _environment(entity: Entity, parser: Parser) -> dict[Any, list[Substitution]]:
+def _named_values(entity: Entity, parser: Parser, tag: str) -> dict[Any, list[Substitution]]:
     return {
-        parser.parse_substitution(one.required("name"))[0]: required_text(one, parser, "value")
-        for one in entity.children_of_type("env")
+        required_text(one, parser, "name")[0]: required_text(one, parser, "value")
+        for one in entity.children_of_type(tag)
     }
+
+
+def add_plain_tags(tags: dict[str, tuple[Any, ...]]) -> None:
+    """Register tags that need all their attributes.
+
+    Args:
+        tags: For each tag: the class of the action, and the attributes with its arguments.
+    """
+    for tag, (kind, *attributes) in tags.items():
+        action(tag)(partial(_plain_action, kind, attributes))
+
+
+def _plain_action(kind: Any, attributes: list[str], entity: Entity, parser: Parser) -> Action:
+    made: Action = kind(*(required_text(entity, parser, name) for name in attributes))
+    return made
+
+
+add_plain_tags(
+    {
+        "let": (actions.SetLaunchConfiguration, "name", "value"),
+        "unset_let": (actions.UnsetLaunchConfiguration, "name"),
+        "unset_launch_configuration": (actions.UnsetLaunchConfiguration, "name"),
+        "set_env": (actions.SetEnvironmentVariable, "name", "value"),
+        "unset_env": (actions.UnsetEnvironmentVariable, "name"),
+        "push_env": (actions.PushEnvironment,),
+        "pop_env": (actions.PopEnvironment,),
+        "reset_env": (actions.ResetEnvironment,),
+    }
+)
 
 
 @action("arg")
@@ -129,13 +159,6 @@ def _argument(entity: Entity, parser: Parser) -> Action:
         default_value=text(entity, parser, "default"),
         description=entity.text("description"),
         choices=choices or None,
-    )
-
-
-@action("let")
-def _let(entity: Entity, parser: Parser) -> Action:
-    return actions.SetLaunchConfiguration(
-        required_text(entity, parser, "name"), required_text(entity, parser, "value")
     )
 
 
@@ -151,16 +174,12 @@ def _include(entity: Entity, parser: Parser) -> Action:
 
 @action("group")
 def _group(entity: Entity, parser: Parser) -> Action:
-    kept = {
-        parser.parse_substitution(one.required("name"))[0]: required_text(one, parser, "value")
-        for one in entity.children_of_type("keep")
-    }
     inside = [one for one in entity.children if one.type_name != "keep"]
     return actions.GroupAction(
         [parser.parse_action(one) for one in inside],
         scoped=boolean(entity, "scoped", default=True),
         forwarding=boolean(entity, "forwarding", default=True),
-        launch_configurations=kept,
+        launch_configurations=_named_values(entity, parser, "keep"),
     )
 
 
@@ -185,18 +204,6 @@ def _for_each(entity: Entity, parser: Parser) -> Action:
     return actions.ForEach(required_text(entity, parser, "values"), function=one_iteration)
 
 
-@action("set_env")
-def _set_env(entity: Entity, parser: Parser) -> Action:
-    return actions.SetEnvironmentVariable(
-        required_text(entity, parser, "name"), required_text(entity, parser, "value")
-    )
-
-
-@action("unset_env")
-def _unset_env(entity: Entity, parser: Parser) -> Action:
-    return actions.UnsetEnvironmentVariable(required_text(entity, parser, "name"))
-
-
 @action("append_env")
 def _append_env(entity: Entity, parser: Parser) -> Action:
     return actions.AppendEnvironmentVariable(
@@ -209,36 +216,12 @@ def _append_env(entity: Entity, parser: Parser) -> Action:
 
 @action("rep_env")
 def _replace_env(entity: Entity, parser: Parser) -> Action:
-    return actions.ReplaceEnvironmentVariables(_environment(entity, parser))
-
-
-@action("push_env")
-def _push_env(_: Entity, __: Parser) -> Action:
-    return actions.PushEnvironment()
-
-
-@action("pop_env")
-def _pop_env(_: Entity, __: Parser) -> Action:
-    return actions.PopEnvironment()
-
-
-@action("reset_env")
-def _reset_env(_: Entity, __: Parser) -> Action:
-    return actions.ResetEnvironment()
-
-
-@action("unset_let", "unset_launch_configuration")
-def _unset_let(entity: Entity, parser: Parser) -> Action:
-    return actions.UnsetLaunchConfiguration(required_text(entity, parser, "name"))
+    return actions.ReplaceEnvironmentVariables(_named_values(entity, parser, "env"))
 
 
 @action("reset")
 def _reset(entity: Entity, parser: Parser) -> Action:
-    kept = {
-        parser.parse_substitution(one.required("name"))[0]: required_text(one, parser, "value")
-        for one in entity.children_of_type("keep")
-    }
-    return actions.ResetLaunchConfigurations(kept)
+    return actions.ResetLaunchConfigurations(_named_values(entity, parser, "keep"))
 
 
 @action("log")

@@ -39,7 +39,6 @@ class _FormatterPerLogger:
         self._formatters.pop(_name(logger), None)
 
     def format(self, record: logging.LogRecord) -> str:
-        """Return a line in the format of its logger."""
         own = self._formatters.get(record.name)
         if own is not None:
             return own.format(record)

@@ -67,7 +67,7 @@ def expected_output_from_file(path: str, encoding: str | None = None) -> list[An
     Args:
         path: The file without its suffix. A file `.txt` contains lines, a file `.regex` contains
             patterns.
-        encoding: The encoding of the file, e.g. `unicode_escape` for characters as escapes.
+        encoding: The encoding of the file, e.g. `unicode_escape` if it contains escapes.
 
     Raises:
         LaunchTestError: Neither file exists.

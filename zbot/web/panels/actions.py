@@ -121,7 +121,6 @@ class _ActionDetails:
         self.section.live(self.update, _FEEDBACK_HZ)
 
     def changed(self) -> None:
-        """Use the changed inputs."""
         if self.client is None:
             return
         is_right = not self.form.problems
@@ -136,7 +135,6 @@ class _ActionDetails:
         self.count += 1
 
     def update(self) -> None:
-        """Show the latest feedback."""
         feedback, self.feedback = self.feedback, None
         if feedback is not None:
             self.feedback_view.show(feedback, f"number {self.count}")
@@ -148,7 +146,6 @@ class _ActionDetails:
         self.send_button.set_enabled(goal is None)
 
     async def send(self) -> None:
-        """Send a goal and wait for its result."""
         if self.client is None or self.form.problems:
             return
         self.count, self.feedback = 0, None
@@ -180,7 +177,6 @@ class _ActionDetails:
         self.result_view.show(outcome.result)
 
     async def cancel(self) -> None:
-        """Ask the server to stop the goal."""
         goal = self.goal
         if goal is None:
             return
@@ -190,7 +186,6 @@ class _ActionDetails:
             ui.notify("The server refused to cancel: the goal goes on.", type="warning")
 
     def say(self, text: str, classes: str = "") -> None:
-        """Show the state of the goal."""
         self.state.set_text(text)
         self.state.classes(replace=f"zb-goal-state {classes}")
 

@@ -76,8 +76,6 @@ class _Class:
         self.choose(self.chosen)
         page.live(self.update, _DRAW_HZ)
 
-    # -- asking --------------------------------------------------------------------------------
-
     def update(self) -> None:
         """Show the last answer, and query the classroom again if it is time."""
         if not self.is_asking and time.monotonic() - self.asked_s > _PERIOD_S:
@@ -97,10 +95,7 @@ class _Class:
         finally:
             self.is_asking, self.asked_s = False, time.monotonic()
 
-    # -- showing -------------------------------------------------------------------------------
-
     def show(self) -> None:
-        """Show the last answer of the classroom."""
         students = self.found["students"] if self.found else []
         self.empty.set_text(self.problem or ("" if students else "No student has joined yet"))
         self.empty.set_visibility(not students)

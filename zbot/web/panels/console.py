@@ -59,10 +59,7 @@ class _Console:
         self.pause = ui.button("Pause", on_click=self.toggle_pause).props("outline dense")
         ui.button("Clear", on_click=self.clear).props("outline dense")
 
-    # -- filters and buttons -------------------------------------------------------------------
-
     def change(self) -> None:
-        """Use the changed filter."""
         logger = "" if self.node.value in {_ANY, None} else str(self.node.value)
         self.filter = LogFilter(int(self.level.value), logger, (self.text.value or "").strip())
         self.is_reset = True
@@ -80,12 +77,9 @@ class _Console:
         self.pause.set_text("Resume" if self.is_paused else "Pause")
 
     def clear(self) -> None:
-        """Remove all lines from this page."""
         self.begin = self.last = self.logs.last
         self.counts.clear()
         self.is_reset = True
-
-    # -- updates -------------------------------------------------------------------------------
 
     def update(self) -> None:
         """Show the new lines. If the filter has changed, show all lines again."""

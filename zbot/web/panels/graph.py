@@ -52,8 +52,6 @@ class GraphPanel:
         page.live(self.update_rates, _RATE_HZ)
         self.choose(page.query.get(_CHOSEN, ""))
 
-    # -- drawing -------------------------------------------------------------------------------
-
     def update(self) -> None:
         """Draw the graph again if the graph or the options have changed."""
         state = (self.page.system.revision, self.options)
@@ -106,8 +104,6 @@ class GraphPanel:
         names = ", ".join(view.left_out)
         self._left_out.set_text(f"not shown: {names}" if names else "")
 
-    # -- options -------------------------------------------------------------------------------
-
     def change(self, options: GraphOptions) -> None:
         """Draw the graph with other options, and put the options into the address."""
         self.options = options
@@ -132,8 +128,6 @@ class GraphPanel:
     def show_command(self) -> None:
         """Show the command that prints the graph in the page."""
         self.page.show_command(self.options.command)
-
-    # -- details -------------------------------------------------------------------------------
 
     def choose(self, key: str) -> None:
         """Show the details of a node, topic or action. Close them if the key is empty."""

@@ -57,7 +57,6 @@ class _NodeParameters:
         section.live(self.update, _LIVE_HZ)
 
     async def fill(self) -> None:
-        """Get the node's parameters and show them."""
         try:
             found = await load(self.section.system, self.node)
         except ZbotError as error:
@@ -74,7 +73,6 @@ class _NodeParameters:
                 ui.label("This node has no parameters.").classes("zb-muted")
 
     def update(self) -> None:
-        """Show changed parameters."""
         for record in self.watch.since(self.last):
             self.last = record.number
             event = self.watch.read(record)

@@ -83,8 +83,6 @@ class _Plot:
                 button = ui.button(text, icon=icon).props("outline dense")
                 button.on_click(lambda _, name=function: self.page.call(name, self.chart.id))
 
-    # -- curves --------------------------------------------------------------------------------
-
     def proposals(self) -> list[str]:
         """Return the names of curves that the user can add now."""
         found: list[str] = []
@@ -113,7 +111,6 @@ class _Plot:
         return True
 
     def remove(self, name: str) -> None:
-        """Remove a curve."""
         self.curves.remove(name)
         self.show_state()
 
@@ -125,10 +122,7 @@ class _Plot:
         if query != self.page.query:
             self.page.set_query(**query)
 
-    # -- display -------------------------------------------------------------------------------
-
     def change_window(self, event: Any) -> None:
-        """Show another length of time."""
         self.window_s = event.value
         self.page.call("zbot.plot.setWindow", self.chart.id, self.window_s)
 
@@ -140,7 +134,6 @@ class _Plot:
         self.page.call("zbot.plot.setPaused", self.chart.id, self.paused)
 
     def draw(self) -> None:
-        """Send the new points."""
         points = self.curves.take()
         names = [curve.name for curve in self.curves.curves]
         if names != self.sent:
@@ -183,7 +176,6 @@ class _Plot:
         self.hint.set_visibility(not names)
 
     def add_row(self, name: str) -> None:
-        """Add a curve's row to the legend."""
         with self.legend, ui.element("div").classes("zb-legend-item") as row:
             self.dots[name] = ui.element("span").classes("zb-dot")
             ui.label(name).classes("zb-mono")

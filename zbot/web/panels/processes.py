@@ -68,7 +68,6 @@ class _Processes:
             self.is_looking = False
 
     def rows(self, _graph: Snapshot, hidden: bool) -> dict[str, list[str | Cell]]:
-        """Return a row for each process."""
         return {
             key: _row(one)
             for key, one in self.found.items()
@@ -76,7 +75,6 @@ class _Processes:
         }
 
     def details(self, section: Section, key: str) -> None:
-        """Show the details of one process."""
         _Details(section, self, key)
 
 
@@ -109,7 +107,6 @@ class _Details:
         section.live(self.update, 5.0)
 
     def update(self) -> None:
-        """Show the present state of the process."""
         found = self.owner.found.get(self.key)
         if found is None and self.one is not None:
             self.buttons.set_visibility(False)
@@ -132,7 +129,6 @@ class _Details:
         self.note.set_text("The process has been asked to stop.")
 
     async def kill(self) -> None:
-        """Kill the process."""
         self.end(force=True)
 
     def end(self, *, force: bool) -> None:

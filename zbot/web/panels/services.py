@@ -104,7 +104,6 @@ class _ServiceDetails:
         self.changed()
 
     def changed(self) -> None:
-        """Use the changed inputs."""
         is_right = not self.form.problems
         if self.section.page.read_only:
             return

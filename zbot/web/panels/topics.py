@@ -67,13 +67,9 @@ class _Topics:
         self.filter = (getattr(event, "value", None) or "").strip().lower()
 
     def toggle(self, event: object) -> None:
-        """Show or hide hidden topics."""
         self.hidden = bool(getattr(event, "value", False))
 
-    # -- list ----------------------------------------------------------------------------------
-
     def update(self) -> None:
-        """Show the present topics."""
         system = self.page.system
         state = (system.revision, self.filter, self.hidden)
         if state != self.seen:
@@ -84,7 +80,6 @@ class _Topics:
         self.empty.set_visibility(not self.topics)
 
     def find(self) -> list[TopicRow]:
-        """Return the topics that pass the filter."""
         system = self.page.system
         return [
             topic
@@ -102,7 +97,6 @@ class _Topics:
             self.watches[name] = self.page.watch(name)
 
     def row(self, topic: TopicRow) -> list[str | Cell]:
-        """Return the cells of one topic."""
         watch = self.watches.get(topic.name)
         rate = amount(watch.rate_hz, "Hz") if watch else ""
         size = amount(watch.bytes_per_second, "B/s") if watch else ""
@@ -116,8 +110,6 @@ class _Topics:
             size,
             brief(message) if message is not None else "",
         ]
-
-    # -- details -------------------------------------------------------------------------------
 
     def choose(self, topic: str) -> None:
         """Show a topic's details. Close them if they are already shown."""
@@ -134,7 +126,6 @@ class _Topics:
             show_topic(self.details, topic, self.close)
 
     def close(self) -> None:
-        """Close the details."""
         self.end_details()
         self.page.set_query()
         self.page.show_command("zbot topic list -t")
@@ -142,7 +133,6 @@ class _Topics:
         self.split.classes(remove="zb-split-open")
 
     def end_details(self) -> None:
-        """Remove the details of a topic."""
         if self.details is not None:
             self.details.close()
         self.details = None

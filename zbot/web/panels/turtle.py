@@ -61,8 +61,6 @@ class TurtlePanel:
         ui.on("zbot_turtle", lambda event: self._choose(str(event.args)))
         page.live(self._update)
 
-    # -- elements ------------------------------------------------------------------------------
-
     def _build(self) -> None:
         with ui.element("div").classes("zb-turtle-page"):
             with ui.element("div").classes("zb-col"):
@@ -147,8 +145,6 @@ class TurtlePanel:
         button.props("outline dense no-wrap")
         return button.classes("zb-button").tooltip(hint)
 
-    # -- updates -------------------------------------------------------------------------------
-
     def _update(self) -> None:
         if self._revision != self._page.system.revision:
             self._revision = self._page.system.revision
@@ -214,8 +210,6 @@ class TurtlePanel:
         _keep(self._pen_colour, _hex(seen.pen))
         _keep(self._pen_width, seen.pen_width)
         _keep(self._pen_down, seen.is_pen_down)
-
-    # -- buttons and keys ----------------------------------------------------------------------
 
     async def press(self, key: str) -> None:
         """Drive, turn or stop, depending on the key."""

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 _DEPTH = QoSProfile(depth=100)
 _STEP_S = 0.5  # Ctrl-C cannot interrupt waiting for the graph, so the command waits in steps
 
-#: Topic, type and quality of service of each part of an action, by ros2's names for the parts.
+#: Topic, type and quality of service of each part of an action, by ros2's name of the part.
 #: `{}` is the type of the action.
 _PARTS: dict[str, tuple[str, str, QoSProfile]] = {
     "GOAL_SERVICE": ("send_goal/_service_event", "{}_SendGoal_Event", _DEPTH),
