@@ -1,4 +1,4 @@
-"""What the lessons do with services: the bundled nodes and the command lines."""
+"""Tests of the services in the lessons: the bundled nodes and the command lines."""
 
 from __future__ import annotations
 
