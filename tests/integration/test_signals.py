@@ -155,7 +155,7 @@ try:
 except KeyboardInterrupt:
     other = threading.Thread(target=__import__, args=("sched",), daemon=True)
     other.start()
-    other.join(2)
+    other.join(30)
     print("imports", not other.is_alive())
 """
 
