@@ -130,8 +130,20 @@ except KeyboardInterrupt:
 """
 
 
-def test_ctrl_c_is_raised_again_when_python_drops_the_exception() -> None:
-    command = [sys.executable, "-c", DROPPED]
+SLOW_START = """
+import threading, time
+start = threading.Timer.start
+def slow_start(timer):
+    threading.Timer.start = start
+    timer.start()
+    time.sleep(0.1)
+threading.Timer.start = slow_start
+"""
+
+
+@pytest.mark.parametrize("before", ["", SLOW_START], ids=["at-once", "thread-starts-slowly"])
+def test_ctrl_c_is_raised_again_when_python_drops_the_exception(before: str) -> None:
+    command = [sys.executable, "-c", before + DROPPED]
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert (done.stdout, done.stderr) == ("heard\n", "")
 

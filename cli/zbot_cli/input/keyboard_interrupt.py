@@ -47,8 +47,14 @@ def _raise_again(dropped: sys.UnraisableHookArgs) -> None:
     if not issubclass(dropped.exc_type, KeyboardInterrupt):
         sys.__unraisablehook__(dropped)
         return
+    import contextlib  # noqa: PLC0415 - seldom used
     import threading  # noqa: PLC0415 - seldom used
 
-    again = threading.Timer(_RAISE_AGAIN_AFTER_S, signal.raise_signal, [signal.SIGINT])
-    again.daemon = True
-    again.start()
+    started = False
+    while not started:
+        again = threading.Timer(_RAISE_AGAIN_AFTER_S, signal.raise_signal, [signal.SIGINT])
+        again.daemon = True
+        # Where start() takes longer than the timer, the signal comes before this hook has ended.
+        with contextlib.suppress(KeyboardInterrupt):
+            again.start()
+            started = True
