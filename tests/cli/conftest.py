@@ -10,7 +10,38 @@ import pytest
 from zbot_cli.main import run_command
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
+
+    Write = Callable[..., Path]
+
+MANIFEST = """\
+<package format="3">
+  <name>{name}</name>
+  <version>0.0.0</version>
+  <description>x</description>
+  <maintainer email="a@x.org">a</maintainer>
+  <license>MIT</license>
+{more}  <export><build_type>{build_type}</build_type></export>
+</package>
+"""
+SETUP = """\
+from glob import glob
+from setuptools import setup
+name = '{name}'
+setup(
+    name=name,
+    packages=[name],
+    data_files=[
+        ('share/' + name, ['package.xml']),
+        ('share/' + name + '/launch', glob('launch/*')),
+        {data}
+    ],
+    entry_points={{'console_scripts': [
+        {scripts}
+    ]}},
+)
+"""
 
 
 @dataclass(frozen=True)
@@ -48,6 +79,33 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     source.mkdir(parents=True)
     monkeypatch.chdir(source.parent)
     return source
+
+
+@pytest.fixture
+def write(workspace: Path) -> Write:
+    """Return a function that writes a correct package, except for the given files."""
+
+    def make(
+        name: str = "robot",
+        *,
+        scripts: str = "",
+        data: str = "",
+        more: str = "",
+        build_type: str = "ament_python",
+        **files: str,
+    ) -> Path:
+        folder = workspace / name
+        whole = {"package.xml": MANIFEST.format(name=name, more=more, build_type=build_type)}
+        if build_type == "ament_python":
+            whole["setup.py"] = SETUP.format(name=name, scripts=scripts, data=data)
+            whole["setup.cfg"] = ""
+            whole[f"{name}/__init__.py"] = ""
+        for path, text in {**whole, **files}.items():
+            (folder / path).parent.mkdir(parents=True, exist_ok=True)
+            (folder / path).write_text(text)
+        return folder
+
+    return make
 
 
 def write_package(source: Path, name: str, **scripts: str) -> Path:

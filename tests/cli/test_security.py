@@ -42,7 +42,7 @@ def test_the_commands_of_ros2s_tutorial_work(tmp_path: Path) -> None:
 def test_the_verbs_may_be_written_with_dashes(tmp_path: Path) -> None:
     security(tmp_path, "create-keystore", "keys")
     out = security(tmp_path, "create-certificate", "keys", "teacher", "--ip", "10.0.0.5")
-    assert "created keys/enclaves/teacher: /teacher until" in out.replace(os.sep, "/")
+    assert "created keys/enclaves/teacher: /teacher, valid until" in out.replace(os.sep, "/")
     assert "10.0.0.5" in out
     assert json.loads(security(tmp_path, "list-enclaves", "keys", "--json")) == ["/teacher"]
 

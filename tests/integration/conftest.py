@@ -9,10 +9,13 @@ import pytest
 
 import zbot
 from tests.conftest import wait_until
+from zbot.qos import HistoryPolicy, QoSProfile
 
 if TYPE_CHECKING:
     from tests.conftest import MakeContext
     from zbot.log.record import Record
+
+KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
 
 
 @pytest.fixture

@@ -12,6 +12,7 @@ import pytest
 
 import zbot
 from tests.conftest import allowed, wait_until
+from tests.integration.conftest import await_match
 from zbot.errors import (
     InvalidHandleError,
     InvalidNamespaceError,
@@ -24,6 +25,7 @@ from zbot.qos import DurabilityPolicy, QoSProfile
 from zbot.wire.tokens import EndpointToken, NodeToken
 
 from std_msgs.msg import Float32, String
+from std_srvs.srv import Trigger
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -387,3 +389,28 @@ def test_the_nodes_of_a_finished_process_leave_the_graph(start: Start, observer:
     assert observer.wait_for_node("/guest", timeout=2)
     guest.stop()
     assert wait_until(lambda: observer.get_node_names() == ["observer"], timeout_s=1)
+
+
+def test_counts_follow_the_other_nodes_endpoints(talker: zbot.Node, listener: zbot.Node) -> None:
+    publisher = talker.create_publisher(String, "chatter", 10)
+    assert publisher.get_subscription_count() == 0
+    first = listener.create_subscription(String, "chatter", print, 10)
+    second = listener.create_subscription(String, "chatter", print, 10)
+    await_match(publisher, 2)
+    assert wait_until(lambda: first.get_publisher_count() == 1)
+    listener.destroy_subscription(second)
+    await_match(publisher, 1)
+    listener.context.shutdown()
+    await_match(publisher, 0)
+
+
+def test_endpoints_keep_their_given_names(make_context: MakeContext) -> None:
+    node = zbot.Node("named", namespace="/ns", context=make_context())
+    publisher = node.create_publisher(String, "~/news", 1)
+    subscription = node.create_subscription(String, "news", lambda _: None, 1)
+    assert (publisher.topic, publisher.topic_name) == ("~/news", "/ns/named/news")
+    assert (subscription.topic, subscription.topic_name) == ("news", "/ns/news")
+    client = node.create_client(Trigger, "help")
+    service = node.create_service(Trigger, "/help", lambda _, response: response)
+    assert (client.srv_name, client.service_name) == ("help", "/ns/help")
+    assert (service.srv_name, service.service_name) == ("/help", "/help")

@@ -96,3 +96,12 @@ def test_a_response_callback_is_called_until_it_is_cleared(node: zbot.Node) -> N
     client.handle.clear_on_new_response_callback()
     call()
     assert counts == [1]
+
+
+def test_a_nodes_handle_is_valid_until_the_end_of_its_block(talker: zbot.Node) -> None:
+    with talker.handle:
+        talker.handle.destroy_when_not_in_use()
+        with talker.handle:
+            pass
+    with pytest.raises(InvalidHandleError), talker.handle:
+        pass

@@ -27,7 +27,8 @@ _HEAD = """\
 
 This page lists every public module, class, function and method of rclpy 9.1 (ROS 2 Kilted).
 
-* **present**: the name is there. `tests/unit/compat/test_rclpy_calls.py` calls each of its methods.
+* **present**: the name is there. The tests in `tests/unit/compat/rclpy_calls/` call each of its
+  methods.
 * **partly**: the class is there. The listed methods are absent, have no effect, or do less.
 * **no-op**: programs can import the name, but it does nothing when the program runs. It is there
   for type annotations.
@@ -41,18 +42,18 @@ zbot differs from rclpy on purpose in these points:
   ends fails too. In rclpy the future stays pending for ever.
 * When a node is destroyed, all its entities disappear from the graph at the same time. This is
   also true for action servers. In rclpy an action server stays until its own `destroy()`.
-* A rate sleeps also when no executor spins in another thread.
+* `Rate.sleep()` works even if no executor spins in another thread.
 * A `MultiThreadedExecutor` has at least two threads if the program does not give a number.
 
 """
 #: Reasons for absent names; by module, by `module.name`, or by the name alone.
 WHY = {
-    "add_to_wait_set": "needs a wait set of the C library",
-    "is_ready": "needs a wait set of the C library",
+    "add_to_wait_set": "uses a wait set of the C library",
+    "is_ready": "uses a wait set of the C library",
     "get_num_entities": "counts entities for a wait set of the C library",
-    "take_data": "needs a wait set of the C library",
-    "execute": "needs a wait set of the C library",
-    "notify_goal_done": "works on the C library",
+    "take_data": "uses a wait set of the C library",
+    "execute": "uses a wait set of the C library",
+    "notify_goal_done": "changes an object of the C library",
     "get_c_duration": "returns a struct of the C library",
     "track_node": "takes nodes of the C library",
     "untrack_node": "takes nodes of the C library",
@@ -60,9 +61,10 @@ WHY = {
 }
 #: Methods that do less than in rclpy, by class and method.
 LIMITED = {
-    "Publisher.assert_liveliness": "subscriptions see no lost `MANUAL_BY_TOPIC` lease",
-    "Publisher.wait_for_all_acked": "`False` where other programs receive reliably: no "
-    "acknowledgement comes from them",
+    "Publisher.assert_liveliness": "subscriptions do not notice the end of a "
+    "`MANUAL_BY_TOPIC` lease",
+    "Publisher.wait_for_all_acked": "returns `False` if another program has a reliable "
+    "subscription, because other programs send no acknowledgements",
 }
 #: Names without effect, for annotations only, as in rclpy.
 ANNOTATIONS = {
@@ -136,9 +138,12 @@ def _listed(members: list[str]) -> str:
     reasons: dict[str, list[str]] = {}
     for member in members:
         reasons.setdefault(WHY.get(member, ""), []).append(f"`{member}`")
-    return ", ".join(
-        ", ".join(group) + (f" ({reason})" if reason else "") for reason, group in reasons.items()
-    )
+    return "; ".join(_reasoned(group, reason) for reason, group in reasons.items())
+
+
+def _reasoned(group: list[str], reason: str) -> str:
+    subject = "each" if len(group) > 1 else "it"
+    return ", ".join(group) + (f" ({subject} {reason})" if reason else "")
 
 
 def table() -> str:

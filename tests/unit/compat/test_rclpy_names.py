@@ -11,6 +11,8 @@ import pytest
 
 import zbot
 import zbot.compat
+from zbot import lifecycle
+from zbot.lifecycle import LifecycleState
 
 from example_interfaces.action import Fibonacci
 from std_msgs.msg import String
@@ -144,3 +146,16 @@ def test_annotations_name_an_actions_impl_or_leave_it_out(name: str) -> None:
     generic = getattr(importlib.import_module(f"rclpy.action.{module}"), short)
     messages = (Fibonacci.Goal, Fibonacci.Result, Fibonacci.Feedback)
     assert generic.__class_getitem__((*messages, Fibonacci.Impl)) == generic[messages]
+
+
+INACTIVE = LifecycleState("inactive", 2)
+ACTIVE = LifecycleState("active", 3)
+
+
+def test_rclpys_short_names_are_importable() -> None:
+    assert lifecycle.Node is lifecycle.LifecycleNode
+    assert lifecycle.NodeMixin is lifecycle.LifecycleNodeMixin
+    assert lifecycle.State is lifecycle.LifecycleState
+    assert lifecycle.Publisher is lifecycle.LifecyclePublisher
+    assert tuple(ACTIVE) == ("active", 3)
+    assert (INACTIVE.label, INACTIVE.state_id) == ("inactive", 2)

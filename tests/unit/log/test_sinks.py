@@ -80,7 +80,7 @@ def test_failing_sink_is_reported_once_and_keeps_getting_lines(
     log.remove_sink("robot.arm", fail)
     assert logged() == [
         "1",
-        "a sink of logger 'robot.arm' failed, reported once: OSError('no network for 1')",
+        "a sink of logger 'robot.arm' failed (more errors are hidden): OSError('no network for 1')",
         "2",
     ]
     assert [record.message for record in records] == ["1", "2"]

@@ -3,72 +3,21 @@
 from __future__ import annotations
 
 import json
-import re
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import pytest
 
 import zbot as library
 from tests.cli.command import zbot
-from zbot.parameters.file import sections
-from zbot.parameters.parameter import Parameter
+from tests.cli.param.conftest import SERVICE
 from zbot_cli.domain.client import hidden_node
-from zbot_cli.output.parameter_text import file_text, values_for
-
-from rcl_interfaces.msg import (  # isort: skip
-    FloatingPointRange,
-    IntegerRange,
-    ParameterDescriptor,
-)
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from tests.cli.conftest import Command
-    from tests.conftest import MakeContext, Spin, Start
-
-SERVICE = "/minimal_service"
+    from tests.conftest import MakeContext, Start
 
 
-@pytest.fixture
-def node(make_context: MakeContext, spin: Spin) -> library.Node:
-    """Return the node of the recordings: /minimal_service with `my_parameter` and `rate`."""
-    node = library.Node("minimal_service", context=make_context())
-    node.declare_parameter("my_parameter", "world")
-    node.declare_parameter("rate", 2.5)
-    spin(node)
-    return node
-
-
-@pytest.fixture
-def rich(make_context: MakeContext, spin: Spin) -> library.Node:
-    """Return a node with parameters of every type."""
-    node = library.Node("rich", context=make_context(), namespace="lab")
-    level = IntegerRange(from_value=0, to_value=255, step=5)
-    node.declare_parameter(
-        "level",
-        50,
-        ParameterDescriptor(
-            description="How much", additional_constraints="even on Sundays", integer_range=[level]
-        ),
-    )
-    share = FloatingPointRange(from_value=0.0, to_value=1.0, step=0.25)
-    node.declare_parameter(
-        "share", 0.5, ParameterDescriptor(read_only=True, floating_point_range=[share])
-    )
-    node.declare_parameter("free", None, ParameterDescriptor(dynamic_typing=True))
-    node.declare_parameter("group.flags", [True, False])
-    node.declare_parameter("group.numbers", [1, 2])
-    node.declare_parameter("group.gains", [0.5, 1e-7])
-    node.declare_parameter("group.words", ["a", "it's", "1e3", "true", ""])
-    node.declare_parameter("group.bytes", [b"\x01", b"\xff"])
-    node.declare_parameter("group", "also a value")
-    node.declare_parameter("port", Parameter.Type.INTEGER)
-    spin(node)
-    return node
-
-
-# -- as in ros2 --------------------------------------------------------------------------------
+# -- as in ros2 ------------------------------------------------------------------------------------
 
 
 @pytest.mark.usefixtures("node")
@@ -246,7 +195,7 @@ def test_a_list_can_be_filtered(zbot_command: Command) -> None:
     assert "--filter is not a regular expression" in result.err
 
 
-# -- what ros2 does not do ---------------------------------------------------------------------
+# -- what ros2 does not do -------------------------------------------------------------------------
 
 
 @pytest.mark.usefixtures("node", "rich")
@@ -316,116 +265,7 @@ def test_an_invalid_command_line_is_refused(zbot_command: Command, words: list[s
     assert zbot_command("param", *words).code == 2
 
 
-# -- dump and load -----------------------------------------------------------------------------
-
-
-def test_load_restores_what_dump_wrote(
-    zbot_command: Command, rich: library.Node, tmp_path: Path
-) -> None:
-    before = {name: one.value for name, one in rich.get_parameters_by_prefix("").items()}
-    path = tmp_path / "rich.yaml"
-    path.write_text(zbot_command("param", "dump", "/lab/rich").out)
-    changed = {
-        "level": 5,
-        "group": "x",
-        "group.flags": [],
-        "group.numbers": [9],
-        "group.gains": [9.0],
-        "group.words": ["x"],
-        "group.bytes": [b"x"],
-    }
-    results = rich.set_parameters([Parameter(name, value=one) for name, one in changed.items()])
-    assert all(one.successful for one in results)
-    result = zbot_command("param", "load", "/lab/rich", str(path))
-    assert {name: one.value for name, one in rich.get_parameters_by_prefix("").items()} == before
-    assert result.code == 0, "what is read-only and unchanged is no failure"
-    assert "Set parameter level successful\n" in result.out
-    assert result.err == (
-        "Set parameter share failed: Trying to set a read-only parameter: share.\n"
-        "Set parameter start_type_description_service failed: "
-        "Trying to set a read-only parameter: start_type_description_service.\n"
-    )
-
-
-FILE = """
-/**:
-  ros__parameters: {rate: 1.5, my_parameter: general}
-/minimal_service:
-  ros__parameters: {my_parameter: own}
-/lab/*:
-  ros__parameters: {level: 5}
-"""
-
-
-@pytest.mark.usefixtures("rich")
-def test_load_selects_the_sections_of_the_node(
-    zbot_command: Command, node: library.Node, tmp_path: Path
-) -> None:
-    path = tmp_path / "p.yaml"
-    path.write_text(FILE)
-    result = zbot_command("param", "load", SERVICE, str(path))
-    assert result.out == "Set parameter rate successful\nSet parameter my_parameter successful\n"
-    assert node.get_parameter("my_parameter").value == "own"
-    result = zbot_command("param", "load", SERVICE, str(path), "--no-use-wildcard")
-    assert result.out == "Set parameter my_parameter successful\n"
-    result = zbot_command("param", "load", str(path))
-    assert result.code == 1, "/lab/rich has no rate"
-    assert "/lab/rich:\n" in result.out
-    assert "  Set parameter level successful\n" in result.out
-    assert "  Set parameter rate failed: Invalid access to undeclared" in result.err
-
-
-@pytest.mark.usefixtures("node")
-@pytest.mark.parametrize(
-    ("text", "sentence"),
-    [
-        (None, "cannot use the parameter file .*: No such file"),
-        ("/other:\n  ros__parameters: {a: 1}", "any valid parameters for /minimal_service"),
-        ("/minimal_service: {a: 1}", "cannot use the parameter file"),
-    ],
-)
-def test_a_useless_file_is_refused(
-    zbot_command: Command, tmp_path: Path, text: str | None, sentence: str
-) -> None:
-    path = tmp_path / "p.yaml"
-    if text is not None:
-        path.write_text(text)
-    result = zbot_command("param", "load", SERVICE, str(path))
-    assert (result.code, result.out) == (1, "")
-    assert re.search(sentence, result.err)
-
-
-@pytest.mark.parametrize(
-    "value",
-    [
-        "plain",
-        "1e3",
-        "08",
-        "0x1F",
-        "yes",
-        "~",
-        "a: b",
-        "- a",
-        "#",
-        " x ",
-        "two\nlines",
-        "🤖",
-        "'",
-        "[",
-    ],
-)
-def test_every_text_survives_a_file(value: str, tmp_path: Path) -> None:
-    parameters: dict[str, Parameter[Any]] = {
-        "one": Parameter("one", value=value),
-        "many": Parameter("many", value=[value, value]),
-    }
-    path = tmp_path / "p.yaml"
-    path.write_text(file_text({"/n": parameters}), encoding="utf-8")
-    found = values_for(sections(str(path)), "/n", use_wildcards=True)
-    assert found == {"one": value, "many": [value, value]}
-
-
-# -- with real processes -----------------------------------------------------------------------
+# -- with real processes ---------------------------------------------------------------------------
 
 
 def test_the_bundled_parameter_demo_accepts_and_refuses_values(start: Start) -> None:
@@ -496,11 +336,3 @@ def test_tab_completes_nodes_and_parameters(zbot_command: Command) -> None:
     assert zbot_command(*words, "rate", "").out == ""
     assert zbot_command(*words, "rate", "1", "m").out == "my_parameter\n"
     assert zbot_command("complete", "--", "param", "get", "/nobody", "").out == ""
-
-
-def test_a_missing_parameter_file_is_refused_with_one_sentence(start: Start) -> None:
-    program = start("zbot", "run", "talker", "--ros-args", "--params-file", "nowhere.yaml")
-    assert program.wait() == 1
-    assert program.lines == [
-        "cannot use the parameter file nowhere.yaml: No such file or directory"
-    ]

@@ -1,8 +1,7 @@
-"""Tests of the ends of programs: no output, no delay, and the exit code of the signal."""
+"""Tests of signals that end programs: no output, and the exit code of the signal."""
 
 from __future__ import annotations
 
-import os
 import random
 import signal
 import sys
@@ -13,40 +12,14 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.conftest import allowed
+from tests.integration.process.conftest import HEAD, LIMIT_S, SEED, stop_without_errors
 
 if TYPE_CHECKING:
     from collections.abc import Callable
-    from pathlib import Path
 
     from tests.conftest import Program, Start
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-
-LIMIT_S = 1.0
-#: Set ZBOT_TEST_SEED to repeat the moments of a failed run.
-SEED = os.environ.get("ZBOT_TEST_SEED", str(time.time_ns()))
-
-HEAD = """
-import sys, threading, time
-import zbot
-from std_msgs.msg import String
-
-class Robot(zbot.Node):
-    def __init__(self):
-        super().__init__("robot")
-        self.publisher = self.create_publisher(String, "chatter", 10)
-        self.subscription = self.create_subscription(String, "chatter", self.listen, 1000)
-        self.timer = self.create_timer(0.001, self.tick)
-
-    def tick(self):
-        self.publisher.publish(String(data="hello"))
-
-    def listen(self, message):
-        self.get_logger().debug(message.data)
-
-zbot.init()
-print("up", flush=True)
-"""
 
 PROGRAMS = {
     "spin": HEAD + "zbot.spin(Robot())",
@@ -179,7 +152,6 @@ guard.destroy()
 rclpy.shutdown()
 """
 
-
 #: Publishes to a keep-all subscription that reads nothing, until a put is blocked.
 FLOOD = """
 import sys, threading, time
@@ -224,17 +196,6 @@ keep_all = zbot.QoSProfile(history=zbot.HistoryPolicy.KEEP_ALL)
 node.create_subscription(String, "flood", print, keep_all)
 time.sleep(60)
 """
-
-
-def stop_without_errors(program: Program, number: int, limit_s: float = LIMIT_S) -> int:
-    """Send a signal; check that the program ends in time without errors; return its exit code."""
-    begin = time.monotonic()
-    code = program.stop(number)
-    took_s = time.monotonic() - begin
-    for word in ("Traceback", "Error", "Exception", "panicked"):
-        assert word not in program.output
-    assert took_s < allowed(limit_s)
-    return code
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["SIGINT", "SIGTERM"])
@@ -329,92 +290,11 @@ print("end")
     assert program.lines == ["ready", "caught False", "end"]
 
 
-def test_publishing_works_while_the_program_ends(start: Start) -> None:
-    listener = start(
-        source="""
-import zbot
-from std_msgs.msg import String
-with zbot.init():
-    node = zbot.Node("listener")
-    node.create_subscription(String, "farewell", lambda message: print(message.data), 10)
-    print("ready", flush=True)
-    zbot.spin(node)
-"""
-    )
-    listener.wait_for("ready")
-    program = start(
-        source="""
-import zbot
-from std_msgs.msg import String
-with zbot.init():
-    node = zbot.Node("robot")
-    publisher = node.create_publisher(String, "farewell", 10)
-    node.create_guard_condition(lambda: print("ready", flush=True)).trigger()
-    try:
-        zbot.spin(node)
-    finally:
-        publisher.publish(String(data="stop the motors"))
-"""
-    )
-    program.wait_for("ready")
-    assert stop_without_errors(program, signal.SIGINT) == -signal.SIGINT
-    listener.wait_for("stop the motors", timeout_s=2)
-
-
 def test_two_signals_in_a_row_end_the_program_without_output(start: Start) -> None:
     program = start(source=PROGRAMS["spin"])
     program.wait_for("up")
     program.process.send_signal(signal.SIGINT)
     assert stop_without_errors(program, signal.SIGINT) in {-signal.SIGINT, 0}
-
-
-def test_a_signal_during_the_exit_causes_no_output(start: Start) -> None:
-    # The second Ctrl-C comes before Python calls the functions that close the contexts.
-    program = start(
-        source=HEAD
-        + """
-import signal
-robot = Robot()
-threading._register_atexit(signal.raise_signal, signal.SIGINT)
-threading.Thread(target=zbot.spin, args=(robot,), daemon=True).start()
-time.sleep(0.2)
-"""
-    )
-    assert program.wait() in {0, -signal.SIGINT}
-    assert "Traceback" not in program.output
-    assert "Exception" not in program.output
-
-
-INTERRUPTED_END = (
-    HEAD
-    + """
-import signal
-robot = Robot()
-chosen = {call}
-def trace(frame, event, arg):
-    global chosen
-    chosen -= frame.f_code.co_filename.endswith(("threading.py", "context.py", "publisher.py"))
-    if not chosen:
-        sys.settrace(None)
-        signal.raise_signal(signal.SIGINT)
-try:
-    robot.create_timer(0.05, lambda: signal.raise_signal(signal.SIGINT))
-    zbot.spin(robot)
-finally:
-    sys.settrace(trace)
-    robot.destroy_node()
-    zbot.shutdown()
-"""
-)
-
-
-@pytest.mark.parametrize("turn", range(6))
-def test_a_second_ctrl_c_at_any_call_of_the_exit_causes_no_output(start: Start, turn: int) -> None:
-    # Python may raise at the start of each function, such as between a lock and its release.
-    call = random.Random(f"{SEED}.{turn}").randint(1, 120)
-    program = start(source=INTERRUPTED_END.replace("{call}", str(call)))
-    assert program.wait() in {0, -signal.SIGINT}, f"call {call}"
-    assert program.output == "up", f"call {call}"
 
 
 def test_a_signal_handler_of_the_program_is_kept(start: Start) -> None:
@@ -435,141 +315,6 @@ print("spin ended")
     program.wait_for("ready")
     assert stop_without_errors(program, signal.SIGINT) == 0
     assert program.lines == ["ready", "own handler", "spin ended"]
-
-
-# -- without a signal ------------------------------------------------------------------------------
-
-
-def test_a_traceback_of_a_callback_begins_at_the_users_line(start: Start) -> None:
-    program = start(
-        source="""
-import zbot
-
-class Robot(zbot.Node):
-    def __init__(self):
-        super().__init__("robot")
-        self.create_timer(0.001, self.tick)
-
-    def tick(self):
-        self.measure()
-
-    def measure(self):
-        return 1 / 0
-
-with zbot.init():
-    zbot.spin(Robot())
-"""
-    )
-    assert program.wait() == 1
-    assert program.lines[0] == "Traceback (most recent call last):"
-    assert "in tick" in program.lines[1]
-    assert "in measure" in program.output
-    assert program.lines[-1] == "ZeroDivisionError: division by zero"
-    assert f"{os.sep}zbot{os.sep}" not in program.output
-
-
-@pytest.mark.parametrize(
-    ("way", "code"),
-    [
-        ("pass", 0),
-        ("sys.exit(3)", 3),
-        ("raise SystemExit", 0),
-        ("zbot.shutdown()", 0),
-        ("zbot.shutdown(); zbot.shutdown()", 0),
-        ("robot.destroy_node(); robot.destroy_node()", 0),
-        ("robot.destroy_node(); zbot.shutdown()", 0),
-        ("zbot.shutdown(); robot.destroy_node()", 0),
-        ("raise ValueError('mine')", 1),
-        ("threading.Thread(target=zbot.spin, args=(robot,), daemon=True).start()", 0),
-        ("threading.Thread(target=zbot.spin, args=(robot,)).start(); zbot.shutdown()", 0),
-    ],
-)
-def test_a_program_ends_after_its_last_line(start: Start, way: str, code: int) -> None:
-    program = start(source=HEAD + f"robot = Robot()\nrobot.tick()\n{way}\n")
-    program.wait_for("up")
-    begin = time.monotonic()
-    assert program.wait() == code
-    assert time.monotonic() - begin < allowed(LIMIT_S)
-    assert ("Traceback" in program.output) == ("mine" in way)
-
-
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["SIGINT", "SIGTERM"])
-def test_a_thread_makes_a_node_and_spins_after_the_programs_last_line(
-    start: Start, tmp_path: Path, number: int
-) -> None:
-    (tmp_path / "robot.py").write_text(
-        """
-import threading
-import rclpy
-
-def main():
-    ended.wait()
-    rclpy.init()
-    node = rclpy.create_node("robot")
-    node.create_timer(0.01, lambda: print("tick", flush=True))
-    rclpy.spin(node)
-
-ended = threading.Event()
-threading.Thread(target=main).start()
-ended.set()
-"""
-    )
-    program = start("zbot", "run", "robot.py")
-    for _ in range(3):
-        program.wait_for("tick")
-    assert stop_without_errors(program, number) == -number
-
-
-def test_a_node_spins_in_a_thread_after_the_last_line_of_plain_python(start: Start) -> None:
-    program = start(
-        source="""
-import threading, zbot
-zbot.init()
-node = zbot.Node("robot")
-node.create_timer(0.01, lambda: print("tick", flush=True))
-threading.Thread(target=zbot.spin, args=(node,)).start()
-"""
-    )
-    for _ in range(3):
-        program.wait_for("tick")
-    assert stop_without_errors(program, signal.SIGINT) in {0, -signal.SIGINT}
-
-
-def test_an_open_context_is_closed_at_exit(start: Start) -> None:
-    program = start(
-        source="""
-import zbot
-from std_msgs.msg import String
-context = zbot.Context()
-context.init()
-node = zbot.Node("robot", context=context)
-node.create_subscription(String, "chatter", print, 10)
-print("up", node.get_node_names())
-"""
-    )
-    assert program.wait() == 0
-    assert program.lines == ["up ['robot']"]
-
-
-def test_a_context_whose_shutdown_was_interrupted_is_closed_at_exit(start: Start) -> None:
-    program = start(
-        source="""
-import zbot
-zbot.init()
-node = zbot.Node("robot")
-context = zbot.get_default_context()
-def interrupt():  # where a Ctrl-C may come, too
-    context.remove_waker(interrupt)
-    raise KeyboardInterrupt
-context.add_waker(interrupt)
-try:
-    zbot.shutdown()
-except KeyboardInterrupt:
-    print("interrupted")
-"""
-    )
-    assert program.wait() == 0
-    assert program.lines == ["interrupted"]
 
 
 def test_sigterm_during_a_sleep_is_visible_in_the_exit_status(start: Start) -> None:

@@ -1,0 +1,134 @@
+"""Tests of publishers and subscriptions that are destroyed."""
+
+from __future__ import annotations
+
+import threading
+from typing import TYPE_CHECKING
+
+import pytest
+
+from tests.conftest import wait_until
+from tests.integration.conftest import await_match
+from zbot.errors import InvalidHandleError
+
+from std_msgs.msg import Int64, String
+
+if TYPE_CHECKING:
+    import zbot
+    from tests.conftest import Spin
+
+
+def test_a_callback_may_destroy_its_own_subscription(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    inbox: list[Int64] = []
+
+    def on_message(message: Int64) -> None:
+        inbox.append(message)
+        listener.destroy_subscription(subscription)
+
+    subscription = listener.create_subscription(Int64, "count", on_message, 10)
+    publisher = talker.create_publisher(Int64, "count", 10)
+    done: list[String] = []
+    listener.create_subscription(String, "done", done.append, 10)
+    finish = talker.create_publisher(String, "done", 10)
+    await_match(publisher)
+    spinner = spin(listener)
+    for number in range(5):
+        publisher.publish(Int64(data=number))
+    finish.publish(String())
+    assert wait_until(lambda: bool(done))
+    assert len(inbox) == 1
+    assert spinner.error is None
+    await_match(publisher, 0)
+
+
+def test_a_callback_may_destroy_its_own_node(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    publisher = talker.create_publisher(Int64, "count", 10)
+    listener.create_subscription(Int64, "count", lambda _: listener.destroy_node(), 10)
+    await_match(publisher)
+    spinner = spin(listener)
+    publisher.publish(Int64())
+    assert wait_until(lambda: "listener" not in talker.get_node_names())
+    assert spinner.error is None
+
+
+def test_publishing_with_a_destroyed_publisher_raises(talker: zbot.Node) -> None:
+    publisher = talker.create_publisher(String, "chatter", 10)
+    assert talker.destroy_publisher(publisher)
+    assert not talker.destroy_publisher(publisher)
+    with pytest.raises(InvalidHandleError, match="/chatter was destroyed"):
+        publisher.publish(String())
+
+
+def test_publishing_after_shutdown_raises(talker: zbot.Node) -> None:
+    publisher = talker.create_publisher(String, "chatter", 10)
+    publisher.publish(String())
+    talker.context.shutdown()
+    with pytest.raises(RuntimeError, match=r"zbot\.init\(\)"):
+        publisher.publish(String())
+
+
+def test_the_first_publish_after_shutdown_raises(talker: zbot.Node) -> None:
+    publisher = talker.create_publisher(String, "chatter", 10)
+    talker.context.shutdown()
+    with pytest.raises(RuntimeError, match=r"zbot\.init\(\)"):
+        publisher.publish(String())
+
+
+def test_destroying_twice_is_harmless(talker: zbot.Node) -> None:
+    publisher = talker.create_publisher(String, "chatter", 10)
+    subscription = talker.create_subscription(String, "chatter", print, 10)
+    for _ in range(2):
+        publisher.destroy()
+        subscription.destroy()
+        talker.destroy_node()
+        talker.context.shutdown()
+    with pytest.raises(InvalidHandleError):
+        talker.create_publisher(String, "chatter", 10)
+
+
+def test_a_node_destroys_only_its_own_entities(talker: zbot.Node, listener: zbot.Node) -> None:
+    foreign = listener.create_publisher(String, "chatter", 10)
+    assert not talker.destroy_publisher(foreign)
+    assert not talker.destroy_publisher(None)  # type: ignore[arg-type]
+    assert not talker.destroy_subscription(None)  # type: ignore[arg-type]
+    assert listener.destroy_publisher(foreign)
+
+
+def test_with_blocks_destroy_their_entities(talker: zbot.Node) -> None:
+    with talker.create_publisher(String, "chatter", 10) as publisher:
+        assert talker.count_publishers("chatter") == 1
+        assert publisher.topic_name == "/chatter"
+    assert talker.count_publishers("chatter") == 0
+    with talker.create_subscription(String, "chatter", print, 10) as subscription:
+        assert talker.count_subscribers("chatter") == 1
+        assert subscription.topic_name == "/chatter"
+    assert talker.count_subscribers("chatter") == 0
+
+
+def test_destroying_under_traffic_is_clean(
+    talker: zbot.Node, listener: zbot.Node, spin: Spin
+) -> None:
+    publisher = talker.create_publisher(Int64, "count", 10)
+    spinner = spin(listener)
+    stop = threading.Event()
+
+    def publish() -> None:
+        while not stop.is_set():
+            publisher.publish(Int64())
+
+    thread = threading.Thread(target=publish)
+    thread.start()
+    try:
+        for _ in range(20):
+            got = threading.Event()
+            subscription = listener.create_subscription(Int64, "count", lambda _, g=got: g.set(), 5)
+            assert got.wait(5), spinner.error
+            listener.destroy_subscription(subscription)
+    finally:
+        stop.set()
+        thread.join()
+    assert spinner.error is None
