@@ -78,7 +78,7 @@ def ok(*, context: Context | None = None) -> bool:
 def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
     """Shut down a context: close its session and all its entities.
 
-    The default context may be shut down twice, as simple programs do after Ctrl-C.
+    A program may shut down the default context twice. Simple programs do this after Ctrl-C.
 
     Args:
         context: The context to shut down. `None` means the default context.
@@ -147,7 +147,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
 
     Raises:
         KeyboardInterrupt: The user pressed Ctrl-C. If nothing catches it, nothing is printed.
-        ExternalShutdownException: A signal or the context's own method shut the context down.
+        ExternalShutdownException: A signal or `Context.shutdown()` shut the context down.
     """
     with _added_to_executor(node, executor) as chosen:
         chosen.spin()

@@ -268,8 +268,8 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         return True
 
     def _then(self, response: Future[Any], function: Callable[[], None]) -> None:
-        # Not a done callback, because that waits for its callback group. The callback that awaits
-        # the response may hold that group.
+        # This is a waker and not a done callback. A done callback would wait for its callback
+        # group, which the callback that awaits the response may hold.
         response.add_waker(partial(self._work_queue.add, function))
 
     def _request(self, goal: GoalT, goal_uuid: UUID | None) -> Any:

@@ -35,7 +35,7 @@ class Address:
 
 
 def parse_address(text: str, default_port: int = HUB_PORT) -> Address:
-    """Return the address in a text: `HOST`, `HOST:PORT`, `[IPv6]` or `[IPv6]:PORT`.
+    """Return the address that a text contains: `HOST`, `HOST:PORT`, `[IPv6]` or `[IPv6]:PORT`.
 
     Raises:
         AddressError: The port is not a number from 1 to 65535, or a part is missing.

@@ -100,7 +100,7 @@ class Expectation:
 
 
 def parse_expectations(text: str) -> list[Expectation]:
-    """Return the expectations in a text.
+    """Return the expectations that a text contains.
 
     Raises:
         ExpectationError: A part of the text is not an expectation.

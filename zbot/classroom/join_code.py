@@ -106,7 +106,7 @@ def _short_addresses(text: str, value: int, own_addresses: Iterable[str]) -> lis
         raise CodeError(
             text,
             "its checksum is wrong here (if the code is right, this machine is in another network "
-            "than the teacher's: use the long code or the address)",
+            "than the teacher's: use the teacher's address)",
         )
     return [Address(str(ipaddress.IPv4Address(number))) for number in found]
 

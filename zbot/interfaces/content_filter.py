@@ -54,7 +54,7 @@ class ContentFilterError(ZbotError, ValueError):
 
 @dataclass(frozen=True)
 class _Operand:
-    """One side of a comparison. `kind` is `None` if only a message shows the kind."""
+    """One side of a comparison. `kind` is `None` if it is known only when a message arrives."""
 
     read: Callable[[Any], Any]
     kind: str | None

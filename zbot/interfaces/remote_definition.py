@@ -71,7 +71,7 @@ def specs_from(description: Mapping[str, Any]) -> list[InterfaceSpec]:
 
 
 def specs_from_sources(name: str, sources: Mapping[str, str]) -> list[InterfaceSpec]:
-    """Return the definitions in texts, with comments and constants. They are not registered.
+    """Return the definitions that texts contain, with comments and constants, unregistered.
 
     Args:
         name: Full name of a type.

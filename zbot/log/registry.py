@@ -46,7 +46,7 @@ class LoggerState:
 
 @dataclass(eq=False)
 class _Outputs:
-    """Console and log file. The first line opens them with the environment of that time."""
+    """Console and log file. The first line opens both, with the environment of that time."""
 
     console: Console
     file: LogFile
@@ -82,8 +82,8 @@ class LogRegistry:
         """Apply the log settings of a command line's `--ros-args`.
 
         Args:
-            levels: Levels by logger name. An empty name is the default for loggers without a level.
-                A single level sets this default. Other loggers keep their levels.
+            levels: Levels by logger name. The level of the empty name is the default
+                for loggers without a level. A single level sets only this default.
             stdout_enabled: Whether lines go to the console (stdout or stderr).
             rosout_enabled: Whether lines go to sinks.
             file_enabled: Whether lines go to a file, if a log folder is set.
@@ -151,7 +151,8 @@ class LogRegistry:
         """Add a function that gets every line of a logger and its children.
 
         The function runs in the thread that logs, so it must be fast. The function's own log lines
-        go only to the console and the file. If it raises errors, the console reports the first.
+        go only to the console and the file. If it raises errors, the console reports the
+        first error only.
 
         Args:
             logger_name: The logger. An empty name means all loggers.
@@ -241,7 +242,9 @@ class LogRegistry:
         except Exception as error:  # noqa: BLE001 - a sink may raise any exception
             if not entry.has_failed:
                 entry.has_failed = True
-                self._warn(f"a sink of logger {entry.name!r} failed, reported once: {error!r}")
+                self._warn(
+                    f"a sink of logger {entry.name!r} failed (more errors are hidden): {error!r}"
+                )
 
     def _warn(self, text: str) -> None:
         """Write a warning about logging itself, only to the console."""

@@ -24,7 +24,7 @@ class LoggingService:
     """
 
     def __init__(self, node: Node) -> None:
-        from rcl_interfaces.srv import (  # noqa: PLC0415 - made at first import
+        from rcl_interfaces.srv import (  # noqa: PLC0415 - the import makes the class
             GetLoggerLevels,
             SetLoggerLevels,
         )
@@ -35,7 +35,7 @@ class LoggingService:
 
     @staticmethod
     def _get(request: Any, response: Any) -> Any:
-        from rcl_interfaces.msg import LoggerLevel  # noqa: PLC0415 - made at first import
+        from rcl_interfaces.msg import LoggerLevel  # noqa: PLC0415 - the import makes the class
 
         response.levels = [
             LoggerLevel(name=name, level=get_logger_level(name)) for name in request.names
@@ -44,7 +44,7 @@ class LoggingService:
 
     @staticmethod
     def _set(request: Any, response: Any) -> Any:
-        from rcl_interfaces.msg import SetLoggerLevelsResult  # noqa: PLC0415 - made at first import
+        from rcl_interfaces.msg import SetLoggerLevelsResult  # noqa: PLC0415 - the import makes the class
 
         for level in request.levels:
             result = SetLoggerLevelsResult(successful=True)

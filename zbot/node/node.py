@@ -115,7 +115,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
             LoggingService(self)
 
     def _zbot_add_parameter_events(self) -> None:
-        from rcl_interfaces.msg import ParameterEvent  # noqa: PLC0415 - made at first import
+        from rcl_interfaces.msg import ParameterEvent  # noqa: PLC0415 - the import makes the class
 
         self._zbot_state.parameter_events = Node.create_publisher(
             self, ParameterEvent, "/parameter_events", qos_profile_parameter_events
@@ -133,7 +133,10 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
 
     @property
     def executor(self) -> Executor | None:
-        """The executor that runs the node's callbacks, if any. Setting it moves the node."""
+        """The executor that runs the node's callbacks, if any.
+
+        If you set it, the node moves to that executor.
+        """
         return self._zbot_state.executor
 
     @executor.setter
@@ -193,7 +196,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         if handle.is_destroyed:
             return
         handle.is_destroyed = True
-        # An executor of the program's own class is not attached. As in rclpy, it is not called.
+        # As in rclpy, remove_node() of an executor class that the program defines is not called.
         if handle.executor is not None and handle.executor is handle.ready_queue.executor:
             handle.executor.remove_node(self)
         if self._zbot_rosout is not None:

@@ -50,7 +50,9 @@ class ParameterEventCallbacks:
         self.mutex = threading.Lock()
         #: A key is a parameter's name and its node's full name. The latest callback comes first.
         self.parameter_callbacks: dict[tuple[str, str], list[ParameterCallbackHandle]] = {}
-        self.event_callbacks: list[ParameterEventCallbackHandle] = []  #: the latest comes first
+        self.event_callbacks: list[
+            ParameterEventCallbackHandle
+        ] = []  #: the latest callback comes first
 
     def event_callback(self, event: ParameterEvent) -> None:
         """Call the callbacks for an event."""
@@ -113,7 +115,7 @@ class ParameterEventHandler:
         qos_profile: Profile of the subscription.
         callback_group: Group of the callbacks. `None` means the node's default group.
         event_callbacks: Callbacks for QoS events, a `SubscriptionEventCallbacks`.
-        qos_overriding_options: Which policies parameters may override.
+        qos_overriding_options: The QoS policies that parameters may override.
         raw: Ignored, because the callbacks need decoded messages.
     """
 

@@ -115,7 +115,7 @@ class ParameterServices:
         return response
 
     def _result(self, messages: list[Any]) -> Any:
-        from rcl_interfaces.msg import SetParametersResult  # noqa: PLC0415 - made at first import
+        from rcl_interfaces.msg import SetParametersResult  # noqa: PLC0415 - the import makes the class
 
         try:
             parameters = [Parameter.from_parameter_msg(message) for message in messages]

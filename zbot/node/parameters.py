@@ -192,7 +192,7 @@ class NodeParameters:
             ArgumentTypeError: An argument has a wrong type.
             ValueError: The depth is negative.
         """
-        from rcl_interfaces.msg import ListParametersResult  # noqa: PLC0415 - made at first import
+        from rcl_interfaces.msg import ListParametersResult  # noqa: PLC0415 - the import makes the class
 
         if not isinstance(prefixes, list):
             raise ArgumentTypeError("prefixes", "a list of str", prefixes)
@@ -380,7 +380,7 @@ def _checked_callback(callback: Any) -> Any:
 
 
 def _result(reason: str) -> SetParametersResult:
-    from rcl_interfaces.msg import SetParametersResult  # noqa: PLC0415 - made at first import
+    from rcl_interfaces.msg import SetParametersResult  # noqa: PLC0415 - the import makes the class
 
     return SetParametersResult(successful=not reason, reason=reason)
 

@@ -24,8 +24,8 @@ class Rosout:
     """
 
     def __init__(self, node: Node, qos: QoSProfile) -> None:
-        from builtin_interfaces.msg import Time  # noqa: PLC0415 - made at first import
-        from rcl_interfaces.msg import Log  # noqa: PLC0415 - made at first import
+        from builtin_interfaces.msg import Time  # noqa: PLC0415 - the import makes the class
+        from rcl_interfaces.msg import Log  # noqa: PLC0415 - the import makes the class
 
         self._log, self._time = Log, Time
         self._name = node.handle.logger_name

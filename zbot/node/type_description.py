@@ -109,7 +109,7 @@ def _specs(described: dict[str, Any]) -> Iterator[InterfaceSpec]:
 
 
 def _description_message(described: dict[str, Any]) -> Any:
-    from type_description_interfaces.msg import (  # noqa: PLC0415 - made at first import
+    from type_description_interfaces.msg import (  # noqa: PLC0415 - the import makes the class
         TypeDescription,
     )
 
@@ -122,7 +122,7 @@ def _description_message(described: dict[str, Any]) -> Any:
 
 
 def _individual(one: dict[str, Any]) -> Any:
-    from type_description_interfaces.msg import (  # noqa: PLC0415 - made at first import
+    from type_description_interfaces.msg import (  # noqa: PLC0415 - the import makes the class
         Field,
         FieldType,
         IndividualTypeDescription,
@@ -146,7 +146,7 @@ def _defaults(spec: InterfaceSpec) -> dict[str, str]:
 
 
 def _source_message(spec: InterfaceSpec) -> Any:
-    from type_description_interfaces.msg import TypeSource  # noqa: PLC0415 - made at first import
+    from type_description_interfaces.msg import TypeSource  # noqa: PLC0415 - the import makes the class
 
     encoding = _encoding(spec)
     text = "" if encoding == "implicit" else spec.text

@@ -189,7 +189,7 @@ class Parameter(Generic[ValueT_co]):
 
     def get_parameter_value(self) -> ParameterValue:
         """Return the value as a message, which has one field for each type."""
-        from rcl_interfaces.msg import ParameterValue  # noqa: PLC0415 - made at first import
+        from rcl_interfaces.msg import ParameterValue  # noqa: PLC0415 - the import makes the class
 
         message = ParameterValue(type=int(self._type_))
         if self._type_ is not Parameter.Type.NOT_SET:

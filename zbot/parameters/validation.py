@@ -95,7 +95,7 @@ class Descriptor(NamedTuple):
 
     def to_message(self, name: str) -> ParameterDescriptor:
         """Return the descriptor as a message."""
-        from rcl_interfaces.msg import (  # noqa: PLC0415 - made at first import
+        from rcl_interfaces.msg import (  # noqa: PLC0415 - the import makes the class
             FloatingPointRange,
             IntegerRange,
             ParameterDescriptor,

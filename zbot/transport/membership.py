@@ -1,8 +1,8 @@
 """Membership file: it says which class, or which hub of another machine, this machine has joined.
 
 `zbot join`, `zbot leave` and `zbot class` write the file, and every program reads it. It contains
-this machine's domain, user name and secret. Its sessions use the name and the secret to log in to
-each other and to the hub.
+this machine's domain, user name and secret. This machine's sessions use the name and the secret to
+log in to each other and to the hub.
 """
 
 from __future__ import annotations

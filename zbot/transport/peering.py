@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 _LINK_PAUSE_S = 0.005
 _LISTING_TIMEOUT_S = 0.1
 _LONGEST_PAUSE_S = 1.0
-# If its links have not changed for this time, a session looks for peers without a link to it.
+# A session whose links have not changed for this time looks for peers that it has no link to.
 _CHECK_DELAY_S = 1.0
 # A session introduces each of these peers at most this often. The time between two introductions
 # doubles. The router lists a dead peer for 10 s.
@@ -45,8 +45,8 @@ class Peering:
     One thread waits, without polling, for links to appear and disappear. When the link to the
     router disappears, the thread tries to open a router on the port, and exactly one of the
     domain's processes succeeds. When the links have not changed for a time, the thread asks the
-    router for its peers. If the session is not linked to one of them, the thread opens an
-    introducer session.
+    router for its peers. If a link to any of these peers is
+    missing, the thread opens an introducer session.
 
     Args:
         session: The session.
@@ -68,7 +68,7 @@ class Peering:
         self._closing = threading.Event()
         listen = session.info.declare_transport_events_listener
         without_interruption(listen, receiver(self._on_event), history=True)
-        # The delay is different for each session, because one introducer is enough for all.
+        # The delays differ, so that not all sessions open an introducer at the same time.
         self._extra_delay = int(self._own()[:4], 16) / 0x10000
         self._thread = threading.Thread(target=self._run, name="zbot meeting", daemon=True)
 
@@ -120,7 +120,7 @@ class Peering:
         return self._wait(lambda: bool(self._routers()), timeout_s)
 
     def wait_for_answers(self, timeout_s: float) -> bool:
-        """Wait until every session that the meeting router knows has answered a query.
+        """Send a query to all sessions that the router lists, and wait for their answers.
 
         An answer arrives after all declarations that its sender made before. From then on, a
         published message reaches the subscribers that these sessions had. This takes 5 to 30 ms

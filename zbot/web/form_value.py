@@ -54,7 +54,7 @@ def read(kind: FieldType, entry: Entry, path: str, now_ns: Callable[[], int]) ->
     """Return the value of a field for an entry.
 
     Args:
-        kind: The field's type. The only messages that are allowed are times and durations.
+        kind: The field's type. If it is a message, it must be a time or a duration.
         entry: The content of the input.
         path: The field's path, for errors.
         now_ns: Function that returns the time for `now`, in nanoseconds since the epoch.
@@ -171,7 +171,7 @@ def _elements(kind: FieldType, values: Any, path: str) -> list[Any]:
 
 
 def _element(kind: FieldType, value: Any, path: str) -> Any:
-    """Return the value of a list's element. In the argument, all YAML values are strings."""
+    """Return the value of a list's element. Every scalar in `value` is a string."""
     if kind.kind != "scalar":
         return _elements(kind, value, path)
     if isinstance(value, str) and (not kind.is_message or kind.base in {TIME, DURATION}):

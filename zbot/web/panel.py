@@ -101,7 +101,7 @@ class Section:
         """Call a function when the section is closed.
 
         Returns:
-            A function that makes this call earlier. A second call of this function does nothing.
+            A function that calls the callback now instead. Its second call does nothing.
         """
         key = object()
         self._endings[key] = callback

@@ -39,7 +39,7 @@ class ParameterInput:
         self._section, self._node, self._parameter = section, node, parameter
         self._value = parameter.value
         self._is_setting = False
-        self._waiting: Any = None  # the newest value until the node has answered
+        self._waiting: Any = None  # the next value to send, while the node has not answered yet
         self._showers: list[Callable[[Any], object]] = []
         with ui.element("div").classes("zb-parameter").props(f'data-name="{parameter.name}"'):
             with ui.element("div").classes("zb-row"):
@@ -97,7 +97,7 @@ class ParameterInput:
         async def slide(_event: object) -> None:
             await self._set(convert(slider.value or 0.0))
 
-        # Only for the user's changes, because other changes move the slider too.
+        # This event comes only for the user's changes. Other changes move the slider too.
         slider.on("update:model-value", with_errors_shown(slide), throttle=_DRAG_S, args=[])
         self._showers.append(slider.set_value)
 

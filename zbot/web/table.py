@@ -69,7 +69,7 @@ class Table:
             page.on_choose(f"c{self.element.id}", on_choose)
 
     def choose(self, key: str | None) -> None:
-        """Mark a row as chosen in the next `show`."""
+        """Choose a row. The next `show` marks it."""
         self._chosen = key
 
     def show(self, rows: Mapping[str, Sequence[str | Cell]]) -> None:

@@ -1,4 +1,4 @@
-"""Control of turtles by messages, service calls and goals. It also shows their commands."""
+"""Control of turtles by messages, service calls and goals, shown as `zbot` commands."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ ARROWS = {
     "ArrowLeft": (0.0, 2.0),
     "ArrowRight": (0.0, -2.0),
 }
-#: Headings in rad. The heading is a letter's direction from F on the keyboard. G is 0.
+#: Headings in rad: the direction from the key F to the letter's key. G is on the right of F: 0.
 HEADINGS = {
     "e": 2.3562,
     "r": 1.5708,
@@ -50,7 +50,7 @@ HEADINGS = {
 CANCEL = "f"
 _TELEOP = "teleop_turtle"
 _DRIVER_DEPTH = 1
-_numbers = itertools.count(1)  # for the node names of more pages
+_numbers = itertools.count(1)  # for the node names of the second page and later pages
 
 
 class Simulator(NamedTuple):
@@ -77,7 +77,7 @@ def simulators(graph: Snapshot) -> list[Simulator]:
 
 
 class TurtleControl:
-    """Control that a page has over one simulator's turtles. Call it in NiceGUI's loop.
+    """Control that a page has over one simulator's turtles. Call its methods in NiceGUI's loop.
 
     Args:
         page: The page.
@@ -158,7 +158,7 @@ class TurtleControl:
         values = f"{{theta: {theta}}}"
         self._show("action", "send_goal", self._rotation(turtle), _ROTATE, values)
         self.prepare(turtle)
-        goal = get_action(_ROTATE).Goal(theta=theta)  # type: ignore[attr-defined] # of each action
+        goal = get_action(_ROTATE).Goal(theta=theta)  # type: ignore[attr-defined] # each action has it
         self._goals[turtle] = self._clients[turtle].entity.send_goal_async(goal)
         await await_future(self._goals[turtle])
 
@@ -172,7 +172,7 @@ class TurtleControl:
     async def call(self, relative: str, type_name: str, **values: Any) -> Any:
         """Call a service of the simulator. The keyword arguments are the fields of the request."""
         name = self.simulator.name(relative)
-        request = get_service(type_name).Request(**values)  # type: ignore[attr-defined] # as above
+        request = get_service(type_name).Request(**values)  # type: ignore[attr-defined] # each service has it
         form = Form(type(request))
         words = [form.yaml(form.entries(request))] if values else []
         self._show("service", "call", name, type_name, *words)
@@ -187,7 +187,7 @@ class TurtleControl:
         await self.call("reset", _EMPTY)
 
     async def spawn(self, x: float, y: float, theta: float, name: str) -> str:
-        """Add a turtle and return its name. It is empty if the given name is taken or invalid."""
+        """Add a turtle and return its name, or an empty string if `name` is taken or invalid."""
         values = {"x": x, "y": y, "theta": theta, "name": name}
         response = await self.call("spawn", "turtlesim/srv/Spawn", **values)
         return str(response.name)

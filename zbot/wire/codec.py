@@ -105,7 +105,7 @@ class Codec(Generic[MessageT]):
 
     @cached_property
     def decode(self) -> Callable[[Bytes], MessageT]:
-        """Return the message in bytes. Raise `CodecError` if the bytes are not valid."""
+        """Return the message that bytes contain. Raise `CodecError` if the bytes are not valid."""
         names = {"ERRORS": Exception, "explain": self._explain_decoding}  # a dataclass raises any
         arrays = {pack(f.name): f.name for f in self._spec.fields if is_numeric_array(f)}
         names |= {"LARGE": LARGE, "unpack_large": _unpack_large, "ARRAYS": arrays}

@@ -23,7 +23,8 @@ BIG_ENDIAN = sys.byteorder == "big"
 ITEM_SIZE = {typecode: calcsize(f"={typecode}") for typecode in "bBhHiIqQfd"}
 
 # msgpack allocates a list from the length in its header. A thousand nested headers with wrong
-# lengths would allocate too much memory, so messages with longer lists are validated first.
+# lengths would allocate too much memory, so a message with a list longer than this is
+# validated first.
 _SHORT_LIST = 1024
 _FIXED_EXT = {1: 0xD4, 2: 0xD5, 4: 0xD6, 8: 0xD7, 16: 0xD8}
 _REASONS: dict[type[Exception], str] = {
@@ -35,7 +36,7 @@ _REASONS: dict[type[Exception], str] = {
     msgpack.ExtraData: "more bytes follow the message",
 }
 
-# All types and threads share one packer, because pack() is a single call into C without state.
+# All types and threads can share one packer. pack() is one call into C, and keeps no state.
 pack: Callable[[Any], bytes] = msgpack.Packer(use_bin_type=True).pack
 _unpackb: Callable[..., Any] = msgpack.unpackb
 
@@ -52,7 +53,7 @@ class Extension(NamedTuple):
 
 
 def unpack(data: Bytes) -> Any:
-    """Return the value in bytes. An array extension becomes an `array.array`.
+    """Decode bytes and return the value. An array extension becomes an `array.array`.
 
     The memory use is proportional to the number of bytes.
 
@@ -69,7 +70,8 @@ def unpack(data: Bytes) -> Any:
 
 def extension(code: int, values: array[Any]) -> Any:
     """Return a numeric array as an extension for `pack`."""
-    # ExtType's constructor would check its arguments. This check takes longer than all the rest.
+    # ExtType's constructor would check its arguments. That would take longer than the
+    # rest of this function.
     return tuple.__new__(msgpack.ExtType, (code, values.tobytes()))
 
 
@@ -114,7 +116,7 @@ def _read_ext(code: int, data: bytes) -> Any:
 
 
 def _unpack_long(data: Bytes) -> Any:
-    """Return the value in bytes with long lists. The bytes are validated first, without objects."""
+    """Decode bytes with long lists. They are validated first, which creates no objects."""
     validator = msgpack.Unpacker(max_buffer_size=len(data), strict_map_key=True)
     try:
         validator.feed(data)

@@ -46,7 +46,7 @@ def qos_text(profile: QoSProfile) -> str:
 
 
 def parse_qos(text: str) -> QoSProfile:
-    """Return the profile in a text. Durations without a limit become `Infinite`.
+    """Return the profile that a text contains. Durations without a limit become `Infinite`.
 
     An unknown number of a policy becomes `UNKNOWN`.
 

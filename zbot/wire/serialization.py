@@ -27,7 +27,7 @@ def serialize_message(message: Any) -> bytes:
 
 
 def deserialize_message(serialized_message: bytes, message_type: type[MsgT]) -> MsgT:
-    """Return the message in CDR bytes. Additional bytes after the message are ignored.
+    """Return the message that CDR bytes contain. Additional bytes after the message are ignored.
 
     Raises:
         NotAMessageTypeError: The class is not a message class.

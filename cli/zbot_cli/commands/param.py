@@ -35,7 +35,7 @@ app = new_app("Look at parameters and set them")
 
 NodeAndNames = Annotated[
     list[str],
-    typer.Argument(metavar="[NODE] PARAM...", help="All nodes that have them if NODE is left out"),
+    typer.Argument(metavar="[NODE] PARAM...", help="Without NODE: all nodes that have PARAM"),
 ]
 
 
@@ -204,7 +204,7 @@ def set_parameters(
     words: Annotated[
         list[str],
         typer.Argument(
-            metavar="[NODE] PARAM VALUE...", help="All nodes that have them if NODE is left out"
+            metavar="[NODE] PARAM VALUE...", help="Without NODE: all nodes that have PARAM"
         ),
     ],
     atomic: Annotated[bool, typer.Option("--atomic", help="Set all of them or none")] = False,
@@ -336,7 +336,7 @@ def dump(
 def load(
     words: Annotated[
         list[str],
-        typer.Argument(metavar="[NODE] FILE", help="All nodes that FILE names if NODE is left out"),
+        typer.Argument(metavar="[NODE] FILE", help="Without NODE: all nodes with values in FILE"),
     ],
     no_use_wildcard: Annotated[
         bool, typer.Option("--no-use-wildcard", help="Leave out values that the file has for `/**`")
@@ -369,7 +369,7 @@ def load(
 
 
 def _load(remote: RemoteParameters, node: str, values: dict[str, Any], indent: str) -> int:
-    """Set a file's values for one node. Return how many values it does not have afterwards."""
+    """Set a file's values for one node. Return how many values the node refused."""
     parameters = remote.typed(node, values)
     results = _send(remote, node, [one.to_parameter_msg() for one in parameters])
     refused = []
@@ -379,6 +379,7 @@ def _load(remote: RemoteParameters, node: str, values: dict[str, Any], indent: s
         else:
             _fail(f"{indent}Set parameter {parameter.name} failed: {result.reason}")
             refused.append(parameter)
-    # A dump contains read-only parameters too. They cannot be set, but may have that value already.
+    # A dump contains read-only parameters too. They cannot be set, but they may already
+    # have the file's value.
     present = remote.values_or_none(node, [one.name for one in refused])
     return sum(present.get(one.name) != one.value for one in refused)

@@ -1,4 +1,4 @@
-"""Verbs of `zbot security`, with ros2's names: make, list and check machines' certificates."""
+"""Verbs of `zbot security`. They make, list and check the certificates of machines."""
 
 from __future__ import annotations
 
@@ -26,9 +26,11 @@ Name = Annotated[str, typer.Argument(metavar="NAME", help="Name of the machine, 
 Policy = Annotated[Path, typer.Argument(help="Policy file of ROS 2")]
 Addresses = Annotated[
     list[str] | None,
-    typer.Option("--host", "--ip", help="Address of the machine for others; may be repeated"),
+    typer.Option(
+        "--host", "--ip", help="Address at which others reach the machine; may be repeated"
+    ),
 ]
-Days = Annotated[int | None, typer.Option("--days", help="Days until it expires")]
+Days = Annotated[int | None, typer.Option("--days", help="Days until the certificate expires")]
 Renew = Annotated[bool, typer.Option("--renew", help="Replace the existing key and certificate")]
 
 
@@ -48,7 +50,7 @@ class NoPoliciesError(SetupError, NotImplementedError):
         self.verb = verb
         self.hint = "`zbot class start --pin` keeps students out of each other's domains"
         super().__init__(
-            f"{verb}: zbot has no permission files; the class decides who may publish what"
+            f"{verb}: zbot has no permission files; `zbot class` decides who may publish what"
         )
 
 
@@ -98,7 +100,7 @@ def _print_created(made: Identity) -> None:
     role = (
         f"others join it at {', '.join(facts.addresses)}" if facts.is_server else "it joins others"
     )
-    print(f"created {made.folder}: /{facts.name} until {facts.until:%Y-%m-%d}, {role}")
+    print(f"created {made.folder}: /{facts.name}, valid until {facts.until:%Y-%m-%d}, {role}")
 
 
 @_both_spellings("list_enclaves")
@@ -116,7 +118,9 @@ def list_enclaves(root: Root, as_json: AsJson = False) -> None:
 
 @_both_spellings("check_certificate")
 def check_certificate(
-    folder: Annotated[Path, typer.Argument(metavar="DIR", help="Folder given to --keystore")],
+    folder: Annotated[
+        Path, typer.Argument(metavar="DIR", help="Folder of the machine's certificate")
+    ],
     as_json: AsJson = False,
 ) -> None:
     """Check a certificate as other machines do."""
@@ -128,7 +132,7 @@ def check_certificate(
         return
     print(f"name: {facts.name}")
     print(f"valid: {facts.since:%Y-%m-%d %H:%M} to {facts.until:%Y-%m-%d %H:%M} UTC")
-    print(f"others join it at: {', '.join(facts.addresses) or 'none, it joins others'}")
+    print(f"addresses for others: {', '.join(facts.addresses) or 'none, it joins others'}")
 
 
 def _document(facts: Facts) -> dict[str, Any]:
@@ -156,7 +160,7 @@ def generate_artifacts(
     ] = None,
     policy_files: Annotated[
         list[Path] | None,
-        typer.Option("-p", "--policy-files", hidden=True, help="Accepted; no effect"),
+        typer.Option("-p", "--policy-files", hidden=True, help="Not supported"),
     ] = None,
 ) -> None:
     """Make the missing keystore and certificates."""

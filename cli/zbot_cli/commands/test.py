@@ -24,7 +24,7 @@ _PLUGIN = "zbot.compat.pytest_plugin"
 
 
 class NoTestsError(ZbotError):
-    """A path to test does not exist."""
+    """The command line names a path that does not exist."""
 
     def __init__(self, path: Path) -> None:
         self.path = path

@@ -25,7 +25,7 @@ def web(
     panel: Annotated[str, typer.Argument(help="Panel to open first, e.g. topics")] = "",
     host: Annotated[str, typer.Option("--host", help="Address to listen on")] = "127.0.0.1",
     port: Annotated[
-        int, typer.Option("--port", help="Port to listen on, or the next free one")
+        int, typer.Option("--port", help="Port to listen on; if it is taken, the next free port")
     ] = 8080,
     no_browser: Annotated[bool, typer.Option("--no-browser", help="Do not open a browser")] = False,
     read_only: Annotated[

@@ -34,7 +34,7 @@ class SeveralActionTypesError(ZbotError):
 
     def __init__(self, name: str, types: list[str]) -> None:
         self.name, self.types = name, types
-        self.hint = f"name the one you mean: {types[0]}"
+        self.hint = f"add the type that you mean, e.g. {types[0]}"
         super().__init__(f"Action '{name}' has more than one type: [{', '.join(types)}]")
 
 

@@ -18,7 +18,7 @@ class SeveralTypesError(ZbotError):
 
     def __init__(self, name: str, types: list[str]) -> None:
         self.name, self.types = name, types
-        self.hint = f"name the one you mean: zbot topic echo {name} {types[0]}"
+        self.hint = f"add the type that you mean, e.g. zbot topic echo {name} {types[0]}"
         super().__init__(
             f"Cannot echo topic '{name}', as it contains more than one type: [{', '.join(types)}]"
         )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from zbot import interfaces  # loads a name when it is used, and lists use no name
+from zbot import interfaces  # this package imports a module when one of its names is used
 from zbot.errors import ZbotError
 from zbot.interfaces.errors import UnknownInterfaceError, UnknownPackageError
 from zbot.interfaces.kinds import KINDS
@@ -44,9 +44,9 @@ def resolve_message_type(word: str) -> str:
 
 
 def find_types(word: str) -> list[str]:
-    """Return the full names of all types that match a word. Types on this machine come first.
+    """Return the full names of all types that match a word.
 
-    If this machine has no such type, the nodes are asked for its definition.
+    These are types on this machine. If it has none, the nodes are asked for a definition.
     """
     if "/" in word or "." in word:
         names = _full_names(word)
@@ -114,7 +114,7 @@ def type_hint(word: str, found: list[str], known: Iterator[str]) -> str:
 
 
 def _short_guess(word: str, names: list[str]) -> str | None:
-    """Return a type of any package whose last part is similar to the last part of the word."""
+    """Return the type, of any package, whose base name is most similar to the word."""
     last = word.replace(".", "/").rpartition("/")[2]
     by_last = {name.rpartition("/")[2].lower(): name for name in reversed(names)}
     guess = nearest(last.lower(), by_last) if last == word else None

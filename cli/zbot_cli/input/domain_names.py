@@ -14,7 +14,7 @@ from zbot.errors import ZbotError
 NOUNS = frozenset({"action", "graph", "lifecycle", "node", "param", "service", "topic"})
 
 _DOMAIN_NAME = re.compile(r"/([0-9]+)(/.*)?", re.ASCII | re.DOTALL)
-# Verbs whose words after the first name are values. A value may look like a domain name.
+# Verbs that take one name and then values. A value may look like a domain name.
 _VERBS_WITH_VALUES = frozenset({"call", "pub", "send_goal", "set"})
 
 

@@ -15,7 +15,7 @@ _RAISE_AGAIN_AFTER_S = 0.005
 
 
 def end_process_on_ctrl_c() -> None:
-    """Let Ctrl-C end the process without output. Python would print a traceback during imports.
+    """Let Ctrl-C end the process without output, also during imports.
 
     Only the main thread may call this function. If the parent process ignores SIGINT, as nohup
     does, SIGINT stays ignored.
@@ -25,11 +25,11 @@ def end_process_on_ctrl_c() -> None:
 
 
 def raise_on_ctrl_c() -> None:
-    """Let Ctrl-C raise `KeyboardInterrupt` again. Only the main thread may call this.
+    """Undo `end_process_on_ctrl_c`. Only the main thread may call this.
 
-    A `KeyboardInterrupt` that is not caught prints nothing, because it may come just after the end
-    of a command. If Python drops a `KeyboardInterrupt`, for example in a callback of an import,
-    SIGINT is raised again after 5 ms.
+    Ctrl-C raises `KeyboardInterrupt`. If nothing catches this exception, Python prints nothing,
+    because it may come just after the end of a command. If Python drops a `KeyboardInterrupt`, for
+    example in a callback of an import, SIGINT is raised again after 5 ms.
     """
     if signal.getsignal(signal.SIGINT) == signal.SIG_DFL:
         sys.excepthook, sys.unraisablehook = _print_unless_interrupt, _raise_again

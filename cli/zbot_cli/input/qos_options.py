@@ -36,9 +36,7 @@ def _option(words: str, text: str) -> Any:
 class QosOptions:
     """Group of the `--qos-...` options. An option that is not given is `None`."""
 
-    profile: Annotated[str | None, _option("profile", "Preset that the other options change")] = (
-        None
-    )
+    profile: Annotated[str | None, _option("profile", "Preset; the other options change it")] = None
     depth: Annotated[int | None, _option("depth", "Messages to keep")] = None
     history: Annotated[str | None, _option("history", "keep_last or keep_all")] = None
     reliability: Annotated[str | None, _option("reliability", "reliable or best_effort")] = None
@@ -55,9 +53,9 @@ class QosOptions:
     def to_subscribe(self, publishers: list[EndpointToken]) -> QoSProfile:
         """Return the profile for a subscription.
 
-        Policies without an option follow the publishers. The profile is reliable if all publishers
-        are reliable, and transient local if all publishers are transient local. So `echo` also
-        shows messages that were published before it started.
+        Without `--qos-profile`, the publishers decide what the options do not set. The profile is
+        reliable if all publishers are reliable, and transient local if all publishers are transient
+        local. So `echo` also shows messages that were published before it started.
         """
         profile = self._preset("sensor_data")
         if publishers and self.profile is None:

@@ -15,13 +15,13 @@ if TYPE_CHECKING:
 
 def message_of(name: str, text: str) -> Any:
     """Return a parameter as a message. Its type follows from the text of the value."""
-    from rcl_interfaces.msg import Parameter as Message  # noqa: PLC0415 - made at first import
+    from rcl_interfaces.msg import Parameter as Message  # noqa: PLC0415 - the import makes the class
 
     return Message(name=name, value=get_parameter_value(text))
 
 
 def shown(parameter: Parameter[Any], *, hide_type: bool) -> str:
-    """Return a value after its type, as ros2 prints it."""
+    """Return the text that ros2 prints for a parameter: the type and then the value."""
     kind = parameter.type_
     if kind is Parameter.Type.NOT_SET:
         return "Parameter not set."

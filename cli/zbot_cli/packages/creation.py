@@ -133,7 +133,7 @@ def _check(plan: Plan) -> None:
 
 
 def _shown(folder: str, *names: str) -> str:
-    """Return a path with a leading `.`, as ros2 prints it. Path would remove the `.`."""
+    """Return a path as ros2 prints it. A leading `.` stays; Path would remove it."""
     return "/".join((folder.rstrip("/\\") or "/", *names)).replace("//", "/")
 
 

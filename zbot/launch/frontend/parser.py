@@ -51,11 +51,11 @@ class Parser:
         return parse_content(content, path), cls()
 
     def parse_substitution(self, value: Any) -> list[Substitution]:
-        """Return the substitutions in a text. Plain parts become `TextSubstitution`."""
+        """Return the substitutions that a text contains. Plain parts become `TextSubstitution`."""
         return parse(str(value).lower() if isinstance(value, bool) else str(value))
 
     def parse_if_substitutions(self, value: Any) -> Any:
-        """Return the substitutions in a text. Values without substitutions stay unchanged."""
+        """Return the substitutions that a text contains. Other values stay unchanged."""
         return parse_if_substitutions(value)
 
     def escape_characters(self, value: str) -> str:

@@ -25,7 +25,7 @@ _BLANKS = " \t\r\n"
 
 
 def parse(text: str) -> list[Substitution]:
-    """Return the substitutions in a text. Plain parts become `TextSubstitution`.
+    """Return the substitutions that a text contains. Plain parts become `TextSubstitution`.
 
     Raises:
         SubstitutionSyntaxError: The text does not follow the grammar.

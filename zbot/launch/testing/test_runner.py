@@ -31,7 +31,7 @@ class RunResult(unittest.TestResult):
             self.skipped += one.skipped
 
     def mark_incomplete(self) -> None:
-        """Mark the result as failed, because the launch ended before its tests."""
+        """Mark the result as failed, because the launch ended before all its tests had run."""
         self._is_broken = True
 
     def wasSuccessful(self) -> bool:  # noqa: N802 - unittest's name
@@ -58,7 +58,7 @@ class LaunchTestRunner:
         self._arguments = parse_arguments(launch_file_arguments)
 
     def validate(self) -> None:
-        """Check that each description has the same arguments as `parametrize`.
+        """Check that each `generate_test_description` takes the arguments of its `parametrize`.
 
         Raises:
             LaunchTestError: The arguments differ.
@@ -67,7 +67,7 @@ class LaunchTestRunner:
             run.validate()
 
     def run(self) -> dict[TestRun, unittest.TestResult]:
-        """Run all runs in order. Stop if a launch ends before its tests."""
+        """Run all launches in order. Stop if a launch ends before all its tests have run."""
         results: dict[TestRun, unittest.TestResult] = {}
         for run in self._test_runs:
             result = results[run] = RunResult()

@@ -151,7 +151,7 @@ def find(words: Sequence[str]) -> tuple[Executable, list[str]]:
         ProgramNotFoundError: There is no file of that path.
         PackageNotFoundError: There is no package of that name.
         ExecutableNotFoundError: There is no executable of that name.
-        SeveralExecutablesError: Several packages have this executable, and the words name none.
+        SeveralExecutablesError: Several packages have this executable, and none is named.
     """
     first, rest = words[0], list(words[1:])
     if _is_path(first):
@@ -175,7 +175,8 @@ def _find_farther(
     if rest and (found := _named(rest[0], inside)):
         return _single(found), rest[1:]
     is_meant = bool(inside and rest and rest[0].isidentifier())  # an executable of the package
-    if not is_meant and (found := _named(first, packages)):  # a package that has the name of a node
+    # The first word may be the name of a package and of an executable: the executable is meant.
+    if not is_meant and (found := _named(first, packages)):
         return _single(found), rest
     if inside:
         raise ExecutableNotFoundError(rest[0] if rest else "", _names(inside), inside)

@@ -296,7 +296,7 @@ def pub(
         typer.Option(
             "-w",
             "--wait-matching-subscriptions",
-            help="Subscriptions to wait for first; 1 with --once or --times",
+            help="Number of subscriptions to wait for; default 1 with --once or --times",
         ),
     ] = None,
     max_wait_time_secs: Annotated[
