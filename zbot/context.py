@@ -39,7 +39,7 @@ _HOLD_PAUSE_S = 0.1
 # Longest waits of the first graph query and of the first message. They usually take 2 ms.
 _DISCOVERY_TIMEOUT_S = 2.0
 _PEERS_TIMEOUT_S = 0.5
-# On a quiet network, multicast finds routers within 50 ms. There may be no router.
+# Multicast finds routers within 50 ms on a quiet network. Without a router, all this time passes.
 _FIND_TIMEOUT_S = 0.7
 _JOIN_TIMEOUT_S = 2.0  # threads end within a millisecond after their session
 
@@ -84,7 +84,7 @@ class Context:
         self._wakers: list[Callable[[], None]] = []
         self._on_shutdown: list[Callable[[], None]] = []
         self._threads: dict[threading.Thread, Callable[[], object]] = {}
-        # Weak references, because a signal may come before Zenoh gets a new receiver.
+        # Weak references: if a signal comes before Zenoh gets a receiver, `close` must not wait.
         self._receivers: WeakSet[threading.Event] = WeakSet()
         self._entity_ids = itertools.count()
         self._nodes: WeakSet[ContextNode] = WeakSet()
@@ -199,7 +199,7 @@ class Context:
             self._wakers.append(waker)
 
     def remove_waker(self, waker: Callable[[], None]) -> None:
-        """Remove a function of `add_waker`. Nothing happens if it was not added."""
+        """Remove a function that was given to `add_waker`. Do nothing if it was not given."""
         with self._lock:
             if waker in self._wakers:
                 self._wakers.remove(waker)
@@ -410,9 +410,9 @@ class Context:
     def receiver(self, receive: Callable[[Any], object]) -> Any:
         """Return a Zenoh handler that calls a function in a thread that `shutdown()` waits for.
 
-        The thread belongs to Zenoh and sleeps until an event comes. A Python thread that waits for
-        a channel of Zenoh wakes up ten times a second. The handler's queue holds 256 events, and a
-        full queue blocks the session.
+        The thread belongs to Zenoh and sleeps until an event comes. A Python thread that waited
+        for a channel of Zenoh would wake up ten times a second. The handler's queue holds 256
+        events, and a full queue blocks the session.
 
         Args:
             receive: The function, which must return quickly.

@@ -43,7 +43,7 @@ SEND_GOAL = "/_action/send_goal"
 
 MAX_TOPIC_NAME_LENGTH = 247  # as in ROS 2: 255 minus 8 for a middleware's own prefix
 MAX_NODE_NAME_LENGTH = 255
-MAX_NAMESPACE_LENGTH = 245  # as in ROS 2: a topic's length minus "/" and one character
+MAX_NAMESPACE_LENGTH = 245  # as in ROS 2: a topic name's limit minus "/" and one character
 
 _WORD = re.compile(r"[A-Za-z0-9_]*")
 _ABSOLUTE = re.compile(r"[A-Za-z0-9_/]*")

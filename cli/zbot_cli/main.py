@@ -147,8 +147,8 @@ def _run_noun(words: list[str]) -> int | Callable[[], NoReturn]:
 
 
 def _report_usage(error: Any) -> int:
-    # typer contains a copy of click, and the name of this module depends on typer's version. So
-    # click's error classes cannot be imported, and their attributes are used instead.
+    # typer contains a copy of click, and the module name of the copy depends on typer's version.
+    # So click's error classes cannot be imported, and their attributes are used instead.
     if type(error).__name__ == "NoArgsIsHelpError":
         print(error.format_message())
         return Status.OK

@@ -2,8 +2,8 @@
 
 Run:        zbot run robot_base
 Subscribes: cmd_vel (geometry_msgs/Twist); without a command for a second, the robot stops
-Publishes:  odom (nav_msgs/Odometry), joint_states (sensor_msgs/JointState),
-            tf, tf_static (tf2_msgs/TFMessage); all but the last 50 times a second
+Publishes:  odom (nav_msgs/Odometry), joint_states (sensor_msgs/JointState) and
+            tf (tf2_msgs/TFMessage), each 50 times a second; tf_static (tf2_msgs/TFMessage), once
 Try:        zbot topic pub --rate 5 /cmd_vel geometry_msgs/msg/Twist "{linear: {x: 0.3}}"
 """
 

@@ -16,11 +16,12 @@ from zbot.tf2.rigid import Quaternion, multiply, normalized
 
 from geometry_msgs.msg import TransformStamped
 
-_OLD_STYLE = (8, 9)  # x y z yaw pitch roll frame child, or with a quaternion's four numbers
+# Numbers of words in ROS 1's order: 8 with yaw, pitch and roll; 9 with qx, qy, qz and qw.
+_OLD_STYLE = (8, 9)
 
 
 def read_arguments(words: list[str]) -> argparse.Namespace:
-    """Read the command line, which has options or values in ROS 1's order."""
+    """Read the command line. It has options, or only values in ROS 1's order."""
     parser = argparse.ArgumentParser(prog="static_transform_publisher")
     for name in ("x", "y", "z", "roll", "pitch", "yaw", "qx", "qy", "qz"):
         parser.add_argument(f"--{name}", type=float, default=0.0)
@@ -54,7 +55,7 @@ def rotation(options: argparse.Namespace) -> Quaternion:
     """Return the rotation that the options give as angles in rad or as a quaternion."""
     roll, pitch, yaw = options.roll / 2, options.pitch / 2, options.yaw / 2
     if not (roll or pitch or yaw):
-        # Listeners ignore quaternions whose length is not 1, such as 0.7 and 0.7.
+        # Listeners ignore a quaternion whose length is not 1, such as (0, 0, 0.7, 0.7).
         return normalized((options.qx, options.qy, options.qz, options.qw))
     about_x: Quaternion = (math.sin(roll), 0.0, 0.0, math.cos(roll))
     about_y: Quaternion = (0.0, math.sin(pitch), 0.0, math.cos(pitch))

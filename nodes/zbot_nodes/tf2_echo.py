@@ -16,7 +16,8 @@ from zbot.tf2.rigid import Quaternion, Vector, rotate
 _USAGE = """\
 Usage: tf2_echo source_frame target_frame [echo_rate]
 
-This prints where target_frame is, as seen from source_frame, echo_rate times a second (1)."""
+This prints where target_frame is, as seen from source_frame, echo_rate times a second.
+The default of echo_rate is 1."""
 
 _AXES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 

@@ -101,7 +101,7 @@ def spin(executor: zbot.Executor) -> None:
     try:
         executor.spin()
     except zbot.ExternalShutdownException:
-        return  # at Ctrl-C, the other thread ends too
+        return  # Ctrl-C ends the main thread too
 
 
 if __name__ == "__main__":

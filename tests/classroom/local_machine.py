@@ -7,23 +7,14 @@ import os
 import signal
 import subprocess
 import sys
-from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from tests.classroom.talk import free_port
+from tests.cli.command import Outcome
 from tests.conftest import wait_until
 
 if TYPE_CHECKING:
     from pathlib import Path
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """How a command ended."""
-
-    code: int
-    out: str
-    err: str
 
 
 class LocalMachine:

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.classroom.testbed import LanTestbed, missing_requirement
+from tests.classroom.conftest import skip_without_namespaces
+from tests.classroom.testbed import LanTestbed
 from tests.classroom.watch import Watch
 from tests.conftest import wait_until
 
@@ -63,9 +64,7 @@ class Class:
 
 @pytest.fixture(scope="module", params=["with a PIN", "without a PIN"])
 def lesson(request: pytest.FixtureRequest) -> Iterator[Class]:
-    reason = missing_requirement()
-    if reason is not None:
-        pytest.skip(reason)
+    skip_without_namespaces()
     with LanTestbed(2) as testbed:
         opened = Class(testbed, *(["--pin"] if request.param == "with a PIN" else []))
         assert wait_until(lambda: opened.is_linked(opened.ana, opened.ben), 10)
@@ -222,9 +221,7 @@ for table in ("/proc/net/tcp", "/proc/net/tcp6"):
 
 
 def test_two_machines_see_each_other_through_a_plain_hub() -> None:
-    reason = missing_requirement()
-    if reason is not None:
-        pytest.skip(reason)
+    skip_without_namespaces()
     with LanTestbed(1) as testbed:
         (robot,) = testbed.laptops
         hub = testbed.teacher.start("zbot", "hub")
@@ -245,9 +242,7 @@ def test_two_machines_see_each_other_through_a_plain_hub() -> None:
 
 
 def test_machines_of_a_subnet_find_each_other_by_multicast() -> None:
-    reason = missing_requirement()
-    if reason is not None:
-        pytest.skip(reason)
+    skip_without_namespaces()
     subnet = {"ZBOT_DISCOVERY_RANGE": "SUBNET"}
     with LanTestbed(2) as testbed:
         for machine in testbed.laptops:

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 import pytest
 
+from tests.classroom.conftest import skip_without_namespaces
 from tests.classroom.lesson import Lesson
-from tests.classroom.testbed import LanTestbed, missing_requirement
+from tests.classroom.testbed import LanTestbed
 from tests.conftest import allowed, wait_until
 
 if TYPE_CHECKING:
@@ -22,9 +23,7 @@ PIN = "4711"
 @pytest.fixture(scope="module")
 def lesson() -> Iterator[Lesson]:
     """An open class of two laptops, which have not joined yet."""
-    reason = missing_requirement()
-    if reason is not None:
-        pytest.skip(reason)
+    skip_without_namespaces()
     with LanTestbed(2) as testbed:
         yield Lesson(testbed, 1, pin=PIN)
 

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import pytest
 
+from tests.classroom.conftest import skip_without_namespaces
 from tests.classroom.lesson import Lesson
-from tests.classroom.testbed import LanTestbed, missing_requirement
+from tests.classroom.testbed import LanTestbed
 from tests.conftest import allowed, wait_until
 
 if TYPE_CHECKING:
@@ -26,9 +27,7 @@ PIN = "4711"
 @pytest.fixture(scope="module")
 def lesson() -> Iterator[Lesson]:
     """A class with everybody's nodes running; every test leaves it like that."""
-    reason = missing_requirement()
-    if reason is not None:
-        pytest.skip(reason)
+    skip_without_namespaces()
     with LanTestbed(LAPTOPS) as testbed:
         made = Lesson(testbed, NODES, pin=PIN)
         made.join()

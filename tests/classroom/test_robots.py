@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 import pytest
 
-from tests.classroom.testbed import LanTestbed, missing_requirement
+from tests.classroom.conftest import skip_without_namespaces
+from tests.classroom.testbed import LanTestbed
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -39,9 +40,7 @@ def generate_launch_description():
 @pytest.fixture(scope="module")
 def machines() -> Iterator[tuple[Machine, Machine]]:
     """A machine with a hub, a laptop that joined it, and a robot on each."""
-    reason = missing_requirement()
-    if reason is not None:
-        pytest.skip(reason)
+    skip_without_namespaces()
     with LanTestbed(1) as testbed:
         hub_machine, laptop = testbed.teacher, testbed.laptops[0]
         hub_machine.start("zbot", "hub").wait_for("zbot join")

@@ -12,8 +12,6 @@ import itertools
 import os
 import shutil
 import subprocess
-import time
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,8 +19,6 @@ from tests.classroom.machine import Machine
 from tests.classroom.network import Batch, end_processes, ip, namespaces
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
-
     from tests.conftest import Program
 
 _RUN = Path("/run/zbot-testbed")  # mounts of host names, and the machines' home folders
@@ -145,12 +141,3 @@ def _remove_testbed(name: str) -> None:
     for mount in folder.glob("*/uts"):
         subprocess.run(["umount", str(mount)], check=False, capture_output=True)
     shutil.rmtree(folder, ignore_errors=True)
-
-
-@contextmanager
-def stopwatch() -> Iterator[list[float]]:
-    """Put the seconds that the block took into the list that it gets."""
-    took: list[float] = []
-    begun = time.monotonic()
-    yield took
-    took.append(time.monotonic() - begun)

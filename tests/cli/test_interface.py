@@ -117,7 +117,7 @@ def test_a_type_may_be_written_in_several_forms(zbot_command: Command, word: str
 @pytest.mark.parametrize(
     ("word", "sentence", "hint"),
     [
-        ("nope/msg/Nope", "Unknown package 'nope'", "zbot interface packages lists them"),
+        ("nope/msg/Nope", "Unknown package 'nope'", "`zbot interface packages` lists all packages"),
         ("std_msg/msg/String", "Unknown package 'std_msg'", "did you mean std_msgs?"),
         (
             "std_msgs/msg/Strin",
@@ -127,7 +127,7 @@ def test_a_type_may_be_written_in_several_forms(zbot_command: Command, word: str
         ("std_msgs/srv/String", "Interface 'srv/String' not found", "there are std_msgs/"),
         ("Twst", "Invalid name 'Twst'. Expected three parts separated by '/'", "msg/Twist?"),
         ("String", "Invalid name 'String'. Expected three", "there are several: example_interf"),
-        ("a/b/c/d", "Invalid name 'a/b/c/d'. Expected three", "zbot interface list shows all"),
+        ("a/b/c/d", "Invalid name 'a/b/c/d'. Expected three", "`zbot interface list` shows all"),
         ("", "Invalid name ''. Expected three parts separated by '/'", "std_msgs/msg/String"),
     ],
 )
@@ -261,7 +261,7 @@ def test_a_short_name_may_match_several_types() -> None:
         ("std_msgs/string", "did you mean std_msgs/msg/String?"),
         ("String", "there are several: example_interfaces/msg/String, std_msgs/msg/String"),
         ("Twst", "did you mean geometry_msgs/msg/Twist?"),
-        ("std_srvs/srv/SetBool", "zbot interface list shows all types"),
+        ("std_srvs/srv/SetBool", "`zbot interface list` shows all types"),
     ],
 )
 def test_a_short_name_without_a_match_is_refused(word: str, hint: str) -> None:

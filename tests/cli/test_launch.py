@@ -420,7 +420,7 @@ def test_arguments_and_description_are_shown(tmp_path: Path) -> None:
     [
         (["temperatur"], "did you mean 'temperature'?"),
         (["zbot", "nothing.launch.py"], "was not found in the share directory of package 'zbot'"),
-        (["zbot"], "name a launch file of package 'zbot'"),
+        (["zbot"], "no launch file of package 'zbot' is given"),
         (["no_such", "a.launch.py"], "package 'no_such' not found"),
         (["no/such.launch.py"], "launch file 'no/such.launch.py' not found"),
         (["temperature", "a"], "package 'temperature' not found"),

@@ -236,7 +236,7 @@ def test_a_missing_package_folder_is_an_error(write: Write) -> None:
     folder = write()
     (folder / "robot" / "__init__.py").unlink()
     (folder / "robot").rmdir()
-    assert problems(folder) == ["setup.py:3: packages names robot, but there is no such folder"]
+    assert problems(folder) == ["setup.py:3: `packages` names robot, but there is no such folder"]
 
 
 def test_different_names_in_setup_py_and_manifest_are_an_error(write: Write) -> None:

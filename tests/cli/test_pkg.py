@@ -352,7 +352,10 @@ def test_programs_among_data_files_are_executables(source: Path, zbot_command: C
         (["xml", "std_msg"], "Package not found\n\nhint: did you mean 'std_msgs'?\n"),
         (["xml", "nope"], "Package not found\n"),
         (["xml", "std_msgs"], "Package XML manifest not found\n"),
-        (["xml", "fine", "-t", "nope"], "XML tag not found\n\nhint: it has name, package\n"),
+        (
+            ["xml", "fine", "-t", "nope"],
+            "XML tag not found\n\nhint: package.xml has the tags name, package\n",
+        ),
         (["xml", "broken"], "package.xml:2: not valid XML: mismatched tag\n"),
         (
             ["xml", "bomb"],

@@ -8,7 +8,7 @@ import pytest
 
 from tests.conftest import wait_until
 from tests.integration.conftest import await_match, lines_about, packed
-from zbot.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
+from zbot.qos import HistoryPolicy, QoSProfile
 
 from std_msgs.msg import Float32, String
 
@@ -17,7 +17,6 @@ if TYPE_CHECKING:
     from tests.conftest import Spin
     from zbot.log.record import Record
 
-LATCHED = QoSProfile(depth=3, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 KEEP_ALL = QoSProfile(history=HistoryPolicy.KEEP_ALL)
 
 

@@ -48,7 +48,7 @@ T = TypeVar("T")
 
 qos_profile_action_feedback = QoSProfile(depth=10)
 _SERVER_TIMEOUT_S = 3.0  # a goal waits this long for a server that starts (in rclpy: for ever)
-_STEP_S = 0.5  # a shutdown does not wake threads that wait for the graph
+_STEP_S = 0.5  # length of one wait for the graph: a shutdown does not end the wait
 
 
 class _Goal:
@@ -69,7 +69,7 @@ class _Goal:
 
 
 class _ActionFuture(Future[T]):
-    """A future that the executor completes, so that its callbacks run there at once."""
+    """A future that the executor completes. Its done callbacks run at once in the same thread."""
 
     def __init__(self, node: Node) -> None:
         super().__init__()
@@ -125,7 +125,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         self._lock = threading.RLock()  # re-entrant: a signal handler may take it
         self._goals: dict[bytes, _Goal] = {}
         impl, name = action_type.Impl, f"{self._action_name}/_action"
-        # Made before the clients, so that no feedback of the first goal is lost.
+        # This is made before the clients, so that no feedback of the first goal is lost.
         self._feedback = FeedbackSubscription(
             node,
             impl.FeedbackMessage,
@@ -138,7 +138,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         # A reentrant group is enough, because no callbacks of the user run in it.
         internal_group = ReentrantCallbackGroup()
         self._work_queue = WorkQueue(node.handle.ready_queue, internal_group)
-        self._timers: list[Timer] = []  # of goals that wait for a server
+        self._timers: list[Timer] = []  # one for each goal that waits for a server
         self._status = node.create_subscription(
             impl.GoalStatusMessage,
             f"{name}/status",
@@ -146,7 +146,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
             status_sub_qos_profile,
             callback_group=internal_group,
         )
-        self._status.report_losses_to(_ignore_losses)  # the last message has all states
+        self._status.report_losses_to(_ignore_losses)  # each message has all states
         connect = partial(node.create_client, callback_group=callback_group)
         self._goal_client = connect(
             impl.SendGoalService, f"{name}/send_goal", qos_profile=goal_service_qos_profile

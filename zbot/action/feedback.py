@@ -72,7 +72,7 @@ class FeedbackSubscription:
         self._subscriber: Any = context.session.declare_subscriber(key, receive)
         self._liveliness = context.graph.announce(self.token)
         callback_group.add_entity(self)
-        handle.subscriptions.append(cast("Any", self))  # it has all that a node uses
+        handle.subscriptions.append(cast("Any", self))  # `self` has all that a node uses
         handle.diagnostics.add(self.token, handle.logger_name)
         self.ready_queue.add(self)
 

@@ -142,7 +142,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         self._goal_handles: dict[bytes, ServerGoalHandle[GoalT, ResultT, FeedbackT]] = {}
         self._clock = node.get_clock()  # it may be simulated
         self._result_timeout_ns = int(result_timeout * S_TO_NS)
-        self._ended: deque[tuple[int, bytes]] = deque()  # end time and goal
+        self._ended: deque[tuple[int, bytes]] = deque()  # expiry time of a result, id of its goal
         group = callback_group or node.default_callback_group
         unprotected = ReentrantCallbackGroup()  # for goals, results and the timer
         self._executions = WorkQueue(node.handle.ready_queue, unprotected)

@@ -155,7 +155,7 @@ class ServerGoalHandle(ActionGeneric[GoalT, ResultT, FeedbackT]):
             self._action_server.check_result(result)
         self.update(event)
         if result is not None or not self.is_started:
-            self.deliver(result)  # no callback will return a result
+            self.deliver(result)  # otherwise, the callback's result is sent later
 
     def update(self, event: GoalEvent) -> None:
         """Change the goal's state and publish it. Do nothing if the server has forgotten the goal.

@@ -55,7 +55,7 @@ class ActionService(Service[Any, Any]):
             super()._answer(request_id, query, response)
 
     def execute(self, taken: tuple[zenoh.Query, float]) -> Coroutine[Any, Any, None] | None:
-        """Respond to a request, then call the reply's function. The caller gets no error of it."""
+        """Respond, then call the reply's function. Its errors are not sent to the client."""
         outcome = super().execute(taken)
         return self._run_after_reply() if outcome is None else outcome
 

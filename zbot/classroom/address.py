@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from zbot.classroom.errors import AddressError
 from zbot.transport.config import HUB_PORT
 
-#: Targets for UDP sockets. To connect a UDP socket sends nothing, but the system chooses its local
-#: address. The first target is a documentation address (RFC 5737), which uses the default route.
+#: Targets for UDP sockets. `connect` of a UDP socket sends nothing, but the system then chooses
+#: the socket's local address. The first target is a documentation address (RFC 5737), which uses
+#: the default route.
 _PROBES = ("192.0.2.1", "10.255.255.254", "172.31.255.254", "192.168.255.254")
 _MAX_PORT = 65535
 

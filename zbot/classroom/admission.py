@@ -40,7 +40,7 @@ class AdmissionRequest:
     machine: str  #: identifies the laptop
     host: str  #: the laptop's host name
     name: str | None = None  #: the student's name
-    number: int | None = None  #: the student's, or `None` if the class shall choose a number
+    number: int | None = None  #: the student's number, or `None` if the class shall choose it
 
     @classmethod
     def of(cls, document: Document) -> AdmissionRequest:
@@ -57,7 +57,7 @@ class AdmissionRequest:
 def release_proof(claim: str) -> str:
     """Return the proof that the sender of a `release` owns the number.
 
-    Only the owner knows the claim, because the class encrypted it for this laptop.
+    The claim is a random text. Only the owner knows it, because the class sent it encrypted.
     """
     return hmac.new(claim.encode(), b"release", "sha256").hexdigest()
 

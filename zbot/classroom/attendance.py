@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from zbot.classroom.hub_process import HubProcess
 
 _FACTS_TIMEOUT_S = 1.0
-_MAX_TIME_NS = 1 << 63  # a number in JSON may have thousands of digits
+_MAX_TIME_NS = 1 << 63  # limit for `time_ns`: a number in JSON may have thousands of digits
 _NODE_TOKENS = "@zbot/*/*/*/*/NN/**"
 
 

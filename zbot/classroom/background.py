@@ -127,7 +127,7 @@ def start(role: str) -> None:
     make_private_folder(folder())
     write_private(log_path(), b"")
     with log_path().open("a", encoding="utf-8") as log:
-        process = subprocess.Popen(  # noqa: S603 - this Python and a constant
+        process = subprocess.Popen(  # noqa: S603 - runs this Python itself
             [sys.executable, "-m", "zbot.classroom", role],
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 #: Maximum number of notices that are kept for students who join later.
 MAX_NOTICES = 20
-_ID_DIGITS = 31  # after the first digit, because Zenoh's ids have 16 bytes
+_ID_DIGITS = 31  # digits after the first: Zenoh's ids have 16 bytes, which are 32 hex digits
 
 
 class RecordError(ClassroomError, ValueError):
@@ -51,7 +51,7 @@ class ClassRecord:
         """Assign a number to a machine. If another machine knows the number's secret, renew it.
 
         Returns:
-            Whether the secret was renewed. Then the hub must be reopened.
+            Whether the secret was renewed. If it was, the hub must be reopened.
         """
         is_new = self.holders.get(number, machine) != machine
         if is_new:

@@ -1,4 +1,4 @@
-"""Open class in the process of the teacher's hub: admission and the teacher's commands."""
+"""Class that is open, in the teacher's hub process: admission and the teacher's commands."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 Document = dict[str, Any]
 
 _NUMBERS = range(1, MAX_DOMAIN_ID + 1)
-# On Linux, macOS and Windows.
+# The names of the loopback interface on Linux, macOS and Windows.
 _LOOPBACK_INTERFACES = ("lo", "lo0", "Loopback Pseudo-Interface 1")
 
 

@@ -74,8 +74,8 @@ class HubPortError(ClassroomError, OSError):
     def __init__(self, endpoint: str, reason: str) -> None:
         self.endpoint, self.reason = endpoint, reason
         super().__init__(
-            f"cannot listen on {endpoint}: {reason}; find another hub with `zbot status` and stop "
-            "it with `zbot leave`, or stop the other program that listens there"
+            f"cannot listen on {endpoint}: {reason}; if `zbot status` shows a hub, stop it with "
+            "`zbot leave`; otherwise stop the program that listens there"
         )
 
 

@@ -1,8 +1,8 @@
 """Hub: a Zenoh router in a Python process that links this machine with other machines.
 
-Nodes connect on loopback only. Each domain's meeting point dials the hub of its machine, and the
-hub dials one other hub at a given address. So hubs need no multicast, and an access point may
-isolate its clients from each other.
+Nodes connect on loopback only. Each domain has a meeting point (see `zbot.transport.session`). It
+dials the hub of its machine, and the hub dials one other hub at a given address. So hubs need no
+multicast, and an access point may isolate its clients from each other.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ _LEASE_MS = 4000
 # Messages in a lease. TCP acknowledges each message, so thirty idle laptops cause 4 kB/s at the
 # teacher's hub.
 _KEEP_ALIVES = 2
-# Short, so that laptops are linked soon after the other hub is back. But not so short that a
-# hundred laptops flood that hub.
+# The pauses are short, so that laptops are linked soon after the other hub is back. But they are
+# not so short that a hundred laptops flood that hub.
 _RETRY = {"period_init_ms": 250, "period_max_ms": 500, "period_increase_factor": 2}
-_HANDSHAKE_MS = 3000  # networks lose packets
+_HANDSHAKE_MS = 3000  # long enough for TCP to repeat lost packets
 # All laptops redial at the same time after a restart of the teacher's hub.
 _ACCEPT_PENDING = 500
 _ADMIN_MESSAGES = ["declare_queryable", "query", "reply"]

@@ -123,7 +123,7 @@ def serve(
     Args:
         role: Shown by `zbot status`.
         settings: Returns the hub's settings. It is called each time that the hub is opened.
-        on_ready: Called once, when others can connect.
+        on_ready: Called once, when nodes and other hubs can connect.
         attach: Adds the parts that this role needs. It is called each time that the hub is opened.
 
     Raises:

@@ -29,7 +29,7 @@ class HubQueries:
         session: The hub's session.
         key: Key expression without wildcards.
         answer: Takes the document of a query and returns the document of the reply. If it returns
-            `None`, there is no reply. The client gets an exception as an error reply.
+            `None`, there is no reply. If it raises an exception, the client gets an error reply.
     """
 
     def __init__(

@@ -1,10 +1,10 @@
 """Join code: the address of a class in four or eight characters.
 
 A code needs no name service and no multicast, because it is the address itself in Crockford's
-base 32. That has no I, L, O and U. The decoder reads I and L as 1, and O as 0. Four characters are
-enough for laptops whose address begins with the same 16 bits as the teacher's. Eight characters
-contain any IPv4 address and one of sixteen ports. The last four bits are a checksum. It finds most
-typing errors before a packet is sent.
+base 32. This alphabet has no I, L, O and U. The decoder reads I and L as 1, and O as 0. Four
+characters are enough for laptops whose address begins with the same 16 bits as the teacher's. Eight
+characters contain any IPv4 address and one of sixteen ports. The last four bits are a checksum. It
+finds most typing errors before a packet is sent.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ def looks_like_code(text: str) -> bool:
 
 
 def short_code(address: Address) -> str | None:
-    """Return four characters for laptops in the same /16, or `None` without the default port."""
+    """Return four characters for laptops in the same /16. `None` if the port is not the default."""
     if address.port != HUB_PORT:
         return None
     number = _number(address)

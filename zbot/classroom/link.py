@@ -68,7 +68,7 @@ class Link:
         return (*(self.endpoint(Address(host, address.port)) for host in hosts), own)
 
     def check_listening(self, host: str) -> None:
-        """Check that others can join this machine at an address.
+        """Check that other machines can join this machine at an address.
 
         Raises:
             SecurityError: This machine's certificate is not valid for the address.
@@ -82,8 +82,8 @@ class Link:
         """Check that this machine and the hub at an address accept each other's certificates.
 
         Raises:
-            SecurityError: One does not accept the other's. The message says which certificate is
-                wrong and why.
+            SecurityError: One side does not accept the other's certificate. The message says which
+                certificate is wrong and why.
         """
         if self.keystore:
             from zbot.security.tls import check_dialling  # noqa: PLC0415 - few use certificates

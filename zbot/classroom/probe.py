@@ -34,7 +34,8 @@ _REFUSED = {errno.ECONNREFUSED, getattr(errno, "WSAECONNREFUSED", errno.ECONNREF
 def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S) -> Address:
     """Try all addresses at once, and return the first that accepts a TCP connection.
 
-    If all addresses fail, the error is about the address where the probe came farthest.
+    If all addresses fail, the error is about the address where the probe came nearest to a
+    connection.
 
     Raises:
         UnreachableHostError: No machine answers.
@@ -65,7 +66,7 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
 
 
 def _rank(problem: ClassroomError) -> int:
-    """Return the rank of a problem. A lower rank means that the probe came farther."""
+    """Return a problem's rank. A lower rank means that the probe came nearer to a connection."""
     order = (ClosedPortError, BlockedPortError, UnreachableHostError)
     return next((place for place, kind in enumerate(order) if isinstance(problem, kind)), 9)
 
@@ -94,7 +95,7 @@ def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomErro
 
 
 class _OtherPorts:
-    """Connections to common ports of a host. Any answer, even a refusal, shows that it is on."""
+    """Connections to a host's common ports. An answer or a refusal shows that the host is on."""
 
     def __init__(self, host: str) -> None:
         self._host = host

@@ -94,7 +94,7 @@ class Register:
 
         Args:
             number: The requested number. If it is `None`, the laptop keeps its number. If it has no
-                number, it gets the number of its name in the list, or else the next free number.
+                number, it gets the student's number in the list, or else the next free number.
             name: The student's name. If it is `None`, the name in the list is used, or else the
                 host name.
             machine: The laptop's identifier.
@@ -113,7 +113,7 @@ class Register:
         if kept_for and name and name.casefold() != kept_for.casefold():
             raise TakenError(wanted, kept_for)
         student = Student(wanted, kept_for or name or host, machine, host)
-        # A new dictionary, because another thread may iterate over the old dictionary.
+        # This makes a new dictionary, because another thread may iterate over the old dictionary.
         others = {n: one for n, one in self.students.items() if one.machine != machine}
         self.students = {**others, wanted: student}
         return student

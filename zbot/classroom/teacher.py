@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
 
 _MASTER_BYTES = 32
-_REOPENING_S = 3.0  # it usually takes 0.2 s
+_REOPENING_S = 3.0  # a hub usually reopens in 0.2 s
 _PAUSE_S = 0.05
 _ANSWER_TIMEOUT_S = 5.0
 
@@ -99,7 +99,7 @@ def _present_record(name: str) -> ClassRecord:
 
 
 def stop() -> Membership:
-    """Close the class that is open on this machine, and return its membership.
+    """Close the class that is open on this machine, and return the teacher's membership.
 
     Raises:
         NoClassError: No class is open.

@@ -1,4 +1,4 @@
-"""Import names of ROS 2. After `import zbot.compat`, `import rclpy` imports zbot.
+"""ROS 2's import names. After `import zbot.compat`, `import rclpy` imports zbot.
 
 `zbot run` and `zbot launch` import this before the program. Each folder of `packages/` is for one
 import name, and only re-exports names of zbot. A real package is used instead if it is installed.

@@ -61,5 +61,5 @@ class CommandNode:
 def add_arguments(parser: ArgumentParser) -> None:
     """Add the shared options of `ros2` commands to a parser. The options have no effect."""
     parser.add_argument("--spin-time", type=float, help="Accepted; no effect")
-    parser.add_argument("-s", "--use-sim-time", action="store_true", help="Accepted")
+    parser.add_argument("-s", "--use-sim-time", action="store_true", help="Accepted; no effect")
     parser.add_argument("--no-daemon", action="store_true", help="Accepted; no effect")

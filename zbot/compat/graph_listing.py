@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import NamesAndTypes
     from zbot.node.node import Node
 
-_STEP_S = 0.5  # longest time until waiting for the graph notices the end of the context
+_STEP_S = 0.5  # longest time until a wait for the graph notices that the context has ended
 
 
 class SeveralTypesError(ZbotError, RuntimeError):

@@ -125,7 +125,7 @@ class LoggingFilter:
 
 
 class Once(LoggingFilter):
-    """Filter that lets only the first call log."""
+    """Filter that skips every call after the first call."""
 
     params: ClassVar[LoggingFilterParams] = {"once": None}
 
@@ -143,7 +143,7 @@ class Once(LoggingFilter):
 
 
 class Throttle(LoggingFilter):
-    """Filter that lets at most one call log in a duration."""
+    """Filter that skips a call if the duration since the last line is not over."""
 
     params: ClassVar[LoggingFilterParams] = {
         "throttle_duration_sec": None,
@@ -176,7 +176,7 @@ class Throttle(LoggingFilter):
 
 
 class SkipFirst(LoggingFilter):
-    """Filter that lets all calls except the first log."""
+    """Filter that skips the first call."""
 
     params: ClassVar[LoggingFilterParams] = {"skip_first": None}
 

@@ -60,7 +60,7 @@ def get_parameter_type_string(parameter_type: int) -> str:
 def call_get_parameters(
     *, node: Node, node_name: str, parameter_names: Sequence[str]
 ) -> GetParameters.Response:
-    """Ask a node for parameters. `values` has a value for each name, which may be "not set".
+    """Ask a node for parameters. The response has one value, maybe "not set", for each name.
 
     This function may be called anywhere, also in a callback.
 
@@ -81,7 +81,7 @@ def call_get_parameters(
 def call_set_parameters(
     *, node: Node, node_name: str, parameters: Sequence[Parameter]
 ) -> SetParameters.Response:
-    """Set a node's parameters. `results` has a result for each. See `call_get_parameters`."""
+    """Set a node's parameters. The response has a result for each. See `call_get_parameters`."""
     request = SetParameters.Request(parameters=list(parameters))
     response: SetParameters.Response = _answer(node, SetParameters, node_name, request)
     return response

@@ -47,10 +47,10 @@ def pytest_pycollect_makemodule(
 
 
 class _LaunchModule(pytest.Module):
-    """File with a launch test. It has one item for each row of its parameters."""
+    """File with a launch test. It has one item for each set of values of `parametrize`."""
 
     def collect(self) -> Iterable[pytest.Item]:
-        from zbot.launch.testing.test_run import test_runs  # noqa: PLC0415 - only files that need it
+        from zbot.launch.testing.test_run import test_runs  # noqa: PLC0415 - only launch tests need it
 
         for run in test_runs(self.obj):
             yield _LaunchItem.from_parent(self, name=f"launch{run.name}", test_run=run)
@@ -106,8 +106,8 @@ def pytest_pycollect_makeitem(
     made = marks[0].kwargs.get("fixture")
     if made is None:
         return [_skipped(collector, name)]
-    from zbot.launch.testing.launch_fixture import name_and_scope  # noqa: PLC0415 - as above
-    from zbot.launch.testing.staged_test import StagedTest  # noqa: PLC0415 - as above
+    from zbot.launch.testing.launch_fixture import name_and_scope  # noqa: PLC0415 - only launch tests need it
+    from zbot.launch.testing.staged_test import StagedTest  # noqa: PLC0415 - only launch tests need it
 
     fixture_name, scope = name_and_scope(made)
     test, shutdown = StagedTest(obj, fixture_name), bool(marks[0].kwargs.get("shutdown"))
@@ -171,7 +171,7 @@ def _skipped(collector: pytest.Module | pytest.Class, name: str) -> pytest.Item:
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Move tests that end a launch after all other tests of the same launch."""
+    """Order the tests of each launch, so that the tests after the launch's end come last."""
     places: defaultdict[Any, list[int]] = defaultdict(list)
     for place, item in enumerate(items):
         stage = item.stash.get(_STAGE, None)
@@ -188,11 +188,11 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 @pytest.fixture
 def launch_service() -> Any:
     """Return the launch service of the test's launch."""
-    from zbot.launch.testing.error import LaunchTestError  # noqa: PLC0415 - as above
-    from zbot.launch.testing.launch_fixture import running  # noqa: PLC0415 - as above
+    from zbot.launch.testing.error import LaunchTestError  # noqa: PLC0415 - only launch tests need it
+    from zbot.launch.testing.launch_fixture import running  # noqa: PLC0415 - only launch tests need it
 
     if not running:
-        raise LaunchTestError("no launch is running: request its fixture before this one")
+        raise LaunchTestError("no launch is running: request a launch fixture first")
     return list(running.values())[-1].service
 
 

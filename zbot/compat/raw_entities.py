@@ -1,4 +1,4 @@
-"""Classes of rclpy's C extension from which programs build their own `Waitable`.
+"""Functions in place of rclpy's C classes, from which programs build their own `Waitable`.
 
 Each function returns the handle of an object of zbot that no executor serves. The program adds the
 handle to its wait set, and takes messages or requests from it. The object is destroyed with its

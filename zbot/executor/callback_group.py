@@ -119,7 +119,7 @@ class GroupReservations:
         group: CallbackGroup = entity.callback_group
         if type(group) in _KNOW_WAITING:
             return group.beginning_execution(entity)
-        # Before the group is asked, because another thread may release it in the meantime.
+        # Store the entity before the group is asked: another thread may release it meanwhile.
         self._entities.append(entity)
         if not (group.can_execute(entity) and group.beginning_execution(entity)):
             return False
@@ -132,12 +132,12 @@ class GroupReservations:
         return [*(entity.callback_group.ending_execution(entity) or ()), *self.drain()]
 
     def skip(self, entity: Any) -> list[Any]:
-        """Return the entities that waited for an entity which will not run, to queue them again."""
+        """Return the entities that must be queued again, because this entity will not run."""
         group: CallbackGroup = entity.callback_group
         return group.dismiss() if isinstance(group, MutuallyExclusiveCallbackGroup) else []
 
     def drain(self) -> Iterator[Any]:
-        """Yield the entities that were refused until now. Each entity goes to one thread only."""
+        """Yield and forget the entities that groups refused. Each one goes to one thread only."""
         with contextlib.suppress(IndexError):
             for _ in range(len(self._entities)):
                 yield self._entities.popleft()

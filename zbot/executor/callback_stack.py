@@ -26,7 +26,7 @@ class CallbackStack(threading.local):
             self._at_end.pop()[1]()
 
     def at_end(self, function: Callable[[], object]) -> None:
-        """Call a function that takes little time when the innermost callback has ended."""
+        """Call a quick function after the end of the innermost callback."""
         self._at_end.append((len(self.stack), function))
 
 

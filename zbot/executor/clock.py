@@ -55,7 +55,7 @@ class SleepContext(Protocol):
 class ClockChange(enum.IntEnum):
     """Whether a jump is a change between system time and simulated time."""
 
-    ROS_TIME_NO_CHANGE = 1  #: simulated before and after
+    ROS_TIME_NO_CHANGE = 1  #: simulated time before and after
     ROS_TIME_ACTIVATED = 2
     ROS_TIME_DEACTIVATED = 3
     SYSTEM_TIME_NO_CHANGE = 4  #: system time before and after
@@ -79,7 +79,7 @@ class JumpThreshold:
     Args:
         min_forward: The smallest jump forward, more than zero. `None` ignores jumps forward.
         min_backward: The smallest jump backward, less than zero. `None` ignores jumps backward.
-        on_clock_change: Whether it counts as a jump to activate or deactivate simulated time.
+        on_clock_change: Whether a switch between system time and simulated time counts as a jump.
 
     Raises:
         InvalidJumpError: A duration has the wrong sign, or no jump can reach the threshold.
@@ -197,7 +197,7 @@ class Clock:
         self._clock_type = clock_type
         self._is_steady = clock_type is ClockType.STEADY_TIME
         self._source_changes = 0  # how often the source of time changed
-        # Lists are changed and copied in one step, without a lock that a signal handler could need.
+        # The lists are changed and copied in one atomic step. A lock could block a signal handler.
         self._jumps: list[JumpHandle] = []
         self._changes: list[TimeChangeHandle] = []
 
@@ -235,7 +235,7 @@ class Clock:
         pre_callback: Callable[[], Any] | None = None,
         post_callback: Callable[[TimeJump], Any] | None = None,
     ) -> JumpHandle:
-        """Call functions before and after simulated time jumps.
+        """Call functions before and after each jump of simulated time.
 
         The thread that sets the time calls the functions, so they must be quick. If a function
         raises an exception, the code that sets the time gets it, and the other functions are not

@@ -36,7 +36,7 @@ class EntityQueue:
         self._wakeup.set()
 
     def _queue(self, entity: Entity) -> None:
-        # One entry is enough, because an entity leaves the set before it is asked for work.
+        # One entry is enough. It is removed before the entity is asked for work: no post is lost.
         if entity not in self._queued:
             self._queued.add(entity)
             self._ready.append(entity)

@@ -198,7 +198,7 @@ class Executor(EntityQueue):
     def _wait_for_ready_callbacks(
         self, *args: Any, **kwargs: Any
     ) -> Iterator[tuple[Task[None], Entity, SpinnableNode | None]]:
-        # rclpy's private name: executors that programs derive from rclpy's call it.
+        # This is a private name of rclpy, which a program's own executor may call.
         while True:
             yield self.wait_for_ready_callbacks(*args, **kwargs)
 
@@ -219,7 +219,7 @@ class Executor(EntityQueue):
         execute, take = entity.execute, entity.take
         running_callbacks.stack.append((self, entity))
         try:
-            # The common case of a busy topic. A message takes half the time without the queue.
+            # This is for busy topics: without the queue, a message takes half the time.
             while (outcome := execute(taken)) is None and not self._must_requeue:
                 due = self._due_ns
                 if due is not None and due <= time.monotonic_ns():
@@ -240,16 +240,16 @@ class Executor(EntityQueue):
             self._run_coroutine(entity, outcome)
 
     def _run_coroutine(self, entity: Entity, coroutine: Coroutine[Any, Any, Any]) -> None:
-        """Run an `async def` callback. Its callback group stays reserved until it ends."""
+        """Run an `async def` callback. Its group stays reserved until the callback ends."""
         task: Task[Any] = Task(coroutine, executor=self)
         try:
             task()
         finally:
-            # The group must also be released after an exception, because no thread may spin again.
+            # Release the group here, also after an exception: perhaps no thread will spin again.
             if task.is_over:
                 self._finish(entity)
             else:
-                # Not a done callback, which would be a separate piece of work.
+                # This is a waker, because a done callback would be a separate piece of work.
                 task.add_waker(lambda: self._finish(entity))
                 if isinstance(entity.callback_group, ReentrantCallbackGroup):
                     self._queue(entity)  # its next work may begin while this coroutine waits

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 class GuardCondition:
     """Runs its callback in the executor after one or more triggers.
 
-    Several triggers before the callback runs cause one run.
+    If it is triggered several times before the callback runs, the callback runs once.
 
     Args:
         callback: Called without arguments. It may be a coroutine function.

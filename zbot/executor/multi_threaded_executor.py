@@ -79,13 +79,13 @@ class MultiThreadedExecutor(Executor):
             raise self._failures.popleft()
 
     def _wait_for_callback_end(self, deadline_ns: int | None) -> None:
-        """Wait inside a callback until another ends. The spinning thread starts callbacks."""
+        """Wait until another callback ends. The spinning thread starts the callbacks."""
         left = None if deadline_ns is None else (deadline_ns - time.monotonic_ns()) / 1e9
         with self._idle:
             self._idle.wait(left)
 
     def _is_spun_by_other_thread(self) -> bool:
-        # Between two callbacks no thread spins for a short time. A callback must not spin then.
+        # Between two calls of `spin_once` no thread spins. A callback must not spin then either.
         return threading.get_ident() in self._workers or super()._is_spun_by_other_thread()
 
     def _must_stop(self, stop: Callable[[], bool] | None) -> bool:

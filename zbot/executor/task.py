@@ -63,7 +63,7 @@ class Future(Generic[T]):
     """
 
     def __init__(self, *, executor: Any = None) -> None:
-        # A weak reference, because the executor refers to its tasks.
+        # A weak reference avoids a reference cycle, because the executor refers to its tasks.
         self._executor = None if executor is None else weakref.ref(executor)
         self._lock = threading.RLock()  # re-entrant: a signal handler may take it
         self._state = _PENDING
@@ -247,7 +247,7 @@ class Task(Future[T]):
 
     def _resume_after(self, awaited: object) -> None:
         if isinstance(awaited, Future):
-            # A waker, because a done callback would run in the future's executor. The task must
+            # This is a waker. A done callback would run in the future's executor, but the task must
             # continue in its own executor.
             awaited.add_waker(self._schedule)
         else:

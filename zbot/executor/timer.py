@@ -105,7 +105,7 @@ class Timer:
 
     @property
     def timer_period_ns(self) -> int:
-        """The period in nanoseconds. A new period begins at the last call."""
+        """The period in nanoseconds. A changed period is counted from the last call."""
         return self._period_ns
 
     @timer_period_ns.setter
@@ -116,7 +116,7 @@ class Timer:
 
     @property
     def due_ns(self) -> int | None:
-        """When it is due, on the monotonic clock. `None` if canceled or on simulated time."""
+        """When the timer is due (monotonic clock). `None` if canceled or on simulated time."""
         return None if self._is_canceled or self._is_simulated else self._next_ns
 
     @property
@@ -132,13 +132,13 @@ class Timer:
         self._next_ns = self._last_ns + self._period_ns
 
     def _on_time_change(self) -> None:
-        # A step forward only makes the timer due, because `/clock` may be coarser than the period.
+        # A step forward does not restart the timer: a step of `/clock` may be longer than a period.
         is_simulated, now = self._is_simulated, self._now_ns()
         if is_simulated is not self._was_simulated or now < self._last_ns:
             self._restart()
             self.ready_queue.post(self)
         elif now >= self._next_ns and not self._is_canceled:
-            # Not at each step of `/clock`, because most timers are not due then.
+            # The timer is posted only when it is due, and not at each step of `/clock`.
             self.ready_queue.post(self)
 
     def take(self) -> TimerInfo | None:
@@ -309,7 +309,7 @@ class Rate:
         now = self._clock.now()
         if now >= self._next + self._period:  # the loop took too long: new period boundaries
             self._next = now
-        with contextlib.suppress(NotInitializedError):  # another thread has just shut it down
+        with contextlib.suppress(NotInitializedError):  # another thread shut down the context
             self._clock.sleep_until(self._next, self._sleep_context)
         self._next += self._period
         if not self._context.ok():

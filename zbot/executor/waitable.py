@@ -106,7 +106,7 @@ class WaitableEntity:
         return self._waited_for.due_ns
 
     def take(self) -> tuple[Any] | None:
-        """Return the waitable's data in a tuple, as the data may be `None`. `None`: not ready."""
+        """Return a tuple with the data, which may be `None`. Return `None` if not ready."""
         if self._is_destroyed:
             return None
         wait_set = WaitSet()

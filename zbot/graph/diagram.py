@@ -83,7 +83,7 @@ class Drawing:
             yield _edge(edge, route, points, label)
 
     def _touching(self, key: str, point: tuple[float, float]) -> tuple[float, float]:
-        """Return the point at the same height on a node's ellipse. Other points are unchanged."""
+        """Return an edge's end, moved sideways to a node's ellipse. Ends at topics do not move."""
         if not key.startswith("n:"):
             return point
         place = self.layout.places[key]

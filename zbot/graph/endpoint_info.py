@@ -46,7 +46,7 @@ class TypeHash:
 
     @classmethod
     def parse(cls, text: str) -> TypeHash:
-        """Return the hash of a text such as `RIHS01_df66...`. Other texts give an invalid hash."""
+        """Read a hash from a text such as `RIHS01_df66...`. Other texts give an invalid hash."""
         head, _, digits = text.partition("_")
         try:
             return cls(int(head.removeprefix("RIHS")), bytes.fromhex(digits))

@@ -140,8 +140,8 @@ class Graph:
         domain: 0 to 232.
         settle: Function that waits until all sessions have sent their tokens. The first snapshot
             calls it.
-        receiver: Function that turns a function into a callback. Zenoh calls it while the session
-            is open.
+        receiver: Function that turns a function into a callback. Zenoh calls the callback while
+            the session is open.
         asks_first: Whether to query all tokens before the subscription to changes. After this
             subscription, a client's session would answer the query itself, and incompletely.
     """
@@ -174,7 +174,7 @@ class Graph:
         self._gone: set[str] = set()
         # Own tokens that were undeclared. Zenoh may deliver their samples later or never.
         self._withdrawn: dict[str, None] = {}
-        # Not a condition variable: an exception of a signal handler could leave it locked.
+        # Semaphores: a signal handler's exception could leave a condition variable locked.
         self._waiting: set[BinarySemaphore] = set()
 
     def watch(self) -> None:
@@ -209,7 +209,7 @@ class Graph:
     def snapshot(self) -> Snapshot:
         """Return the graph as it is now. The first call waits for all sessions (1 to 25 ms)."""
         if not self._asks_first:
-            # Before the query, so that no change during the query is missed.
+            # Watch before the query, so that no change during the query is missed.
             self.watch()
         if not self._watching:
             return Snapshot(tuple(self._query_tokens()))
@@ -259,7 +259,7 @@ class Graph:
         return self._by_gid.get(gid)
 
     def add_listener(self, listener: Callable[[Token, bool], None]) -> None:
-        """Call the bound method `listener(token, appeared)` at each change, while it exists."""
+        """Call the method `listener(token, appeared)` at each change while its object exists."""
         self.watch()
         with self._lock:
             self._listeners.append(weakref.WeakMethod(listener))

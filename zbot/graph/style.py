@@ -1,6 +1,6 @@
 """Style of the drawn graph, with colours for light and dark screens and widths of texts.
 
-The CSS rules contain plain colours, as many programs that show SVG files ignore CSS variables.
+The CSS rules contain plain colours. CSS variables do not work in many programs that show SVG.
 """
 
 from __future__ import annotations

@@ -54,7 +54,7 @@ class TopicView:
     ends: tuple[End, ...]
     kind: BoxKind = BoxKind.TOPIC
     has_clash: bool = False  #: whether nodes use different types and exchange no messages
-    guess: str | None = None  #: a published topic with a similar name, if no node publishes this
+    guess: str | None = None  #: a published topic with a similar name, if nobody publishes this one
     problem: str | None = None  #: a sentence about the problem, if there is a problem
     stands_for: tuple[str, ...] = ()  #: the topics that this box replaces
 
@@ -100,7 +100,7 @@ class TopicView:
         return bool(listening) and not any(self.receives(one, publisher) for one in listening)
 
     def receives_nothing(self, subscription: str) -> bool:
-        """Whether no publisher has its type. Or no publisher exists, and the name is misspelled."""
+        """Whether a node gets no message: the types differ, or the topic's name is misspelled."""
         talking = self.publishers
         if not talking:
             return self.guess is not None

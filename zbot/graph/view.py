@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 __all__ = ["BoxKind", "Edge", "Filters", "GraphView", "Grouping", "Mode", "TopicView", "view"]
 
 
-_TOOL = "/_zbot_"  # for nodes of zbot's own commands and of the page; not reported as left out
+_TOOL = "/_zbot_"  # in names of zbot's own nodes, which are not reported as left out
 
 
 class Mode(str, Enum):
@@ -127,7 +127,7 @@ def view(
     open_nodes = {name for name in names if filters.shows_node(name)}
     passes = compile_filter(filters.nodes)
     nodes = {name for name in open_nodes if passes(name)}
-    # As in rqt_graph, hidden nodes count too when zbot looks for problems and active topics.
+    # As in rqt_graph, nodes that `passes` excludes still count for problems and active topics.
     found = find_topics(snapshot, open_nodes, grouping)
     shown = [topic.among(nodes) for topic in _chosen(found, mode, filters)]
     judged = [topic.among(nodes) for topic in _chosen(found, Mode.ALL, filters)]

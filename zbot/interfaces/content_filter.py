@@ -114,7 +114,7 @@ class _Parser:
         return tokens
 
     def _accept(self, *signs: str) -> str:
-        """Return the next token and skip it if it is one of the signs. Else return ""."""
+        """If the next token is one of the signs, skip and return it. Else return ""."""
         if self._position < len(self._tokens):
             kind, text = self._tokens[self._position]
             if kind == "sign" and text in signs:

@@ -82,7 +82,7 @@ class PositionalFieldError(ZbotError, TypeError):
         self.type_name, self.fields = type_name, fields
         short = type_name.rpartition("/")[2]
         example = f"{fields[0]}=..." if fields else ""
-        super().__init__(f"name the fields of {type_name}: {short}({example})")
+        super().__init__(f"give the fields of {type_name} by name: {short}({example})")
 
 
 class NotAMessageTypeError(ZbotError, TypeError, AttributeError):

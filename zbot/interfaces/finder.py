@@ -4,7 +4,7 @@ The modules of an installed ROS 2 have priority. The finders add missing package
 Python packages, they add missing modules `msg`, `srv` and `action`.
 
 Python asks these finders for every import. `zbot.interfaces.importer` makes the modules. The
-finders load it only for the name of such a module, so `zbot topic list` starts a fifth faster.
+finders load `importer` only to find such a module, so `zbot topic list` starts a fifth faster.
 """
 
 from __future__ import annotations
@@ -77,13 +77,13 @@ class _PackageFinder:
 
 
 def _importer() -> Any:
-    """Return the module `importer`, or `None` while Python is importing this module."""
+    """Return the module `importer`, or `None` while Python is still importing it."""
     from zbot.interfaces import importer  # noqa: PLC0415 - see the module's docstring
 
     return importer if hasattr(importer, "package_spec") else None
 
 
 def _is_pythons(name: str) -> bool:
-    # Python's library tries to import modules of other systems, e.g. `_wmi` and `msvcrt`, and
-    # `copy` imports Jython's.
+    # Python's library tries to import modules of other systems, e.g. `_wmi` and `msvcrt`.
+    # Its module `copy` tries to import modules of Jython.
     return name.startswith("_") or name in sys.stdlib_module_names or name in _JYTHONS

@@ -20,7 +20,7 @@ _IMMUTABLE = {bool, int, float, str, bytes}
 class ConstantsMeta(type):
     """Metaclass of message classes with constants. As in ROS 2, constants cannot be assigned.
 
-    Other message classes are a plain `type`, because Python makes their instances faster.
+    Message classes without constants have the metaclass `type`: their instances are made faster.
     """
 
     SPEC: MessageSpec
@@ -67,7 +67,7 @@ class Message:
         )
 
     def __reduce__(self) -> tuple[Callable[..., Any], tuple[Any, ...], Any]:
-        # A pickle contains the type's name, so a process that unpickles only has to import zbot.
+        # A pickle contains the type's name. To unpickle it, a process only has to import zbot.
         cls = type(self)
         key = cls.TYPE_NAME if "TYPE_NAME" in cls.__dict__ else cls
         values = tuple([getattr(self, f"_{field.name}") for field in cls.SPEC.fields])

@@ -128,8 +128,9 @@ def _quoted(text: str) -> str:
 def json_value(value: Any) -> Any:
     """Return a value in the form for JSON.
 
-    NaN and infinities become null, because JSON does not have them. Arrays of bytes of any type
-    become base64, and one byte becomes a number. `zbot topic pub` can read these forms except null.
+    NaN and infinities become null, because JSON does not have them. Arrays of byte, char or
+    uint8 become base64, and one byte becomes a number. `zbot topic pub` can read these forms except
+    null.
     """
     if is_message(value):
         return {

@@ -28,7 +28,7 @@ class ScalarCheck:
         raise NotImplementedError
 
     def fits(self, values: list[Any]) -> bool:
-        """Return True if all values can be stored unchanged. On False, check each value."""
+        """Return True if all values can be stored unchanged. On False, the caller checks each."""
         return not values
 
     def wrong_type(self, label: str, value: object) -> FieldTypeError:

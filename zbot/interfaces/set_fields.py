@@ -28,8 +28,8 @@ def set_message_fields(
 
     Args:
         msg: The message, of any class that has ROS 2's attributes.
-        values: New values by field name. A nested message is a message or a dictionary. Fields that
-            are missing in this dictionary get their defaults.
+        values: New values by field name. For a field that is a message, the value is a message or a
+            dictionary. Fields that are missing in such an inner dictionary get their defaults.
         expand_header_auto: Whether the string `auto` means a header with the current time.
         expand_time_now: Whether the string `now` means the current time.
 
@@ -96,5 +96,5 @@ class _FieldSetter:
 def _scalar(kind: type[Any], value: Any) -> Any:
     if isinstance(value, kind):
         return value
-    # A `byte` is one octet, but bytes(7) would be seven.
+    # A `byte` field stores one byte, but bytes(7) would be seven zero bytes.
     return bytes([value]) if kind is bytes else kind(value)

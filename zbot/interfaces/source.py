@@ -19,7 +19,7 @@ _ZEROS: dict[str, Scalar] = {"bool": False, "byte": b"\x00", "string": "", "wstr
 
 
 def class_source(spec: MessageSpec) -> str:
-    """Return the class statement of a message. `classes._namespace` has the names in it."""
+    """Return the class statement of a message. `classes._namespace` defines the names it uses."""
     lines = [
         _class_line(spec),
         "    __doc__ = _DOC",
@@ -112,7 +112,10 @@ def _repr_fields(spec: MessageSpec) -> str:
 
 
 def _parameter_default(field: Field) -> str:
-    """Return a scalar's default. Else return a placeholder, so that messages share no value."""
+    """Return the default of a constructor parameter. It is a placeholder for lists and messages.
+
+    If a list or a message were the default, all messages would share this one object.
+    """
     if field.type.kind != "scalar" or field.type.is_message:
         return "DEFAULT"
     return _literal(_scalar_default(field))

@@ -20,7 +20,7 @@ INTEGER_RANGES: dict[str, tuple[int, int]] = {
     "int64": (-(2**63), 2**63 - 1),
     "uint64": (0, 2**64 - 1),
 }
-#: Typecode of Python's `array` for each numeric type. Both have exactly the same size.
+#: Typecode of Python's `array` for each numeric type. The array's items have the same size.
 TYPECODES: dict[str, str] = {
     "int8": "b",
     "uint8": "B",
@@ -162,7 +162,7 @@ class ActionSpec(_Named):
     text: str = field(default="", compare=False)  #: the definition with its comments
 
 
-InterfaceSpec = Union[MessageSpec, ServiceSpec, ActionSpec]  # noqa: UP007 - as Scalar
+InterfaceSpec = Union[MessageSpec, ServiceSpec, ActionSpec]  # noqa: UP007 - see Scalar
 
 
 def parts_of(spec: InterfaceSpec) -> tuple[InterfaceSpec, ...]:

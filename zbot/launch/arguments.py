@@ -50,9 +50,9 @@ def declared_arguments(
 class _Position:
     """Position of an entity in a tree of launch files."""
 
-    path: str = ""  #: of the launch file
+    path: str = ""  #: path of the launch file that contains the entity
     given: frozenset[str] = frozenset()  #: names of arguments that an include sets
-    chain: tuple[str, ...] = ()  #: including files, the outermost first
+    chain: tuple[str, ...] = ()  #: included files down to this file, the outermost first
     conditional: bool = False
     follows: bool = True  #: whether included files are read
 

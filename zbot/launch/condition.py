@@ -87,7 +87,10 @@ class UnlessCondition(IfCondition):
 
 
 class LaunchConfigurationEquals(Condition):
-    """Condition that a launch configuration has a value. None means that it is not set."""
+    """Condition that a launch configuration has the expected value.
+
+    If the expected value is None, the configuration must not be set.
+    """
 
     def __init__(
         self, launch_configuration_name: str, expected_value: SomeSubstitutionsType | None
@@ -104,7 +107,10 @@ class LaunchConfigurationEquals(Condition):
 
 
 class LaunchConfigurationNotEquals(LaunchConfigurationEquals):
-    """Condition that a launch configuration has another value. None means that it is set."""
+    """Condition that a launch configuration does not have the expected value.
+
+    If the expected value is None, the configuration must be set.
+    """
 
     def evaluate(self, context: LaunchContext) -> bool:
         """Return whether the condition is true."""

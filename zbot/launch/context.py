@@ -155,7 +155,7 @@ class LaunchContext:
     # Events
 
     def register_event_handler(self, event_handler: BaseEventHandler, append: bool = False) -> None:
-        """Register a handler for later events, before other handlers, or last with `append`.
+        """Register a handler for later events. It is called first, or last with `append`.
 
         The actions of the handler get the present locals, so `ThisLaunchFile` is the file that
         registered the handler.
@@ -216,7 +216,7 @@ class LaunchContext:
         if not self.is_shutdown:
             self.emit_event_sync(Shutdown(reason=text))
 
-    # Methods for the service that runs this launch
+    # Methods for the `LaunchService` that runs this launch
 
     def begin(self, loop: asyncio.AbstractEventLoop) -> None:
         """Use this loop to process events from now on."""
@@ -225,7 +225,7 @@ class LaunchContext:
         self.is_shutdown = self.failed = False
 
     def wake(self) -> None:
-        """Wake the service, so that it checks for events and finished futures."""
+        """Wake the `LaunchService`, so that it checks for events and finished futures."""
         if self._wake is not None:
             self._wake.set()
 

@@ -20,7 +20,7 @@ class LaunchDescription(LaunchDescriptionEntity):
 
     Args:
         initial_entities: Actions and other descriptions.
-        deprecated_reason: Marks the description as deprecated. The launch logs it as a warning.
+        deprecated_reason: Why the description is deprecated. The launch logs the text as a warning.
     """
 
     def __init__(

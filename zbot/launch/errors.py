@@ -126,7 +126,7 @@ class SubstitutionError(LaunchError, RuntimeError, ValueError):
 
 
 class UnknownNameError(SubstitutionError, NameError):
-    """A Python expression uses an undefined name. Its list of modules may be incomplete."""
+    """A Python expression uses an undefined name. `python_modules` may lack a module."""
 
 
 class ConditionError(LaunchError, ValueError):

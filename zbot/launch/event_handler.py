@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from zbot.launch.event import Event
 
 Entities: TypeAlias = LaunchDescriptionEntity | Iterable[LaunchDescriptionEntity] | None
-#: The same for `isinstance`.
+#: The types in `Entities`, for `isinstance`.
 Entities_types_tuple = (LaunchDescriptionEntity, Iterable)
 #: Entities, or a function that takes event and context and returns entities.
 Reaction: TypeAlias = Entities | Callable[..., Any]
@@ -40,7 +40,7 @@ class BaseEventHandler:
 
     def handle(self, event: Event, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
         """Handle the event and return the entities to visit."""
-        context.extend_locals({"event": event})  # the service removes it after this handler
+        context.extend_locals({"event": event})  # `LaunchService` removes it after this handler
         if self.handle_once:
             context.unregister_event_handler(self)
         return []

@@ -62,7 +62,7 @@ class LogWriter:
         self.log("ERROR", logger, text)
 
     def log(self, level: str, name: str, text: str) -> None:
-        """Write a line to the file, and to the screen if its level is shown."""
+        """Write a line to screen and file if its level is shown. The file gets all debug lines."""
         logger, number = get_logger(name), int(getattr(logging, level))
         record = logger.makeRecord(name, number, "", 0, text, (), None)
         if logger.isEnabledFor(number) or (number == logging.DEBUG and self.shows_debug):

@@ -20,7 +20,8 @@ if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
     from zbot.launch.substitution import SomeSubstitutionsType
 
-#: In characters. zbot writes longer words to a file, because systems limit a word's length.
+#: Maximum length of a command-line word in characters. zbot writes a longer word to a file, because
+#: systems limit this length.
 _MAX_WORD: Final = 10_000
 _ITEM_TYPES: Final = (bool, int, float, str)
 _VALUES: Final = "a bool, a number, a text or a list of one of these"
@@ -80,7 +81,7 @@ class ParameterFile:
         return self._given if self._path is None else self._path
 
     def evaluate(self, context: LaunchContext) -> Path:
-        """Return the path of a file whose substitutions are replaced."""
+        """Return the path. With `allow_substs`, it is a copy whose substitutions are replaced."""
         self._path = Path(perform(context, self._given))
         allow: Any = self.allow_substs
         if not isinstance(allow, bool):

@@ -147,7 +147,7 @@ async def start(
         "stdin": stdin,
         "stdout": slaves[0] if slaves else subprocess.PIPE,
         "stderr": slaves[1] if slaves else subprocess.PIPE,
-        # In its own session, so that Ctrl-C reaches only the launch. The launch sends the signals.
+        # The process gets its own session. So Ctrl-C reaches only the launch, which sends signals.
         "start_new_session": os.name != "nt",
     }
     try:

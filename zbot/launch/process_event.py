@@ -1,4 +1,4 @@
-"""Events that report a process's start, exit or output, or request to end or signal it."""
+"""Events that report the start, exit or output of a process, or ask to end it or to signal it."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class RunningProcessEvent(Event):
 
     @property
     def execute_process_action(self) -> ExecuteLocal:
-        """The action that started the process. It is the old name of `action`."""
+        """The action that started the process. This property is the old name of `action`."""
         return self.action
 
 
@@ -68,7 +68,7 @@ class ProcessIO(RunningProcessEvent):
 
     Args:
         text: The bytes.
-        fd: 0 for stdin, 1 for stdout, 2 for stderr. None means the value of the class.
+        fd: 0 for stdin, 1 for stdout, 2 for stderr. None means the class attribute `fd`.
         process: More arguments of `RunningProcessEvent`.
     """
 

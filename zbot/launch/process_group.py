@@ -80,7 +80,7 @@ _job: list[Any] = []
 
 
 def _join_job() -> None:
-    """Put this process into a job object, which ends its processes when its handle closes."""
+    """Put this process into a job object. When the job's handle closes, all its processes end."""
     if _job or sys.platform != "win32":
         return
     import ctypes  # noqa: PLC0415 - only Windows needs it

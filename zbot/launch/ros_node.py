@@ -73,7 +73,7 @@ class LaunchNode:
 
     def listen(self, topic: str, on_transition: Callable[[Any], None]) -> None:
         """Call a function with each `lifecycle_msgs/TransitionEvent` on a topic."""
-        from lifecycle_msgs.msg import TransitionEvent  # noqa: PLC0415 - needs zbot first
+        from lifecycle_msgs.msg import TransitionEvent  # noqa: PLC0415 - the import makes the class
 
         self.node.create_subscription(TransitionEvent, topic, on_transition, 10)
 
@@ -81,7 +81,7 @@ class LaunchNode:
         self, node_name: str, transition: int, on_answer: Callable[[bool], None]
     ) -> None:
         """Request a transition of a managed node. `on_answer` gets True if the node succeeded."""
-        # In a thread, because the request waits for the services of a node that just started.
+        # This runs in a thread, because it waits for the services of a node that just started.
         threading.Thread(
             target=self._change_state, args=(node_name, transition, on_answer), daemon=True
         ).start()
@@ -89,7 +89,7 @@ class LaunchNode:
     def _change_state(
         self, node_name: str, transition: int, on_answer: Callable[[bool], None]
     ) -> None:
-        from lifecycle_msgs.srv import ChangeState  # noqa: PLC0415 - as above
+        from lifecycle_msgs.srv import ChangeState  # noqa: PLC0415 - the import makes the class
 
         client = self.node.create_client(ChangeState, f"{node_name}/change_state")
         request = ChangeState.Request()

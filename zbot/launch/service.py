@@ -1,4 +1,4 @@
-"""Service that runs a launch. It visits entities and handles events until nothing is left."""
+"""Launch service, which visits entities and handles events until nothing is left."""
 
 from __future__ import annotations
 

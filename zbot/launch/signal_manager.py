@@ -30,7 +30,7 @@ class AsyncSafeSignalManager:
     def handle(
         self, signum: signal.Signals | int, handler: Callable[[int], Any] | None
     ) -> Callable[[int], Any] | None:
-        """Set the handler of a signal. The handler gets the signal's number. None removes it.
+        """Set a signal's handler. The handler gets the signal's number. None removes the handler.
 
         Returns:
             The previous handler.

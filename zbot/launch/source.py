@@ -27,7 +27,7 @@ def file_locals(path: Path) -> dict[str, str]:
     is_a_word = len(path.parts) == 1 and not path.is_file()
     return {
         "current_launch_file_path": str(path),
-        # as in launch, if the text is not a path, e.g. "<script>"
+        # As in launch, a text that is not a path, e.g. "<script>", stays unchanged.
         "current_launch_file_directory": str(path if is_a_word else path.parent),
     }
 

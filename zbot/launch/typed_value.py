@@ -13,7 +13,7 @@ from zbot.launch.substitution import Substitution, normalize, perform
 if TYPE_CHECKING:
     from zbot.launch.context import LaunchContext
 
-#: A string, number, bool, or a list whose items have one of these types, or substitutions.
+#: A string, number, bool or substitution, or a list of substitutions and values of one type.
 SomeValueType: TypeAlias = Any
 NormalizedValueType: TypeAlias = Any
 AllowedTypesType: TypeAlias = Any
@@ -40,7 +40,7 @@ def extract_type(data_type: AllowedTypesType) -> tuple[Any, bool]:
     is_list = is_typing_list(data_type)
     (kind,) = (get_args(data_type) or (None,)) if is_list else (data_type,)
     if not is_valid_scalar_type(kind):
-        expected = "bool, int, float, str or a List of one"
+        expected = "bool, int, float, str or a List of one of these"
         raise CoercionError(f"the type must be {expected}, not {data_type}")
     return kind, is_list
 
@@ -136,7 +136,7 @@ def get_typed_value(value: str | list[str], data_type: Any = None, can_be_str: b
 
     Raises:
         CoercionError: The string cannot be converted to this type.
-        EntityTypeError: `value` is not a string or a list. Or it is a list, but the type is not.
+        EntityTypeError: `value` is not a string or a list, or it is a list but `data_type` is not.
     """
     if not isinstance(value, list):
         return coerce_to_type(value, data_type, can_be_str)

@@ -24,8 +24,8 @@ if TYPE_CHECKING:
 
 def zbot_command() -> list[str]:
     """Return the words that start the `zbot` of this Python installation."""
-    # With the script, Python's path does not contain the working directory. On Windows the .exe is
-    # not used, because it starts a second process that signals do not reach.
+    # The script `zbot` is better than `-m zbot`, because sys.path then does not contain the working
+    # directory. On Windows, zbot.exe starts a second process, which signals do not reach.
     script = Path(sys.executable).with_name("zbot")
     if os.name != "nt" and script.is_file() and os.access(script, os.X_OK):
         return [str(script)]
@@ -33,7 +33,7 @@ def zbot_command() -> list[str]:
 
 
 def run_scripts_with_zbot(words: Sequence[str]) -> list[str]:
-    """Return the words of a command. It runs a Python script by `zbot run`, to find `rclpy`."""
+    """Return a command that runs Python scripts with `zbot run`, so that they find `rclpy`."""
     script = 2 if len(words) > 1 and words[1] == "-u" else 1  # zbot does not need -u
     is_python = words[0] in {sys.executable, "python", "python3"}
     if is_python and len(words) > script and words[script].endswith(".py"):
@@ -63,7 +63,7 @@ def executable_wrapper(package: str, executable: str) -> Path:
 
 
 def _wrapper(name: str, words: Sequence[str]) -> Path:
-    """Return the path of a program that runs a command with the program's own arguments."""
+    """Return the path of a wrapper program, which passes its arguments on to a command."""
     key = hashlib.sha256("\0".join(words).encode()).hexdigest()[:16]
     path = cache_folder() / "programs" / key / (f"{name}.cmd" if os.name == "nt" else name)
     try:
@@ -80,7 +80,7 @@ def _write(path: Path, words: Sequence[str]) -> None:
         line = " ".join(f'"{word}"' for word in words)
         path.write_text(f"@{line} %*\n", encoding="utf-8")
         return
-    # Written with another name, then renamed, as another launch may start it at the same time.
+    # The file gets its name when it is complete, because another launch may start it at once.
     draft = path.with_name(f"{path.name}.{os.getpid()}")
     draft.write_text(f'#!/bin/sh\nexec {shlex.join(words)} "$@"\n', encoding="utf-8")
     draft.chmod(draft.stat().st_mode | stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH)

@@ -54,7 +54,7 @@ class CvBridge:
 
         Args:
             img_msg: The image. Its pixels are copied only if they are converted.
-            desired_encoding: `bgr8`, `rgb8`, `mono8` ... `passthrough` keeps the encoding.
+            desired_encoding: For example `bgr8` or `mono8`. `passthrough` keeps the encoding.
 
         Raises:
             CvBridgeError: The encoding or conversion does not exist, or the image lacks data.
@@ -71,7 +71,7 @@ class CvBridge:
 
         Args:
             cvim: Array of shape (height, width) or (height, width, channels).
-            encoding: Encoding of the array: `bgr8`, `mono8`, `32FC1` ... Nothing is converted.
+            encoding: Encoding of the array, for example `bgr8` or `32FC1`. Nothing is converted.
             header: Header of the image.
 
         Raises:
@@ -116,7 +116,7 @@ class CvBridge:
         octets = np.frombuffer(bytes(cmprs_img_msg.data), np.uint8)
         array: NDArray[Any] | None = cv2.imdecode(octets, cv2.IMREAD_UNCHANGED)
         if array is None:
-            raise CvBridgeError(f"the image is no {cmprs_img_msg.format or 'image that is known'}")
+            raise CvBridgeError(f"cannot read the image as {cmprs_img_msg.format or 'any format'}")
         if desired_encoding == "passthrough":
             return array
         bits = 8 * array.dtype.itemsize
@@ -143,7 +143,7 @@ class CvBridge:
         return image
 
     def encoding_to_dtype_with_channels(self, encoding: str) -> tuple[str, int]:
-        """Return numpy's name of the type of a value, and the number of channels."""
+        """Return numpy's type name and the number of channels, e.g. ('uint8', 3) for `bgr8`."""
         code, channels = _layout(encoding)
         names = {"u": "uint", "i": "int", "f": "float"}
         return f"{names[code[0]]}{8 * int(code[1])}", channels
@@ -160,7 +160,7 @@ class CvBridge:
         return _cv_type(np.dtype(dtype).str[1:], n_channels)
 
     def cvtype2_to_dtype_with_channels(self, cvtype: str) -> tuple[str, int]:
-        """Return numpy's type name and the number of channels of OpenCV's type, e.g. `8UC3`."""
+        """Return numpy's type name and the number of channels, e.g. ('uint8', 3) for `8UC3`."""
         return self.encoding_to_dtype_with_channels(cvtype)
 
 
@@ -248,7 +248,7 @@ def _recolored(array: NDArray[Any], source: str, target: str) -> NDArray[Any]:
 
 
 def _scaled(array: NDArray[Any], code: str) -> NDArray[Any]:
-    """Return values of 8 bits as 16 bits or the reverse. The largest value stays the largest."""
+    """Convert values from 8 to 16 bits (255 becomes 65535) or from 16 to 8 bits."""
     import numpy as np  # noqa: PLC0415 - part of an extra
 
     if array.dtype.itemsize == int(code[1]):

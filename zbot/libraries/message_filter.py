@@ -36,13 +36,13 @@ class SimpleFilter:
     def __init__(self) -> None:
         self.callbacks: dict[int, tuple[Callable[..., Any], tuple[Any, ...]]] = {}
 
-    def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:  # noqa: N802 - as above
-        """Register a function for each output. It also gets `args`. Return the connection's id."""
+    def registerCallback(self, cb: Callable[..., Any], *args: Any) -> int:  # noqa: N802 - ROS 2's
+        """Register a function to call with each output and `args`. Return the connection's id."""
         connection = max(self.callbacks, default=-1) + 1
         self.callbacks[connection] = (cb, args)
         return connection
 
-    def signalMessage(self, *msg: Any) -> None:  # noqa: N802 - as above
+    def signalMessage(self, *msg: Any) -> None:  # noqa: N802 - ROS 2's
         """Call all callbacks, in the order in which they were registered."""
         for callback, args in list(self.callbacks.values()):
             callback(*msg, *args)
@@ -73,7 +73,7 @@ class Subscriber(SimpleFilter):
         """Pass on a message of the subscription."""
         self.signalMessage(msg)
 
-    def getTopic(self) -> str:  # noqa: N802 - as above
+    def getTopic(self) -> str:  # noqa: N802 - ROS 2's
         """Return the name of the topic as passed to the constructor."""
         return self.topic
 
@@ -107,7 +107,7 @@ class Cache(SimpleFilter):
         if f is not None:
             self.connectInput(f)
 
-    def connectInput(self, f: Filter) -> None:  # noqa: N802 - as above
+    def connectInput(self, f: Filter) -> None:  # noqa: N802 - ROS 2's
         """Register with the filter whose messages are kept."""
         self.incoming_connection = f.registerCallback(self.add)
 
@@ -123,31 +123,31 @@ class Cache(SimpleFilter):
             del self.cache_msgs[0], self.cache_times[0]
         self.signalMessage(msg)
 
-    def getInterval(self, from_stamp: Time, to_stamp: Time) -> list[Any]:  # noqa: N802 - as above
-        """Return the messages from one time to another, including both."""
+    def getInterval(self, from_stamp: Time, to_stamp: Time) -> list[Any]:  # noqa: N802 - ROS 2's
+        """Return the messages between two times, or exactly at one of these times."""
         first, last = self._before(from_stamp), self._until(to_stamp)
         return self.cache_msgs[first:last]
 
-    def getElemAfterTime(self, stamp: Time) -> Any:  # noqa: N802 - as above
+    def getElemAfterTime(self, stamp: Time) -> Any:  # noqa: N802 - ROS 2's
         """Return the oldest message at or after a time, or None if there is no such message."""
         return next(iter(self.cache_msgs[self._before(stamp) :]), None)
 
-    def getElemBeforeTime(self, stamp: Time) -> Any:  # noqa: N802 - as above
+    def getElemBeforeTime(self, stamp: Time) -> Any:  # noqa: N802 - ROS 2's
         """Return the newest message at or before a time, or None if there is no such message."""
         older = self.cache_msgs[: self._until(stamp)]
         return older[-1] if older else None
 
-    def getLatestTime(self) -> Time | None:  # noqa: N802 - as above
+    def getLatestTime(self) -> Time | None:  # noqa: N802 - ROS 2's
         """Return the time of the newest message, or None if there is no message."""
         return self.cache_times[-1] if self.cache_times else None
 
     getLastestTime = getLatestTime  # noqa: N815 - ROS 2's spelling
 
-    def getOldestTime(self) -> Time | None:  # noqa: N802 - as above
+    def getOldestTime(self) -> Time | None:  # noqa: N802 - ROS 2's
         """Return the time of the oldest message, or None if there is no message."""
         return self.cache_times[0] if self.cache_times else None
 
-    def getLast(self) -> Any:  # noqa: N802 - as above
+    def getLast(self) -> Any:  # noqa: N802 - ROS 2's
         """Return the newest message, or None if there is no message."""
         return self.cache_msgs[-1] if self.cache_msgs else None
 
@@ -173,7 +173,7 @@ class Chain(SimpleFilter):
         if message_filter is not None:
             self.connectInput(message_filter)
 
-    def connectInput(self, message_filter: Filter) -> None:  # noqa: N802 - as above
+    def connectInput(self, message_filter: Filter) -> None:  # noqa: N802 - ROS 2's
         """Register with the filter whose messages are the input.
 
         Raises:
@@ -190,7 +190,7 @@ class Chain(SimpleFilter):
         else:
             self.signalMessage(message)
 
-    def addFilter(self, message_filter: Any) -> None:  # noqa: N802 - as above
+    def addFilter(self, message_filter: Any) -> None:  # noqa: N802 - ROS 2's
         """Append a filter."""
         if self._filters:
             last = self._filters[-1]
@@ -199,7 +199,7 @@ class Chain(SimpleFilter):
         self._filters.append(message_filter)
         self._last_connection = message_filter.registerCallback(self.signalMessage)
 
-    def getFilter(self, index: int) -> Any:  # noqa: N802 - as above
+    def getFilter(self, index: int) -> Any:  # noqa: N802 - ROS 2's
         """Return a filter by its index.
 
         Raises:
@@ -225,7 +225,7 @@ class TimeSynchronizer(SimpleFilter):
         self.lock = threading.RLock()
         self.connectInput(fs)
 
-    def connectInput(self, fs: Sequence[Filter]) -> None:  # noqa: N802 - as above
+    def connectInput(self, fs: Sequence[Filter]) -> None:  # noqa: N802 - ROS 2's
         """Replace the filters whose messages are synchronized."""
         self.queues: list[Queue] = [{} for _ in fs]
         self.input_connections = [
@@ -311,8 +311,8 @@ def stamp_of(msg: Any, allow_headerless: bool) -> Time | None:
     if allow_headerless:
         return ROSClock().now()
     get_logger("message_filters").warning(
-        f"A {type(msg).__name__} has no header.stamp and is dropped: filters go by the time of a "
-        "message. Send a type with a header, or say allow_headerless=True to use the time of "
+        f"A {type(msg).__name__} has no header.stamp and is dropped: filters compare the times of "
+        "messages. Send a type with a header, or say allow_headerless=True to use the time of "
         "arrival.",
         once=True,
     )

@@ -202,7 +202,7 @@ def create_cloud(
         header: Frame of the points, and the time of their measurement.
         fields: The fields of a point.
         points: An array of shape (points, fields) or (rows, columns, fields), a structured array,
-            or lists of such a shape.
+            or a list with the values of each point.
         step: Bytes from one point to the next. The default is the size of the fields, or the size
             of a structured array's element.
         point_step: Another name for `step`.

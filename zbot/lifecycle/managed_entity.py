@@ -42,7 +42,7 @@ class ManagedEntity:
         return TransitionCallbackReturn.SUCCESS
 
     def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:  # noqa: ARG002
-        """Clean up after an error. The node is then unconfigured, or finalized without success."""
+        """Clean up after an error. The node is unconfigured after SUCCESS, otherwise finalized."""
         return TransitionCallbackReturn.SUCCESS
 
 

@@ -65,12 +65,12 @@ class _LifecycleData:
 
 
 class LifecycleNodeMixin(ManagedEntity):
-    """Makes a `Node` a managed node. Call its constructor after the constructor of `Node`.
+    """Makes a `Node` a managed node. Call the mixin's constructor after that of `Node`.
 
     Args:
-        enable_communication_interface: Whether other programs see its state and can change it.
-        callback_group: Group of the services that do this. If left out, the node's default group
-            is used.
+        enable_communication_interface: Whether services let other programs see and change the
+            node's state.
+        callback_group: Group of these services. If left out, the node's default group is used.
 
     Raises:
         NotANodeError: `Node` is missing among the base classes.
@@ -100,8 +100,8 @@ class LifecycleNodeMixin(ManagedEntity):
 
     @cached_property
     def _state_machine(self) -> StateMachine:
-        # Programs read `current_state` of this private name of rclpy. It is not a property, so that
-        # a program can assign its own state machine to the name.
+        # This is a private name of rclpy, but programs read its `current_state`. `cached_property`
+        # lets a program assign its own state machine to the name.
         return self._zbot_lifecycle.machine
 
     def trigger_configure(self) -> TransitionCallbackReturn:

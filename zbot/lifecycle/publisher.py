@@ -38,5 +38,5 @@ class LifecyclePublisher(SimpleManagedEntity, Publisher[MsgT]):
             self._has_warned = True
             get_logger(self.logger_name).warning(
                 f"a message on {self.topic_name} was dropped: the node is not active "
-                "(this is said once until it is)"
+                "(no more warnings come until the node is active)"
             )

@@ -47,7 +47,7 @@ class LifecycleServices:
     ) -> None:
         self._machine = machine
         self._change = change
-        # Not node.create_publisher, because a program's node may override it.
+        # A program's class may override node.create_publisher, so Node's own method is called.
         self._events = Node.create_publisher(
             node, TransitionEvent, "~/transition_event", _EVENT_DEPTH
         )

@@ -92,7 +92,7 @@ def _write_safely(stream: TextIO | None, text: str, *, flush: bool) -> None:
 def _has_colour(stream: TextIO | None) -> bool:
     try:
         return stream is not None and stream.isatty() and _enable_colour(stream)
-    except ValueError:  # closed
+    except ValueError:  # the stream is closed
         return False
 
 

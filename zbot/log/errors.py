@@ -6,7 +6,7 @@ from zbot.errors import ZbotError
 
 
 class InvalidSeverityError(ZbotError, ValueError, RuntimeError):
-    """A log severity does not exist. rclpy: ValueError for a number, RuntimeError for text."""
+    """A severity does not exist. rclpy raises ValueError for a number, RuntimeError for text."""
 
     def __init__(self, severity: object) -> None:
         self.severity = severity
@@ -39,7 +39,7 @@ class LogCallChangedError(ZbotError, ValueError):
         self.what, self.place = what, place
         super().__init__(
             f"a log call's {what} cannot be changed between calls: "
-            f"write one call for each ({place})"
+            f"write separate log calls ({place})"
         )
 
 

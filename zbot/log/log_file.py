@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 def get_logging_directory() -> Path:
     """Return the folder for log files. The folder may be missing.
 
-    It is the first of `$ZBOT_LOG_DIR`, `$ROS_LOG_DIR`, `$ROS_HOME/log` and `~/.ros/log`.
+    It is `$ZBOT_LOG_DIR`, else `$ROS_LOG_DIR`, else `$ROS_HOME/log`, else `~/.ros/log`.
     """
     wanted = _wanted_directory()
     if wanted is not None:
@@ -26,7 +26,7 @@ def get_logging_directory() -> Path:
 
 
 class LogFile:
-    """Log file `<folder>/<program>_<pid>_<milliseconds>.log`. The first line creates the file.
+    """Log file `<folder>/<program>_<pid>_<milliseconds>.log`. The first log line creates it.
 
     Args:
         prefix: If it is not empty, it replaces the program's name in the file's name.

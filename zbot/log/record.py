@@ -31,7 +31,7 @@ class Record(NamedTuple):
     message: str  #: It may have several lines. UTF-8 can always encode it.
     file: str  #: path of the source file with the log call
     function: str
-    line: int  #: in `file`, from 1
+    line: int  #: number of the line in `file`, from 1
 
 
 def formatter(template: str) -> Callable[[Record], str]:

@@ -46,7 +46,7 @@ class LoggerState:
 
 @dataclass(eq=False)
 class _Outputs:
-    """Console and log file. The first line opens both, with the environment of that time."""
+    """Console and log file. The first log line opens both, with the environment at that time."""
 
     console: Console
     file: LogFile

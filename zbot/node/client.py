@@ -47,7 +47,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
     """Calls a service. `Node.create_client` creates it. All methods may be called from any thread.
 
     Args:
-        context: The session to call through.
+        context: The context whose session sends the requests.
         srv_type: Service class.
         token: The client's liveliness token: its node, service, type and profile.
         ready_queue: The queue that the node's executor takes ready entities from.
@@ -308,8 +308,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     def post(self, response: ResponseFuture[ResponseT]) -> None:
         """Let the executor run the callbacks of a call's future. Any thread may call this."""
-        # One response without callbacks is enough to let `spin_once` return. A program that spins
-        # only until its own call is over would never take other responses, and they would pile up.
+        # One queued response without callbacks lets `spin_once` return, so no second one is queued.
+        # A second one would stay in the queue if the program spins only until its own call is over.
         if response.has_callbacks or not self._completed:
             self._completed.append(response)
         self.ready_queue.post(self)
@@ -372,7 +372,7 @@ class ClientHandle(Handle[Client[Any, Any]]):
         self,
         response_type: object = None,  # noqa: ARG002 - rclpy's signature
     ) -> tuple[ResponseHeader, Any] | tuple[None, None]:
-        """Take the oldest response. If there is no response, return `None` twice.
+        """Take the oldest response. If there is no response, return `(None, None)`.
 
         Raises:
             ServiceError: The call failed, or there was no server.

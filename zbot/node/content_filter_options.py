@@ -14,7 +14,7 @@ class ContentFilterOptions(NamedTuple):
     """
 
     filter_expression: str  #: an empty expression selects every message
-    expression_parameters: list[str]  #: values of `%0`, `%1` ..., as an expression has them
+    expression_parameters: list[str]  #: values of `%0`, `%1` ..., written as in an expression
 
 
 class NoContentFilterError(ZbotError, LookupError):

@@ -16,10 +16,9 @@ if TYPE_CHECKING:
 
     import zenoh
 
-# A reply after this time may come after its query's timeout, which is at least 2 s.
+# After this time a reply counts as late, because its query may end soon (after 2 s or more).
 _LATE_S = 1.0
-# How many late replies a server keeps. Each is kept until its request comes again, which never
-# happens if the caller gave up.
+# A server keeps at most this many late replies. A further late reply removes the oldest.
 _MAX_ANSWERS = 32
 
 
@@ -32,7 +31,7 @@ class RepeatedRequests:
         self._answered: OrderedDict[bytes, Callable[[zenoh.Query], None]] = OrderedDict()
 
     def is_new(self, request: bytes, query: zenoh.Query, arrived_s: float) -> bool:
-        """Return whether a request is new. A repetition gets its reply from here, now or later.
+        """Return whether a request is new. A repeated request gets the same reply, now or later.
 
         Args:
             request: The request's number and its client's gid. Every repetition has the same bytes.
@@ -40,7 +39,7 @@ class RepeatedRequests:
             arrived_s: Time of arrival by the monotonic clock, in seconds.
         """
         with self._lock:
-            # The reply stays here. If several repetitions wait, only the last query is still open.
+            # The reply stays for later repetitions. If several wait, only the last query is open.
             reply = self._answered.get(request)
             if reply is None:
                 former = self._working.get(request)

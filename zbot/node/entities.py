@@ -75,7 +75,7 @@ class NodeEntities(PrivateAliases):
             qos_profile: A profile, or a depth for the default profile.
             callback_group: Group of the event callbacks. `None` means the node's default group.
             event_callbacks: Callbacks for QoS events, a `PublisherEventCallbacks`.
-            qos_overriding_options: Which policies parameters may override.
+            qos_overriding_options: The QoS policies that parameters may override.
             publisher_class: The class of the publisher, `Publisher` or a subclass.
 
         Raises:
@@ -124,7 +124,7 @@ class NodeEntities(PrivateAliases):
             qos_profile: A profile, or a depth for the default profile.
             callback_group: Group of the callback. `None` means the node's default group.
             event_callbacks: Callbacks for QoS events, a `SubscriptionEventCallbacks`.
-            qos_overriding_options: Which policies parameters may override.
+            qos_overriding_options: The QoS policies that parameters may override.
             raw: Whether the callback takes each message as bytes in ROS 2's CDR. With
                 `"payload"`, it takes the bytes that were sent.
             content_filter_options: Expression that selects messages. `None` selects all messages.
@@ -176,7 +176,8 @@ class NodeEntities(PrivateAliases):
             srv_name: Relative, `~/private` or absolute name.
             callback: Takes a request and an empty response, and returns a response. The
                 callback may be a coroutine function.
-            qos_profile: A profile, or a depth for the default profile. Only the graph shows it.
+            qos_profile: A profile, or a depth for the default profile. It has no effect except in
+                the graph.
             callback_group: Group of the callback. `None` means the node's default group.
 
         Raises:
@@ -214,7 +215,8 @@ class NodeEntities(PrivateAliases):
         Args:
             srv_type: Service class.
             srv_name: Relative, `~/private` or absolute name.
-            qos_profile: A profile, or a depth for the default profile. Only the graph shows it.
+            qos_profile: A profile, or a depth for the default profile. It has no effect except in
+                the graph.
             callback_group: Group of the futures' callbacks. `None` means the node's default group.
 
         Raises:

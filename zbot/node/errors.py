@@ -42,7 +42,7 @@ class UnknownNodeError(ZbotError, LookupError, RuntimeError):
 
 
 class InvalidPeriodError(ZbotError, ValueError, RuntimeError):
-    """A period or frequency is not a positive number (rclpy: RuntimeError for timers)."""
+    """A period or frequency is not a positive number (rclpy raises RuntimeError for timers)."""
 
     def __init__(self, what: str, value: object) -> None:
         self.what, self.value = what, value

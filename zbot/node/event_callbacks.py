@@ -59,8 +59,8 @@ class PublisherEventCallbacks(_EventCallbacks):
         incompatible_qos: Never called, because all profiles are compatible in zbot.
         incompatible_type: A subscription has another type.
         matched: A subscription of the topic was created or destroyed.
-        use_default_callbacks: Whether handlers of default callbacks are listed, as in rclpy.
-            Different types of a topic are always logged.
+        use_default_callbacks: Whether `event_handlers` has handlers for default callbacks, as in
+            rclpy. Different types of a topic are always logged.
     """
 
     def __init__(
@@ -100,8 +100,8 @@ class SubscriptionEventCallbacks(_EventCallbacks):
         message_lost: Messages were published but not received.
         incompatible_type: A publisher has another type.
         matched: A publisher of the topic was created or destroyed.
-        use_default_callbacks: Whether handlers of default callbacks are listed, as in rclpy.
-            Different types of a topic are always logged.
+        use_default_callbacks: Whether `event_handlers` has handlers for default callbacks, as in
+            rclpy. Different types of a topic are always logged.
     """
 
     def __init__(

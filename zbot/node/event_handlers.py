@@ -1,8 +1,8 @@
 """Handlers that detect QoS events and run their callbacks.
 
-Zenoh reports none of these events. The graph shows matched endpoints and other types. The sequence
-numbers in the messages show lost messages. A timer finds missed deadlines and expired leases: it
-checks whether a message was sent or received since the last check.
+Zenoh reports none of these events. The graph shows matched endpoints and endpoints with another
+type. The sequence numbers in the messages show lost messages. A timer finds missed deadlines and
+expired leases: it checks whether a message was sent or received since the last check.
 """
 
 from __future__ import annotations
@@ -86,7 +86,7 @@ class EventHandler:
         return self.callback(info)
 
     def assert_liveliness(self) -> None:
-        """Note that the program called the publisher's `assert_liveliness`."""
+        """Record that the program called the publisher's `assert_liveliness`."""
 
     def destroy(self) -> None:
         """Remove the handler and its events."""

@@ -45,7 +45,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
     Args:
         node_name: Base name: letters, digits and `_`.
         context: The context of the node. `None` means the default context.
-        cli_args: Arguments that are only for this node, with their `--ros-args`.
+        cli_args: Arguments for this node only. The list contains the word `--ros-args` too.
         namespace: Absolute namespace. A missing first `/` is added.
         use_global_arguments: Whether the process's command line applies too.
         enable_rosout: Whether log lines are also published on `/rosout`.
@@ -196,7 +196,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         if handle.is_destroyed:
             return
         handle.is_destroyed = True
-        # As in rclpy, remove_node() of an executor class that the program defines is not called.
+        # As in rclpy, zbot does not call remove_node() of an executor class of the program.
         if handle.executor is not None and handle.executor is handle.ready_queue.executor:
             handle.executor.remove_node(self)
         if self._zbot_rosout is not None:

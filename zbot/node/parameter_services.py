@@ -88,7 +88,7 @@ class ParameterServices:
         try:
             found = [self._store.get(name) for name in request.names]
         except ParameterException:
-            return response  # as above
+            return response  # empty, as in rclpy, if one name is unknown
         response.values = [parameter.get_parameter_value() for parameter in found]
         return response
 
@@ -96,7 +96,7 @@ class ParameterServices:
         try:
             response.types = [int(self._store.type_of(name)) for name in request.names]
         except ParameterException:
-            return response  # as above
+            return response  # empty, as in rclpy, if one name is unknown
         return response
 
     def _list_parameters(self, request: Any, response: Any) -> Any:

@@ -219,7 +219,7 @@ class NodeParameters:
     def set_parameters(self, parameter_list: Parameters) -> list[SetParametersResult]:
         """Set parameters one after the other, and return the result of each.
 
-        If a parameter in the list has no value and its typing is dynamic, it is undeclared.
+        An element without a value undeclares the parameter if the parameter's typing is dynamic.
 
         Raises:
             ParameterNotDeclaredException: The node requires a declaration, and one is missing.

@@ -70,7 +70,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         # The lock costs a tenth of a small message's latency. A single thread works without it.
         self._only_thread: int | None = None
         self._publisher: Any = declare_publisher(context, token)
-        # Latched messages do not go into shared memory, because the cache would fill the pool.
+        # Latched messages do not go into shared memory, because their cache would fill it.
         self._is_latched = token.qos.durability is DurabilityPolicy.TRANSIENT_LOCAL
         self._put = self._put_first
         self._liveliness = context.graph.announce(token)
@@ -121,7 +121,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         self._put(payload, attachment=_pack(number, time_ns(), GID_LENGTH, self._gid))
 
     def _send_locked(self, payload: Any) -> None:
-        """Send the first message, or a message from another thread than the first one.
+        """Send the first message, or any message after a second thread has called `publish`.
 
         When there are two threads, both use the lock, so that sequence numbers stay in order. But
         the second thread may once overtake a message that the first thread has begun to send.

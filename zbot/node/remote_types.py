@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from zbot.interfaces import InterfaceSpec
     from zbot.wire.tokens import EndpointToken
 
-#: How many nodes to ask that use only other types of the same package.
+#: Nodes that use only other types of the same package are asked last. This is their limit.
 _MAX_OTHER_NODES = 8
 
 
@@ -44,8 +44,8 @@ def learn_type(context: Context, name: str, *, timeout_s: float = 2.0) -> Interf
         timeout_s: Seconds to wait for each node. Nodes usually answer within milliseconds.
 
     Returns:
-        The definition, or `None` if no node has it. The definition has comments if the node has its
-        source.
+        The definition, or `None` if no node has it. The definition has comments only if the node
+        sent the text of the type's file.
 
     Raises:
         InterfaceConflictError: A part of the type has another definition here.

@@ -32,7 +32,7 @@ class Rosout:
         self._diagnostics = node.handle.diagnostics
         self._publisher: Any = node.create_publisher(Log, ROSOUT_TOPIC, qos)
         node.handle.publishers.remove(self._publisher)  # as in rclpy, the node does not list it
-        self._send = self._publisher.publish  # now, because programs may patch the class later
+        self._send = self._publisher.publish  # kept, because programs may patch the class later
         # The log lives longer than a context, and must not keep the context's nodes alive.
         sink = partial(_pass_on, weakref.ref(self))
         add_sink(self._name, sink)

@@ -35,7 +35,7 @@ if TYPE_CHECKING:
 RequestT = TypeVar("RequestT")
 ResponseT = TypeVar("ResponseT")
 
-_NUMBER = Struct("<q")  # how an attachment begins
+_NUMBER = Struct("<q")  # the first field of an attachment
 
 
 class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
@@ -83,12 +83,12 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         self._queries: deque[tuple[zenoh.Query, float]] = deque()
         self._repeated = RepeatedRequests()
         self._is_destroyed = False
-        # Zenoh's thread calls `_receive`. Another thread would only cost time for a hand-over.
+        # Zenoh's thread calls `_receive`. It would cost time to pass requests to another thread.
         receive: Any = zenoh.handlers.Callback(self._receive, indirect=False)
         self._queryable: Any = context.session.declare_queryable(self._key, receive, complete=True)
         self._liveliness = context.graph.announce(token)
 
-    # The first request creates this, because a node's half a dozen services are rarely called.
+    # The first request loads these codecs, because most services of a node get no request.
     @cached_property
     def _decode(self) -> Callable[[Any], RequestT]:
         return self._context.dialect.codec_for(self.srv_type.Request).decode
@@ -272,7 +272,7 @@ class ServiceHandle(Handle[Service[Any, Any]]):
         self,
         request_type: object = None,  # noqa: ARG002 - rclpy's signature
     ) -> tuple[Any, RequestHeader] | tuple[None, None]:
-        """Take the oldest request without the callback. If there is none, return `None` twice."""
+        """Take the oldest request without the callback. Return `(None, None)` if there is none."""
         return self.entity.take_request() or (None, None)
 
     def service_send_response(self, response: Any, header: RequestHeader) -> None:

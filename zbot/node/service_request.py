@@ -91,11 +91,11 @@ class ResponseFuture(Future[ResponseT]):
         return bool(self._callbacks)
 
     def _run_callbacks(self) -> None:
-        # The executor runs the callbacks. Even without callbacks, `spin_once` returns after this.
+        # The executor runs the callbacks. This call also makes a waiting `spin_once` return.
         self._client.post(self)
 
     def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
-        """Call `callback(self)` in the executor when the future is done, or now if it is done."""
+        """Let the executor call `callback(self)` when the future is done, or soon if it is done."""
         with self._lock:
             self._callbacks.append(callback)
             if not self.is_over:

@@ -136,8 +136,8 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._sources: dict[bytes, _Source] = {}
         self.received_count = 0  #: messages that the callback was called with
         self._keep_all = token.qos.history is HistoryPolicy.KEEP_ALL
-        # How many samples to take at once. It is a full channel, and no more, because a publisher
-        # may never pause.
+        # The largest number of samples to take at once, and the size of a keep-all channel. Without
+        # a limit, the loop in `take` would never end if a publisher never pauses.
         self._channel_size = _KEEP_ALL_QUEUE
         if self._keep_all and has_sequences(msg_type):
             self._channel_size = _KEEP_ALL_QUEUE_OF_SEQUENCES
@@ -243,8 +243,8 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         """Return the oldest sample that the profile's history still keeps, if any."""
         queue = self._queue
         # A keep-last queue takes all new samples each time, so that it drops the oldest samples. A
-        # keep-all queue becomes empty before it takes new samples. The reason is that a writer must
-        # wake up each time that its full channel has room again.
+        # keep-all queue becomes empty before it takes new samples. So a blocked publisher wakes up
+        # less often. It wakes up each time that the full channel has room again.
         if self._is_waiting and not (queue and self._keep_all):
             try:
                 # This loop runs in C.

@@ -22,7 +22,8 @@ class TimeSource:
     """Sets clocks to the time of `/clock`, or to the system's time.
 
     Args:
-        node: The node that has the parameter and subscribes. It may be attached later.
+        node: The node that has `use_sim_time` and subscribes to `/clock`. The program can also
+            attach it later.
     """
 
     def __init__(self, *, node: Node | None = None) -> None:

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from zbot.node.node import Node
 
 #: Type and type hash of the service, which never change in ROS 2. They are constants, so that the
-#: class is loaded at the first request.
+#: class of the service type is loaded only at the first request.
 SERVICE_TYPE = (
     "type_description_interfaces/srv/GetTypeDescription",
     "RIHS01_69b9c19c1021405984cc60dbbb1edceb147a6538b411d812ba6afabeed962cd5",

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.wire.tokens import EndpointToken
 
-# Time from a burst to a heartbeat, as in rmw_zenoh. It lets a subscriber notice missing samples.
+# Time from a burst to a heartbeat, as in rmw_zenoh. A heartbeat reveals missing samples.
 _HEARTBEAT_S = 0.5
 # How many messages a keep-all publisher keeps for late subscribers, as Zenoh needs a bound.
 _KEEP_ALL_CACHE = 1000
@@ -37,10 +37,10 @@ def declare_publisher(context: Context, token: EndpointToken) -> Any:
     key = context.dialect.topic_key(context.get_domain_id(), token.name)
     if qos.durability is not DurabilityPolicy.TRANSIENT_LOCAL:
         return context.session.declare_publisher(key, **options)
-    import zenoh.ext as advanced  # noqa: PLC0415 - only latched topics need it
+    import zenoh.ext as advanced  # noqa: PLC0415 - only transient local topics need it
 
-    # Miss detection numbers the samples. So they need no timestamps, which cost time in every
-    # publisher of the session.
+    # With miss detection, Zenoh numbers the samples. So the samples need no timestamps, which would
+    # cost time in every publisher of the session.
     options["sample_miss_detection"] = advanced.MissDetectionConfig(
         heartbeat=None, sporadic_heartbeat=_HEARTBEAT_S if reliable else None
     )
@@ -70,7 +70,7 @@ def declare_subscriber(context: Context, token: EndpointToken, keep_all_depth: i
     key = context.dialect.topic_key(context.get_domain_id(), token.name)
     if qos.durability is not DurabilityPolicy.TRANSIENT_LOCAL:
         return context.session.declare_subscriber(key, channel)
-    import zenoh.ext as advanced  # noqa: PLC0415 - only latched topics need it
+    import zenoh.ext as advanced  # noqa: PLC0415 - only transient local topics need it
 
     return advanced.declare_advanced_subscriber(
         context.session,

@@ -23,7 +23,7 @@ __all__ = [
     "packages",
 ]
 
-# REP 127, with the exceptions that ROS 2 makes.
+# A package's name as in REP 127, with the exceptions that ROS 2 makes.
 _NAME = re.compile(r"[a-zA-Z0-9][a-zA-Z0-9_-]+\Z", re.ASCII)
 
 
@@ -46,20 +46,20 @@ def package_prefix(name: str) -> Path:
         PackageNotFoundError: There is no such package.
         PackageNameError: The name is not valid for a package.
     """
-    from zbot.package.symlink_install import prefix_folder  # noqa: PLC0415 - as above
+    from zbot.package.symlink_install import prefix_folder  # noqa: PLC0415 - slow to import
 
     return prefix_folder(_find(name))
 
 
 def packages() -> dict[str, Package]:
     """Return every package that can be found, sorted by name."""
-    from zbot.package.finder import all_packages  # noqa: PLC0415 - as above
+    from zbot.package.finder import all_packages  # noqa: PLC0415 - slow to import
 
     return all_packages()
 
 
 def _find(name: str) -> Package:
-    from zbot.package.finder import (  # noqa: PLC0415 - as above
+    from zbot.package.finder import (  # noqa: PLC0415 - slow to import
         all_packages,
         find_package,
         searched_folders,

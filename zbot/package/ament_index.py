@@ -1,6 +1,7 @@
 """Resource index of ROS 2: the functions of `ament_index_python`.
 
-A package that is not installed has no entries in an index. zbot finds its entries from its files.
+A package that is not installed has no entries in an index. zbot makes the entries from the files of
+the package.
 """
 
 from __future__ import annotations

@@ -102,7 +102,7 @@ class _Reader:
         find = self._folder.rglob if kind == "GLOB_RECURSE" else self._folder.glob
         try:
             return sorted(find(relative))
-        except (ValueError, NotImplementedError):  # empty, absolute, or invalid in Python
+        except (ValueError, NotImplementedError):  # the pattern is not valid in Python
             return []
 
     def _read_add_executable(self, words: list[str], line: int) -> None:

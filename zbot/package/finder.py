@@ -49,7 +49,7 @@ class Package:
 
 
 def all_packages() -> dict[str, Package]:
-    """Return every package, sorted by name. If several have one name, take the first found."""
+    """Return every package, sorted by name. Of several with the same name, use the first."""
     found: dict[str, Package] = {}
     for place in (_workspace(), _bundled(), _in_prefixes()):
         for package in place:
@@ -80,7 +80,7 @@ def _workspace() -> Iterator[Package]:
 
 
 def _bundled() -> Iterator[Package]:
-    share = _SHARE if _SHARE.is_dir() else _ZBOT.parent  # the second in a checkout
+    share = _SHARE if _SHARE.is_dir() else _ZBOT.parent  # a checkout has no share folder
     for name in BUNDLED_NAMES:
         own = share / "launch" / name
         has_own = own.is_dir()

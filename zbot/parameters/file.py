@@ -61,7 +61,7 @@ def load(path: str, node: str) -> dict[str, Any]:
         node: Fully qualified name of the node.
 
     Raises:
-        ParametersFileError: The file cannot be read or has another form.
+        ParametersFileError: The file cannot be read, or does not have ROS 2's format.
     """
     values: dict[str, Any] = {}
     for pattern, parameters in sections(path):
@@ -74,7 +74,7 @@ def sections(path: str) -> list[tuple[str, dict[str, Any]]]:
     """Return a file's node patterns with their parameters. Dots join the parts of nested names.
 
     Raises:
-        ParametersFileError: The file cannot be read or has another form.
+        ParametersFileError: The file cannot be read, or does not have ROS 2's format.
     """
     try:
         return [(pattern, _flat(path, "", parameters)) for pattern, parameters in _sections(path)]

@@ -61,7 +61,7 @@ class UnknownParameterTypeError(ZbotError, RuntimeError):
 
     def __init__(self, type_: int) -> None:
         self.type_ = type_
-        super().__init__(f"unexpected parameter type {type_}: there are 0 to {max(Parameter.Type)}")
+        super().__init__(f"unexpected parameter type {type_}: use 0 to {max(Parameter.Type)}")
 
 
 class NoParametersError(ZbotError, RuntimeError):
@@ -89,7 +89,7 @@ class Parameter(Generic[ValueT_co]):
         ArgumentTypeError: `type_` is not a `Parameter.Type`.
     """
 
-    _zbot_stands_for = "rcl_interfaces/msg/Parameter"  # accepted in fields of messages
+    _zbot_stands_for = "rcl_interfaces/msg/Parameter"  # message fields of this type accept it
 
     class Type(IntEnum):
         """The types, with the numbers of rcl_interfaces/msg/ParameterType."""
@@ -272,7 +272,7 @@ def get_parameter_value(string_value: str) -> ParameterValue:
     """Return the message for a value that is written on the command line.
 
     The text is read as YAML: `true`, `5`, `5.0`, `[1, 2]`, `[a, b]`. A list of integers and floats
-    is a list of doubles. A text that is not another valid value is a string.
+    is a list of doubles. Every other text is a string.
     """
     try:
         value = parse_value(string_value)
@@ -287,7 +287,7 @@ def infer_parameter(name: str, value: Any, text: str | None = None) -> Parameter
     Args:
         name: The parameter's name.
         value: A scalar or a list of scalars.
-        text: The YAML text of the value, which is the string for a list of several types.
+        text: The YAML text of the value. A list of several types becomes this text.
     """
     try:
         return Parameter(name, value=value)
@@ -310,8 +310,8 @@ def parameter_dict_from_yaml_file(
         namespace: Prefix that is added to each parameter's name without a separator.
 
     Raises:
-        ParametersFileError: The file cannot be read or has another form. The error is also a
-            `FileNotFoundError` if the file does not exist.
+        ParametersFileError: The file cannot be read, or does not have ROS 2's format. The error is
+            also a `FileNotFoundError` if the file does not exist.
         NoParametersError: The file has no parameters for these nodes.
     """
     nodes = [name if name.startswith("/") else f"/{name}" for name in target_nodes or ()]

@@ -128,7 +128,7 @@ class Arguments(NamedTuple):
         """Return the parameter overrides for a node. `node` is the node's fully qualified name.
 
         Raises:
-            ParametersFileError: A file cannot be read or has another form.
+            ParametersFileError: A file cannot be read, or does not have ROS 2's format.
         """
         base, values = split_fully_qualified(node)[1], dict[str, Any]()
         for item in self.parameters:
@@ -175,7 +175,7 @@ def _split(args: Sequence[str]) -> tuple[list[str], list[str]]:
 
 
 def _flag(found: Arguments, words: list[str], unknown: list[str]) -> Arguments:
-    """Remove the first flag and its value from the words, and return the settings with it."""
+    """Remove the first flag and its value from the words. Return the settings with this flag."""
     flag = words.pop(0)
     switch = _SWITCHES.get(flag)
     if switch is not None:

@@ -121,7 +121,8 @@ class ParameterStore:
         """Return the type of the current value.
 
         Raises:
-            ParameterNotDeclaredException: It is unknown, and undeclared parameters are not allowed.
+            ParameterNotDeclaredException: The parameter is unknown, and undeclared parameters are
+                not allowed.
         """
         if name not in self.values:
             self._require_undeclared_allowed([name])
@@ -132,7 +133,8 @@ class ParameterStore:
         """Return a parameter's descriptor. With dynamic typing, it has the current value's type.
 
         Raises:
-            ParameterNotDeclaredException: It is unknown, and undeclared parameters are not allowed.
+            ParameterNotDeclaredException: The parameter is unknown, and undeclared parameters are
+                not allowed.
         """
         if name not in self.descriptors:
             self._require_undeclared_allowed([name])
@@ -283,8 +285,9 @@ class ParameterStore:
             alternative: The new value if the current value does not fit the new descriptor.
 
         Raises:
-            ParameterNotDeclaredException: It is unknown, and undeclared parameters are not allowed.
-            ParameterImmutableException: It is read-only.
+            ParameterNotDeclaredException: The parameter is unknown, and undeclared parameters are
+                not allowed.
+            ParameterImmutableException: The parameter is read-only.
             InvalidParameterValueException: Neither value fits the new descriptor.
         """
         present = self.get(name)

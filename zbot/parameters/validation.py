@@ -15,7 +15,7 @@ _STEP_TOL = 1e-6  #: fraction of a step, because a relative tolerance is too sma
 
 
 class Range(NamedTuple):
-    """Range of allowed values with both ends. A step allows only low plus multiples of the step."""
+    """Allowed range, both ends included. With a step: only the ends and `low` + n * `step`."""
 
     from_value: float
     to_value: float
@@ -126,7 +126,7 @@ def _range_messages(kind: Any, values: Range | None) -> list[Any]:
 
 
 def widened(parameter: Parameter[Any], descriptor: Descriptor) -> Parameter[Any]:
-    """Return the parameter in its declared type. Integers become doubles, and `[]` any array."""
+    """Return the parameter in its declared type: integers as doubles, `[]` as any array type."""
     declared, given = descriptor.type, parameter.type_
     if descriptor.dynamic_typing or declared is given:
         return parameter

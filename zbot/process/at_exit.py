@@ -25,7 +25,7 @@ _CALLBACK_TIMEOUT_S = 0.3  # for a callback that runs when the program ends
 
 
 class OpenContext(Protocol):
-    """The part of a context with a session that the exit function uses."""
+    """The part of an open context that the exit function uses."""
 
     @property
     def sessions(self) -> list[zenoh.Session]:
@@ -76,7 +76,8 @@ def register() -> None:
         # Python joins non-daemon threads before it runs atexit functions, and Zenoh's thread ends
         # only with its session. concurrent.futures uses the same private function for its pools.
         threading._register_atexit(_end)  # type: ignore[attr-defined] # noqa: SLF001
-        # If a signal comes at that time, Python does not call `_end`, but calls atexit functions.
+        # If a signal comes while Python waits for threads, Python does not call `_end`. But it
+        # still calls atexit functions.
         atexit.register(_close_contexts)
 
 

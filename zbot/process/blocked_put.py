@@ -112,9 +112,9 @@ def _puts() -> set[tuple[int, int, int]]:
 
 
 def _frames() -> dict[int, FrameType]:
-    # Python 3.11 and older hold a lock here. A thread that ends waits for that lock, and no other
-    # thread can run meanwhile. Garbage collection may switch to such a thread. Then both threads
-    # would block for ever.
+    # Python 3.11 and older hold a lock here. When a thread ends, it waits for this lock, and no
+    # other thread can run then. Garbage collection may switch to a thread that ends. Then both
+    # threads would block for ever.
     was_enabled = gc.isenabled()
     gc.disable()
     try:

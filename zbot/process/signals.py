@@ -63,7 +63,7 @@ class _Process:
 class MainThread:
     """State of the main thread for the signal handlers."""
 
-    spins = 0  #: number of executors that spin in it, each inside a callback of the executor before
+    spins = 0  #: number of executors that spin in it (a callback may spin another executor)
 
 
 def install(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
 TEACHER = "teacher"  #: user name of the teacher's own programs
-SHARED_SPACE = "class"  #: stands in a key instead of a domain: `/class/demo` is `class/demo`
+SHARED_SPACE = "class"  #: replaces the domain: the key of `/class/demo` is `class/demo`
 STUDENT_SPACE = "@class/student"  #: facts about laptops: `@class/student/17/...`
 TEACHER_SPACE = "@class/teacher"  #: the teacher's notices to all students
 
@@ -59,9 +59,10 @@ ACCEPT_PENDING = 2000
 #: 1 s.
 ACCEPT_TIMEOUT_MS = 3000
 
-# All connections belong to the region below the hub ("south"). In its own region, Zenoh ignores the
-# access rules and sends the names of all keys to all routers. So every laptop would get the name of
-# every topic and node of the class. A router in the region below gets only names that it may read.
+# All connections belong to the region below the hub ("south"). In the hub's own region, Zenoh
+# ignores the access rules and sends the names of all keys to all routers. So every laptop would get
+# the name of every topic and node of the class. In the region below the hub, a router gets only
+# the names that it may read.
 _REGIONS: dict[str, Any] = {"south": [{}]}
 
 _WRITE_MESSAGES = ("put", "delete", "reply", "declare_queryable", "liveliness_token")

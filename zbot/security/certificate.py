@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 MAX_DAYS = 3650  #: ten years
 AUTHORITY_NAME = "zbot keystore"
-#: A certificate is valid from this long before its creation, because clocks may be slow.
+#: A certificate's validity begins this long before its creation, because clocks may be slow.
 _CLOCK_TOLERANCE = timedelta(days=1)
 _HOST_NAME = re.compile(
     r"(?=.{1,253}$)[A-Za-z0-9_]([A-Za-z0-9_-]{0,62})(\.[A-Za-z0-9_][A-Za-z0-9_-]{0,62})*"
@@ -110,8 +110,8 @@ def issue(authority: KeyPair, name: str, addresses: Iterable[str], validity: Val
     Args:
         authority: Key pair that signs the certificate.
         name: The machine's name, which becomes the certificate's common name.
-        addresses: Host names and IP addresses at which others reach the machine. Without addresses
-            it is a client's certificate. The machine can join others, but others cannot join it.
+        addresses: Host names and IP addresses at which others reach the machine. A certificate
+            without addresses is a client's. Its machine can join others, but others cannot join it.
         validity: Period in which the certificate is valid.
 
     Raises:

@@ -51,7 +51,7 @@ class UnknownEnclaveError(SecurityError, LookupError):
         example = root / "enclaves" / (known[0] if known else "NAME")
         super().__init__(
             f"cannot choose a certificate of '{root}' for this machine (there are: {found}): "
-            f"name its folder, such as {example}"
+            f"name this machine's folder, such as {example}"
         )
 
 

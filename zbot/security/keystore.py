@@ -41,7 +41,7 @@ _AUTHORITY = "ca.cert.pem"
 _CERTIFICATE = "cert.pem"
 _KEY = "key.pem"
 _NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*(/[A-Za-z0-9_][A-Za-z0-9_.-]*)*")
-_LONGEST_NAME = 64  #: of a common name (RFC 5280)
+_LONGEST_NAME = 64  #: longest common name of a certificate (RFC 5280)
 
 
 class KeystoreWriteError(SecurityError, OSError):
@@ -206,7 +206,7 @@ def identity(folder: Path) -> Identity:
             Otherwise the enclave that has this machine's host name is chosen.
 
     Raises:
-        UnknownEnclaveError: The keystore has no enclave, or several without the host name.
+        UnknownEnclaveError: The keystore has no enclave, or several, but none with the host name.
         MissingFileError: The folder does not exist.
     """
     if not is_keystore(folder):

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 Document = dict[str, Any]
 
 _SALT_BYTES = 16
-_MAX_ATTEMPTS = 256  #: open at a time (thirty students who join at once need thirty)
+_MAX_ATTEMPTS = 256  #: open attempts (thirty students who join at once need thirty attempts)
 _ATTEMPT_S = 30.0  #: until an attempt expires (the student types the PIN before the attempt)
 _FREE_GUESSES = 10  #: wrong PINs without a delay, because several students may mistype at once
 _GUESS_S = 2.0  #: seconds for each wrong PIN after that (999,999 PINs take 23 days)
@@ -183,7 +183,7 @@ class PinServer:
             begun, public, side = self._attempts.pop(attempt, (0.0, 0, None))
             if side is None or self._now() - begun > _ATTEMPT_S:
                 raise PinMessageError("the attempt took too long, or was tried twice")
-            # Counted before the check, so that simultaneous claims cannot exceed the limit.
+            # The guess is counted before the check, so simultaneous claims cannot exceed the limit.
             self._guesses -= 1
         key = _key(side.shared(public), public, side.public, attempt)
         if not _is_tag(claim.get("proof"), key, "claim", data):

@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Final
 
 _RANDOM_BYTES = 16  #: as hard to guess as an AES-128 key
-FILE_MODE: Final = 0o600
 FOLDER_MODE: Final = 0o700
 
 

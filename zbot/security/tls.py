@@ -15,7 +15,6 @@ if TYPE_CHECKING:
 
     from zbot.security.keystore import Identity
 
-PROTOCOL = "tls"  #: protocol of endpoints between hubs that use a keystore (else `tcp`)
 
 _HANDSHAKE_S = 1.5  #: short, so that an error is reported within two seconds
 #: In TLS 1.3 a server refuses a client's certificate after the handshake, one round trip later.
@@ -103,7 +102,8 @@ def check_dialling(
 
 def _context(identity: Identity) -> ssl.SSLContext:
     context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
-    # `_checked_server` checks instead. Its errors are clearer than OpenSSL's. Zenoh checks again.
+    # `_checked_server` checks the certificate, because its errors are clearer than OpenSSL's. Later
+    # Zenoh checks the certificate again.
     context.check_hostname = False
     context.verify_mode = ssl.CERT_NONE
     context.load_cert_chain(identity.certificate, identity.key)

@@ -61,7 +61,7 @@ class StaticTransformBroadcaster:
     ) -> None:
         """Publish one transform or several, together with all earlier transforms."""
         sent = {one.child_frame_id: one for one in self.net_message.transforms}
-        # It keeps copies, because programs may change and send the same message object again.
+        # Keep copies, because programs may change and send the same message object again.
         sent.update((one.child_frame_id, copy.deepcopy(one)) for one in _listed(transform))
         self.net_message.transforms = list(sent.values())
         self.pub_tf.publish(self.net_message)

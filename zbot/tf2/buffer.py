@@ -48,8 +48,8 @@ class Buffer(BufferCore, BufferInterface):
         Args:
             target_frame: The frame of the coordinates.
             source_frame: The frame whose position and orientation are returned.
-            time: The time of the transform. `Time()` means the latest time that all frames between
-                have.
+            time: The time of the transform. `Time()` means the latest time that is known for all
+                frames between the two.
             timeout: Longest time to wait until the transform is known. If a callback waits, its
                 executor still receives transforms.
 

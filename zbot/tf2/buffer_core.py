@@ -85,7 +85,7 @@ class BufferCore:
         Args:
             target_frame: The frame of the coordinates.
             source_frame: The frame whose position and orientation are returned.
-            time: The time of the transform. Zero is the latest time that all frames between have.
+            time: The time of the transform. Zero means the latest time at which it is known.
 
         Raises:
             InvalidArgumentException: A name is empty or begins with a slash.
@@ -158,7 +158,7 @@ class BufferCore:
         return True
 
     def get_latest_common_time(self, target_frame: str, source_frame: str) -> Time:
-        """Return the latest time that all frames between have, or 0 if all of them are static.
+        """Return the latest time at which the transform is known, or 0 if it is static.
 
         Raises:
             InvalidArgumentException: A name is empty or begins with a slash.
@@ -212,7 +212,7 @@ class BufferCore:
         return poses, None
 
     def _latest_common_ns(self, target: str, source: str) -> int:
-        """Return the latest time that all frames between have, or 0 if all of them are static."""
+        """Return the latest time at which the transform is known, or 0 if it is static."""
         if target == source:
             links = [source] if source in self._frames else []
         else:

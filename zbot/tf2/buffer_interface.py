@@ -52,7 +52,7 @@ class BufferInterface:
             new_type: The class to convert the result to.
 
         Raises:
-            TypeException: No function is registered to transform or convert objects of its class.
+            TypeException: No function is registered to transform or convert the object's class.
             TransformException: For the other errors see `Buffer.lookup_transform`.
         """
         do_transform = conversion.registered(type(object_stamped))

@@ -82,7 +82,7 @@ class BufferClient(BufferInterface):
     """Client that looks transforms up in another node's buffer.
 
     Args:
-        node: The node of the client. Another thread, or the calling callback, runs its executor.
+        node: The client's node. Its executor runs in another thread, or in the calling callback.
         ns: The action's name.
         check_frequency: Accepted without effect, because nothing is polled.
         timeout_padding: Time to wait for the server in addition to a lookup's timeout, as a

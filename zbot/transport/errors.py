@@ -12,7 +12,7 @@ class DomainIdError(SetupError, ValueError, RuntimeError):
         self.source, self.value, self.maximum = source, value, maximum
         super().__init__(
             f"{source} is {value!r}, but a domain is a whole number from 0 to {maximum}: "
-            f"set it to one, for example {source}=7"
+            f"set such a number, for example {source}=7"
         )
 
 

@@ -1,4 +1,4 @@
-"""Membership file: it says which class, or which hub of another machine, this machine has joined.
+"""Membership file: the class of students, or the other machine's hub, that this machine joined.
 
 `zbot join`, `zbot leave` and `zbot class` write the file, and every program reads it. It contains
 this machine's domain, user name and secret. This machine's sessions use the name and the secret to

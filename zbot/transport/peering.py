@@ -25,14 +25,14 @@ if TYPE_CHECKING:
 
     from zbot.transport.session import MeetingPoint
 
-# Zenoh's lists of links change a short time after the event of a link.
+# Zenoh changes its lists of links a short time after it reports a new or lost link.
 _LINK_PAUSE_S = 0.005
 _LISTING_TIMEOUT_S = 0.1
 _LONGEST_PAUSE_S = 1.0
 # A session whose links have not changed for this time looks for peers that it has no link to.
 _CHECK_DELAY_S = 1.0
-# A session introduces each of these peers at most this often. The time between two introductions
-# doubles. The router lists a dead peer for 10 s.
+# A session introduces each of these peers at most this number of times. The pause doubles after
+# each introduction. Dead peers are introduced too, because the router lists them for 10 s.
 _MAX_INTRODUCTIONS = 5
 _INTRODUCTION_TIMEOUT_S = 2.0  # an introduction usually takes 50 ms
 _INTRODUCTION_PAUSE_S = 0.02
@@ -64,7 +64,7 @@ class Peering:
         self._meeting = meeting
         self._changed = threading.Condition()
         self._events: queue.SimpleQueue[Any] = queue.SimpleQueue()  # `None` ends the thread
-        self._introductions: Counter[str] = Counter()  # by session id
+        self._introductions: Counter[str] = Counter()  # how often each session was introduced
         self._closing = threading.Event()
         listen = session.info.declare_transport_events_listener
         without_interruption(listen, receiver(self._on_event), history=True)
@@ -99,7 +99,7 @@ class Peering:
     def _replace_router(self, gone: str) -> None:
         self._wait(lambda: gone not in self._routers(), _LISTING_TIMEOUT_S)
         # A killed process loses its links a short time before its port. And after another process
-        # has taken the port, it needs a short time until it is linked.
+        # has taken the port, this session needs a short time to link to that process.
         pause_s = _LINK_PAUSE_S
         while not (self._session.is_closed() or self._routers() or self._meeting.open_router()):
             if self._closing.wait(pause_s):
@@ -122,9 +122,9 @@ class Peering:
     def wait_for_answers(self, timeout_s: float) -> bool:
         """Send a query to all sessions that the router lists, and wait for their answers.
 
-        An answer arrives after all declarations that its sender made before. From then on, a
-        published message reaches the subscribers that these sessions had. This takes 5 to 30 ms
-        after a session was opened.
+        An answer arrives after all declarations that its sender made before. So after the last
+        answer, a published message reaches the subscribers that these sessions had. The wait takes
+        5 to 30 ms after a session was opened.
         """
         deadline = time.monotonic() + timeout_s
         if not self.wait_for_router(timeout_s):

@@ -28,13 +28,13 @@ _LINK_PAUSE_S = 0.005  # Zenoh lists a link a short time after it was opened
 _FOUND_PAUSE_S = 0.25  # machines answer multicast at about the same time, then send their tokens
 _OPEN_TIMEOUT_MS = 500
 # Time that a put with `DROP` waits for space in the queue. The queue is soon full if a busy machine
-# does not run the sending thread. Measured with bursts of 300 messages of 3 kB: Zenoh's default of
-# 1000 us lost 14 to 37 % beside six busy processes. This value lost no message beside ten.
+# does not run the sending thread. In bursts of 300 messages of 3 kB, Zenoh's default of 1000 us
+# lost 14 to 37 % beside six busy processes. This value lost no message beside ten busy processes.
 _DROP_WAIT_US = 20_000
 _NO_FILE = SessionConfig("the configuration between hubs", "{}")
 _RETRY = {"period_init_ms": 20, "period_max_ms": 500, "period_increase_factor": 2}
-# The router tries less often, because most machines have no hub, and each try wakes an idle node
-# three times.
+# The router tries less often to connect to the hub, because most machines have no hub, and each try
+# wakes an idle node three times.
 _RETRY_HUB = _RETRY | {"period_max_ms": 2000}
 
 
@@ -92,7 +92,7 @@ def open_hub(
     Args:
         listen: Zenoh endpoints that must be free.
         connect: Zenoh endpoints to connect to. The hub retries while they do not answer.
-        settings: Zenoh's configuration paths and values. They are added to every session's values.
+        settings: Zenoh's configuration paths and values for the hub, besides those of all sessions.
         facts: See `process_facts`.
 
     Raises:
@@ -186,7 +186,7 @@ class MeetingPoint:
             if self._closed or self._router is not None:
                 return self._router is not None
             if self._is_taken():
-                return False  # to try it takes 5 ms and some megabytes
+                return False  # without this check, a failed try takes 5 ms and some megabytes
             listen = [self.endpoint]
             if self.reaches_out:
                 listen.append("tcp/[::]:0")
@@ -285,7 +285,7 @@ class MeetingPoint:
             return None
         fill = {
             "mode": "client",
-            # If this machine has no nodes, the hub knows the nodes of other machines.
+            # If this machine has no router, the hub still knows the nodes of other machines.
             "connect/endpoints": [self.endpoint, hub_endpoint()],
             **_common(self._facts),
             "connect/timeout_ms": 0,

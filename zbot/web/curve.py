@@ -147,7 +147,7 @@ class Curves:
         return list(self._wholes)
 
     def add(self, topic: str, field: str) -> None:
-        """Add a curve. If the field is empty, add all numbers of the topic after its first message.
+        """Add a curve. If the field is empty, add curves for the numbers of the first message.
 
         Raises:
             FieldPathError: The field is not a path.

@@ -52,7 +52,7 @@ class Input:
     path: str  #: `linear.x`
     type: FieldType
     kind: InputKind
-    default: str  #: its first text
+    default: str  #: the text before the user types
 
     @property
     def name(self) -> str:
@@ -74,7 +74,7 @@ class Input:
         """Return the field's value for an entry.
 
         Raises:
-            EntryError: The entry does not fit the field. The message contains the reason.
+            EntryError: The entry does not fit the field. The error's text contains the reason.
         """
         return read(self.type, entry, self.path, now_ns)
 

@@ -37,7 +37,7 @@ class EntryError(ZbotError, ValueError):
 
     Attributes:
         path: The field, e.g. `linear.x`.
-        reason: The message without the field's name.
+        reason: The error's text without the field's path.
     """
 
     def __init__(self, path: str, reason: str) -> None:

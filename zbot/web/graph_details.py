@@ -53,7 +53,7 @@ def show_details(section: Section, key: str, close: Callable[[], None]) -> str:
         close: Called when the user closes the details.
 
     Returns:
-        The command that prints the same. It is empty if the key has no details.
+        The command that prints the same details. It is empty if the key has no details.
     """
     kind, _, name = key.partition(":")
     quoted = shlex.quote(name)

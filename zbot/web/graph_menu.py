@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from zbot.web.panels.graph import GraphPanel
 
 _MODES = {Mode.NODES: "Nodes", Mode.ACTIVE: "Active", Mode.ALL: "All"}
-_FILTER_HINT = "names or regular expressions, separated by commas; - leaves out: -/rqt.*"
-#: Options of `zbot graph` in rqt_graph's words, and whether a checked box sets the option.
+_FILTER_HINT = "names or regular expressions, separated by commas; - leaves names out: -/rqt.*"
+#: Options of `zbot graph`: name, rqt_graph's word, tooltip, whether a checked box sets the option.
 _HIDE = (
     ("no-dead-sinks", "Dead sinks", "topics without subscriptions", True),
     ("no-leaf-topics", "Leaf topics", "topics with one connection", True),

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from zbot.web.panel import Section
     from zbot.web.watch import Watch
 
-#: Rates need a subscription to each topic. If there are more topics, users can set a filter.
+#: The largest number of topics with a rate. Each rate needs a subscription. Users can set a filter.
 MOST_WATCHED = 300
 
 

@@ -16,7 +16,7 @@ LEVELS = {10: "Debug", 20: "Info", 30: "Warn", 40: "Error", 50: "Fatal"}
 
 
 def level_of(line: LogLine) -> int:
-    """Return the level of a line from `LEVELS`. Programs may use other values, up to 255."""
+    """Return a line's level, rounded to a key of `LEVELS`. Programs may use values up to 255."""
     return min(max(line.level // 10 * 10, 10), 50)
 
 

@@ -66,7 +66,7 @@ def check_path(path: str) -> None:
 
 def add_pages(system: System) -> None:
     """Serve each panel at its path, and the first panel at `/`."""
-    # Without a cache, because the browser must not use old files after an update of zbot.
+    # Browsers must not cache the files, because they would use old files after an update of zbot.
     app.add_static_files(_ADDRESS, str(_STATIC), max_cache_age=0)
     for name in _SCRIPTS:
         ui.add_head_html(f'<script src="{_ADDRESS}/{name}"></script>', shared=True)

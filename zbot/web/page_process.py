@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 
 _CLOSE_TIMEOUT_S = 5.0
 _PATIENCE_S = 30.0
-# If several programs start at once, only the program that can bind this port serves the page.
+# If several page processes start at once, only the process that can bind a certain port serves the
+# page. The port's number is the domain's meeting port plus this number.
 _ABOVE_MEETING_PORT = 2000
 
 
@@ -39,7 +40,7 @@ class PageProcess:
 
     def __init__(self, path: str) -> None:
         words = [sys.executable, "-m", __name__, path]
-        self._process = subprocess.Popen(words, stdin=subprocess.PIPE)  # noqa: S603 - as just made
+        self._process = subprocess.Popen(words, stdin=subprocess.PIPE)  # noqa: S603 - our own words
 
     def close(self) -> None:
         """End the process. A second call does nothing."""
@@ -59,7 +60,7 @@ class PageProcess:
 
 def main() -> None:
     """Serve until standard input closes. If another process serves the page, open its page."""
-    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - only in that process
+    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - only in the page process
     from zbot.web.server import serve  # noqa: PLC0415 - as above
 
     threading.Thread(target=_end_with_input, name="zbot page input", daemon=True).start()
@@ -74,7 +75,7 @@ def main() -> None:
 
 def _is_first(arbiter: socket.socket) -> bool:
     """Return whether this process is the domain's first page process on this machine."""
-    from zbot.transport.config import MEETING_PORT, domain_id  # noqa: PLC0415 - only in that process
+    from zbot.transport.config import MEETING_PORT, domain_id  # noqa: PLC0415 - only in the page process
 
     try:
         arbiter.bind(("127.0.0.1", MEETING_PORT + _ABOVE_MEETING_PORT + domain_id()))
@@ -86,8 +87,8 @@ def _is_first(arbiter: socket.socket) -> bool:
 
 def _show_others(path: str) -> None:
     """Wait for the page that another process is starting, and open it."""
-    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the program prints its own line about Ctrl-C
-    from zbot.context import Context  # noqa: PLC0415 - only in that process
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # no traceback: the program reports Ctrl-C
+    from zbot.context import Context  # noqa: PLC0415 - only in the page process
     from zbot.node.node import Node  # noqa: PLC0415 - as above
     from zbot.web.page_discovery import TOPIC, running_page  # noqa: PLC0415 - as above
 

@@ -79,7 +79,7 @@ class Section:
             topic: Full name.
             type_name: Full name of its type. None means the type in the graph.
             keep: The number of messages to keep for `Watch.since`.
-            even_hidden: Whether to receive messages while the page is hidden too.
+            even_hidden: Whether to receive messages also while the page is hidden.
         """
         is_awake = self.page.is_awake
         watch = self.system.watch(topic, type_name, keep=keep, is_active=is_awake)
@@ -101,7 +101,7 @@ class Section:
         """Call a function when the section is closed.
 
         Returns:
-            A function that calls the callback now instead. Its second call does nothing.
+            A function that calls the callback now and not at the close. A second call does nothing.
         """
         key = object()
         self._endings[key] = callback
@@ -155,7 +155,7 @@ class Page(Section):
         self.command = ""
         self.is_awake = False
         self.scheduler = UpdateScheduler(self._on_fault)
-        self.watches: dict[object, bool] = {}  #: value: whether active while hidden
+        self.watches: dict[object, bool] = {}  #: each watch and its `even_hidden`
         self._client = client
         self._choosers: dict[str, Callable[[str], None]] = {}
         self._show: Callable[[str], object] | None = None

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 #: Seconds between two values while the user drags a slider.
 _DRAG_S = 0.1
-_STEPS = 200  # for a slider whose range has no step
+_STEPS = 200  # number of a slider's steps if the range does not define a step
 
 
 class ParameterInput:

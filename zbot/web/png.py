@@ -33,7 +33,7 @@ _PLANES: dict[str, tuple[int, tuple[int, ...]]] = {
     "8UC3": (3, (2, 1, 0)),  # OpenCV's order
     "8UC4": (4, (2, 1, 0)),
     "8UC2": (2, (0,)),
-    # YUV 4:2:2: only the brightness, in every second byte
+    # YUV 4:2:2: every second byte is the brightness, and the page shows only the brightness
     "yuv422": (2, (1,)),
     "uyvy": (2, (1,)),
     "yuv422_yuy2": (2, (0,)),
@@ -43,7 +43,7 @@ _PLANES: dict[str, tuple[int, tuple[int, ...]]] = {
 _PLANES |= {f"bayer_{pattern}8": (1, (0,)) for pattern in ("rggb", "bggr", "gbrg", "grbg")}
 #: Encodings with separate planes. The page shows only the first plane, which is the brightness.
 _PLANAR = frozenset({"nv12", "nv21", "nv24", "yuv420", "i420"})
-#: For encodings with larger numbers: array typecode, numbers of a pixel, positions as above.
+#: For encodings with larger numbers: array typecode, numbers of a pixel, positions as in `_PLANES`.
 _NUMBERS: dict[str, tuple[str, int, tuple[int, ...]]] = {
     "mono16": ("H", 1, (0,)),
     "16UC1": ("H", 1, (0,)),
@@ -59,7 +59,7 @@ _NUMBERS: dict[str, tuple[str, int, tuple[int, ...]]] = {
     "32FC3": ("f", 3, (2, 1, 0)),
 }
 _NUMBERS |= {f"bayer_{pattern}16": ("H", 1, (0,)) for pattern in ("rggb", "bggr", "gbrg", "grbg")}
-#: Encodings whose numbers have a fixed range. Other numbers are scaled to their own range.
+#: Encodings whose numbers have a fixed range. For others, the image's numbers define it.
 _FULL_RANGE = frozenset({"mono16", "rgb16", "bgr16", "rgba16", "bgra16"})
 #: First bytes of compressed images, and their media types.
 _SIGNATURES = {
@@ -81,8 +81,8 @@ class ImageError(ZbotError, ValueError):
 def encode_png(image: Any) -> bytes:
     """Return a `sensor_msgs/Image` as PNG, which is at most `LONGEST_SIDE` pixels wide and high.
 
-    Numbers of more than 8 bits (depth) become grey. The smallest number is black and the largest is
-    white. Zeros and numbers that are not finite are missing measurements. They are black.
+    In a depth image, the smallest number becomes black and the largest becomes white. Zeros and
+    numbers that are not finite are missing measurements. They become black.
 
     Raises:
         ImageError: The encoding is unknown, or the data is too short.

@@ -42,7 +42,7 @@ class RateMeter:
             bucket.size += size
 
     def rates(self, now_ns: int) -> tuple[float, float]:
-        """Return arrivals and bytes a second. Both are 0 before the second arrival or after 5 s."""
+        """Return arrivals and bytes a second. Both are 0 for less than two arrivals in 5 s."""
         with self._lock:
             recent = [one for one in self._buckets if now_ns - one.last_ns <= _WINDOW_NS]
         count = sum(one.count for one in recent)

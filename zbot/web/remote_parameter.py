@@ -113,7 +113,7 @@ async def set_value(system: System, node: str, parameter: Parameter[Any]) -> str
         ServiceError: The node has ended.
         NoAnswerError: The node does not answer.
     """
-    request = get_service(_SET).Request(  # type: ignore[attr-defined] # of each service
+    request = get_service(_SET).Request(  # type: ignore[attr-defined] # each service has it
         parameters=[parameter.to_parameter_msg()]
     )
     response = await call(system, f"{node}/set_parameters", _SET, request)
@@ -122,7 +122,7 @@ async def set_value(system: System, node: str, parameter: Parameter[Any]) -> str
 
 
 async def _ask(system: System, node: str, name: str, type_name: str, **fields: Any) -> Any:
-    request = get_service(type_name).Request(**fields)  # type: ignore[attr-defined] # as above
+    request = get_service(type_name).Request(**fields)  # type: ignore[attr-defined] # each service has it
     return await call(system, f"{node}/{name}", type_name, request, changes=False)
 
 

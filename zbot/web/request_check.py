@@ -49,7 +49,7 @@ class RequestCheck:
     Args:
         app: The server's application (ASGI).
         host: The host that the server listens on.
-        token: The token that the first address of each browser must contain. None on loopback.
+        token: The token that each browser's first request must contain. None on loopback.
     """
 
     def __init__(self, app: App, *, host: str, token: str | None) -> None:
@@ -83,7 +83,7 @@ class RequestCheck:
         origin = headers.get("origin")
         if origin is not None and urlsplit(origin).netloc != host:
             return f"pages of {origin} may not send requests to zbot"
-        # A link of another site may open the page. Its images and scripts must not load anything.
+        # A link on another site may open the page. Other requests from that site are refused.
         if headers.get("sec-fetch-site", "none") in {"cross-site", "same-site"}:
             is_visit = headers.get("sec-fetch-dest") == "document"
             if not is_visit:
@@ -99,7 +99,7 @@ class RequestCheck:
         return self._token is not None and _is_address(name)
 
     def _cookie_name(self, scope: Scope) -> str:
-        # All ports share cookies, so two servers with the same cookie name would overwrite them.
+        # All ports of a host share a cookie. With one name, a second server would replace it.
         return f"zbot_{scope['server'][1]}"
 
     def _cookie(self, scope: Scope) -> str:

@@ -39,7 +39,7 @@ def serve(
 
     Args:
         host: The host to listen on. Only this machine can reach a loopback address.
-        port: The port, or the first port to try. 0 means any free port.
+        port: The port. If it is taken, the server uses the next free port. 0 means any free port.
         open_browser: Whether to open the page in the user's browser.
         read_only: Whether pages can only show the system, not change it.
         start_path: The path of the first page with its query, e.g. `/plot?curve=/pose.x`.
@@ -96,7 +96,7 @@ def listen(host: str, port: int) -> socket.socket:
 def _bound(family: int, host: str, port: int) -> socket.socket:
     listener = socket.socket(family, socket.SOCK_STREAM)
     try:
-        # On Windows, this option would let a second server take over a port in use.
+        # On Windows, SO_REUSEADDR would let a second server take over a port in use.
         option = "SO_EXCLUSIVEADDRUSE" if sys.platform == "win32" else "SO_REUSEADDR"
         listener.setsockopt(socket.SOL_SOCKET, getattr(socket, option), 1)
         listener.bind((host, port))

@@ -56,7 +56,7 @@ async def call(
         UnknownTypeError: No definition of the type was found.
     """
     connect = system.client if changes else system.reader
-    # In a thread, because the type's definition may have to come from another machine.
+    # This runs in a thread, because the type's definition may have to come from another machine.
     reference = await run_in_thread(connect, name, type_name)
     with reference:
         try:

@@ -154,8 +154,8 @@ class System:
         return undo
 
     def _on_token(self, _token: Token, _appeared: bool) -> None:
-        # Without the lock. A thread that has the lock may be declaring an entity, and a declaration
-        # can wait for this thread when many tokens arrive at once.
+        # This method must not take the lock. A thread that has the lock may be declaring an entity,
+        # and a declaration can wait for this thread when many tokens arrive at once.
         self.revision += 1
         for feed in list(self._feeds.values()):
             if feed.is_wanted and feed.type_name is None:
@@ -213,8 +213,8 @@ class System:
             )
         except NotInitializedError:
             return  # the program has ended meanwhile
-        # On a topic with several types, the subscription must check the type of each sample.
-        # Otherwise messages of another type would be decoded as zeros.
+        # A raw subscription does not check the type of a sample. With `raw = False` it does.
+        # Without this check, messages of other types on the topic would be decoded as zeros.
         subscription.raw = False
         subscription.report_losses_to(_ignore)
         feed.subscription = subscription
@@ -310,7 +310,9 @@ class System:
         return self._client(name, type_name)
 
     def reader(self, name: str, type_name: str) -> EntityReference[Client[Any, Any]]:
-        """Return a reference to a client of a service that changes nothing, also if read-only.
+        """Return a reference to a client of a service that changes nothing.
+
+        This also works on a read-only page.
 
         Raises:
             UnknownTypeError: No definition of the type was found.

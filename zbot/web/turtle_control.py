@@ -123,7 +123,7 @@ class TurtleControl:
         self._show("topic", "pub", "--once", topic, _TWIST, values)
 
     def _publisher(self, topic: str) -> Publisher[Any]:
-        # A separate node, so that the graph is the same as with turtle_teleop_key.
+        # The publisher has its own node, so that the graph is the same as with turtle_teleop_key.
         if self._driver is None:
             name = fully_qualified(self.simulator.namespace, _TELEOP)
             is_free = name not in full_names(self._system.snapshot().nodes)

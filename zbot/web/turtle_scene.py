@@ -46,7 +46,7 @@ class SceneView:
     def __init__(self, page: Page) -> None:
         self._page = page
         self._client: EntityReference[Client[Any, Any]] | None = None
-        self._request: Any = get_service(SCENE_TYPE).Request()  # type: ignore[attr-defined] # of each
+        self._request: Any = get_service(SCENE_TYPE).Request()  # type: ignore[attr-defined] # each service has it
         self._asked: Future[Any] | None = None
         self._retry_at_s = 0.0
         self._shown: list[Any] = []

@@ -83,7 +83,7 @@ class Feed:
     @property
     def is_wanted(self) -> bool:
         """Whether a watch is active."""
-        # An atomic copy, because other threads change the set.
+        # `tuple` makes an atomic copy. It is needed, because other threads change the set.
         return any(watch.is_active for watch in tuple(self._watches))
 
     @property

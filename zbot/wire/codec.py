@@ -106,7 +106,8 @@ class Codec(Generic[MessageT]):
     @cached_property
     def decode(self) -> Callable[[Bytes], MessageT]:
         """Return the message that bytes contain. Raise `CodecError` if the bytes are not valid."""
-        names = {"ERRORS": Exception, "explain": self._explain_decoding}  # a dataclass raises any
+        # A dataclass may raise any exception.
+        names = {"ERRORS": Exception, "explain": self._explain_decoding}
         arrays = {pack(f.name): f.name for f in self._spec.fields if is_numeric_array(f)}
         names |= {"LARGE": LARGE, "unpack_large": _unpack_large, "ARRAYS": arrays}
         return _function(self._class, "decode", names)
@@ -192,7 +193,7 @@ def _nested_function(message_class: type[Any], name: _Nested) -> Callable[[Any],
 def _function(
     message_class: type[Any], name: _Nested | Literal["encode", "decode"], more: dict[str, Any]
 ) -> Callable[[Any], Any]:
-    """Return one of a type's generated functions. `more` has more names that it uses."""
+    """Return one of a type's generated functions. `more` has the other names that it uses."""
     spec = message_spec_of(message_class)
     source = _SOURCES[name](spec, _layout(message_class))
     verb, nested = _NESTED_CALLS[name]

@@ -43,7 +43,7 @@ def encode_source(spec: MessageSpec, layout: Layout) -> str:
 
 
 def decode_source(spec: MessageSpec, layout: Layout) -> str:
-    """Return the source of `decode(data)`, which returns the message in some bytes."""
+    """Return the source of `decode(data)`, which decodes bytes and returns the message."""
     unpacked = "values = unpack(data)"
     if any(map(is_numeric_array, spec.fields)):
         unpacked += " if len(data) < LARGE else unpack_large(data, ARRAYS)"

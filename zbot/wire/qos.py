@@ -48,7 +48,7 @@ def qos_text(profile: QoSProfile) -> str:
 def parse_qos(text: str) -> QoSProfile:
     """Return the profile that a text contains. Durations without a limit become `Infinite`.
 
-    An unknown number of a policy becomes `UNKNOWN`.
+    If a policy's number is not known, the policy becomes `UNKNOWN`.
 
     Raises:
         ValueError: The text has another form.

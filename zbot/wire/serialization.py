@@ -33,7 +33,7 @@ def deserialize_message(serialized_message: bytes, message_type: type[MsgT]) -> 
         NotAMessageTypeError: The class is not a message class.
         CodecError: The bytes are not a message of the type.
     """
-    from zbot.wire.cdr import cdr_codec_for  # noqa: PLC0415 - as above
+    from zbot.wire.cdr import cdr_codec_for  # noqa: PLC0415 - few programs need it
 
     return cast("MsgT", cdr_codec_for(message_type).decode(bytes(serialized_message)))
 

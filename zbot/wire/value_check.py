@@ -1,7 +1,8 @@
 """Checks and conversions of single values for the generated codecs.
 
 A generated codec tests each value inline. If this test fails, the codec calls a function of this
-module, which converts the value or raises `Fault`. So the speed of this module matters little.
+module, which converts the value or raises `Fault`. Most values pass the test, so the speed of this
+module matters little.
 """
 
 from __future__ import annotations
@@ -202,7 +203,7 @@ def numbers_from(field: str, value: Any, typecode: str, size: int, *, fixed: boo
         return _listed(field, value, typecode, size, fixed=fixed)
     if value.typecode != typecode:
         expected = f"an array of typecode {typecode!r}"
-        raise Fault(field, f"expected {expected}, not one of {value.typecode!r}")
+        raise Fault(field, f"expected {expected}, not of typecode {value.typecode!r}")
     length(field, len(value), size, fixed=fixed)
     return value
 

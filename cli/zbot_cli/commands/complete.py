@@ -183,13 +183,13 @@ def _all_types(_: Sequence[str], __: str) -> Iterable[str]:
 
 
 def _all_packages(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot.package import packages  # noqa: PLC0415 - as above
+    from zbot.package import packages  # noqa: PLC0415 - needed only for `pkg`
 
     return packages()
 
 
 def _workspace_packages(_: Sequence[str], __: str) -> Iterable[str]:
-    from zbot.package.workspace import package_folders, package_name  # noqa: PLC0415 - as above
+    from zbot.package.workspace import package_folders, package_name  # noqa: PLC0415 - needed only for `build`
 
     return map(package_name, package_folders())
 

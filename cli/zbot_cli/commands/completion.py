@@ -58,7 +58,7 @@ _INSTALL = {
 def completion(
     shell: Annotated[str | None, typer.Argument(help="bash, zsh, fish or powershell")] = None,
 ) -> None:
-    """Print the completion script of a shell; without SHELL, how to install it."""
+    """Print the completion script of a shell; without SHELL, print how to install it."""
     if shell is None:
         print("To complete words of zbot with Tab, install the script of your shell:\n")
         for line in _INSTALL.values():

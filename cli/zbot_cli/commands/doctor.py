@@ -1,4 +1,4 @@
-"""`zbot doctor`: checks this machine and the domain, and prints a line of advice for each check."""
+"""`zbot doctor`: checks this machine and the domain, and prints advice for each failed check."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def doctor(
         bool, typer.Option("-r", "--report", help="List nodes, topics and processes too")
     ] = False,
     report_failed: Annotated[
-        bool, typer.Option("-rf", "--report-failed", help="List them if a check fails")
+        bool, typer.Option("-rf", "--report-failed", help="Turn on --report if a check fails")
     ] = False,
     include_warnings: Annotated[
         bool, typer.Option("-iw", "--include-warnings", hidden=True, help="Accepted; no effect")
@@ -257,7 +257,7 @@ def _lonely_subscriptions(graph: Snapshot) -> Iterator[Finding]:
 
 
 def _report(context: Context, graph: Snapshot) -> Iterator[Finding]:
-    # A process that holds the meeting port has a second session.
+    # A process that holds the meeting port has two sessions, but it is listed only once.
     found = {(one.host, one.pid): one for one in processes(context.session).values()}
     for process in sorted(found.values(), key=lambda one: (one.host, one.pid)):
         yield Finding(

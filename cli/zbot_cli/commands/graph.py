@@ -26,7 +26,7 @@ app = new_app("Show which nodes talk to each other", has_verbs=False)
 _ONE_HOUR_S = 3600.0
 _MAX_NAMESPACES = 9
 
-_Filter = "names or regular expressions, `-` before those to leave out"
+_Filter = "names or regular expressions; to leave some out, put `-` before them"
 
 
 class PictureError(ZbotError, OSError):
@@ -75,14 +75,17 @@ def graph(
     ] = True,
     images: Annotated[
         bool,
-        typer.Option("--group-images/--no-group-images", help="Show an image's forms as one box"),
+        typer.Option(
+            "--group-images/--no-group-images",
+            help="Show an image and its compressed forms as one box",
+        ),
     ] = True,
     as_dot: Annotated[bool, typer.Option("--dot", help="Print DOT, for Graphviz")] = False,
     svg: Annotated[
         str, typer.Option("--svg", metavar="FILE", help="Write a picture; - prints it")
     ] = "",
     watch: Annotated[
-        bool, typer.Option("--watch", help="Print or write it at each change")
+        bool, typer.Option("--watch", help="Print or write the graph again at each change")
     ] = False,
     as_json: AsJson = False,
 ) -> None:

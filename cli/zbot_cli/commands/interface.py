@@ -43,7 +43,9 @@ class PackageError(ZbotError):
 
     def __init__(self, package: str) -> None:
         guess = nearest(package, packages())
-        self.hint = f"did you mean {guess}?" if guess else "zbot interface packages lists them"
+        self.hint = (
+            f"did you mean {guess}?" if guess else "`zbot interface packages` lists all packages"
+        )
         super().__init__(f"Unknown package '{package}'")
 
 

@@ -41,7 +41,7 @@ def launch(
         list[str],
         typer.Argument(
             metavar="[PACKAGE] FILE [NAME:=VALUE]...",
-            help="A launch file: a path, a file in a package, or the name of one of zbot's own",
+            help="Launch file: a path, a file in a package, or the name of a launch file of zbot",
             show_default=False,
         ),
     ],

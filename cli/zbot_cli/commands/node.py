@@ -160,7 +160,7 @@ def _end(name: str, process: Process | None, *, force: bool) -> None:
     import socket  # noqa: PLC0415 - needed only by this verb
 
     if process is None:
-        raise NodeKillError(f"the process of {name} does not publish its pid; end it there")
+        raise NodeKillError(f"the process of {name} does not publish its pid; end it where it runs")
     if process.host != socket.gethostname():
         raise NodeKillError(f"{name} runs on {process.host} (pid {process.pid}); end it there")
     number = signal.SIGKILL if force and hasattr(signal, "SIGKILL") else signal.SIGTERM

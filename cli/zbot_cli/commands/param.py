@@ -46,7 +46,7 @@ _DELETED = ("Deleted parameter successfully", "Deleting parameter failed")
 
 
 class ListCommand(ManyValuesCommand):
-    """`zbot param list --param-prefixes A B`."""
+    """Command that reads several prefixes, as in `zbot param list --param-prefixes A B`."""
 
     many: ClassVar = frozenset({"--param-prefixes"})
 
@@ -240,7 +240,7 @@ def set_parameters(
 
 
 def _reject_options(words: Sequence[str]) -> None:
-    # Only known options are rejected, because -5 begins with a dash but is a value.
+    # Only words with two dashes are rejected, because -5 begins with a dash but is a value.
     for word in words:
         if word.startswith("--"):
             raise typer.BadParameter(f"there is no option {word}")

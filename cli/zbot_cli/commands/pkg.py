@@ -50,7 +50,7 @@ class TagNotFoundError(ZbotError):
 
     def __init__(self, tag: str, known: list[str]) -> None:
         self.tag = tag
-        self.hint = f"it has {', '.join(known)}"
+        self.hint = f"package.xml has the tags {', '.join(known)}"
         super().__init__("XML tag not found")
 
 
@@ -79,7 +79,10 @@ def create_package(
         str, typer.Option("--description", help="What the package is for")
     ] = "TODO: Package description",
     license_name: Annotated[
-        str, typer.Option("--license", help="SPDX identifier; '?' lists those whose text zbot has")
+        str,
+        typer.Option(
+            "--license", help="SPDX identifier; '?' lists the licenses whose text zbot has"
+        ),
     ] = "TODO: License declaration",
     destination_directory: Annotated[
         str, typer.Option("--destination-directory", help="Folder to create it in")

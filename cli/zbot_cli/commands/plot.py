@@ -26,10 +26,11 @@ def plot(
         float, typer.Option("--window", "-w", min=0.1, help="With --terminal: seconds to show")
     ] = _DEFAULT_WINDOW_S,
     duration: Annotated[
-        float | None, typer.Option("--duration", help="With --terminal: seconds until the end")
+        float | None,
+        typer.Option("--duration", help="With --terminal: end after this many seconds"),
     ] = None,
     port: Annotated[
-        int, typer.Option("--port", help="Port of the page, or the next free one")
+        int, typer.Option("--port", help="Port of the page; if it is taken, the next free port")
     ] = 8080,
     no_browser: Annotated[bool, typer.Option("--no-browser", help="Do not open a browser")] = False,
 ) -> None:
@@ -46,7 +47,7 @@ def plot(
 
 
 def _draw_here(words: list[str], window_s: float, duration_s: float | None) -> None:
-    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - as above
+    from zbot.process.signals import SignalHandlerOptions, install  # noqa: PLC0415 - only for the terminal
     from zbot.web.curve import split_curve  # noqa: PLC0415 - as above
     from zbot.web.system import System  # noqa: PLC0415 - as above
     from zbot_cli.output.terminal_plot import TerminalPlot  # noqa: PLC0415 - as above

@@ -55,7 +55,7 @@ class NoPoliciesError(SetupError, NotImplementedError):
 
 
 def _both_spellings(name: str, **options: Any) -> Callable[[Verb], Verb]:
-    """Register a verb under the name of ros2, and under a hidden name with dashes."""
+    """Register a verb under its name in ros2, and under a hidden name with dashes."""
 
     def register(verb: Verb) -> Verb:
         app.command(name, **options)(verb)

@@ -24,7 +24,7 @@ def share(
     ] = None,
     stop: Annotated[bool, typer.Option("--stop", help="Undo it")] = False,
 ) -> None:
-    """Let one student read another's topics, or all publish in /class/."""
+    """Let one student read another's topics, or let everybody publish in /class/."""
     from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
 
     if owner == "class":

@@ -46,7 +46,7 @@ def run_tests(
         list[str] | None,
         typer.Argument(
             metavar="[PATH]... [NAME:=VALUE]...",
-            help="Files or folders, and launch arguments; `test` or this folder if left out",
+            help="Files or folders, and launch arguments; without PATH: ./test or this folder",
         ),
     ] = None,
 ) -> int:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
     from lifecycle_msgs.msg import State, TransitionDescription
 
-ANSWER_TIMEOUT_S = 5.0  #: for each answer, but without a limit for a transition's callback
+ANSWER_TIMEOUT_S = 5.0  #: for each answer; a transition's callback has no time limit
 _GET_STATE = "lifecycle_msgs/srv/GetState"
 
 
@@ -66,7 +66,7 @@ class UnknownTransitionError(ZbotError):
 
 
 class TransitionFailedError(ZbotError):
-    """The callback of the transition failed, or the state changed before its start."""
+    """The transition's callback failed, or the state changed before the transition started."""
 
     def __init__(self, node: str, state: State) -> None:
         self.node, self.state = node, state

@@ -29,7 +29,7 @@ class UndefinedTypeError(ZbotError):
 
     def __init__(self, type_name: str) -> None:
         self.type_name = type_name
-        self.hint = "put its .msg file into a package of your workspace, or look at it with --raw"
+        self.hint = "put its .msg file into a package of your workspace"
         super().__init__(f"The message type '{type_name}' is invalid")
 
 

@@ -110,7 +110,7 @@ def type_hint(word: str, found: list[str], known: Iterator[str]) -> str:
     names = list(known)
     guesses = [nearest(full, names) for full in _full_names(word)] + [_short_guess(word, names)]
     guess = next(filter(None, guesses), None)
-    return f"did you mean {guess}?" if guess else "zbot interface list shows all types"
+    return f"did you mean {guess}?" if guess else "`zbot interface list` shows all types"
 
 
 def _short_guess(word: str, names: list[str]) -> str | None:

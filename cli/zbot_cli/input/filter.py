@@ -175,7 +175,7 @@ def _is_harmless(call: ast.Call) -> bool:
     return isinstance(call.func, ast.Name) and call.func.id in _FUNCTIONS
 
 
-def _value(node: ast.AST, message: Any) -> Any:  # noqa: C901 - one branch a kind of node
+def _value(node: ast.AST, message: Any) -> Any:  # noqa: C901 - one branch for each kind of node
     match node:
         case ast.Constant(value=value):
             return value

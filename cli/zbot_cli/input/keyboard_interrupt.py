@@ -54,7 +54,7 @@ def _raise_again(dropped: sys.UnraisableHookArgs) -> None:
     while not started:
         again = threading.Timer(_RAISE_AGAIN_AFTER_S, signal.raise_signal, [signal.SIGINT])
         again.daemon = True
-        # Where start() takes longer than the timer, the signal comes before this hook has ended.
+        # If start() takes longer than the timer, KeyboardInterrupt comes here: start a new timer.
         with contextlib.suppress(KeyboardInterrupt):
             again.start()
             started = True

@@ -46,7 +46,7 @@ class Formatter:
         with_topic: Whether each text contains the name of its topic.
 
     Raises:
-        FieldPathError: A field of the form is not a valid path.
+        FieldPathError: A field that `form` selects is not a valid path.
     """
 
     def __init__(self, form: Form, *, with_topic: bool = False) -> None:
@@ -55,7 +55,7 @@ class Formatter:
         self._paths = [FieldPath(text) for text in form.fields]
 
     def check(self, message_type: type[Any]) -> None:
-        """Check that messages of a type have the fields of the form.
+        """Check that messages of a type have the fields that the form selects.
 
         Raises:
             FieldPathError: The messages lack a field.

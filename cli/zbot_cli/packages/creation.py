@@ -235,7 +235,7 @@ def _manifest(plan: Plan) -> str:
 
 
 def _tags(tag: str, names: Iterable[str]) -> str:
-    from xml.sax.saxutils import escape  # noqa: PLC0415 - as above
+    from xml.sax.saxutils import escape  # noqa: PLC0415 - only for a new package
 
     lines = "".join(f"  <{tag}>{escape(name)}</{tag}>\n" for name in names)
     return f"\n{lines}" if lines else ""
@@ -265,7 +265,7 @@ def _cmake_lists(plan: Plan) -> str:
 
 
 def _license(plan: Plan) -> str:
-    from datetime import datetime, timezone  # noqa: PLC0415 - as above
+    from datetime import datetime, timezone  # noqa: PLC0415 - only for a licence file
 
     text = (files("zbot_cli.packages") / "licenses" / f"{plan.license}.txt").read_text(
         encoding="utf-8"

@@ -1,4 +1,4 @@
-"""Search for the launch file that a command line names, and completion of its words."""
+"""Search for the launch file of a command line, and completion of the command line."""
 
 from __future__ import annotations
 
@@ -119,7 +119,7 @@ def _not_found(word: str) -> LaunchFileNotFoundError:
         hint = _guess(word, known) or f"zbot has {', '.join(known)}"
         return LaunchFileNotFoundError(text, hint)
     hint = f"it has {', '.join(inside) or 'none'}"
-    return LaunchFileNotFoundError(f"name a launch file of package '{word}'", hint)
+    return LaunchFileNotFoundError(f"no launch file of package '{word}' is given", hint)
 
 
 def _guess(word: str, known: Iterable[str]) -> str:

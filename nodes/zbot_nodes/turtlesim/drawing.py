@@ -10,7 +10,7 @@ from zbot_nodes.turtlesim.picture import png
 
 WIDTH = HEIGHT = 500  #: pixels
 _UNTOUCHED = (255, 255, 255, 0)  # white for the colour sensor, transparent for a page
-_MOST_LINES = 2000  # half a minute of a turtle; a page that asks later gets a whole picture
+_MOST_LINES = 2000  # one turtle draws them in 32 s; a page that asks later gets a whole picture
 
 
 class Pen(NamedTuple):

@@ -210,6 +210,7 @@ def test_no_secret_is_on_a_command_line_or_in_a_log(room: AttackedClass) -> None
         with contextlib.suppress(OSError):
             lines += process.read_bytes()
     logs = b"".join((one.folder / "zbot" / "hub.log").read_bytes() for one in everybody)
+    assert b"zbot.classroom" in lines
     assert not [one for one in [*secrets, PIN.encode()] if one in lines + logs]
 
 

@@ -10,11 +10,9 @@ import pytest
 import zbot
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
     from tests.conftest import MakeContext
-
-    MakeExecutor = Callable[..., zbot.Executor]
 
 BOTH = [zbot.SingleThreadedExecutor, zbot.MultiThreadedExecutor]
 

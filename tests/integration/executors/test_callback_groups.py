@@ -15,13 +15,7 @@ from tests.integration.executors.conftest import Overlap, run_ready_callbacks
 from std_msgs.msg import Int64
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from tests.conftest import Spin
-
-    MakeExecutor = Callable[..., zbot.Executor]
-
-BOTH = [zbot.SingleThreadedExecutor, zbot.MultiThreadedExecutor]
 
 
 def test_callbacks_of_an_exclusive_group_never_overlap(

@@ -19,10 +19,6 @@ if TYPE_CHECKING:
 
     from tests.conftest import Spin
 
-    MakeExecutor = Callable[..., zbot.Executor]
-
-BOTH = [zbot.SingleThreadedExecutor, zbot.MultiThreadedExecutor]
-
 
 # -- coroutines, tasks and futures -----------------------------------------------------------------
 

@@ -16,13 +16,7 @@ from zbot.executor.errors import ExecutorBusyError
 from std_msgs.msg import Int64
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from tests.conftest import Spin
-
-    MakeExecutor = Callable[..., zbot.Executor]
-
-BOTH = [zbot.SingleThreadedExecutor, zbot.MultiThreadedExecutor]
 
 
 # -- spinning --------------------------------------------------------------------------------------

@@ -124,7 +124,8 @@ def test_a_managed_publisher_publishes_while_active_and_warns_once(
     warnings = [one.message for one in logged if one.name == "robot" and "dropped" in one.message]
     assert len(warnings) == 2
     assert warnings[0] == (
-        "a message on /chatter was dropped: the node is not active (this is said once until it is)"
+        "a message on /chatter was dropped: the node is not active "
+        "(no more warnings come until the node is active)"
     )
     assert robot.destroy_lifecycle_publisher(publisher)
     assert not robot.destroy_lifecycle_publisher(publisher)

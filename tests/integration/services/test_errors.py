@@ -21,123 +21,129 @@ if TYPE_CHECKING:
     from tests.conftest import MakeContext, Spin
 
 
-class TestErrors:
-    def test_the_message_of_an_exception_reaches_the_caller(
-        self, make_context: MakeContext, spin: Spin, caller: zbot.Node
-    ) -> None:
-        def refuse(_request: Any, _response: Any) -> Any:
-            raise ValueError("b must not be 0")
+def test_the_message_of_an_exception_reaches_the_caller(
+    make_context: MakeContext, spin: Spin, caller: zbot.Node
+) -> None:
+    def refuse(_request: Any, _response: Any) -> Any:
+        raise ValueError("b must not be 0")
 
-        server = zbot.Node("server", context=make_context())
-        server.create_service(AddTwoInts, "add", refuse)
-        spinner = spin(server)
-        with pytest.raises(ServiceError, match="/add: b must not be 0") as caught:
-            client_of(caller).call(Request())
-        assert caught.value.kind == "ValueError"
-        spinner.join()
-        assert isinstance(spinner.error, ValueError)
+    server = zbot.Node("server", context=make_context())
+    server.create_service(AddTwoInts, "add", refuse)
+    spinner = spin(server)
+    with pytest.raises(ServiceError, match="/add: b must not be 0") as caught:
+        client_of(caller).call(Request())
+    assert caught.value.kind == "ValueError"
+    spinner.join()
+    assert isinstance(spinner.error, ValueError)
 
-    def test_a_missing_response_is_reported_on_both_sides(
-        self, make_context: MakeContext, spin: Spin, caller: zbot.Node
-    ) -> None:
-        server = zbot.Node("server", context=make_context())
-        server.create_service(AddTwoInts, "add", lambda _request, _response: None)
-        spinner = spin(server)
-        with pytest.raises(ServiceError, match="return response"):
-            client_of(caller).call(Request())
-        spinner.join()
-        assert isinstance(spinner.error, ResponseTypeError)
 
-    def test_a_call_without_a_server_fails_at_once(self, caller: zbot.Node) -> None:
-        client = caller.create_client(AddTwoInts, "add")
-        with pytest.raises(ServiceError, match="no server is running"):
-            client.call(Request())
-        future = client.call_async(Request())
-        assert isinstance(future.exception(), ServiceError)
-        assert not client.wait_for_service(0.05)
+def test_a_missing_response_is_reported_on_both_sides(
+    make_context: MakeContext, spin: Spin, caller: zbot.Node
+) -> None:
+    server = zbot.Node("server", context=make_context())
+    server.create_service(AddTwoInts, "add", lambda _request, _response: None)
+    spinner = spin(server)
+    with pytest.raises(ServiceError, match="return response"):
+        client_of(caller).call(Request())
+    spinner.join()
+    assert isinstance(spinner.error, ResponseTypeError)
 
-    def test_a_destroyed_server_fails_waiting_calls(
-        self, make_context: MakeContext, caller: zbot.Node
-    ) -> None:
-        server = zbot.Node("server", context=make_context())  # never spins
-        service = server.create_service(AddTwoInts, "add", add)
-        future = client_of(caller).call_async(Request())
-        assert wait_until(lambda: bool(service._queries))
-        server.destroy_service(service)
-        assert wait_until(future.done)
-        assert isinstance(future.exception(), ServiceError)
 
-    def test_a_call_raises_at_timeout(self, make_context: MakeContext, caller: zbot.Node) -> None:
-        server = zbot.Node("server", context=make_context())  # never spins
-        server.create_service(AddTwoInts, "add", add)
-        client = client_of(caller)
-        with pytest.raises(TimeoutError, match="no response in time"):
-            client.call(Request(), timeout_sec=0.05)
-
-    def test_a_request_that_cannot_be_read_is_refused(
-        self, server: zbot.Node, caller: zbot.Node
-    ) -> None:
-        server.create_service(AddTwoInts, "add", add)
-        client_of(caller)
-        session = caller.context.session
-        key = f"{caller.context.get_domain_id()}/add"
-        replies = list(session.get(key, payload=b"\xc1"))
-        assert [reply.ok for reply in replies] == [None]
-        assert client_of(caller).call(Request(a=1)).sum == 1
-
-    def test_a_request_of_another_type_is_refused(
-        self, server: zbot.Node, caller: zbot.Node
-    ) -> None:
-        server.create_service(AddTwoInts, "add", add)
-        mistaken: Any = caller.create_client(Trigger, "add")
-        assert mistaken.wait_for_service(10)
-        with pytest.raises(ServiceError, match="it is std_srvs/srv/Trigger_Request, not example"):
-            mistaken.call(Trigger.Request())
-
-    @pytest.mark.parametrize("wrong", [Response(), None, 5, AddTwoInts])
-    def test_an_object_of_another_type_is_refused(self, wrong: Any, caller: zbot.Node) -> None:
-        client = caller.create_client(AddTwoInts, "add")
-        with pytest.raises(RequestTypeError, match="AddTwoInts_Request"):
-            client.call_async(wrong)
-
-    def test_a_message_type_is_refused_as_a_service_type(self, caller: zbot.Node) -> None:
-        with pytest.raises(NotAMessageTypeError):
-            caller.create_service(Request, "add", add)
-        with pytest.raises(NotAMessageTypeError):
-            caller.create_client(Request, "add")
-
-    def test_a_destroyed_client_refuses(self, caller: zbot.Node) -> None:
-        client = caller.create_client(AddTwoInts, "add")
-        assert caller.destroy_client(client)
-        assert not caller.destroy_client(client)
-        with pytest.raises(InvalidHandleError):
-            client.call_async(Request())
-        with pytest.raises(InvalidHandleError):
-            client.wait_for_service(0)
-
-    def test_shutdown_ends_a_call(self, make_context: MakeContext, caller: zbot.Node) -> None:
-        server = zbot.Node("server", context=make_context())  # never spins
-        server.create_service(AddTwoInts, "add", add)
-        client = client_of(caller)
-        threading.Timer(0.05, caller.context.shutdown).start()
-        with pytest.raises((NotInitializedError, ServiceError)):
-            client.call(Request(), timeout_sec=30)
-
-    def test_a_removed_request_never_completes(self, server: zbot.Node, caller: zbot.Node) -> None:
-        client = caller.create_client(AddTwoInts, "add")
-        gate = threading.Event()
-
-        def wait(request: Any, response: Any) -> Any:
-            gate.wait(5)
-            return add(request, response)
-
-        server.create_service(AddTwoInts, "add", wait)
-        assert client.wait_for_service(5)
-        future = client.call_async(Request())
-        assert client.get_pending_request(1) is future
-        client.remove_pending_request(future)
-        gate.set()
+def test_a_call_without_a_server_fails_at_once(caller: zbot.Node) -> None:
+    client = caller.create_client(AddTwoInts, "add")
+    with pytest.raises(ServiceError, match="no server is running"):
         client.call(Request())
-        assert not future.done()
-        with pytest.raises(KeyError):
-            client.get_pending_request(1)
+    future = client.call_async(Request())
+    assert isinstance(future.exception(), ServiceError)
+    assert not client.wait_for_service(0.05)
+
+
+def test_a_destroyed_server_fails_waiting_calls(
+    make_context: MakeContext, caller: zbot.Node
+) -> None:
+    server = zbot.Node("server", context=make_context())  # never spins
+    service = server.create_service(AddTwoInts, "add", add)
+    future = client_of(caller).call_async(Request())
+    assert wait_until(lambda: bool(service._queries))
+    server.destroy_service(service)
+    assert wait_until(future.done)
+    assert isinstance(future.exception(), ServiceError)
+
+
+def test_a_call_raises_at_timeout(make_context: MakeContext, caller: zbot.Node) -> None:
+    server = zbot.Node("server", context=make_context())  # never spins
+    server.create_service(AddTwoInts, "add", add)
+    client = client_of(caller)
+    with pytest.raises(TimeoutError, match="no response in time"):
+        client.call(Request(), timeout_sec=0.05)
+
+
+def test_a_request_that_cannot_be_read_is_refused(server: zbot.Node, caller: zbot.Node) -> None:
+    server.create_service(AddTwoInts, "add", add)
+    client_of(caller)
+    session = caller.context.session
+    key = f"{caller.context.get_domain_id()}/add"
+    replies = list(session.get(key, payload=b"\xc1"))
+    assert [reply.ok for reply in replies] == [None]
+    assert client_of(caller).call(Request(a=1)).sum == 1
+
+
+def test_a_request_of_another_type_is_refused(server: zbot.Node, caller: zbot.Node) -> None:
+    server.create_service(AddTwoInts, "add", add)
+    mistaken: Any = caller.create_client(Trigger, "add")
+    assert mistaken.wait_for_service(10)
+    with pytest.raises(ServiceError, match="it is std_srvs/srv/Trigger_Request, not example"):
+        mistaken.call(Trigger.Request())
+
+
+@pytest.mark.parametrize("wrong", [Response(), None, 5, AddTwoInts])
+def test_an_object_of_another_type_is_refused(wrong: Any, caller: zbot.Node) -> None:
+    client = caller.create_client(AddTwoInts, "add")
+    with pytest.raises(RequestTypeError, match="AddTwoInts_Request"):
+        client.call_async(wrong)
+
+
+def test_a_message_type_is_refused_as_a_service_type(caller: zbot.Node) -> None:
+    with pytest.raises(NotAMessageTypeError):
+        caller.create_service(Request, "add", add)
+    with pytest.raises(NotAMessageTypeError):
+        caller.create_client(Request, "add")
+
+
+def test_a_destroyed_client_refuses(caller: zbot.Node) -> None:
+    client = caller.create_client(AddTwoInts, "add")
+    assert caller.destroy_client(client)
+    assert not caller.destroy_client(client)
+    with pytest.raises(InvalidHandleError):
+        client.call_async(Request())
+    with pytest.raises(InvalidHandleError):
+        client.wait_for_service(0)
+
+
+def test_shutdown_ends_a_call(make_context: MakeContext, caller: zbot.Node) -> None:
+    server = zbot.Node("server", context=make_context())  # never spins
+    server.create_service(AddTwoInts, "add", add)
+    client = client_of(caller)
+    threading.Timer(0.05, caller.context.shutdown).start()
+    with pytest.raises((NotInitializedError, ServiceError)):
+        client.call(Request(), timeout_sec=30)
+
+
+def test_a_removed_request_never_completes(server: zbot.Node, caller: zbot.Node) -> None:
+    client = caller.create_client(AddTwoInts, "add")
+    gate = threading.Event()
+
+    def wait(request: Any, response: Any) -> Any:
+        gate.wait(5)
+        return add(request, response)
+
+    server.create_service(AddTwoInts, "add", wait)
+    assert client.wait_for_service(5)
+    future = client.call_async(Request())
+    assert client.get_pending_request(1) is future
+    client.remove_pending_request(future)
+    gate.set()
+    client.call(Request())
+    assert not future.done()
+    with pytest.raises(KeyError):
+        client.get_pending_request(1)

@@ -18,77 +18,79 @@ if TYPE_CHECKING:
     from tests.conftest import MakeContext
 
 
-class TestLongRequests:
-    """A request that outlasts the limit of Zenoh's queries is sent again and served once."""
+"""A request that outlasts the limit of Zenoh's queries is sent again and served once."""
 
-    @pytest.fixture(autouse=True)
-    def short_time(self, monkeypatch: pytest.MonkeyPatch) -> None:
-        monkeypatch.setattr("zbot.node.service_request._FIRST_TIMEOUT_S", 0.1)
-        monkeypatch.setattr("zbot.node.deduplication._LATE_S", 0.02)
 
-    @pytest.mark.parametrize("kind", ["call", "call_async"])
-    @pytest.mark.parametrize("is_coroutine", [False, True])
-    def test_a_slow_handler_is_called_once(
-        self, kind: str, is_coroutine: bool, server: zbot.Node, caller: zbot.Node
-    ) -> None:
-        served: list[int] = []
-        gate: zbot.Future[None] = zbot.Future()
-        opened = threading.Event()
+@pytest.fixture(autouse=True)
+def short_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("zbot.node.service_request._FIRST_TIMEOUT_S", 0.1)
+    monkeypatch.setattr("zbot.node.deduplication._LATE_S", 0.02)
 
-        def open_gate() -> None:
-            gate.set_result(None)
-            opened.set()
 
-        threading.Timer(0.5, open_gate).start()
+@pytest.mark.parametrize("kind", ["call", "call_async"])
+@pytest.mark.parametrize("is_coroutine", [False, True])
+def test_a_slow_handler_is_called_once(
+    kind: str, is_coroutine: bool, server: zbot.Node, caller: zbot.Node
+) -> None:
+    served: list[int] = []
+    gate: zbot.Future[None] = zbot.Future()
+    opened = threading.Event()
 
-        def slow(request: Any, response: Any) -> Any:
-            served.append(request.a)
-            assert opened.wait(5)
-            return add(request, response)
+    def open_gate() -> None:
+        gate.set_result(None)
+        opened.set()
 
-        async def slow_coroutine(request: Any, response: Any) -> Any:
-            served.append(request.a)
-            await gate
-            return add(request, response)
+    threading.Timer(0.5, open_gate).start()
 
-        server.create_service(AddTwoInts, "add", slow_coroutine if is_coroutine else slow)
-        client = client_of(caller)
-        if kind == "call":
-            assert client.call(Request(a=1, b=2), timeout_sec=10).sum == 3
-        else:
-            future = client.call_async(Request(a=1, b=2))
-            assert wait_until(future.done, 10)
-            assert future.result().sum == 3
-        assert served == [1]
+    def slow(request: Any, response: Any) -> Any:
+        served.append(request.a)
+        assert opened.wait(5)
+        return add(request, response)
 
-    def test_a_late_error_is_received(self, make_context: MakeContext, caller: zbot.Node) -> None:
-        opened = threading.Event()
-        threading.Timer(0.3, opened.set).start()
+    async def slow_coroutine(request: Any, response: Any) -> Any:
+        served.append(request.a)
+        await gate
+        return add(request, response)
 
-        async def refuse(_request: Any, _response: Any) -> Any:
-            assert opened.wait(5)
-            raise ValueError("too late")
+    server.create_service(AddTwoInts, "add", slow_coroutine if is_coroutine else slow)
+    client = client_of(caller)
+    if kind == "call":
+        assert client.call(Request(a=1, b=2), timeout_sec=10).sum == 3
+    else:
+        future = client.call_async(Request(a=1, b=2))
+        assert wait_until(future.done, 10)
+        assert future.result().sum == 3
+    assert served == [1]
 
-        server = zbot.Node("server", context=make_context())
-        server.create_service(AddTwoInts, "add", refuse)
-        executor = zbot.MultiThreadedExecutor(2, context=server.context)
-        executor.add_node(server)
 
-        def serve() -> None:
-            while server.context.ok():
-                try:
-                    executor.spin()
-                except ValueError:
-                    continue
-                except zbot.ExternalShutdownException:
-                    return
+def test_a_late_error_is_received(make_context: MakeContext, caller: zbot.Node) -> None:
+    opened = threading.Event()
+    threading.Timer(0.3, opened.set).start()
 
-        thread = threading.Thread(target=serve)
-        thread.start()
-        try:
-            with pytest.raises(ServiceError, match="too late"):
-                client_of(caller).call(Request(), timeout_sec=10)
-        finally:
-            executor.shutdown()
-            server.context.shutdown()
-            thread.join(5)
+    async def refuse(_request: Any, _response: Any) -> Any:
+        assert opened.wait(5)
+        raise ValueError("too late")
+
+    server = zbot.Node("server", context=make_context())
+    server.create_service(AddTwoInts, "add", refuse)
+    executor = zbot.MultiThreadedExecutor(2, context=server.context)
+    executor.add_node(server)
+
+    def serve() -> None:
+        while server.context.ok():
+            try:
+                executor.spin()
+            except ValueError:
+                continue
+            except zbot.ExternalShutdownException:
+                return
+
+    thread = threading.Thread(target=serve)
+    thread.start()
+    try:
+        with pytest.raises(ServiceError, match="too late"):
+            client_of(caller).call(Request(), timeout_sec=10)
+    finally:
+        executor.shutdown()
+        server.context.shutdown()
+        thread.join(5)

@@ -150,7 +150,9 @@ def test_fields_are_checked_for_any_value_of_check_fields(check_fields: bool) ->
 
 def test_values_without_names_are_refused() -> None:
     cls: Any = get_message("std_msgs/msg/String")
-    with pytest.raises(PositionalFieldError, match=r"name the fields .*: String\(data=\.\.\.\)"):
+    with pytest.raises(
+        PositionalFieldError, match=r"give the fields .* by name: String\(data=\.\.\.\)"
+    ):
         cls("hi")
 
 

@@ -101,7 +101,7 @@ def test_attributes_have_types() -> None:
 @pytest.mark.parametrize(
     ("tag", "error"),
     [
-        ('<executable cmd="ls"><what/></executable>', "`executable` has no `what` inside it"),
+        ('<executable cmd="ls"><what/></executable>', "`what` is not allowed inside `executable`"),
         ('<executable cmd="ls" shell="perhaps"/>', "'shell' of `executable` must be of type bool"),
         ('<group scoped="perhaps"/>', "'scoped' of `group` must be of type bool"),
     ],

@@ -13,9 +13,8 @@ from zbot import log
 from zbot.log import LoggingSeverity, get_logger
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from tests.unit.log.conftest import Logged
 
-    Logged = Callable[[], list[str]]
 
 DEBUG, INFO, WARN = LoggingSeverity.DEBUG, LoggingSeverity.INFO, LoggingSeverity.WARN
 ERROR, FATAL = LoggingSeverity.ERROR, LoggingSeverity.FATAL

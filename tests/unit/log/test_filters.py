@@ -10,9 +10,8 @@ from zbot.log.errors import LogCallChangedError, LogOptionError, NotAClockError
 from zbot.time import Time
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from tests.unit.log.conftest import Logged
 
-    Logged = Callable[[], list[str]]
 
 INFO, WARN, ERROR = LoggingSeverity.INFO, LoggingSeverity.WARN, LoggingSeverity.ERROR
 

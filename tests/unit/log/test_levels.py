@@ -12,7 +12,6 @@ from zbot.log.errors import InvalidSeverityError
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    Logged = Callable[[], list[str]]
 
 DEBUG, INFO, WARN = LoggingSeverity.DEBUG, LoggingSeverity.INFO, LoggingSeverity.WARN
 ERROR, FATAL, UNSET = LoggingSeverity.ERROR, LoggingSeverity.FATAL, LoggingSeverity.UNSET

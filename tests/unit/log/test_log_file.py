@@ -10,10 +10,10 @@ from zbot import log
 from zbot.log import get_logger
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
     from pathlib import Path
 
-    Logged = Callable[[], list[str]]
+    from tests.unit.log.conftest import Logged
+
 
 LINE = re.compile(r"\[(\w+)\] \[(\d{10}\.\d{9})\] \[([\w.]+)\]: (.*)", re.DOTALL)
 

@@ -9,9 +9,10 @@ from zbot import log
 from zbot.log import LoggingSeverity, get_logger
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterator
+    from collections.abc import Iterator
 
-    Logged = Callable[[], list[str]]
+    from tests.unit.log.conftest import Logged
+
 
 ERROR = LoggingSeverity.ERROR
 

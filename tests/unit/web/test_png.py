@@ -12,7 +12,7 @@ from zbot.web.png import LONGEST_SIDE, ImageError, encode_png, media_type
 
 from sensor_msgs.msg import Image
 
-RED, GREEN, BLUE, WHITE = (255, 0, 0), (0, 255, 0), (0, 0, 255), (255, 255, 255)
+RED, GREEN, BLUE = (255, 0, 0), (0, 255, 0), (0, 0, 255)
 
 
 def decoded(data: bytes) -> tuple[int, int, list[list[tuple[int, ...]]]]:

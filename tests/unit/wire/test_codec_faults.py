@@ -87,7 +87,7 @@ def test_bytes_may_come_as_numbers_or_binaries() -> None:
         (JointState, {"name": ["a", 5]}, "name[1]", "expected a string, not int 5"),
         (JointState, {"position": [1.0, "b"]}, "position[1]", "expected a number"),
         (JointState, {"position": b"\0"}, "position", "expected a list, not bytes"),
-        (Image, {"data": msgpack.ExtType(ord("f"), b"\0\0\0\0")}, "data", "not one of 'f'"),
+        (Image, {"data": msgpack.ExtType(ord("f"), b"\0\0\0\0")}, "data", "not of typecode 'f'"),
         (Image, {"data": [1, 256]}, "data[1]", "not in the range 0 to 255"),
         (LaserScan, {"ranges": [1e300]}, "ranges[0]", "out of range for a float32"),
         (LaserScan, {"ranges": [True]}, "ranges[0]", "expected a number, not bool"),

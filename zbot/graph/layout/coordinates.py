@@ -43,7 +43,7 @@ def _gap(graph: LayeredGraph, one: int, other: int) -> float:
 def separate(
     wanted: Sequence[float], weights: Sequence[float], apart: Sequence[float]
 ) -> list[float]:
-    """Return positions near the wanted positions, with the least distances between them.
+    """Return positions near the wanted positions, no closer together than `apart` allows.
 
     The sum of weighted squared movements is minimal (pool adjacent violators algorithm).
 
@@ -78,7 +78,7 @@ def y_coordinates(graph: LayeredGraph, fixed: Mapping[int, float]) -> list[float
     rows = [(row, gaps(graph, row)) for row in graph.rows.values()]
     pulls = [_pulls(graph, vertex) for vertex in range(len(graph.layer))]
     for sweep in range(_SWEEPS):
-        # Most sweeps use one side, to spread positions across the graph. The last use both sides.
+        # Most sweeps use one side, to spread positions across the graph. The last 4 use both.
         sides = (_LEFT, _RIGHT) if sweep >= _SWEEPS - 4 else (sweep % 2,)
         for row, apart in rows if sweep % 2 == _LEFT else rows[::-1]:
             targets = [_target(vertex, pulls[vertex], sides, y, fixed) for vertex in row]

@@ -62,11 +62,6 @@ class LayeredGraph:
         proper = [arc for arc in self.arcs if arc[0] != arc[1]]
         self.layer = assign_layers(self.size, proper, known)
 
-    @property
-    def is_item(self) -> range:
-        """The vertices that are items."""
-        return range(self.size)
-
     def _chain(self, number: int, link: Link) -> list[int]:
         """Return the vertices of a link from left to right."""
         start, end, _ = self.arcs[number]
@@ -119,7 +114,7 @@ def _common(one: tuple[str, ...], other: tuple[str, ...]) -> tuple[str, ...]:
 
 
 def _components(items: Sequence[Item], arcs: list[Arc]) -> list[int]:
-    """Return the component of each item. Links and outermost frames join items to components."""
+    """Return the component of each item. Links and outermost frames join items into components."""
     parent = list(range(len(items)))
 
     def root(vertex: int) -> int:

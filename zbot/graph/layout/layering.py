@@ -96,7 +96,7 @@ def _topological(
 ) -> list[int]:
     waiting = [len(found) for found in before]
     order = [vertex for vertex in range(size) if not waiting[vertex]]
-    for vertex in order:  # the loop appends to it
+    for vertex in order:  # the loop appends to `order`
         for other, _ in after[vertex]:
             waiting[other] -= 1
             if not waiting[other]:

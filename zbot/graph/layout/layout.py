@@ -70,7 +70,7 @@ def _laid_out(items: Sequence[Item], links: Sequence[Link], previous: Layout | N
 
 
 def _aligned(new: Layout, previous: Layout | None) -> Layout:
-    """Return the whole layout after a move, so that old items move as little as possible."""
+    """Return a new layout, moved as a whole so that old items are near their old places."""
     shared = [key for key in new.places if previous and key in previous.places]
     if previous is None or not shared:
         return new

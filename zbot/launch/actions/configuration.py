@@ -118,9 +118,9 @@ class AppendEnvironmentVariable(SetEnvironmentVariable):
     """Add an item to an environment variable that contains a list, such as PATH.
 
     Args:
-        name: Its name.
+        name: The variable's name.
         value: The item.
-        prepend: Whether to add it at the beginning.
+        prepend: Whether to add the item at the beginning.
         separator: The text between items.
     """
 

@@ -105,8 +105,8 @@ class IncludeLaunchDescription(Action):
         return (*chain, link)
 
     def _check(self, description: LaunchDescription, given: Mapping[str, str]) -> None:
-        # As in launch, this check runs before every action of the file. It ignores arguments of the
-        # including file that have the same name.
+        # As in launch, this check runs before the first action of the file. It ignores arguments of
+        # the including file that have the same name.
         for found in declared_arguments(description, follow_includes=False):
             action = found.action
             if action.default_value is None and not found.conditional and action.name not in given:

@@ -66,7 +66,7 @@ class LifecycleNode(Node):
         super().execute(context)
         if context.is_shutdown:
             return None
-        from zbot.launch.ros_node import launch_node  # noqa: PLC0415 - opens a session
+        from zbot.launch.ros_node import launch_node  # noqa: PLC0415 - imports Zenoh
 
         node = launch_node(context)
         node.listen(
@@ -149,7 +149,7 @@ class LifecycleTransition(Action):
 
 
 def _by_name(name: str) -> Any:
-    from zbot.launch.lifecycle_event import matches_node_name  # noqa: PLC0415 - beside its user
+    from zbot.launch.lifecycle_event import matches_node_name  # noqa: PLC0415 - only used here
 
     return matches_node_name(name)
 

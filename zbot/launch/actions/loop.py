@@ -27,7 +27,7 @@ def loop_iteration(
 ) -> list[LaunchDescriptionEntity]:
     """Return the entities, between actions that set and remove the locals of one iteration."""
     seen = {ForEachVar.get_local_arg_name(key): one for key, one in values.items()}
-    # Three functions, as in launch, because tests of launch compare descriptions by entity.
+    # These are three functions, as in launch, because launch's tests compare entity by entity.
     opened = [OpaqueFunction(function=_open), OpaqueFunction(function=_fill, args=(seen,))]
     return [*opened, *entities, OpaqueFunction(function=_close)]
 

@@ -71,7 +71,7 @@ class Node(ExecuteProcess):
         self.package = None if package is None else normalize(package)
         self.executable = normalize(executable)
         super().__init__(cmd=[self.executable], name=exec_name, **options)
-        # Tests of launch_ros use both attributes by their mangled names, e.g. `_Node__parameters`.
+        # Tests of launch_ros read these two by their mangled names, e.g. `_Node__parameters`.
         self.__parameters = normalize_parameters(parameters or ())
         self.__remappings = [_pair(one) for one in remappings or ()]
         self.arguments = [normalize(word) for word in _listed(arguments)]
@@ -149,13 +149,13 @@ class Node(ExecuteProcess):
         name = perform(context, description.name) if description.name else ""
         name = name or executable.replace("\\", "/").rpartition("/")[2]
         prepared = description.prepare(context, [*words, *self._ros_words(context)], name)
-        if prepared.cwd is not None:  # zbot searches the workspace from the working directory
+        if prepared.cwd is not None:  # from there, `zbot run` would not find this workspace
             roots = os.pathsep.join(str(root.absolute()) for root, _ in search_roots())
             prepared.env.setdefault("ZBOT_WORKSPACE", roots)
         return prepared
 
     def _quoted(self, words: list[str]) -> list[str]:
-        """Return the words, with quotes if a shell runs them. The user's words get no quotes."""
+        """Return words of zbot, quoted if a shell runs them. The user's words do not come here."""
         if not self.shell:
             return words
         return [list2cmdline([word]) if os.name == "nt" else quote(word) for word in words]

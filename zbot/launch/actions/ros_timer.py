@@ -29,8 +29,8 @@ class RosTimer(TimerAction):
         super().execute(context)
 
     async def _sleep(self, seconds: float, context: LaunchContext) -> None:
-        from zbot.launch.ros_node import launch_node  # noqa: PLC0415 - opens a session
-        from zbot.parameters.parameter import Parameter  # noqa: PLC0415 - as above
+        from zbot.launch.ros_node import launch_node  # noqa: PLC0415 - imports Zenoh
+        from zbot.parameters.parameter import Parameter  # noqa: PLC0415 - few files need it
 
         node = launch_node(context).node
         # The second check includes later actions of the launch file, which were visited meanwhile.

@@ -102,7 +102,7 @@ class Entity:
         """Return an attribute or children. The arguments are the same as in launch.
 
         Args:
-            name: Its name.
+            name: The name of the attribute, or the tag name of the children.
             data_type: `str`, `int`, `float`, `bool`, or a list whose items have one of these types,
                 e.g. `List[int]`. None means the type that YAML reads. `List[Entity]` returns
                 children.
@@ -160,7 +160,7 @@ class Entity:
         """
         for child in () if self._all_used else self._children:
             if child.type_name not in self._used:
-                raise child.error(f"`{self.type_name}` has no `{child.type_name}` inside it")
+                raise child.error(f"`{child.type_name}` is not allowed inside `{self.type_name}`")
         for name in self.attributes:
             if name not in self._used:
                 near = close_matches(name, self._used, 1)

@@ -97,7 +97,7 @@ def _scalar(value: str, parser: Parser) -> Any:
         return parts
     try:
         read = parse_value(value) if value.strip() else value
-    except ZbotError:  # `''2''`
+    except ZbotError:  # text such as `''2''` is not YAML
         is_quoted = len(value) > 1 and value[0] == value[-1] == "'"
         read = value[1:-1] if is_quoted else value
     if not isinstance(read, str):

@@ -1,8 +1,9 @@
 r"""Parser of texts with substitutions: `$(find-pkg-share my_pkg)/config/$(var robot).yaml`.
 
 Blanks separate arguments. An argument in quotes may contain blanks. Arguments with and without
-quotes may contain substitutions. Inside a substitution between quotes, quotes are plain text. After
-a backslash, the characters `$`, brackets, quotes and backslash are plain text.
+quotes may contain substitutions. If a substitution is in a quoted argument, quotes inside this
+substitution are plain text. After a backslash, the characters `$`, `(`, `)`, quotes and backslash
+are plain text.
 """
 
 from __future__ import annotations

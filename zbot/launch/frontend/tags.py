@@ -126,7 +126,7 @@ def add_plain_tags(tags: dict[str, tuple[Any, ...]]) -> None:
     """Register tags that need all their attributes.
 
     Args:
-        tags: For each tag: the class of the action, and the attributes with its arguments.
+        tags: For each tag: the class of the action, and the attributes that contain its arguments.
     """
     for tag, (kind, *attributes) in tags.items():
         action(tag)(partial(_plain_action, kind, attributes))
@@ -196,7 +196,7 @@ def _for(entity: Entity, parser: Parser) -> Action:
 
 @action("for_each")
 def _for_each(entity: Entity, parser: Parser) -> Action:
-    parser.actions(entity)  # as above
+    parser.actions(entity)  # reports errors, even if the loop has no iterations
 
     def one_iteration(**values: Any) -> list[LaunchDescriptionEntity]:
         return loop_iteration(values, parser.actions(entity))
@@ -228,7 +228,7 @@ def _reset(entity: Entity, parser: Parser) -> Action:
 def _log(entity: Entity, parser: Parser) -> Action:
     level = text(entity, parser, "level")
     if level is None:
-        message = "`log` without a level means INFO; ROS 2 will require one: write `log_info`"
+        message = "`log` without a level means INFO; ROS 2 will require a level: write `log_info`"
         warnings.warn(message, DeprecationWarning, stacklevel=2)
         level = [TextSubstitution(text="INFO")]
     return actions.Log(msg=required_text(entity, parser, "message"), level=level)

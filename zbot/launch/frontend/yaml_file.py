@@ -45,7 +45,7 @@ class _Reader:
     """Converts YAML nodes, which have line numbers, into entities."""
 
     def __init__(self, path: str) -> None:
-        import yaml  # noqa: PLC0415 - as above
+        import yaml  # noqa: PLC0415 - see `parse`
 
         self._path, self._yaml = path, yaml
         self._constructor = yaml.constructor.SafeConstructor()

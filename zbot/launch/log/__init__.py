@@ -56,7 +56,7 @@ class LaunchConfig:
         """Restore the default settings."""
         self.close()
         self._log_dir: str | None = None
-        self._base: str | None = None  #: parent of the folder
+        self._base: str | None = None  #: parent of `_log_dir`
         self._has_warned = False  #: whether a warning about a missing folder was shown
         self.file_handlers = {}
         self.screen_handler = None
@@ -132,7 +132,7 @@ class LaunchConfig:
             screen_style: The style of the format's fields. None means `{`.
 
         Raises:
-            ValueError: A style was given, but the format is a name.
+            ValueError: A style was given, but the format is a name such as `default`.
         """
         chosen = os.environ.get("OVERRIDE_LAUNCH_SCREEN_FORMAT")
         self.screen_formatter = _formatter(chosen, screen_format, screen_style, _SCREEN_FORMATS)
@@ -149,7 +149,7 @@ class LaunchConfig:
             log_style: The style of the format's fields. None means `{`.
 
         Raises:
-            ValueError: A style was given, but the format is a name.
+            ValueError: A style was given, but the format is a name such as `default`.
         """
         chosen = os.environ.get("OVERRIDE_LAUNCH_LOG_FORMAT")
         self.file_formatter = _formatter(chosen, log_format, log_style, _FILE_FORMATS)
@@ -170,7 +170,7 @@ class LaunchConfig:
     def get_log_file_handler(self, file_name: str = "launch.log") -> Any:
         """Return the handler that writes to a file. `log_handler_factory` creates the handler.
 
-        If the folder cannot be created, the log shows one warning and drops the lines.
+        If the folder cannot be created, the screen shows one warning, and no file is written.
         """
         try:
             path = self.get_log_file_path(file_name)
@@ -189,7 +189,7 @@ class LaunchConfig:
     def logger(self, name: str) -> logging.Logger:
         """Return a logger that has the level of the launch and no handlers."""
         if name not in self._loggers:
-            # Not Python's root logger, because libraries write to it. launch also uses "root".
+            # The "root" of launch is a separate logger: libraries write to Python's root logger.
             logger = logging.getLogger(name) if name != "root" else logging.Logger("root")
             logger.propagate = False
             if logger.level == logging.NOTSET:

@@ -42,7 +42,7 @@ class _FormatterPerLogger:
         own = self._formatters.get(record.name)
         if own is not None:
             return own.format(record)
-        text: str = super().format(record)  # type: ignore[misc] # the handler's
+        text: str = super().format(record)  # type: ignore[misc] # of the handler class
         return text
 
 
@@ -57,7 +57,7 @@ else:
 
 
 class ScreenHandler(_FormatterPerLogger, _StreamHandler):
-    """Writes to the present `sys.stdout`, even if it is replaced later. Colours warnings."""
+    """Writes each line to the `sys.stdout` of that moment. Colours warnings and errors."""
 
     def emit(self, record: logging.LogRecord) -> None:
         """Write a line."""

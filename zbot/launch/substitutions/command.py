@@ -21,7 +21,7 @@ class Command(Substitution):
 
     Args:
         command: The command line.
-        on_stderr: `fail`, `ignore`, `warn` or `capture`, if the command prints to stderr.
+        on_stderr: What to do with text on stderr: `fail`, `ignore`, `warn` or `capture`.
     """
 
     def __init__(
@@ -33,8 +33,8 @@ class Command(Substitution):
         """Run the command and return its output.
 
         Raises:
-            SubstitutionError: The command cannot start, or fails. With `fail`, also if the command
-                prints to stderr.
+            SubstitutionError: The command cannot start, or it fails. With `fail`, output on stderr
+                is an error too.
         """
         line = perform(context, self.command)
         mode = perform(context, self.on_stderr)

@@ -68,7 +68,7 @@ def assertExitCodes(  # noqa: N802 - launch_testing's name
     """Assert that the exit codes of processes are allowed.
 
     If a signal ended a process, its exit code is the negative number of the signal. An allowed
-    code of 128 + this number, as in a shell, matches too.
+    code of 128 + the number of the signal, as in a shell, matches too.
 
     Raises:
         AssertionError: A process has another exit code.
@@ -117,13 +117,13 @@ class SequentialTextChecker:
         """Return the present line, the two lines before it and the two lines after it."""
         lines = self._text.splitlines()
         reached = self._text[: self._place].count("\n")
-        # At the end of a line, the next line is the present line, if it exists.
+        # At the end of a line, the present line is the next line, if there is a next line.
         if self._text[self._place : self._place + 1] == "\n":
             reached += 1
         reached = min(reached, len(lines) - 1)
         return "\n".join(lines[max(reached - 2, 0) : reached + 3])
 
-    assertInText = assertInStdout  # noqa: N815 - as above
+    assertInText = assertInStdout  # noqa: N815 - launch_testing's name
 
 
 @contextlib.contextmanager

@@ -41,7 +41,8 @@ def expect_output(
             from the beginning of a line.
         strip_ansi_escape_sequences: Whether to remove colours from the output first.
         strict: Whether the output must start with the expected parts, without gaps between them.
-            More lines may follow, because the program may still be running.
+            More output may follow, because the program may still be running. But a single text must
+            be the whole output, and a single line or its pattern must match every line.
 
     Raises:
         ChoiceError: Exactly one of `text` and `lines` is required. The same is true for

@@ -49,7 +49,7 @@ def fixture(
                 running.pop(name, None)
             next(rest, None)  # the code after the function's own yield
 
-        # Not functools.wraps: pytest would unwrap it and use the function itself as the fixture.
+        # functools.wraps is not used, because pytest would unwrap `launched` and use `function`.
         launched.__signature__ = inspect.signature(function)  # type: ignore[attr-defined]
         launched.__name__, launched.__doc__ = function.__name__, function.__doc__
         launched.__module__ = function.__module__

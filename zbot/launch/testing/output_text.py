@@ -1,4 +1,4 @@
-"""Search for expected texts and patterns in an output, and filters that remove lines."""
+"""Functions that search an output for expected texts, and filters that remove lines from it."""
 
 from __future__ import annotations
 

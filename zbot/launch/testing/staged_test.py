@@ -54,7 +54,7 @@ class StagedTest:
         return self._with_metadata(plain)
 
     def as_two_functions(self) -> tuple[Any, Any]:
-        """Return the test as two functions. Other tests use the launch between them."""
+        """Return the test as two functions. Other tests of the launch run between the two calls."""
 
         def first(*args: Any, **given: Any) -> None:
             waiting = self._waiting[id(self._launch)]
@@ -75,7 +75,7 @@ class StagedTest:
         return running[self._fixture_name]
 
     def _begin(self, args: Any, given: Any) -> Any:
-        """Run the test up to its `yield`. Return the rest, or None if the test has no `yield`."""
+        """Run the test up to its `yield`. Return its generator, or None if it has no `yield`."""
         made = self._function(*args, **given)
         if inspect.iscoroutine(made):
             asyncio.run(made)
@@ -97,7 +97,7 @@ class StagedTest:
             pytest.fail(f"{self._function.__name__} {_YIELDED_TWICE}")
 
     def _with_metadata(self, plain: Any) -> Any:
-        # Not functools.wraps: pytest would unwrap it and use the function itself as the test.
+        # functools.wraps is not used, because pytest would unwrap `plain` and use `function`.
         function: Any = self._function
         plain.__signature__ = inspect.signature(function)
         plain.__name__, plain.__doc__ = function.__name__, function.__doc__

@@ -57,7 +57,7 @@ class ProcessProxy:
     def wait_for_output(
         self, condition: Callable[[str], Any] | None = None, timeout: float | None = None
     ) -> bool:
-        """Wait until a condition is true for the output. Without it, wait for any output."""
+        """Wait until the output fulfils a condition. Without a condition, wait for any output."""
         is_so = condition or bool
 
         with self._proc_output.io_event:
@@ -229,7 +229,7 @@ def assert_output_sync(
     validate_output: Callable[[str], Any],
     timeout: float | None = None,
 ) -> None:
-    """Wait like `wait_for_output_sync`. After the timeout, raise the function's own error."""
+    """Wait like `wait_for_output_sync`. After the timeout, raise the error of `validate_output`."""
     context, process = launch_context, execute_process_action
     if not wait_for_output_sync(context, process, validate_output, timeout):
         _refuse(validate_output, process.get_stdout())
@@ -241,7 +241,7 @@ def assert_stderr_sync(
     validate_output: Callable[[str], Any],
     timeout: float | None = None,
 ) -> None:
-    """Wait like `wait_for_stderr_sync`. After the timeout, raise the function's own error."""
+    """Wait like `wait_for_stderr_sync`. After the timeout, raise the error of `validate_output`."""
     context, process = launch_context, execute_process_action
     if not wait_for_stderr_sync(context, process, validate_output, timeout):
         _refuse(validate_output, process.get_stderr())

@@ -8,15 +8,14 @@ from nicegui import ui
 
 from zbot.action.goal_state import GoalState
 from zbot.errors import ZbotError
-from zbot.graph.snapshot import full_names
 from zbot.web.command_line import command_line
 from zbot.web.form_view import FormView
 from zbot.web.list_panel import ListPanel
 from zbot.web.message_view import MessageView
 from zbot.web.panel import Page, Panel
-from zbot.web.service_call import run_in_thread, show_error
+from zbot.web.served_details import ServedDetails, served_columns, served_row
+from zbot.web.service_call import show_error
 from zbot.web.system import await_future
-from zbot.web.table import Cell, Column
 from zbot.wire.tokens import EntityKind
 
 if TYPE_CHECKING:
@@ -24,13 +23,9 @@ if TYPE_CHECKING:
     from zbot.graph.snapshot import Snapshot
     from zbot.web.panel import Section
     from zbot.web.shared_entities import EntityReference
+    from zbot.web.table import Cell
 
 _FEEDBACK_HZ = 15.0
-_COLUMNS = (
-    Column("Action", "zb-mono zb-cut"),
-    Column("Type", "zb-muted zb-cut zb-spare"),
-    Column("Served by", "zb-mono zb-cut"),
-)
 _COLOURS = {
     GoalState.SUCCEEDED: "zb-good",
     GoalState.ABORTED: "zb-bad",
@@ -41,7 +36,7 @@ _COLOURS = {
 def _build(page: Page) -> None:
     ListPanel(
         page,
-        columns=_COLUMNS,
+        columns=served_columns("Action"),
         rows=_rows,
         details=_ActionDetails,
         key="action",
@@ -53,59 +48,32 @@ def _build(page: Page) -> None:
 
 def _rows(graph: Snapshot, hidden: bool) -> dict[str, list[str | Cell]]:
     kinds = () if hidden else (EntityKind.SERVICE,)
-    return {name: _row(graph, name, types) for name, types in graph.actions(*kinds)}
+    return {
+        name: served_row(name, types, graph.on(f"{name}/_action/send_goal", EntityKind.SERVICE))
+        for name, types in graph.actions(*kinds)
+    }
 
 
-def _row(graph: Snapshot, name: str, types: list[str]) -> list[str | Cell]:
-    ends = graph.on(f"{name}/_action/send_goal", EntityKind.SERVICE)
-    servers = ", ".join(sorted(set(full_names(ends))))
-    kind = ", ".join(types)
-    return [Cell(name, hint=name), Cell(kind, hint=kind), Cell(servers, hint=servers)]
+class _ActionDetails(ServedDetails):
+    noun = "action"
 
-
-class _ActionDetails:
     def __init__(self, section: Section, name: str) -> None:
-        self.section, self.name = section, name
+        super().__init__(section, name)
         self.client: EntityReference[ActionClient[Any, Any, Any]] | None = None
         self.goal: Any = None
         self.feedback: Any = None
         self.count = 0
-        self.type_name = ""
-        self.absent = ui.label("No node serves this action.").classes("zb-muted")
-        self.place = ui.element("div").classes("zb-col")
-        section.page.show_command(command_line("action", "info", name))
-        self.end_look = section.live(self.look, 5.0)
 
-    def look(self) -> None:
-        """Wait until a node serves the action."""
-        types = dict(self.section.system.snapshot().actions()).get(self.name)
-        if types is None:
-            return
-        self.end_look()
-        self.type_name = types[0]
-        self.absent.set_visibility(False)
-        with self.place:
-            ui.label(self.type_name).classes("zb-muted zb-mono")
-            ui.timer(0, self.build, once=True)
+    def served(self, graph: Snapshot) -> list[tuple[str, list[str]]]:
+        return graph.actions()
 
-    async def build(self) -> None:
-        """Show the form when the type is known. Its definition may come from another machine."""
-        system = self.section.system
-        try:
-            self.action_type = await run_in_thread(system.interface, self.type_name)
-            if not system.read_only:
-                self.client = self.section.keep(system.action_client(self.name, self.type_name))
-        except ZbotError as error:
-            with self.place:
-                ui.label(str(error)).classes("zb-bad")
-            return
-        with self.place:
-            self.fill()
-
-    def fill(self) -> None:
+    def fill(self, interface: Any) -> None:
         """Show the inputs, the buttons, and the views for feedback and result."""
+        system = self.section.system
+        if not system.read_only:
+            self.client = self.section.keep(system.action_client(self.name, self.type_name))
         ui.label("Goal").classes("zb-heading")
-        self.form = FormView(self.action_type.Goal, self.changed)
+        self.form = FormView(interface.Goal, self.changed)
         if self.client is None:
             ui.label("This page is read-only.").classes("zb-muted")
             return

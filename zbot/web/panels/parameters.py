@@ -80,7 +80,7 @@ class _NodeParameters:
                 self.follow(event)
 
     def follow(self, event: Any) -> None:
-        """Show an event's values. Load all again if parameters are new, deleted or change type."""
+        """Show an event's values. Load all parameters if one is new, is deleted or changes type."""
         for message in event.changed_parameters:
             known = self.inputs.get(message.name)
             if known is not None and not known.show(

@@ -65,7 +65,7 @@ class _Plot:
         page.live(self.update_legend, _LEGEND_HZ)
 
     def add_toolbar(self) -> None:
-        """Add the input for curves, the choice of the length of time, and the buttons."""
+        """Add the input for curves, the choice of the shown time span, and the buttons."""
         with self.page.toolbar:
             self.entry = ui.input(placeholder="/topic.field", autocomplete=self.proposals())
             self.entry.props('dense outlined aria-label="Curve"').classes("zb-curve-entry")
@@ -161,7 +161,7 @@ class _Plot:
             label.classes(replace="zb-warn" if problem else "zb-mono")
 
     def fill_legend(self, names: list[str]) -> None:
-        """List the curves. Rows of old curves stay the same elements, so that no click is lost."""
+        """List the curves. A curve that remains keeps its row's element, so no click is lost."""
         for name in [name for name in self.rows if name not in names]:
             self.rows.pop(name).delete()
             del self.values[name], self.dots[name]

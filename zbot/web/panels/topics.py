@@ -149,7 +149,7 @@ def _name(topic: TopicRow) -> Cell:
 def _types(topic: TopicRow) -> Cell:
     text = ", ".join(topic.types)
     if topic.has_clash:
-        return Cell(text, "zb-bad", hint=f"different types exchange no messages: {text}")
+        return Cell(text, "zb-bad", hint=f"nodes with different types exchange no messages: {text}")
     return Cell(text, hint=text)
 
 

@@ -227,7 +227,7 @@ def _remaining(deadline: float | None) -> float | None:
 
 
 def _text(message: Any) -> str:
-    from zbot.interfaces.plain_value import plain  # noqa: PLC0415 - only goals are printed
+    from zbot.interfaces.plain_value import plain  # noqa: PLC0415 - needed only to send a goal
     from zbot.interfaces.yaml_text import dump  # noqa: PLC0415 - as above
 
     return dump(_as_block_lists(plain(message)))

@@ -34,7 +34,7 @@ def start(
         int | None, typer.Option("--port", min=1, max=65535, help="TCP port; 7447 by default")
     ] = None,
     students: Annotated[
-        Path | None, typer.Option("--students", help="File with lines of number,name")
+        Path | None, typer.Option("--students", help="File with NUMBER,NAME in each line")
     ] = None,
     keystore: Annotated[
         Path | None, typer.Option("--keystore", help="Folder of this machine's certificate")
@@ -57,7 +57,7 @@ def start(
 
 
 def _join_facts(opened: Membership, record: ClassRecord) -> dict[str, object]:
-    """Return what students need to join: codes, address and PIN."""
+    """Return the facts that students use to join: codes, address and PIN."""
     from zbot.classroom.join_code import long_code, short_code  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.teacher import address_of  # noqa: PLC0415 - as above
 

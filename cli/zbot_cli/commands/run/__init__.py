@@ -151,7 +151,7 @@ def find(words: Sequence[str]) -> tuple[Executable, list[str]]:
         ProgramNotFoundError: There is no file of that path.
         PackageNotFoundError: There is no package of that name.
         ExecutableNotFoundError: There is no executable of that name.
-        SeveralExecutablesError: Several packages have this executable, and none is named.
+        SeveralExecutablesError: Several packages have this executable; no package is named.
     """
     first, rest = words[0], list(words[1:])
     if _is_path(first):
@@ -174,8 +174,8 @@ def _find_farther(
     inside = [*_called(first, packages), *executables.installed_package(first)]
     if rest and (found := _named(rest[0], inside)):
         return _single(found), rest[1:]
-    is_meant = bool(inside and rest and rest[0].isidentifier())  # an executable of the package
-    # The first word may be the name of a package and of an executable: the executable is meant.
+    is_meant = bool(inside and rest and rest[0].isidentifier())  # rest[0] means an executable
+    # Otherwise the first word means an executable, even if a package has the same name.
     if not is_meant and (found := _named(first, packages)):
         return _single(found), rest
     if inside:
@@ -223,7 +223,7 @@ def _single(found: list[Executable]) -> Executable:
 
 def _run_behind(prefix: list[str], words: list[str]) -> int:
     """Run `zbot run` with the same words behind a prefix such as `nice` or a debugger."""
-    import shutil  # noqa: PLC0415 - as above
+    import shutil  # noqa: PLC0415 - seldom used
     import subprocess  # noqa: PLC0415 - as above
 
     program = shutil.which(prefix[0])

@@ -44,7 +44,7 @@ def run_and_exit(executable: Executable, arguments: Sequence[str]) -> NoReturn:
         arguments: The arguments of the program.
     """
     import zbot.compat  # noqa: F401, PLC0415 - makes `import rclpy` import zbot
-    from zbot.process import at_exit, signals  # noqa: PLC0415 - after the handler of Ctrl-C is set
+    from zbot.process import at_exit, signals  # noqa: PLC0415 - during these imports, Ctrl-C ends the process
 
     keyboard_interrupt.raise_on_ctrl_c()
     signals.install(signals.SignalHandlerOptions.SIGINT)

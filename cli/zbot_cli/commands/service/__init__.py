@@ -34,7 +34,9 @@ app = new_app("Look at services and call them")
 IncludeHidden = Annotated[
     bool,
     typer.Option(
-        "-a", "--include-hidden-services", help="Include hidden services and those of every node"
+        "-a",
+        "--include-hidden-services",
+        help="Include hidden services and the services that every node has",
     ),
 ]
 Count = Annotated[bool, typer.Option("-c", "--count-services", "--count", help="Print the number")]

@@ -60,7 +60,7 @@ class ServiceCall:
         name: The service's full name.
         words: A type and values. The type may be left out if the service has a server.
         qos: Quality of service options.
-        rate_hz: Calls a second, or `None` for a single call.
+        rate_hz: Number of calls per second, or `None` for a single call.
         timeout_s: Seconds to wait for the server and for each response, or `None` for no limit.
         stdin: Read the values from standard input.
         as_json: Print one JSON document for each call.
@@ -152,7 +152,7 @@ class ServiceCall:
             count += 1
             if self._rate_hz is None:
                 return
-            # Computed from the start time, so that the mean rate is exact.
+            # The end of each pause is counted from the start, so that the mean rate is exact.
             pause.until(started + count / self._rate_hz)
 
     def _call_once(self, client: Client[Any, Any], request: Any) -> None:

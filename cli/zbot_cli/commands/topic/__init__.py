@@ -300,7 +300,8 @@ def pub(
         ),
     ] = None,
     max_wait_time_secs: Annotated[
-        float | None, typer.Option("--max-wait-time-secs", help="Seconds to wait for them at most")
+        float | None,
+        typer.Option("--max-wait-time-secs", help="Seconds to wait for subscriptions at most"),
     ] = None,
     keep_alive: Annotated[
         float, typer.Option("--keep-alive", help="Seconds to stay after the last message")

@@ -1,6 +1,6 @@
 """Measurement of topics for `zbot topic hz`, `bw` and `delay`. It prints figures every second.
 
-Rates and bandwidths are taken from the bytes. Messages are decoded only for `delay` and for
+Rates and bandwidths are measured without decoding. Messages are decoded only for `delay` and for
 `hz --filter`.
 """
 
@@ -51,7 +51,7 @@ class Measurement(Protocol):
     """Quantity to measure. It makes a meter for each topic, and formats the meter's figures."""
 
     decodes: bool  #: whether its meters get decoded messages
-    prints_subscription: bool  #: whether a line says that a single topic is subscribed
+    prints_subscription: bool  #: whether "Subscribed to" is printed for a single topic too
     compares_stamps: bool  #: whether stamps are compared with the node's time
     columns: tuple[str, ...]
 

@@ -131,7 +131,7 @@ class Pub:
     def run(self) -> None:
         """Check everything, wait for subscribers, and publish."""
         import zbot  # noqa: F401, PLC0415 - makes the message packages importable
-        from zbot_cli.domain.topic_types import message_class  # noqa: PLC0415 - as above
+        from zbot_cli.domain.topic_types import message_class  # noqa: PLC0415 - needed only to publish
 
         self._pace.check()
         type_name, values = self._type_and_values()
@@ -203,7 +203,7 @@ class Pub:
             if limit and sent >= limit:
                 pause.until(time.monotonic() + self._pace.keep_alive_s)
                 return
-            # Computed from the start time, so that the mean rate is exact.
+            # The end of each pause is counted from the start, so that the mean rate is exact.
             pause.until(started + sent / self._pace.rate_hz)
 
 

@@ -66,7 +66,7 @@ def _missing(subject: Subject, arguments: dict[str, object]) -> Iterator[tuple[s
     places = arguments.get("package_dir")
     for name in folders if isinstance(folders, list) and not places else ():
         if isinstance(name, str) and not (subject.folder / Path(*name.split("."))).is_dir():
-            yield f"packages names {name}, but there is no such folder", name
+            yield f"`packages` names {name}, but there is no such folder", name
     listed = arguments.get("data_files")
     for entry in listed if isinstance(listed, list) else ():
         files = entry[1] if isinstance(entry, tuple) and len(entry) == 2 else None

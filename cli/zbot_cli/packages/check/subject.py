@@ -32,7 +32,7 @@ class Subject:
     def read_sources(self) -> None:
         """Parse all Python files. A file that cannot be parsed becomes a problem."""
         files = {path for path in files_below(self.folder) if path.suffix == ".py"}
-        with contextlib.suppress(SetupFileError):  # setup.py is one of the files
+        with contextlib.suppress(SetupFileError):  # other checks report errors in setup.py
             files.update(program_files(self.folder).values())
         for path in sorted(files):
             tree = _parsed(path)
