@@ -39,7 +39,7 @@ _HOLD_PAUSE_S = 0.1
 # Longest waits of the first graph query and of the first message. They usually take 2 ms.
 _DISCOVERY_TIMEOUT_S = 2.0
 _PEERS_TIMEOUT_S = 0.5
-# Multicast finds routers within 50 ms on a quiet network. Without a router, all this time passes.
+# Multicast finds routers within 50 ms on a quiet network. Without a router, the timeout passes.
 _FIND_TIMEOUT_S = 0.7
 _JOIN_TIMEOUT_S = 2.0  # threads end within a millisecond after their session
 
@@ -84,7 +84,7 @@ class Context:
         self._wakers: list[Callable[[], None]] = []
         self._on_shutdown: list[Callable[[], None]] = []
         self._threads: dict[threading.Thread, Callable[[], object]] = {}
-        # Weak references: if a signal comes before Zenoh gets a receiver, `close` must not wait.
+        # Weak, so that `close` does not wait for a receiver if a signal comes before Zenoh gets it.
         self._receivers: WeakSet[threading.Event] = WeakSet()
         self._entity_ids = itertools.count()
         self._nodes: WeakSet[ContextNode] = WeakSet()
@@ -103,7 +103,7 @@ class Context:
         """Read the arguments and the domain, without opening a session.
 
         Args:
-            args: The command line with its `--ros-args`. `None` means `sys.argv`.
+            args: The whole command line, including `--ros-args`. `None` means `sys.argv`.
             initialize_logging: Whether the log options of the arguments apply.
             domain_id: 0 to 232. `None` means `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
 

@@ -27,7 +27,7 @@ class ClockType(Enum):
     UNINITIALIZED = 0
     ROS_TIME = 1  #: the node's time: system time, or simulated time from `/clock`
     SYSTEM_TIME = 2  #: time since the Unix epoch. It jumps when the system's clock is set.
-    STEADY_TIME = 3  #: time since any moment before the program's start. It never jumps.
+    STEADY_TIME = 3  #: time since an unspecified moment before the program's start. It never jumps.
 
 
 class Duration:

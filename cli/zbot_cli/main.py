@@ -1,4 +1,4 @@
-"""Entry point of the `zbot` command. It finds the noun, runs it, and prints errors.
+"""Entry point of the `zbot` command. It runs the noun, such as `topic`, and prints errors.
 
 It imports only the module of this noun, so that `zbot --help` is fast.
 """
@@ -28,7 +28,7 @@ NOUNS = {
     "interface": "Look at message, service and action types",
     "join": "Join a class or another machine",
     "launch": "Run a launch file",
-    "leave": "Leave the class or machine joined before",
+    "leave": "Leave the class or the other machine",
     "lifecycle": "Look at managed nodes, change their states",
     "node": "Look at nodes",
     "param": "Look at parameters and set them",
@@ -38,7 +38,7 @@ NOUNS = {
     "security": "Make certificates for machines",
     "service": "Look at services and call them",
     "share": "Let one student read another's topics",
-    "status": "Show the class or machine joined",
+    "status": "Show which class or machine this machine has joined",
     "test": "Run tests and launch tests",
     "topic": "Look at topics, print and publish messages",
     "web": "Show the running system in a browser",

@@ -1,4 +1,4 @@
-"""Commands of the nouns. typer makes each command from the module of its noun."""
+"""Commands of the nouns (`topic` in `zbot topic list`). typer makes each from its noun's module."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Publish a transform that does not change, until Ctrl-C.
+"""Publish one transform that does not change, and run until Ctrl-C.
 
 Run:       zbot run tf2_ros static_transform_publisher --x 0.1 --yaw 1.57 \
                --frame-id base_link --child-frame-id laser
@@ -26,7 +26,7 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
     for name in ("x", "y", "z", "roll", "pitch", "yaw", "qx", "qy", "qz"):
         parser.add_argument(f"--{name}", type=float, default=0.0)
     parser.add_argument("--qw", type=float, default=1.0)
-    parser.add_argument("--frame-id", required=True, help="the parent's name")
+    parser.add_argument("--frame-id", required=True, help="the parent frame's name")
     parser.add_argument("--child-frame-id", required=True, help="the child frame's name")
     if len(words) in _OLD_STYLE and not any(word.startswith("--") for word in words):
         turn = ("yaw", "pitch", "roll") if len(words) == _OLD_STYLE[0] else ("qx", "qy", "qz", "qw")

@@ -71,7 +71,7 @@ class TurtlesimNode(zbot.Node):
     def log(self, level: str, text: str) -> None:
         """Log an event in the world."""
         logger = self.get_logger()
-        # Three calls, because a line of code may log with one severity only.
+        # There are three calls, because the severity of one log call must not change.
         if level == "info":
             logger.info(text)
         elif level == "warning":

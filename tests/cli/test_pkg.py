@@ -210,11 +210,11 @@ def test_a_destination_folder_is_created(source: Path, zbot_command: Command) ->
         (["taken"], 1, "\nAborted!\nThe directory already exists: ./taken\nEither remove the"),
         (["test"], 1, "Aborted since 'ament_python' packages can't be named 'test'. Please"),
         (["My-Robot!"], 1, "'My-Robot!' cannot be a package's name: use letters, digits and '_'"),
-        (["My-Robot!"], 1, "hint: 'my_robot' would do"),
+        (["My-Robot!"], 1, "hint: try 'my_robot'"),
         (["../up"], 1, "'../up' cannot be a package's name"),
         (["a", "--node-name", "node.py"], 1, "'node.py' cannot be a node's name"),
         (["a", "--node-name", "../n"], 1, "'../n' cannot be a node's name"),
-        (["a", "--library-name", "l-l"], 1, "hint: 'l_l' would do"),
+        (["a", "--library-name", "l-l"], 1, "hint: try 'l_l'"),
         (
             ["a", "--destination-directory", "taken/file"],
             1,

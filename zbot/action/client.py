@@ -48,7 +48,7 @@ T = TypeVar("T")
 
 qos_profile_action_feedback = QoSProfile(depth=10)
 _SERVER_TIMEOUT_S = 3.0  # a goal waits this long for a server that starts (in rclpy: for ever)
-_STEP_S = 0.5  # length of one wait for the graph: a shutdown does not end the wait
+_STEP_S = 0.5  # the client waits for the graph in steps, because a shutdown does not end a wait
 
 
 class _Goal:
@@ -61,7 +61,7 @@ class _Goal:
         self.is_over = False  #: whether the result has come
 
     def set_state(self, state: GoalState) -> None:
-        """Set the goal's state. A state that comes before the handle is kept for the handle."""
+        """Set the goal's state. If the state comes before the handle, the handle gets it later."""
         self.state = state
         handle = self.handle() if self.handle is not None else None
         if handle is not None:

@@ -144,7 +144,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
         self._result_timeout_ns = int(result_timeout * S_TO_NS)
         self._ended: deque[tuple[int, bytes]] = deque()  # expiry time of a result, id of its goal
         group = callback_group or node.default_callback_group
-        unprotected = ReentrantCallbackGroup()  # for goals, results and the timer
+        unprotected = ReentrantCallbackGroup()  # for execute callbacks, results and the timer
         self._executions = WorkQueue(node.handle.ready_queue, unprotected)
         self._expiry = self._make_timer(unprotected)
         impl, name = action_type.Impl, f"{self._action_name}/_action"

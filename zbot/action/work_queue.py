@@ -1,4 +1,4 @@
-"""Queue of functions of an action that the node's executor calls."""
+"""Queue of an action's functions, which the node's executor calls."""
 
 from __future__ import annotations
 

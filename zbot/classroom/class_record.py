@@ -79,8 +79,8 @@ class ClassRecord:
     def credentials(self, number: int) -> dict[str, str]:
         """Return the credentials with which the teacher's hub accepts a student's laptop.
 
-        If the class has a PIN, they are the id of the laptop's hub, user name and secret. Without a
-        PIN they are only the id, so any Zenoh program can use a laptop's nodes without a secret.
+        With a PIN, they are the id of the laptop's hub, a user name and a secret. Without a PIN,
+        they are only the id, so any Zenoh program can use a laptop's nodes without a secret.
         """
         found = {"hub_id": self.hub_id(number)}
         if self.pin:

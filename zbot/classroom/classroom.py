@@ -1,4 +1,4 @@
-"""Class that is open, in the teacher's hub process: admission and the teacher's commands."""
+"""Class of students, run by the teacher's hub process: admission and the teacher's commands."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _LOOPBACK_INTERFACES = ("lo", "lo0", "Loopback Pseudo-Interface 1")
 
 
 class Classroom:
-    """An open class.
+    """An open class of students.
 
     Args:
         record: The class's data, which are stored in a file.
@@ -77,7 +77,7 @@ class Classroom:
                 subject["zids"] = [ids[user]]
             elif user == TEACHER:
                 subject["interfaces"] = list(_LOOPBACK_INTERFACES)
-            # The rules of the lobby apply to everybody, because its subject has no conditions.
+            # The subject of the user `lobby` has no condition now, so its rules apply to everybody.
 
     def attach(self, serving: HubProcess) -> None:
         """Begin to answer laptops and the teacher through a hub that was opened."""
@@ -112,7 +112,7 @@ class Classroom:
         }
         verb = verbs.get(str(question.get("op")))
         if verb is None:
-            return {"error": "the class does not know this command: its zbot may be older"}
+            return {"error": "the class does not know this command: the class's zbot may be older"}
         # Commands that change something run one at a time. `list` waits for slow laptops, so it
         # does not take the lock.
         try:

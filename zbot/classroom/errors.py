@@ -53,7 +53,7 @@ class ClosedPortError(ClassroomError, ConnectionError):
         self.host, self.port = host, port
         super().__init__(
             f"{host} answers, but no class and no hub is open on its port {port}: "
-            "start it there with `zbot class start` or `zbot hub`"
+            "start one on that machine with `zbot class start` or `zbot hub`"
         )
 
 

@@ -2,7 +2,7 @@
 
 Nodes connect on loopback only. Each domain has a meeting point (see `zbot.transport.session`). It
 dials the hub of its machine, and the hub dials one other hub at a given address. So hubs need no
-multicast, and an access point may isolate its clients from each other.
+multicast, and they work even if an access point isolates its clients from each other.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ if TYPE_CHECKING:
 # A link without messages for this time is closed. The time is short enough to notice soon that a
 # laptop sleeps, and long enough for TCP to repeat a packet three times if Wi-Fi loses it.
 _LEASE_MS = 4000
-# Messages in a lease. TCP acknowledges each message, so thirty idle laptops cause 4 kB/s at the
-# teacher's hub.
+# Number of keep-alive messages in a lease. TCP acknowledges each message, so thirty idle laptops
+# cause 4 kB/s at the teacher's hub.
 _KEEP_ALIVES = 2
-# The pauses are short, so that laptops are linked soon after the other hub is back. But they are
-# not so short that a hundred laptops flood that hub.
+# The pauses between two attempts are short, so that laptops are linked soon after the other hub is
+# back. But they are not so short that a hundred laptops flood that hub.
 _RETRY = {"period_init_ms": 250, "period_max_ms": 500, "period_increase_factor": 2}
 _HANDSHAKE_MS = 3000  # long enough for TCP to repeat lost packets
 # All laptops redial at the same time after a restart of the teacher's hub.
@@ -69,7 +69,7 @@ class HubSettings:
         return {
             "transport/link/tx/lease": _LEASE_MS,
             "transport/link/tx/keep_alive": _KEEP_ALIVES,
-            # In microseconds. A hub does not redial while it waits to send a reliable message.
+            # Longest wait (microseconds) to send a reliable message. A waiting hub does not redial.
             "transport/link/tx/queue/congestion_control/block/wait_before_close": _LEASE_MS * 1000,
             "transport/unicast/accept_pending": _ACCEPT_PENDING,
             "transport/unicast/open_timeout": _HANDSHAKE_MS,

@@ -46,7 +46,7 @@ class Presence:
         self._codec = codec_for(get_message("rcl_interfaces/msg/Log"))
 
     def attach(self, serving: HubProcess) -> None:
-        """Declare the token, and begin to answer the teacher, through a hub that was opened."""
+        """Declare the token on this laptop's open hub, and begin to answer the teacher there."""
         number = self._joined.number
         self._session = serving.session
         self._logs = serving.session.declare_subscriber(
@@ -117,7 +117,7 @@ class Presence:
 
 
 def earlier_notices(session: zenoh.Session) -> list[str]:
-    """Return the teacher's notices, oldest first. Empty if the teacher's hub does not answer."""
+    """Return the teacher's notices, oldest first, or none if the teacher's hub does not answer."""
     answers = ask(session, NOTICES_KEY, timeout_s=_NOTICES_TIMEOUT_S)
     notices = answers[0].get("notices") if answers else None
     return [notice_text(json.dumps(one).encode()) for one in notices or []]

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 _TIMEOUT_S = 1.25
 _LOOK_UP_S = 0.3
 _PAUSE_S = 0.05  # between attempts if the port refuses the connection
-# Most machines accept or refuse a connection on one of these ports. Both show that they are on.
+# A machine that is on usually accepts or refuses a connection on at least one of these ports.
 _COMMON_PORTS = (22, 80, 135, 445, 5000, 7)
 _REFUSED = {errno.ECONNREFUSED, getattr(errno, "WSAECONNREFUSED", errno.ECONNREFUSED)}
 
@@ -88,7 +88,7 @@ def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomErro
         except OSError as exc:
             if exc.errno not in _REFUSED:
                 return UnreachableHostError(address.host, address.port)
-        # A teacher's hub is closed for a moment whenever a number changes its owner.
+        # Try again, because a teacher's hub is closed for a moment when its access rules change.
         if time.monotonic() + _PAUSE_S > deadline:
             return ClosedPortError(address.host, address.port)
         time.sleep(_PAUSE_S)

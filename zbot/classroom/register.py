@@ -93,8 +93,8 @@ class Register:
         """Give a number to a laptop, and return the laptop's student.
 
         Args:
-            number: The requested number. If it is `None`, the laptop keeps its number. If it has no
-                number, it gets the student's number in the list, or else the next free number.
+            number: The requested number. If it is `None`, the laptop keeps its number. A laptop
+                with no number gets the student's number in the list, or else the next free number.
             name: The student's name. If it is `None`, the name in the list is used, or else the
                 host name.
             machine: The laptop's identifier.

@@ -46,7 +46,7 @@ def start(
     expected: dict[int, str] | None = None,
     keystore: Path | None = None,
 ) -> tuple[Membership, ClassRecord]:
-    """Open a class. This starts a hub in the background that students can join.
+    """Open a class: start its hub in the background, so that students can join.
 
     If a class with the same name was open when this machine was switched off, that class continues.
     Its laptops reconnect by themselves and keep their numbers.

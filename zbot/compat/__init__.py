@@ -20,13 +20,13 @@ _preferred: set[str] = set()
 
 
 class _NameFinder:
-    """Finder that looks in `packages/` for ROS 2's packages, such as `rclpy`, if not installed."""
+    """Finder of ROS 2's packages, such as `rclpy`, that are not installed. Searches `packages/`."""
 
     @staticmethod
     def find_spec(
         fullname: str, path: Sequence[str] | None = None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """Return the spec of a top-level package. Python itself finds its submodules."""
+        """Return the spec of a top-level package. Python itself finds the package's submodules."""
         if path is not None:
             return None
         own = PathFinder.find_spec(fullname, [_PACKAGES], target)
@@ -52,7 +52,7 @@ def install_names(preferred: Iterable[str] = ()) -> None:
     """
     _preferred.update(preferred)
     if _NameFinder not in sys.meta_path:
-        # It is the first finder, because Python's own finder accepts any folder of that name.
+        # This finder must be the first: Python's own finder accepts any folder named `rclpy`.
         sys.meta_path.insert(0, _NameFinder)
 
 

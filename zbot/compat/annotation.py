@@ -65,7 +65,7 @@ class EventMessage(Protocol):
 
 
 class SendGoalServiceRequest(Protocol[GoalT]):
-    """Request of an action client to accept a goal."""
+    """Request in which an action client asks the server to accept a goal."""
 
     goal_id: UUID
     goal: GoalT

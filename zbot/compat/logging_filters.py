@@ -1,7 +1,7 @@
 """Filters of log calls with rclpy's classes, for programs that use these classes directly.
 
 zbot's own loggers store the state of `once=True` and the other filters with the call site
-(`zbot.log.call_site`). The classes here have the same rules for a context that the caller stores.
+(`zbot.log.call_site`). Here the rules are the same, but the caller stores the state in a context.
 """
 
 from __future__ import annotations
@@ -143,7 +143,7 @@ class Once(LoggingFilter):
 
 
 class Throttle(LoggingFilter):
-    """Filter that skips a call if the duration since the last line is not over."""
+    """Filter that skips a call until the throttle duration after the last line is over."""
 
     params: ClassVar[LoggingFilterParams] = {
         "throttle_duration_sec": None,
@@ -165,7 +165,7 @@ class Throttle(LoggingFilter):
 
     @staticmethod
     def should_log(context: Any) -> bool:
-        """Return whether the duration since the last line is over."""
+        """Return whether the throttle duration after the last line is over."""
         now = context["throttle_time_source_type"].now().nanoseconds
         is_open: bool = (
             now >= context["throttle_last_logged"] + context["throttle_duration_sec"] * 1e9

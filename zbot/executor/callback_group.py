@@ -119,7 +119,7 @@ class GroupReservations:
         group: CallbackGroup = entity.callback_group
         if type(group) in _KNOW_WAITING:
             return group.beginning_execution(entity)
-        # Store the entity before the group is asked: another thread may release it meanwhile.
+        # Store the entity first: another thread may release the group while the group is asked.
         self._entities.append(entity)
         if not (group.can_execute(entity) and group.beginning_execution(entity)):
             return False

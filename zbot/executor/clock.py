@@ -31,8 +31,8 @@ __all__ = [
     "TimeJump",
 ]
 
-# On Windows, Ctrl-C does not interrupt a wait. On other systems, Ctrl-C does not interrupt a wait
-# if it comes just before Python goes to sleep.
+# A sleep consists of short waits, because Ctrl-C does not interrupt a wait on Windows. On other
+# systems, Ctrl-C does not interrupt a wait that begins just after the user presses it.
 _LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
 
 
@@ -197,7 +197,7 @@ class Clock:
         self._clock_type = clock_type
         self._is_steady = clock_type is ClockType.STEADY_TIME
         self._source_changes = 0  # how often the source of time changed
-        # The lists are changed and copied in one atomic step. A lock could block a signal handler.
+        # Each change or copy of a list is atomic. A lock could block a signal handler.
         self._jumps: list[JumpHandle] = []
         self._changes: list[TimeChangeHandle] = []
 

@@ -314,7 +314,7 @@ class Executor(EntityQueue):
     def spin(self) -> None:
         """Run callbacks until the context or this executor is shut down.
 
-        An exception of a callback ends `spin` and is raised by it, as in rclpy.
+        If a callback raises an exception, `spin` ends and raises this exception, as in rclpy.
 
         Raises:
             ExternalShutdownException: The context was shut down while no callback was running.

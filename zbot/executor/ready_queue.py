@@ -82,7 +82,7 @@ class ReadyQueue:
             self._choose_delivery()
 
     def watch(self, entity: Entity, watcher: Callable[[], object]) -> None:
-        """Call a quick function with each post of an entity, also without an executor."""
+        """Call a quick function at each post of an entity, also without an executor."""
         with self._lock:
             self._watchers.append((entity, watcher))
             self._choose_delivery()

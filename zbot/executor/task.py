@@ -74,7 +74,7 @@ class Future(Generic[T]):
 
     def __await__(self) -> Generator[Future[T] | None, None, T | None]:
         while not self.is_over:
-            # If the step has started an event loop, that loop waits and asks again later.
+            # If the step started an event loop, `None` makes that loop resume this coroutine soon.
             yield self if _running_loop() is _current_step.loop else None
         return self.result()
 

@@ -14,7 +14,7 @@ _ALWAYS = ReentrantCallbackGroup()
 
 
 class TaskStep:
-    """The next step of a task. It runs once. The task schedules a new object for the step after."""
+    """The next step of a task. It runs once. The task schedules a new object for each step."""
 
     __slots__ = ("_is_taken", "callback_group", "task")
     due_ns: int | None = None

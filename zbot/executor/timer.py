@@ -170,7 +170,7 @@ class Timer:
 
     @property
     def handle(self) -> TimerHandle:
-        """The handle that a `WaitSet` takes. Its `call_timer` takes a call without an executor."""
+        """A handle for a `WaitSet`. Without an executor, its `call_timer` takes a due call."""
         return TimerHandle(self)
 
     @property

@@ -24,7 +24,7 @@ class TimerQueue:
         self._tie = itertools.count()  # order at equal times, because entities cannot be compared
 
     def put(self, entity: Entity, due_ns: int) -> None:
-        """Set the time at which an entity is due, and replace its earlier time."""
+        """Set the time at which an entity is due. This replaces a time that was set before."""
         if self._due.get(entity) == due_ns:
             return
         self._due[entity] = due_ns
@@ -35,7 +35,7 @@ class TimerQueue:
             heapq.heapify(self._heap)
 
     def earliest_ns(self) -> int | None:
-        """Return when the first entity is due, or `None` if the queue is empty."""
+        """Return the time at which the first entity is due, or `None` if the queue is empty."""
         while self._heap and self._due.get(self._heap[0][2]) != self._heap[0][0]:
             heapq.heappop(self._heap)
         return self._heap[0][0] if self._heap else None

@@ -1,4 +1,4 @@
-"""Waitables: work of a program's own kind that an executor runs."""
+"""Waitables: kinds of work that a program defines itself and that an executor runs."""
 
 from __future__ import annotations
 

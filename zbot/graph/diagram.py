@@ -105,7 +105,7 @@ class Drawing:
 
 
 def draw(view: GraphView, previous: Drawing | None = None) -> Drawing:
-    """Return a drawing. Boxes from the previous drawing move as little as possible."""
+    """Return a drawing. Nodes and topics of the previous drawing move as little as possible."""
     items = [Item(node_key(one), *_node_size(one), view.frames_of(one)) for one in view.nodes]
     items.extend(
         Item(box.key, *_box_size(box.name), view.frames_of(box.name)) for box in view.boxes
@@ -170,7 +170,7 @@ def _item(
     key: str, place: Place, shape: str, *, classes: str, facts: str, name: str, title: str
 ) -> str:
     lines = lines_of(name)
-    first = 5.0 - (len(lines) - 1) * _LINE / 2  # 5 is from the middle of a line to its baseline
+    first = 5.0 - (len(lines) - 1) * _LINE / 2  # 5: distance from a line's middle to its baseline
     spans = "".join(
         f'<tspan x="0" y="{first + number * _LINE:.1f}">{escape(line)}</tspan>'
         for number, line in enumerate(lines)
@@ -207,7 +207,7 @@ def _edge(edge: Edge, route: Route, points: list[tuple[float, float]], rate: str
 
 
 def _beside(edge: Edge, points: list[tuple[float, float]]) -> tuple[float, float]:
-    """Return the position of a rate, the middle of the edge's segment next to a node."""
+    """Return the position of a rate: the middle of the edge's segment next to a node."""
     (x, y), (next_x, next_y) = points[:2] if edge.is_publishing else points[-2:]
     return ((x + next_x) / 2, (y + next_y) / 2)
 

@@ -19,7 +19,7 @@ _HEAD = """digraph graph_of_nodes {
 
 
 def dot(drawn: GraphView) -> str:
-    """Return a view in DOT. Nodes become ellipses, topics boxes, and namespaces clusters."""
+    """Return a view in DOT. Nodes are ellipses, topics are boxes, and namespaces are clusters."""
     statements = {node_key(name): (name, _node(name)) for name in drawn.nodes}
     for box in drawn.boxes:
         shape = "box" if box.kind is BoxKind.TOPIC else "box3d"

@@ -10,7 +10,7 @@ _INFO = Field("info", FieldType("service_msgs/msg/ServiceEventInfo"))
 
 
 def service(name: str, request: MessageSpec, response: MessageSpec, text: str = "") -> ServiceSpec:
-    """Return a service of two messages. It has the Event that service introspection publishes."""
+    """Return a service of two messages, with the `_Event` message of service introspection."""
     event = MessageSpec(
         f"{name}_Event",
         (

@@ -75,7 +75,7 @@ def convert_value(
     no_arr: bool = False,
     no_str: bool = False,
 ) -> Any:
-    """Return any value in the form of the values that `message_to_ordereddict` returns."""
+    """Convert a value of any type as `message_to_ordereddict` converts the values of fields."""
     if is_message(value):
         return message_to_ordereddict(
             value, truncate_length=truncate_length, no_arr=no_arr, no_str=no_str

@@ -101,7 +101,7 @@ def _action_parts(spec: ActionSpec) -> dict[str, MessageSpec | ServiceSpec]:
 
 
 def _individual(name: str, fields: tuple[Field, ...]) -> dict[str, Any]:
-    # The order of the keys matters, because the hash is that of the JSON text.
+    # The order of the keys matters, because the hash is computed from the JSON text.
     return {
         "type_name": name,
         "fields": [{"name": field.name, "type": _type(field.type)} for field in fields],

@@ -83,7 +83,7 @@ def _integer(base: str, text: str) -> int:
 
 
 def _as_int(text: str) -> int | None:
-    """Return a decimal (leading zeros are allowed), `0x`, `0o` or `0b` number. Else return None."""
+    """Return the integer in a text, or None. Decimal (007 too), `0x`, `0o` and `0b` are allowed."""
     if len(text) > _LONGEST_NUMBER:
         return None
     try:

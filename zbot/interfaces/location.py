@@ -22,7 +22,7 @@ _SHIPPED = Path(__file__).parent / "defs"
 def package_folder(package: str) -> Path | None:
     """Return the folder with a package's definitions. The first location with the package counts.
 
-    zbot's own definitions come first, so the types that every program uses are found fast.
+    zbot's own folder is the first location, so the types that every program uses are found fast.
     """
     if not package.isidentifier():  # this also rejects `..` in a path
         return None

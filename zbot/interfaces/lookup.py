@@ -31,7 +31,7 @@ def get_interface(identifier: str) -> type[Any]:
     """Return the class of a message, a service or an action, e.g. `std_msgs/msg/String`.
 
     Raises:
-        InterfaceNameError: The name is not three parts, of which the second is msg, srv or action.
+        InterfaceNameError: The name does not have 3 parts, or the second is not msg, srv or action.
         UnknownPackageError: The package does not exist. The error is also a ModuleNotFoundError.
         UnknownInterfaceError: The package has no such interface. The error is also an
             AttributeError.

@@ -107,7 +107,7 @@ class Action:
 
 
 class Impl:
-    """Base of `Fibonacci.Impl`, which has an action's services and its topic messages."""
+    """Base of classes such as `Fibonacci.Impl`, with an action's services and topic messages."""
 
     __class_getitem__: ClassVar[Any] = classmethod(GenericAlias)
 

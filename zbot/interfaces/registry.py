@@ -96,7 +96,7 @@ def packages() -> list[str]:
 
 
 def has_package(package: str) -> bool:
-    """Return whether a package has definitions, without a list of all packages."""
+    """Return whether a package has definitions. This is faster than `packages()`."""
     if any(name.startswith(f"{package}/") for name in _registered):
         return True
     return package_folder(package) is not None
@@ -165,7 +165,7 @@ def _find_spec(name: str) -> InterfaceSpec:
 def _load(package: str, kind: str, short: str) -> None:
     file = definition_file(package, kind, short) if kind in KINDS and short.isidentifier() else None
     if file is not None:
-        # Imported here because `import zbot` reads no definitions.
+        # The parser is imported here, so that `import zbot` does not load it.
         from zbot.interfaces.parser import parse  # noqa: PLC0415
 
         _add(parse(f"{package}/{kind}/{short}", _text(file), str(file)), str(file))

@@ -71,7 +71,7 @@ def specs_from(description: Mapping[str, Any]) -> list[InterfaceSpec]:
 
 
 def specs_from_sources(name: str, sources: Mapping[str, str]) -> list[InterfaceSpec]:
-    """Return the definitions that texts contain, with comments and constants, unregistered.
+    """Return the definitions in texts, with comments and constants, without registering them.
 
     Args:
         name: Full name of a type.
@@ -160,7 +160,7 @@ def _field(field: Mapping[str, Any]) -> Field:
 
 
 def _element(type_id: int, kind: Mapping[str, Any]) -> str:
-    """Return the text for a type in a definition. For an array, return the type of the elements."""
+    """Return a type as a definition writes it. For an array, return the type of the elements."""
     if type_id == NESTED_ID:
         nested: str = kind["nested_type_name"]
         grammar.check_interface_name(nested)

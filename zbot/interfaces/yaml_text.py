@@ -1,4 +1,4 @@
-"""YAML writer in ros2's format, and YAML reader that returns nodes, both based on PyYAML."""
+"""YAML writer in ros2's format, and reader that returns YAML nodes, both based on PyYAML."""
 
 from __future__ import annotations
 

@@ -155,7 +155,7 @@ class LaunchContext:
     # Events
 
     def register_event_handler(self, event_handler: BaseEventHandler, append: bool = False) -> None:
-        """Register a handler for later events. It is called first, or last with `append`.
+        """Register a handler for later events, before the other handlers (`append`: after them).
 
         The actions of the handler get the present locals, so `ThisLaunchFile` is the file that
         registered the handler.
@@ -302,7 +302,7 @@ class LaunchContext:
         return f"{name}-{self._labels}"
 
     def on_close(self, function: Callable[[], object]) -> None:
-        """Register a function to call when the launch has ended. The last function runs first."""
+        """Register a function to call when the launch has ended. The newest function runs first."""
         self._closers.append(function)
 
     def close(self) -> None:

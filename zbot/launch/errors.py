@@ -174,7 +174,7 @@ class LogLevelError(LaunchError, KeyError):
 
     def __init__(self, level: str, known: Iterable[str]) -> None:
         self.level, self.known = level, tuple(known)
-        super().__init__(f"Invalid log level '{level}': it is one of {', '.join(self.known)}")
+        super().__init__(f"Invalid log level '{level}': use one of {', '.join(self.known)}")
 
     def __str__(self) -> str:
         return str(self.args[0])  # KeyError would show the repr of the text

@@ -81,7 +81,7 @@ class ParameterFile:
         return self._given if self._path is None else self._path
 
     def evaluate(self, context: LaunchContext) -> Path:
-        """Return the path. With `allow_substs`, it is a copy whose substitutions are replaced."""
+        """Return the path, or the path of a copy with replaced substitutions (`allow_substs`)."""
         self._path = Path(perform(context, self._given))
         allow: Any = self.allow_substs
         if not isinstance(allow, bool):

@@ -24,7 +24,7 @@ class ProcessGroups:
         self._watchdog: subprocess.Popen[str] | None = None
 
     def prepare(self) -> None:
-        """Ensure that processes that start after this call end together with this process."""
+        """Ensure that the end of this process also ends all processes that start later."""
         if os.name == "nt":
             _join_job()
         elif self._watchdog is None:

@@ -49,7 +49,7 @@ class TextSubstitution(Substitution):
             raise EntityTypeError("text", "a str", text)
         self.text = text
 
-    def perform(self, context: LaunchContext) -> str:  # noqa: ARG002 - the same everywhere
+    def perform(self, context: LaunchContext) -> str:  # noqa: ARG002 - the base's signature
         """Return the text."""
         return self.text
 

@@ -80,7 +80,7 @@ class Supervisor:
     def start(self) -> asyncio.Task[None]:
         """Run the program. The returned task is done when the last run of the program has ended."""
         handlers = self._handlers()
-        for handler in handlers:  # before the task begins, because the launch may end first
+        for handler in handlers:  # now, because the launch may end before the task begins
             self._context.register_event_handler(handler)
         return self._context.create_task(self._run(handlers))
 
@@ -107,7 +107,7 @@ class Supervisor:
         while not self._stop_requested.is_set():
             code = await self._run_once()
             if not self._policy.respawn or retries == 0 or self._stop_requested.is_set():
-                self._context.program_failed |= code != 0 and not self._sent  # by itself
+                self._context.program_failed |= code != 0 and not self._sent  # zbot sent no signal
                 return
             retries -= 1
             await _wait(self._stop_requested, self._policy.respawn_delay_s)
@@ -228,8 +228,6 @@ class Supervisor:
         self._logs_first_signal = not getattr(event, "due_to_sigint", False)
         if self._process is not None:
             self._start_escalation()
-
-    _is_told = True
 
     def _start_escalation(self) -> None:
         self._escalation = asyncio.get_running_loop().create_task(self._escalate())

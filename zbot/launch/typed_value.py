@@ -136,7 +136,7 @@ def get_typed_value(value: str | list[str], data_type: Any = None, can_be_str: b
 
     Raises:
         CoercionError: The string cannot be converted to this type.
-        EntityTypeError: `value` is not a string or a list, or it is a list but `data_type` is not.
+        EntityTypeError: `value` is neither str nor list, or it is a list but `data_type` is scalar.
     """
     if not isinstance(value, list):
         return coerce_to_type(value, data_type, can_be_str)

@@ -105,7 +105,7 @@ class CvBridge:
     def compressed_imgmsg_to_cv2(
         self, cmprs_img_msg: CompressedImage, desired_encoding: str = "passthrough"
     ) -> NDArray[Any]:
-        """Return a compressed image as an array, in `bgr8` or the requested encoding.
+        """Return a compressed image as an array, as OpenCV reads it or in the requested encoding.
 
         Raises:
             CvBridgeError: OpenCV is not installed, or cannot read the image.

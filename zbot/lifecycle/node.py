@@ -156,7 +156,7 @@ class LifecycleNodeMixin(ManagedEntity):
             return _call(self, callback, start)
         except ExternalShutdownException:
             raise
-        except Exception as error:  # noqa: BLE001 - a user's callback: the state machine handles it
+        except Exception as error:  # noqa: BLE001 - the state machine handles errors of callbacks
             lines = traceback.format_exception(
                 type(error), error, user_traceback(error.__traceback__)
             )
@@ -282,7 +282,7 @@ class LifecycleNode(LifecycleNodeMixin, Node):
 
     Raises:
         InvalidNodeNameError: The name breaks ROS 2's grammar.
-        NotInitializedError: `init()` was not called, or `shutdown()` was.
+        NotInitializedError: `init()` was not called, or `shutdown()` was called.
     """
 
     def __init__(

@@ -70,7 +70,7 @@ class Logger:
         REGISTRY.set_logger_level(self.name, level)
 
     def get_effective_level(self) -> LoggingSeverity:
-        """Return the lowest severity that is written: the own level or the nearest parent's."""
+        """Return the lowest severity that is written: this logger's level or an inherited level."""
         return self._state.threshold
 
     def is_enabled_for(self, severity: int) -> bool:

@@ -19,7 +19,7 @@ class LoggingSeverity(IntEnum):
 
 
 def to_severity(value: int) -> LoggingSeverity:
-    """Return the severity with a number.
+    """Return the severity whose number is `value`.
 
     Raises:
         InvalidSeverityError: No severity has that number.

@@ -38,9 +38,9 @@ def wait_for_reply(
         TimeoutError: No reply came within `timeout_sec`.
         NotInitializedError: The context was shut down during the wait.
     """
-    # Zenoh's thread puts each reply into the queue. When an attempt ends, it puts the attempt's
-    # number. `put` is written in C. A Python function would cost 20 us each time, because
-    # that thread would need a new frame.
+    # Zenoh's thread puts each reply into the queue, and an attempt's number when the attempt ends.
+    # `put` is written in C. A Python function would cost 20 us each time, because Zenoh's thread
+    # would need a new frame.
     arrivals: SimpleQueue[Any] = SimpleQueue()
     executor = current_executor()
     own = [] if executor is None else _servers_of(executor, client.service_name)

@@ -308,8 +308,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     def post(self, response: ResponseFuture[ResponseT]) -> None:
         """Let the executor run the callbacks of a call's future. Any thread may call this."""
-        # One queued response without callbacks lets `spin_once` return, so no second one is queued.
-        # A second one would stay in the queue if the program spins only until its own call is over.
+        # For responses without callbacks, one response in the queue is enough to end `spin_once`.
+        # More would stay in the queue if the program spins only until one call is over.
         if response.has_callbacks or not self._completed:
             self._completed.append(response)
         self.ready_queue.post(self)

@@ -39,7 +39,7 @@ class RepeatedRequests:
             arrived_s: Time of arrival by the monotonic clock, in seconds.
         """
         with self._lock:
-            # The reply stays for later repetitions. If several wait, only the last query is open.
+            # Keep the reply: if several repetitions wait, only the last of them has an open query.
             reply = self._answered.get(request)
             if reply is None:
                 former = self._working.get(request)

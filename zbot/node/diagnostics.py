@@ -1,7 +1,7 @@
 """Warnings about typical mistakes: misspelt topics, two types on a topic, equal names of nodes.
 
-Without a warning both sides seem to work, but no message arrives. One thread per context waits for
-changes of the graph.
+Without a warning, the programs seem to work, but no message arrives. One thread per context waits
+for changes of the graph.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.graph.snapshot import Snapshot, Token
 
-# A topic without a publisher is reported after this time, as people start programs one by one.
+# A missing publisher is reported only after this time, because people start programs in turn.
 _CHECK_DELAY_S = 3.0
 _VERBS = {EntityKind.PUBLISHER: "publishes", EntityKind.SUBSCRIPTION: "subscribes to"}
 

@@ -35,7 +35,7 @@ EntityT = TypeVar("EntityT")
 
 
 class _Listing:
-    """Read-only view of a node's entities. A subclass may set an attribute of the same name."""
+    """Read-only view of a node's entities. A subclass's attribute of the same name replaces it."""
 
     def __init__(self, attribute: str) -> None:
         self._read: Callable[[Any], list[Any]] = attrgetter(f"_zbot_state.{attribute}")

@@ -38,12 +38,12 @@ class _EventCallbacks:
         raise NotImplementedError
 
     def attach(self, endpoint: Any, ready_queue: ReadyQueue, graph: Graph) -> None:
-        """Create the handlers of a publisher or subscription. Its `destroy()` ends them."""
+        """Create the endpoint's event handlers. The endpoint's `destroy()` ends the handlers."""
         for kind, callback in self._by_kind().items():
             if callback is not None:
                 handler = make_handler(kind, callback, endpoint, ready_queue, graph)
             elif self.use_default_callbacks and kind in LOGGED_BY_DEFAULT:
-                # zbot.node.diagnostics logs different types of a topic, for all endpoints.
+                # This handler logs nothing: zbot.node.diagnostics warns if a topic has two types.
                 handler = InactiveHandler(ignore, endpoint.callback_group, ready_queue)
             else:
                 continue

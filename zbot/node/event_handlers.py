@@ -320,7 +320,7 @@ def ignore(info: object) -> None:
 
 
 class EventHandle(Handle[EventHandler]):
-    """Handle of one kind of event for a `WaitSet`. A program can also take events from it.
+    """Handle of one kind of event for a `WaitSet`. A program can also take events from the handle.
 
     Args:
         parent: The publisher's or subscription's handle.
@@ -334,6 +334,6 @@ class EventHandle(Handle[EventHandler]):
         self._no_event = _NO_EVENT[kind]
 
     def take_event(self) -> Any:
-        """Return the info of the oldest event. If there is no event, its counts are 0."""
+        """Return the info of the oldest event. If there is no event, the info has counts of 0."""
         info = self.entity.take()
         return self._no_event if info is None else info

@@ -222,8 +222,8 @@ class NodeParameters:
         An element without a value undeclares the parameter if the parameter's typing is dynamic.
 
         Raises:
-            ParameterNotDeclaredException: The node requires a declaration, and one is missing.
-                The parameters before it are set.
+            ParameterNotDeclaredException: The node requires declarations, and a parameter is not
+                declared. The parameters before this parameter are set.
             ParameterListError: An element is not a `Parameter`.
         """
         checked = _checked_parameters(parameter_list)
@@ -353,7 +353,7 @@ def _declaration_of(namespace: str, index: int, item: Any) -> Declaration:
     if len(item) == 3 and not hasattr(descriptor, "dynamic_typing"):
         raise ParameterListError(index, item, "a tuple that ends with a ParameterDescriptor")
     full = f"{namespace}.{name}" if namespace else name
-    # Programs for Foxy declare a parameter of a file as (name, None). This is a bare name too.
+    # Programs for Foxy pass (name, None) if a file has the value. This counts as a bare name too.
     return _declaration(full, value, descriptor, is_bare=value is None and descriptor is None)
 
 

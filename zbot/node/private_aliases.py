@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class _Alias:
-    """Read-only alias of an attribute. A program may set an attribute of the same name."""
+    """Read-only alias of an attribute. A program's attribute of the same name replaces it."""
 
     def __init__(self, path: str) -> None:
         self._read: Callable[[Any], Any] = attrgetter(path)

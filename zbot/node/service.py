@@ -108,7 +108,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
         return ServiceHandle(self)
 
     def take_request(self) -> tuple[RequestT, RequestHeader] | None:
-        """Take the oldest request without the callback. Return `None` if there is no request.
+        """Take the oldest request without calling the callback. Return `None` if there is none.
 
         Raises:
             CodecError: The request cannot be decoded.
@@ -272,7 +272,7 @@ class ServiceHandle(Handle[Service[Any, Any]]):
         self,
         request_type: object = None,  # noqa: ARG002 - rclpy's signature
     ) -> tuple[Any, RequestHeader] | tuple[None, None]:
-        """Take the oldest request without the callback. Return `(None, None)` if there is none."""
+        """Take the oldest request. Return `(None, None)` if there is none. No callback runs."""
         return self.entity.take_request() or (None, None)
 
     def service_send_response(self, response: Any, header: RequestHeader) -> None:

@@ -40,7 +40,7 @@ if TYPE_CHECKING:
 class NodeState:
     """State of a node. The node keeps it in a single attribute.
 
-    So a subclass can use names such as `timer`, `publisher`, `name` and `_state` for itself.
+    So a `Node` subclass can use names such as `timer`, `publisher`, `name` and `_state` for itself.
 
     Args:
         context: The context of the node.

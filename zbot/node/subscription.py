@@ -52,8 +52,8 @@ MsgT = TypeVar("MsgT")
 # because a single message of such a type may take megabytes.
 _KEEP_ALL_QUEUE = 8192
 _KEEP_ALL_QUEUE_OF_SEQUENCES = 256
-# How many publishers' sequence numbers are kept. Without a limit, publishers that restart for days
-# would add up.
+# How many publishers' sequence numbers are kept. Each restart of a publisher adds a number, so
+# the memory use would always grow if there was no limit.
 _MAX_SOURCES = 1024
 
 

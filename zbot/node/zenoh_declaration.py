@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 # Time from a burst to a heartbeat, as in rmw_zenoh. A heartbeat reveals missing samples.
 _HEARTBEAT_S = 0.5
-# How many messages a keep-all publisher keeps for late subscribers, as Zenoh needs a bound.
+# How many messages a keep-all publisher keeps for late subscribers. Zenoh requires a limit.
 _KEEP_ALL_CACHE = 1000
 
 
@@ -58,7 +58,7 @@ def declare_subscriber(context: Context, token: EndpointToken, keep_all_depth: i
     """Return a Zenoh subscriber with the history and durability in a token.
 
     Args:
-        context: The session to subscribe through.
+        context: The context whose session subscribes.
         token: The subscription's token.
         keep_all_depth: How many samples the queue of a keep-all subscription holds.
     """

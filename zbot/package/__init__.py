@@ -1,4 +1,4 @@
-"""Functions that find a package by its name: its prefix and its share folder.
+"""Functions that take a package's name and find the prefix and share folder of the package.
 
 A package of the workspace does not have to be built. It is used from its source folder.
 """

@@ -138,7 +138,7 @@ class _Reader:
             group[target] = path
 
     def _add_folder(self, name: str, target: str) -> None:
-        # As in CMake, folder `a` is installed as target/a, and the content of `a/` as target.
+        # As in CMake, `a` becomes the folder target/a. Of `a/`, only the content goes into target.
         source = self._folder / name
         start = target if name.endswith("/") else f"{target}/{source.name}"
         for path in sorted(source.rglob("*")):

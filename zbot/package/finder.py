@@ -49,7 +49,7 @@ class Package:
 
 
 def all_packages() -> dict[str, Package]:
-    """Return every package, sorted by name. Of several with the same name, use the first."""
+    """Return every package, sorted by name. For equal names, return only the first one found."""
     found: dict[str, Package] = {}
     for place in (_workspace(), _bundled(), _in_prefixes()):
         for package in place:
@@ -125,7 +125,7 @@ def _python_package(name: str) -> Iterator[Package]:
 
 def _editable(name: str) -> Iterator[Package]:
     """Yield the sources of a package after `pip install -e .`, which installs no shared files."""
-    import json  # noqa: PLC0415 - the last resort
+    import json  # noqa: PLC0415 - few packages need it
     from importlib.metadata import PackageNotFoundError, distribution  # noqa: PLC0415 - as above
     from urllib.parse import urlsplit  # noqa: PLC0415 - as above
     from urllib.request import url2pathname  # noqa: PLC0415 - as above

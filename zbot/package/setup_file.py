@@ -69,7 +69,7 @@ def data_files(folder: Path) -> Iterator[tuple[str, str]]:
 
 
 def setup_arguments(path: Path, wanted: str = "setup") -> dict[str, Any]:
-    """Return the arguments of `setup()` in a setup.py that can be known without running the file.
+    """Return the arguments of a setup.py's `setup()` that can be known without running the file.
 
     Args:
         path: The file, which may be missing.

@@ -39,7 +39,7 @@ def search_roots() -> Roots:
         return tuple((Path(part).expanduser(), _MAX_DEPTH) for part in parts)
     try:
         current = Path.cwd()
-    except FileNotFoundError:  # the current folder was removed under this process
+    except FileNotFoundError:  # the current folder was deleted
         return ()
     return _roots_around(current)
 
@@ -146,7 +146,7 @@ def read_text(path: Path) -> str:
 
 def _may_search(folder: Path) -> bool:
     """Return whether a folder may be searched. False for the home folder, its parents and root."""
-    home = Path(os.path.expanduser("~"))  # noqa: PTH111 - Path.home() raises where there is none
+    home = Path(os.path.expanduser("~"))  # noqa: PTH111 - Path.home() raises if there is no home folder
     return folder != home and folder not in home.parents and folder != Path(folder.anchor)
 
 

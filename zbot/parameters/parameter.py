@@ -199,7 +199,7 @@ class Parameter(Generic[ValueT_co]):
 
     def to_parameter_msg(self) -> ParameterMsg:
         """Return the parameter as a message."""
-        from rcl_interfaces.msg import Parameter as Message  # noqa: PLC0415 - as above
+        from rcl_interfaces.msg import Parameter as Message  # noqa: PLC0415 - the import makes the class
 
         return Message(name=self._name, value=self.get_parameter_value())
 

@@ -63,8 +63,8 @@ class Arguments(NamedTuple):
     """Settings that a command line has for the nodes of its process."""
 
     remaps: tuple[Remap, ...] = ()
-    parameters: tuple[ParameterValue | ParametersFile, ...] = ()  #: in order. The last one is used.
-    log_levels: tuple[LogLevel, ...] = ()  #: in order. The last one is used.
+    parameters: tuple[ParameterValue | ParametersFile, ...] = ()  #: of one name, the last is used
+    log_levels: tuple[LogLevel, ...] = ()  #: of one logger, the last level is used
     log_config_file: str = ""
     log_file_name: str = ""
     rosout_logs: bool = True
@@ -235,7 +235,7 @@ def _assignment(word: str, flag: str, example: str) -> tuple[str, str, str]:
     node, name = (match["node"] or "", match["rest"]) if match else ("", left)
     if not name or not right:
         missing = "name before" if not name else "value after"
-        raise ArgumentsError(word, f"there is no {missing} {_ASSIGN!r}, as in `{flag} {example}`")
+        raise ArgumentsError(word, f"no {missing} {_ASSIGN!r}: write it as in `{flag} {example}`")
     return node, name, right
 
 

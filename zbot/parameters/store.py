@@ -214,7 +214,7 @@ class ParameterStore:
     def set(self, parameters: Parameters) -> str:
         """Set all given parameters, or none. If a name occurs twice, its last value is set.
 
-        A parameter without a value is undeclared, if it has dynamic typing.
+        An item without a value removes its parameter, if the parameter has dynamic typing.
 
         Returns:
             The reason for a rejection. It is empty if the parameters are set.

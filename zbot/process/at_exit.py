@@ -73,8 +73,8 @@ def register() -> None:
     """Let the process close all contexts at its end. A second call does nothing."""
     if not _Process.is_registered:
         _Process.is_registered = True
-        # Python joins non-daemon threads before it runs atexit functions, and Zenoh's thread ends
-        # only with its session. concurrent.futures uses the same private function for its pools.
+        # An atexit function would be too late. Python first joins the non-daemon threads, and
+        # Zenoh's thread ends only with its session. concurrent.futures uses _register_atexit too.
         threading._register_atexit(_end)  # type: ignore[attr-defined] # noqa: SLF001
         # If a signal comes while Python waits for threads, Python does not call `_end`. But it
         # still calls atexit functions.
@@ -94,7 +94,7 @@ def wait_for_threads() -> None:
 def _program_threads() -> list[threading.Thread]:
     # Thread pools end their threads later, and Zenoh's threads end with their session.
     pools = sys.modules.get("concurrent.futures.thread")
-    pooled = () if pools is None else pools._threads_queues  # noqa: SLF001 - their only list
+    pooled = () if pools is None else pools._threads_queues  # noqa: SLF001 - no public list
     return [
         thread
         for thread in threading.enumerate()
@@ -106,7 +106,7 @@ def _program_threads() -> list[threading.Thread]:
 
 
 def _end() -> None:
-    # A signal ends the spinning threads. Python waits for the other threads.
+    # If a signal ends this wait, it also ends the spinning threads. Python waits for the others.
     with contextlib.suppress(KeyboardInterrupt, SystemExit, ExternalShutdownException):
         wait_for_threads()
     if signal.getsignal(signal.SIGINT) is signal.default_int_handler:

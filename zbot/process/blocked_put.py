@@ -1,7 +1,7 @@
 """Blocked puts of publishers, and functions that cancel them so that the process can end.
 
-A put with congestion control `BLOCK` waits while a keep-all subscriber reads nothing, at most a
-minute (see `wait_before_close`). During the put no signal handler runs in its thread, and Zenoh
+A put with congestion control `BLOCK` waits for at most a minute while a keep-all subscriber reads
+nothing (see `wait_before_close`). During the put no signal handler runs in its thread, and Zenoh
 cannot close the session. This module therefore shuts down the sockets of the session's links. Then
 Zenoh sees that the other side is lost, and the put returns at once.
 """

@@ -115,7 +115,7 @@ def _trigger_guards() -> None:
 
 
 def _is_postponed(number: int, frame: FrameType | None) -> bool:
-    """Return whether the signal must wait because of a frame. If so, send it again soon."""
+    """Return whether a signal must wait for the interrupted code. If so, send it again soon."""
     if not is_deferring_signals(frame):
         return False
     retry = threading.Timer(_RETRY_S, _signal_main_thread, [number])
@@ -208,7 +208,7 @@ def _unraisablehook_before(previous: Any) -> Any:
         if at_exit.is_ending() or sys.platform == "win32" or not issubclass(args.exc_type, ours):
             previous(args)
         else:
-            # The error means that the process ends already. The signal asked for this.
+            # A RuntimeError means that the process is ending already, as the signal asked.
             with contextlib.suppress(RuntimeError):
                 threading.Timer(_RETRY_S, _signal_main_thread, [number]).start()
 

@@ -47,7 +47,7 @@ TEACHER_SPACE = "@class/teacher"  #: the teacher's notices to all students
 
 LOBBY_SPACE = "@class/lobby"  #: queries of laptops that want to join
 LOBBY = "lobby"  #: user name of laptops that have not joined
-LOBBY_SECRET = Secret("lobby")  #: public, because Zenoh requires a password for each user
+LOBBY_SECRET = Secret("lobby")  #: public: it exists only because Zenoh requires a password
 
 #: Maximum size of a message between laptops (bytes): two uncompressed 4K images.
 MAX_MESSAGE_SIZE = 64 * 1024 * 1024

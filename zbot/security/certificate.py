@@ -129,7 +129,7 @@ def issue(authority: KeyPair, name: str, addresses: Iterable[str], validity: Val
     purposes = [Purpose.CLIENT_AUTH, *([Purpose.SERVER_AUTH] if names else [])]
     signer = load_pem_private_key(authority.key, None)
     issuer = x509.load_pem_x509_certificate(authority.certificate)
-    assert isinstance(signer, ec.EllipticCurvePrivateKey)  # made by make_authority
+    assert isinstance(signer, ec.EllipticCurvePrivateKey)  # make_authority makes only such keys
     key = ec.generate_private_key(ec.SECP256R1())
     builder = (
         _builder(_named(name), issuer.subject, key, validity)

@@ -43,7 +43,7 @@ class NoKeystoreError(SecurityError, FileNotFoundError):
 
 
 class UnknownEnclaveError(SecurityError, LookupError):
-    """A keystore has no enclave or several enclaves, and the user has not named an enclave."""
+    """A keystore has no enclave, or several enclaves but none with this machine's host name."""
 
     def __init__(self, root: Path, known: list[str]) -> None:
         self.root, self.known = root, known
@@ -51,7 +51,7 @@ class UnknownEnclaveError(SecurityError, LookupError):
         example = root / "enclaves" / (known[0] if known else "NAME")
         super().__init__(
             f"cannot choose a certificate of '{root}' for this machine (there are: {found}): "
-            f"name this machine's folder, such as {example}"
+            f"give the path of this machine's folder, such as {example}"
         )
 
 

@@ -239,7 +239,7 @@ def _swap(draft: Path, target: Path) -> None:
     if not target.exists():
         draft.rename(target)
         return
-    # Replace the files, because the folder may contain other machines' folders (/robots/one).
+    # Replace the files but not the folder. It may contain other machines' folders (/robots/one).
     for name in (_AUTHORITY, _KEY, _CERTIFICATE):
         (draft / name).replace(target / name)
 

@@ -38,7 +38,7 @@ Document = dict[str, Any]
 
 _SALT_BYTES = 16
 _MAX_ATTEMPTS = 256  #: open attempts (thirty students who join at once need thirty attempts)
-_ATTEMPT_S = 30.0  #: until an attempt expires (the student types the PIN before the attempt)
+_ATTEMPT_S = 30.0  #: seconds for an attempt (the student types the PIN before the attempt)
 _FREE_GUESSES = 10  #: wrong PINs without a delay, because several students may mistype at once
 _GUESS_S = 2.0  #: seconds for each wrong PIN after that (999,999 PINs take 23 days)
 

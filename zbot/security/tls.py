@@ -42,7 +42,7 @@ def tls_settings(identity: Identity) -> dict[str, Any]:
 
 
 def check_listening(identity: Identity, address: str) -> Facts:
-    """Check that a machine's certificate lets others join it.
+    """Check that a machine's certificate lets other machines join the machine.
 
     Args:
         identity: The machine's key and certificates.

@@ -163,8 +163,8 @@ def projection_matrix(
         ray = across if direction is None else _vector(direction)
         ray = ray / (ray @ across)
         return _affine(np.identity(3) - np.outer(ray, across), height * ray)
-    # The ray from the eye through x meets the plane at ((n.(eye - p)) x - (n.x - n.p) eye), over
-    # n.(eye - x).
+    # The ray from the eye through x meets the plane at
+    # ((n.(eye - p)) x - (n.x - n.p) eye) / (n.(eye - x)).
     eye = _vector(perspective)
     matrix, depth = np.zeros((4, 4)), across if pseudo else np.zeros(3)
     matrix[:3, :3] = (eye @ across - height) * np.identity(3) - np.outer(eye + depth, across)
@@ -176,7 +176,7 @@ def projection_matrix(
 def projection_from_matrix(
     matrix: Any, pseudo: bool = False
 ) -> tuple[Vector, Vector, Vector | None, Vector | None, bool]:
-    """Return the arguments of `projection_matrix` that give a matrix.
+    """Return the arguments with which `projection_matrix` returns a given matrix.
 
     Raises:
         NoSuchTransformError: The matrix is not a projection.

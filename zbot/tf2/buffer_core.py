@@ -295,7 +295,7 @@ def _problem(parent: str, child: str, transform: Any) -> str:
     t, q = transform.translation, transform.rotation
     numbers = (t.x, t.y, t.z, q.x, q.y, q.z, q.w)
     if not all(map(math.isfinite, numbers)):
-        return f"a number of {child!r} is infinite or not a number"
+        return f"a value in the transform of {child!r} is infinite or NaN"
     if abs(sum(part * part for part in numbers[3:]) - 1) > _QUATERNION_TOLERANCE:
         return f"the rotation of {child!r} is not a quaternion of length 1"
     return ""

@@ -94,7 +94,7 @@ def convert(value: Any, new_type: type[Any]) -> Any:
     if conversion_to is None:
         raise TypeException(
             f"Type {type(value).__qualname__} cannot be converted to {new_type.__qualname__}: "
-            "register it with ConvertRegistration().add_convert"
+            "register a function with ConvertRegistration().add_convert"
         )
     return conversion_to(value)
 

@@ -18,7 +18,7 @@ from geometry_msgs.msg import (
     WrenchStamped,
 )
 
-#: Function that takes an object with a header and a `TransformStamped`, and returns a new object.
+#: Function with two arguments, a stamped object and a `TransformStamped`. Returns a new object.
 Transformation = Callable[[Any, Any], Any]
 
 _registered: dict[type[Any], Transformation] = {}

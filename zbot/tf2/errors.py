@@ -5,7 +5,7 @@ from __future__ import annotations
 from zbot.errors import ZbotError
 
 
-class TransformException(ZbotError):  # noqa: N818 - tf2's name, as all here
+class TransformException(ZbotError):  # noqa: N818 - all names here are tf2's
     """Base of all errors about transforms."""
 
 

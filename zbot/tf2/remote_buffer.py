@@ -82,7 +82,7 @@ class BufferClient(BufferInterface):
     """Client that looks transforms up in another node's buffer.
 
     Args:
-        node: The client's node. Its executor runs in another thread, or in the calling callback.
+        node: The client's node. Lookups need no executor, so a callback may make lookups too.
         ns: The action's name.
         check_frequency: Accepted without effect, because nothing is polled.
         timeout_padding: Time to wait for the server in addition to a lookup's timeout, as a

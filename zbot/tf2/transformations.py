@@ -16,8 +16,8 @@ Matrix = npt.NDArray[np.float64]
 Quaternion = npt.NDArray[np.float64]
 
 _EPSILON = 1e-12
-#: First axis (0 x, 1 y, 2 z). Then 1 if the other axes follow in reverse order, 1 if the first
-#: axis is also the last axis, and 1 if the axes rotate with the body.
+#: Each value has four numbers: the first axis (0: x, 1: y, 2: z), 1 if the other axes follow in
+#: reverse order, 1 if the first axis is also the last axis, 1 if the axes rotate with the body.
 _AXES: dict[str, tuple[int, int, int, int]] = {
     "sxyz": (0, 0, 0, 0),
     "sxyx": (0, 0, 1, 0),
@@ -244,7 +244,7 @@ def quaternion_about_axis(angle: float, axis: Any) -> Quaternion:
 
 
 def quaternion_matrix(quaternion: Any) -> Matrix:
-    """Return the 4 x 4 matrix of a quaternion. Its length may be any number above 0."""
+    """Return the 4 x 4 matrix of a quaternion, which may have any length above 0."""
     x, y, z, w = np.asarray(quaternion, dtype=float)[:4]
     square = x * x + y * y + z * z + w * w
     matrix = np.identity(4)
@@ -307,7 +307,7 @@ def quaternion_inverse(quaternion: Any) -> Quaternion:
 def quaternion_slerp(
     quat0: Any, quat1: Any, fraction: float, spin: int = 0, shortestpath: bool = True
 ) -> Quaternion:
-    """Return the rotation at `fraction` (0 to 1) of the way, which has `spin` more full turns."""
+    """Interpolate from `quat0` (`fraction` 0) to `quat1` (1) with `spin` extra full turns."""
     q0, q1 = unit_vector(quat0), unit_vector(quat1)
     cosine = float(np.dot(q0, q1))
     if shortestpath and cosine < 0:

@@ -76,7 +76,7 @@ def discovery_range() -> DiscoveryRange:
     """Return the range in `$ZBOT_DISCOVERY_RANGE` or ROS 2's variable, by default LOCALHOST.
 
     Raises:
-        DiscoveryRangeError: The variable holds another word.
+        DiscoveryRangeError: The variable holds an unknown word.
     """
     found = _first_set(_RANGE_VARIABLES)
     if found is None or found[1].upper() == "SYSTEM_DEFAULT":
@@ -125,7 +125,7 @@ class SessionConfig(NamedTuple):
 
 
 def load() -> SessionConfig:
-    """Return the first configuration of: a variable's file, `./zenoh.json5`, the packaged file.
+    """Return the configuration of a variable's file, else `./zenoh.json5`, else the packaged file.
 
     Raises:
         ConfigError: The file cannot be read.

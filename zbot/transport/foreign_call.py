@@ -1,9 +1,9 @@
 """Functions that a signal's exception must not interrupt. The signal waits until they return.
 
-The exception would be lost, or the function would not release its locks. Zenoh calls Python
-functions in its own threads. If a client and its service are in one process, Zenoh calls the
-service in the client's thread, which may be the main thread. Zenoh's Rust code loses exceptions of
-these functions.
+Otherwise the exception would be lost, or the function would not release its locks. Zenoh usually
+calls Python functions in its own threads. But if a client and its service are in one process, Zenoh
+calls the service in the client's thread, which may be the main thread. Zenoh's Rust code loses
+exceptions of these functions.
 """
 
 from __future__ import annotations

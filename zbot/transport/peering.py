@@ -45,8 +45,8 @@ class Peering:
     One thread waits, without polling, for links to appear and disappear. When the link to the
     router disappears, the thread tries to open a router on the port, and exactly one of the
     domain's processes succeeds. When the links have not changed for a time, the thread asks the
-    router for its peers. If a link to any of these peers is
-    missing, the thread opens an introducer session.
+    router for its peers. If a link to any of these peers is missing, the thread opens an introducer
+    session, which introduces the peers to each other again.
 
     Args:
         session: The session.

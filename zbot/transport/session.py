@@ -77,8 +77,8 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
         # Microseconds that a put may wait for a blocked reader before the reader's link is closed.
         "transport/link/tx/queue/congestion_control/block/wait_before_close": 60_000_000,
         # Only puts use shared memory. Zenoh takes 16 MB for a session's first message in shared
-        # memory. Admin space replies of twelve nodes are large enough to use it, and forty nodes
-        # took 700 MB.
+        # memory. Without this setting, admin space replies of twelve nodes used shared memory too,
+        # and forty nodes took 700 MB.
         "transport/shared_memory/transport_optimization/messages": ["put"],
         **membership.session_settings(membership.load()),
     }
@@ -122,7 +122,7 @@ def open_hub_client(
 
     Args:
         endpoint: The hub's endpoint. If left out, this machine's hub is used.
-        more: Zenoh's configuration paths and values, such as a user that is not this machine's.
+        more: Zenoh's configuration paths and values, e.g. a user name other than this machine's.
 
     Returns:
         The session, or `None` if there is no hub or the hub refuses this machine.

@@ -3,8 +3,8 @@
 A sleeping thread takes 10 to 30 us to wake, which is a large part of a small message's time. So if
 a thread's last wait was short, it polls for a short time before it sleeps, and yields its core
 between the polls. Round trips take half the time then. If its last wait was longer, such as for the
-messages of a 1 kHz topic, the thread sleeps at once. Busy waiting uses a core that would be idle
-otherwise, as long as small messages come every 0.1 to 0.5 ms, or large messages every 3 ms.
+messages of a 1 kHz topic, the thread sleeps at once. While small messages come every 0.1 to 0.5 ms,
+or large messages every 3 ms, busy waiting uses a core that would be idle otherwise.
 """
 
 from __future__ import annotations
@@ -81,7 +81,7 @@ class BinarySemaphore:
             return  # it is set already
 
     def wait(self, timeout_s: float) -> bool:
-        """Wait at most `timeout_s` or `LONGEST_WAIT_S` seconds. Return whether it was set."""
+        """Wait at most `min(timeout_s, LONGEST_WAIT_S)` seconds. Return whether it was set."""
         if timeout_s > _SHORT_WAIT_NS / 1e9 and self._busy_wait.begin(self._is_set):
             return True
         was_set = self._lock.acquire(timeout=min(timeout_s, LONGEST_WAIT_S))

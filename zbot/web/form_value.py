@@ -139,7 +139,7 @@ def _instant(base: str, text: str, path: str, now_ns: Callable[[], int]) -> Any:
 
 
 def _nanoseconds(text: str, path: str) -> int:
-    _parsed_float(text, path)  # raises an error with the reason
+    _parsed_float(text, path)  # raises an error if the text is not a number
     seconds = Decimal(text.strip("."))  # a float would be exact only to 200 ns
     if not seconds.is_finite():
         raise EntryError(path, f"write seconds, not {text!r}")

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from zbot.web.panel import Section
     from zbot.web.watch import Watch
 
-#: The largest number of topics with a rate. Each rate needs a subscription. Users can set a filter.
+#: Limit of topics with a rate (each needs a subscription). Users can choose topics with a filter.
 MOST_WATCHED = 300
 
 

@@ -25,7 +25,7 @@ class ListPanel:
     Args:
         page: The page.
         columns: The columns of the table.
-        rows: Takes the graph and whether to show hidden rows, and returns the rows by key.
+        rows: Takes the graph and a bool (True shows hidden rows), and returns the rows by key.
         details: Takes a section and a row's key, and adds the row's details to the current element.
         key: The address's parameter for the chosen row, e.g. `service` for `?service=/spawn`.
         command: The command that prints the list.

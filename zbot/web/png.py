@@ -59,7 +59,7 @@ _NUMBERS: dict[str, tuple[str, int, tuple[int, ...]]] = {
     "32FC3": ("f", 3, (2, 1, 0)),
 }
 _NUMBERS |= {f"bayer_{pattern}16": ("H", 1, (0,)) for pattern in ("rggb", "bggr", "gbrg", "grbg")}
-#: Encodings whose numbers have a fixed range. For others, the image's numbers define it.
+#: Encodings with a fixed range of numbers. For other encodings, the image defines the range.
 _FULL_RANGE = frozenset({"mono16", "rgb16", "bgr16", "rgba16", "bgra16"})
 #: First bytes of compressed images, and their media types.
 _SIGNATURES = {

@@ -50,7 +50,7 @@ class RunningProcess:
 
 
 class ProcessList:
-    """List of processes, with their CPU use since the last `look`. For one thread at a time."""
+    """List of processes, with CPU use since the last `look`. One thread at a time may use it."""
 
     def __init__(self) -> None:
         self._known: dict[int, psutil.Process] = {}

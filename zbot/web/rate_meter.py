@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 _WINDOW_NS = 5 * 10**9
 _BUCKET_NS = 10**8
-#: After a silence of this many periods, the publisher is slower or has stopped. The rate falls.
+#: The rate falls after this many periods without a message: the publisher is slower or stopped.
 _SILENT_PERIODS = 2
 
 

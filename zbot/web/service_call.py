@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 T = TypeVar("T")
 
-#: In seconds.
+#: Longest wait for a response, in seconds.
 PATIENCE_S = 10.0
 
 

@@ -82,7 +82,7 @@ def _plain(value: Any) -> Any:
 
 
 def tree(message: Any) -> list[TreeRow]:
-    """Return a row for each field of a message. After an inner message come its own fields."""
+    """Return a row for each field of a message. The fields of an inner message follow its row."""
     rows: list[TreeRow] = []
     for row in _rows(message, "", 0):
         rows.append(row)

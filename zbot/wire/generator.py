@@ -1,9 +1,9 @@
 """Generator of Python source for the codec functions of a message type.
 
 A type has `encode(message)` and `decode(data)`. A type inside another type also has
-`to_map(message)` and `from_map(values)`. The source of the outer type calls these two functions
-`pack_<type>` and `unpack_<type>`. The source tests each value inline and passes a value that fails
-the test to `zbot.wire.value_check`. `codec_for(T).source` is the source for a type T.
+`to_map(message)` and `from_map(values)`. In the source of the outer type, these two functions have
+the names `pack_<type>` and `unpack_<type>`. The source tests each value inline and passes a value
+that fails the test to `zbot.wire.value_check`. `codec_for(T).source` is the source for a type T.
 """
 
 from __future__ import annotations

@@ -96,7 +96,7 @@ def _topics(_: Sequence[str], unfinished: str) -> Iterable[str]:
 
 
 def _nodes(_: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot.graph.snapshot import full_names  # noqa: PLC0415 - as above
+    from zbot.graph.snapshot import full_names  # noqa: PLC0415 - needed only for live names
     from zbot_cli.domain.client import snapshot  # noqa: PLC0415 - as above
 
     names = full_names(snapshot().nodes)
@@ -116,7 +116,7 @@ def _transitions(_: Sequence[str], __: str) -> Iterable[str]:
 
 
 def _parameters(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot_cli.domain.client import hidden_node  # noqa: PLC0415 - as above
+    from zbot_cli.domain.client import hidden_node  # noqa: PLC0415 - needed only for live names
     from zbot_cli.domain.parameters import RemoteParameters  # noqa: PLC0415 - as above
 
     with hidden_node("complete") as node:
@@ -130,7 +130,7 @@ def _parameter_to_set(done: Sequence[str], unfinished: str) -> Iterable[str]:
 
 
 def _topic_type(done: Sequence[str], unfinished: str) -> Iterable[str]:
-    from zbot_cli.domain.client import full_name, snapshot  # noqa: PLC0415 - as above
+    from zbot_cli.domain.client import full_name, snapshot  # noqa: PLC0415 - only for live names
 
     found = dict(snapshot().topics()).get(full_name(done[0])) if done else None
     return found or _message_types(done, unfinished)

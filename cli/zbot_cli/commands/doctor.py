@@ -150,7 +150,7 @@ def _range() -> Finding:
     return Finding(
         "discovery range",
         found.value,
-        "unset ZBOT_DISCOVERY_RANGE: no node is found" if off else "",
+        "unset ZBOT_DISCOVERY_RANGE: its value OFF hides all nodes" if off else "",
     )
 
 

@@ -82,7 +82,7 @@ def graph(
     ] = True,
     as_dot: Annotated[bool, typer.Option("--dot", help="Print DOT, for Graphviz")] = False,
     svg: Annotated[
-        str, typer.Option("--svg", metavar="FILE", help="Write a picture; - prints it")
+        str, typer.Option("--svg", metavar="FILE", help="Write a picture; print it if FILE is -")
     ] = "",
     watch: Annotated[
         bool, typer.Option("--watch", help="Print or write the graph again at each change")

@@ -31,7 +31,7 @@ OnlyActions = Annotated[bool, typer.Option("-a", "--only-actions", help="Only ac
 
 
 class InterfaceNameError(ZbotError):
-    """A name without three parts is the name of no type or of several types."""
+    """A name does not have three parts, and fits no type or several types."""
 
     def __init__(self, name: str, found: list[str]) -> None:
         self.hint = type_hint(name, found, all_types()) if name else "write std_msgs/msg/String"
@@ -130,7 +130,7 @@ def list_packages(
 def show(
     type_name: Annotated[
         str,
-        typer.Argument(metavar="TYPE", help="e.g. geometry_msgs/msg/Twist; - reads it from a pipe"),
+        typer.Argument(metavar="TYPE", help="e.g. geometry_msgs/msg/Twist, or - to read a pipe"),
     ],
     all_comments: Annotated[
         bool, typer.Option("--all-comments", help="Show comments of nested types too")

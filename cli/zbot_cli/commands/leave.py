@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from zbot_cli.output.listing import new_app
 
-app = new_app("Leave the class or machine joined before", has_verbs=False)
+app = new_app("Leave the class or the other machine", has_verbs=False)
 
 
 @app.command()
 def leave() -> None:
-    """Leave the class or machine joined before."""
+    """Leave the class or the other machine."""
     from zbot.classroom import student  # noqa: PLC0415 - not needed by `--help`
     from zbot.classroom.errors import NotJoinedError  # noqa: PLC0415 - as above
 

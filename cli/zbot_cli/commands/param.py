@@ -369,7 +369,7 @@ def load(
 
 
 def _load(remote: RemoteParameters, node: str, values: dict[str, Any], indent: str) -> int:
-    """Set a file's values for one node. Return how many values the node refused."""
+    """Set a file's values for one node. Return how many of the values the node still lacks."""
     parameters = remote.typed(node, values)
     results = _send(remote, node, [one.to_parameter_msg() for one in parameters])
     refused = []
@@ -379,7 +379,7 @@ def _load(remote: RemoteParameters, node: str, values: dict[str, Any], indent: s
         else:
             _fail(f"{indent}Set parameter {parameter.name} failed: {result.reason}")
             refused.append(parameter)
-    # A dump contains read-only parameters too. They cannot be set, but they may already
-    # have the file's value.
+    # A dump contains read-only parameters too. The node refuses to set them, but this counts only
+    # if they do not already have the file's value.
     present = remote.values_or_none(node, [one.name for one in refused])
     return sum(present.get(one.name) != one.value for one in refused)

@@ -162,7 +162,7 @@ def list_packages(as_json: AsJson = False) -> None:
 
 @app.command("executables")
 def list_executables(
-    package_name: Annotated[str, typer.Argument(help="Only those of this package")] = "",
+    package_name: Annotated[str, typer.Argument(help="List only this package's executables")] = "",
     full_path: Annotated[bool, typer.Option("--full-path", help="Print paths of files")] = False,
     as_json: AsJson = False,
 ) -> None:

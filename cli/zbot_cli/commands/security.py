@@ -164,7 +164,7 @@ def generate_artifacts(
     ] = None,
 ) -> None:
     """Make the missing keystore and certificates."""
-    from zbot.security.keystore import Keystore, enclave_name, is_keystore  # noqa: PLC0415 - as above
+    from zbot.security.keystore import Keystore, enclave_name, is_keystore  # noqa: PLC0415 - not needed by `--help`
 
     if policy_files:
         raise NoPoliciesError("generate_artifacts")

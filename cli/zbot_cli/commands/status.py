@@ -6,12 +6,12 @@ from typing import Any
 
 from zbot_cli.output.listing import AsJson, new_app, print_json
 
-app = new_app("Show the class or machine joined", has_verbs=False)
+app = new_app("Show which class or machine this machine has joined", has_verbs=False)
 
 
 @app.command()
 def status(as_json: AsJson = False) -> None:
-    """Show the class or machine joined, and whether this machine is linked."""
+    """Show the class or machine that was joined, and whether this machine is linked."""
     from zbot.classroom.state import present_state  # noqa: PLC0415 - not needed by `--help`
 
     state = present_state()

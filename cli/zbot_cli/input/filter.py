@@ -1,7 +1,7 @@
 """Filter of messages by a Python expression about the message `m`, with harmless operations only.
 
 This module compares each node of the expression's syntax tree with a list of allowed nodes, and
-evaluates it without `eval`. So a command line copied from a lesson sheet can do no harm.
+evaluates the tree without `eval`. So a command line copied from a lesson sheet can do no harm.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ _COMPARE: dict[type[ast.AST], Callable[[Any, Any], bool]] = {
 
 
 def _rounded(number: Any) -> Any:
-    # The number of digits is not an argument, because `round` would never end with -10**9 digits.
+    # `round` with -10**9 digits would never end, so the number of digits is not an argument.
     return round(number)
 
 
@@ -118,7 +118,7 @@ class Filter:
             subject: Function that finds `m` in a message. `m` is the message or one of its fields.
 
         Raises:
-            FilterError: A field does not exist, or values of these types cannot be compared.
+            FilterError: A field does not exist, or two values have types that cannot be compared.
         """
         with contextlib.suppress(FieldPathError, LookupError, ArithmeticError, ValueError):
             try:

@@ -28,8 +28,8 @@ def raise_on_ctrl_c() -> None:
     """Undo `end_process_on_ctrl_c`. Only the main thread may call this.
 
     Ctrl-C raises `KeyboardInterrupt`. If nothing catches this exception, Python prints nothing,
-    because it may come just after the end of a command. If Python drops a `KeyboardInterrupt`, for
-    example in a callback of an import, SIGINT is raised again after 5 ms.
+    because Ctrl-C may come just after the end of a command. If Python drops a `KeyboardInterrupt`,
+    for example in a callback of an import, SIGINT is raised again after 5 ms.
     """
     if signal.getsignal(signal.SIGINT) == signal.SIG_DFL:
         sys.excepthook, sys.unraisablehook = _print_unless_interrupt, _raise_again

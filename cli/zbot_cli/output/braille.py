@@ -65,7 +65,7 @@ class Canvas:
             if not coloured:
                 yield "".join(marks)
                 continue
-            # Neighbours of one colour share a colour sequence. SSH then sends a third of the bytes.
+            # Neighbours of one colour share one escape sequence. SSH sends a third of the bytes.
             runs = groupby(zip(owners, marks, strict=True), key=lambda pair: pair[0])
             yield "".join(_coloured("".join(mark for _, mark in run), owner) for owner, run in runs)
 
@@ -108,7 +108,7 @@ def draw(
     """Return a plot as lines of text.
 
     Args:
-        curves: The curves. Points outside of the times are left out.
+        curves: The curves. Points before `from_s` or after `to_s` are left out.
         width: Width of the plot with its axes, in characters.
         height: Height of the plot with its axes and legend, in lines.
         from_s: Time at the left edge.

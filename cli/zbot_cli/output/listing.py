@@ -47,7 +47,7 @@ ShowTypes = Annotated[bool, typer.Option("-t", "--show-types", help="Add the typ
 
 
 def new_app(text: str, *, has_verbs: bool = True) -> typer.Typer:
-    """Return the typer app of a noun. It does not use rich, because rich is slow to import."""
+    """Return the typer app of a command. It does not use rich, because rich is slow to import."""
     return typer.Typer(
         help=text,
         no_args_is_help=has_verbs,

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def message_of(name: str, text: str) -> Any:
-    """Return a parameter as a message. Its type follows from the text of the value."""
+    """Return a parameter as a message. The text of the value decides the parameter's type."""
     from rcl_interfaces.msg import Parameter as Message  # noqa: PLC0415 - the import makes the class
 
     return Message(name=name, value=get_parameter_value(text))

@@ -22,7 +22,7 @@ def _login_name() -> str:
 
     try:
         return getpass.getuser()
-    except (ImportError, KeyError, OSError):  # e.g. in a container, whose user has no entry
+    except (ImportError, KeyError, OSError):  # a container's user may not be in /etc/passwd
         return "user"
 
 

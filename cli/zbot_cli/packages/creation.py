@@ -28,9 +28,9 @@ class PackageNameError(ZbotError):
     def __init__(self, what: str, name: str) -> None:
         self.name = name
         good = re.sub(r"\W+", "_", name.removesuffix(".py").lower()).strip("_0123456789")
-        self.hint = f"'{good}' would do" if good else ""
+        self.hint = f"try '{good}'" if good else ""
         super().__init__(
-            f"'{name}' cannot be a {what}'s name: use letters, digits and '_', first a letter"
+            f"'{name}' cannot be a {what}'s name: use letters, digits and '_'; begin with a letter"
         )
 
 

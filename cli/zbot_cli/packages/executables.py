@@ -19,7 +19,7 @@ BUNDLED = "zbot_nodes"
 _PROJECT = "zbot"
 _COMMAND = "zbot_cli."
 _DEMO_NODES = frozenset({"add_two_ints_client", "add_two_ints_server", "listener", "talker"})
-#: Bundled nodes by name of the ROS 2 package that contains them. An empty set means all nodes.
+#: For the name of each ROS 2 package: the bundled nodes that zbot also offers under this name.
 _ALIASES: dict[str, frozenset[str]] = {
     "action_tutorials_cpp": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
     "action_tutorials_py": frozenset({"fibonacci_action_client", "fibonacci_action_server"}),
@@ -65,7 +65,7 @@ class Package:
 
 
 def all_packages() -> list[Package]:
-    """Return all packages with executables. The packages of the workspace come first."""
+    """Return all packages with their executables. The packages of the workspace come first."""
     return [*workspace_packages(), *bundled_packages(), *installed_packages()]
 
 

@@ -1,4 +1,4 @@
-"""Templates of the files of a new package, in the order of `ros2 pkg create`.
+"""Templates of the files of a new package. Their lines have the order of `ros2 pkg create`.
 
 Tutorials tell their readers which lines of these files to change. These lines are the same here.
 """

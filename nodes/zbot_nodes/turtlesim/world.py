@@ -35,7 +35,7 @@ def normal(angle: float) -> float:
 
 
 class RotationState(Enum):
-    """End state of a rotation."""
+    """State of a rotation goal."""
 
     ACTIVE = "active"
     SUCCEEDED = "succeeded"

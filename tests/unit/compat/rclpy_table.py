@@ -34,6 +34,8 @@ This page lists every public module, class, function and method of rclpy 9.1 (RO
   for type annotations.
 * **absent**: the name is not there.
 
+In the reasons, "the C library" is `rcl`. rclpy uses this library, and zbot does not use it.
+
 `python -m tests.unit.compat.rclpy_table` writes this page. A test compares it with the code.
 
 zbot differs from rclpy on purpose in these points:

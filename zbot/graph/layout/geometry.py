@@ -98,7 +98,7 @@ class Layout:
     frames: tuple[Frame, ...]  #: outer frames before inner ones
     columns: dict[int, tuple[float, float]]  #: left and right of each layer
     crossings: int  #: the number of crossings of links
-    best: int  #: the number of crossings in the last new layout
+    best: int  #: the number of crossings in the last layout that kept no places
 
     def moved(self, dx: float, dy: float) -> Layout:
         """Return a moved copy."""

@@ -56,7 +56,7 @@ def _label_point(
 
 
 def _ports(graph: LayeredGraph, y: list[float]) -> dict[tuple[int, bool], float]:
-    """Return each link's offset from the middle of an item's side. The far ends set the order."""
+    """Return each link's offset from a side's middle. The y of the next vertex sets the order."""
     sides: dict[tuple[int, bool], list[tuple[float, bool, int]]] = {}
     for number, chain in enumerate(graph.chains):
         if len(chain) > 1:

@@ -1,4 +1,4 @@
-"""Actions for components (composable nodes), which report that zbot cannot load them."""
+"""Actions for components (composable nodes). They report that zbot cannot load components."""
 
 from __future__ import annotations
 

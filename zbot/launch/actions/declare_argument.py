@@ -41,7 +41,7 @@ class DeclareLaunchArgument(Action):
         self.name = name
         self.description = description or "no description given"
         self.choices = None if choices is None else list(choices)
-        # launch does not accept a bool or a number here, and fails later with an unclear error
+        # zbot also accepts a bool or a number. ROS 2's launch fails later, with an unclear error.
         is_value = isinstance(default_value, (bool, int, float))
         given = str(default_value) if is_value else default_value
         if self.choices is not None and not self.choices:
@@ -71,7 +71,7 @@ class DeclareLaunchArgument(Action):
 
     @property
     def conditionally_included(self) -> bool:
-        """Whether the declaration depends on a condition. `get_launch_arguments` sets it."""
+        """Whether the declaration depends on a condition. `get_launch_arguments` sets this flag."""
         return self._conditionally_included
 
     @conditionally_included.setter

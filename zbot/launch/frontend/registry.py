@@ -96,7 +96,7 @@ def _joined(arguments: list[list[Substitution]]) -> list[Substitution]:
 
 
 def _with_option(make: Callable[..., Substitution], option: str) -> Callable[..., Substitution]:
-    """Return a factory that passes a second argument, if given, by the keyword `option`."""
+    """Return a factory that passes a second argument, if given, by the keyword in `option`."""
     return lambda first, *second: make(first, **({option: second[0]} if second else {}))
 
 

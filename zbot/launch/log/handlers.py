@@ -67,7 +67,7 @@ class ScreenHandler(_FormatterPerLogger, _StreamHandler):
 
 
 class LogFileHandler(_FormatterPerLogger, logging.FileHandler):
-    """Appends to a file, which the first line creates. Warns once if the file is not writable."""
+    """Appends lines to a file. Creates it at the first write. Warns once if it is not writable."""
 
     def __init__(self, path: str | Path, encoding: str = "utf-8") -> None:
         super().__init__(path, encoding=encoding, delay=True, errors="backslashreplace")
@@ -105,7 +105,7 @@ def show(line: str) -> None:
 
 
 def is_coloured() -> bool:
-    """Return whether to use colours. An environment variable or a terminal as stdout decides."""
+    """Return whether to use colours. Without an environment variable, a terminal gets colours."""
     if os.environ.get("NO_COLOR") or os.environ.get("RCUTILS_COLORIZED_OUTPUT") == "0":
         return False
     if os.environ.get("FORCE_COLOR") or os.environ.get("RCUTILS_COLORIZED_OUTPUT") == "1":

@@ -42,7 +42,7 @@ def expect_output(
         strip_ansi_escape_sequences: Whether to remove colours from the output first.
         strict: Whether the output must start with the expected parts, without gaps between them.
             More output may follow, because the program may still be running. But a single text must
-            be the whole output, and a single line or its pattern must match every line.
+            be the whole output. A single line or line pattern must match every line of the output.
 
     Raises:
         ChoiceError: Exactly one of `text` and `lines` is required. The same is true for

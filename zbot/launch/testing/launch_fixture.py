@@ -14,9 +14,9 @@ from zbot.launch.testing.running_launch import RunningLaunch, ready_actions
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-#: From the id of a fixture object to object, name and scope. The object itself has no name.
+#: The object, name and scope of each fixture, by the object's id. The object has no name.
 _names: dict[int, tuple[Any, str, str]] = {}
-#: From the name of a fixture to its running launch. The newest launch is the last.
+#: The running launches, by the names of their fixtures. The newest launch is the last.
 running: dict[str, RunningLaunch] = {}
 
 
@@ -47,7 +47,7 @@ def fixture(
             finally:
                 launch.stop()
                 running.pop(name, None)
-            next(rest, None)  # the code after the function's own yield
+            next(rest, None)  # runs the code after the function's own yield
 
         # functools.wraps is not used, because pytest would unwrap `launched` and use `function`.
         launched.__signature__ = inspect.signature(function)  # type: ignore[attr-defined]

@@ -107,7 +107,7 @@ def ros_output_filter(
     Args:
         filtered_prefixes: The same as for `basic_output_filter`.
         filtered_patterns: The same as for `basic_output_filter`.
-        filtered_rmw_implementation: Ignored, because Zenoh does not write lines to remove.
+        filtered_rmw_implementation: Ignored, because Zenoh writes no lines that must be removed.
     """
     del filtered_rmw_implementation
     return basic_output_filter(filtered_prefixes, filtered_patterns)

@@ -30,7 +30,7 @@ class StagedTest:
         self.has_two_stages = inspect.isgeneratorfunction(function) or inspect.isasyncgenfunction(
             function
         )
-        #: From a launch's id to tests that wait at their `yield`. A failed test is None.
+        #: Tests that wait at their `yield`, by the launch's id. A failed test is stored as None.
         self._waiting: defaultdict[int, deque[Any]] = defaultdict(deque)
 
     def as_one_function(self, *, shutdown: bool) -> Any:

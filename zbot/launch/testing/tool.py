@@ -130,7 +130,7 @@ def launch_process(
             launch_service.emit_event(ShutdownProcess(process_matcher=matcher))
 
 
-# Functions for tests of launch_pytest. These tests have the context of the launch.
+# Functions for tests that use launch_pytest. Such tests have the context of the launch.
 
 
 def _wait(

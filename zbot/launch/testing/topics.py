@@ -20,7 +20,7 @@ class WaitForTopics:
 
     Args:
         topic_tuples: Pairs of topic name and message class.
-        timeout: The longest wait of `wait`, in seconds.
+        timeout: The maximum duration of `wait()`, in seconds.
         messages_received_buffer_length: Number of messages to keep for each topic.
         trigger: Called with the node after the node has subscribed, e.g. to request messages.
         node_namespace: The namespace of the node.

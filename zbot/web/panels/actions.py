@@ -98,7 +98,7 @@ class _ActionDetails(ServedDetails):
             self.section.page.show_command(command_line(*words, self.form.yaml()))
 
     def take(self, feedback: Any) -> None:
-        """Keep the feedback. zbot's thread calls this method."""
+        """Keep the feedback. The executor's thread calls this method, and not NiceGUI's loop."""
         self.feedback = feedback.feedback
         self.count += 1
 

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 _EVENTS = "/parameter_events"
 _EVENTS_KEPT = 200
 _LIVE_HZ = 15.0
-#: Parameters of every node, which the panel shows last.
+#: Names of parameters that every node has. The panel shows these parameters last.
 _EVERY_NODE_HAS = ("start_type_description_service", "use_sim_time", "qos_overrides.")
 
 

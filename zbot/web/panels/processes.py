@@ -36,7 +36,7 @@ class _Processes:
         self.page = page
         self.list = ProcessList()
         self.found: dict[str, RunningProcess] = {}
-        self.number = 0  # how often the processes were listed
+        self.number = 0  # how many times the processes were listed
         self.is_looking = False
         self.revision = -1
         page.live(self.look, _HZ)

@@ -79,7 +79,7 @@ def _join_text(facts: dict[str, object]) -> str:
     lines += [f"    zbot join {facts['host']}:{facts['port']}    (if the code does not work)", ""]
     if facts["pin"]:
         lines.append(f"PIN: {facts['pin']}")
-    return "\n".join([*lines, "`zbot class list` lists the students, `zbot class stop` ends it"])
+    return "\n".join([*lines, "`zbot class list` lists students, `zbot class stop` ends the class"])
 
 
 @app.command("list")

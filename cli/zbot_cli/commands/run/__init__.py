@@ -151,7 +151,7 @@ def find(words: Sequence[str]) -> tuple[Executable, list[str]]:
         ProgramNotFoundError: There is no file of that path.
         PackageNotFoundError: There is no package of that name.
         ExecutableNotFoundError: There is no executable of that name.
-        SeveralExecutablesError: Several packages have this executable; no package is named.
+        SeveralExecutablesError: `words` has no package, and several packages have the executable.
     """
     first, rest = words[0], list(words[1:])
     if _is_path(first):

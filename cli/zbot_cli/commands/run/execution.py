@@ -31,7 +31,7 @@ class EntryPointError(ZbotError):
 
     def __init__(self, executable: Executable, reason: str) -> None:
         self.executable, self.reason = executable, reason
-        self.hint = "run `zbot build`: it names the line and similar names"
+        self.hint = "run `zbot build`: it shows the line and similar names"
         where = f"{executable.package} {executable.name}"
         super().__init__(f"cannot run {where} ({executable.target}): {reason}")
 
@@ -94,8 +94,8 @@ def _set_path(executable: Executable) -> None:
     folders = list(executable.folders)
     if is_file(executable.target):
         folders.insert(0, str(Path(executable.target).resolve().parent))
-    # The first entry is the folder of the `zbot` command or the current folder. A random.py there
-    # must not replace Python's `random`.
+    # sys.path begins with the folder of the `zbot` command or the current folder. This entry is
+    # removed, because a random.py in that folder would replace Python's `random`.
     has_own_entry = not getattr(sys.flags, "safe_path", False)
     sys.path[: int(has_own_entry)] = folders
 

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 class NothingToRunError(ZbotError):
-    """A file contains only definitions: no `main()`, and no node class or several of them."""
+    """A file with only definitions has neither a `main()` nor exactly one node class."""
 
     def __init__(self, path: str) -> None:
         self.path = path
@@ -32,7 +32,7 @@ def run_script(path: str) -> Any:
     called. If it has no `main()`, a node of its only node class is created and spun.
 
     Raises:
-        NothingToRunError: The file has no `main()`, and no node class or several of them.
+        NothingToRunError: The file has neither a `main()` nor exactly one node class.
     """
     with io.open_code(str(Path(path).resolve())) as file:
         source = file.read()
@@ -47,13 +47,13 @@ def run_script(path: str) -> Any:
 
 
 def _only_defines(source: bytes) -> bool:
-    import ast  # noqa: PLC0415 - takes 8 ms; most programs have ended here
+    import ast  # noqa: PLC0415 - takes 8 ms; most programs have ended by now
 
     return all(_is_definition(statement) for statement in ast.parse(source).body)
 
 
 def _is_definition(statement: ast.stmt) -> bool:
-    import ast  # noqa: PLC0415 - as above
+    import ast  # noqa: PLC0415 - as in `_only_defines`
 
     if isinstance(statement, (ast.Assign, ast.AnnAssign, ast.Expr)):
         return not any(isinstance(node, ast.Call) for node in ast.walk(statement))
@@ -80,7 +80,7 @@ def _start_of(module: ModuleType, path: str) -> Callable[[], Any]:
 
 
 def _spin(node_class: Any) -> None:
-    import zbot  # noqa: PLC0415 - as above
+    import zbot  # noqa: PLC0415 - not needed by a file with `main()`
 
     with zbot.init():
         zbot.spin(node_class())

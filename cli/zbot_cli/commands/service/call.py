@@ -152,7 +152,7 @@ class ServiceCall:
             count += 1
             if self._rate_hz is None:
                 return
-            # The end of each pause is counted from the start, so that the mean rate is exact.
+            # Each pause ends at a time counted from the first call, so that the mean rate is exact.
             pause.until(started + count / self._rate_hz)
 
     def _call_once(self, client: Client[Any, Any], request: Any) -> None:

@@ -205,7 +205,7 @@ def find(
     as_json: AsJson = False,
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
-    """List the topics that have a type."""
+    """List the topics that have the given type."""
     wanted = topic_type if topic_type.count("/") == 2 else topic_type.replace("/", "/msg/", 1)
     hidden = include_hidden_topics or noun_option(ctx, "include_hidden_topics")
     found = [name for name, types in _shown(snapshot().topics(), hidden) if wanted in types]
@@ -301,7 +301,7 @@ def pub(
     ] = None,
     max_wait_time_secs: Annotated[
         float | None,
-        typer.Option("--max-wait-time-secs", help="Seconds to wait for subscriptions at most"),
+        typer.Option("--max-wait-time-secs", help="Maximum wait for subscriptions, in seconds"),
     ] = None,
     keep_alive: Annotated[
         float, typer.Option("--keep-alive", help="Seconds to stay after the last message")

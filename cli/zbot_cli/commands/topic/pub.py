@@ -143,11 +143,11 @@ class Pub:
             self._publish(node, publisher, templates)
 
     def _type_and_values(self) -> tuple[str, list[str]]:
-        from zbot_cli.domain.types import looks_like_type, resolve_message_type  # noqa: PLC0415 - as above
+        from zbot_cli.domain.types import looks_like_type, resolve_message_type  # noqa: PLC0415 - as in `run`
 
         if self._words and looks_like_type(self._words[0]):
             return resolve_message_type(self._words[0]), self._words[1:]
-        from zbot_cli.domain.topic_types import only_type  # noqa: PLC0415 - as above
+        from zbot_cli.domain.topic_types import only_type  # noqa: PLC0415 - as in `run`
 
         found = only_type(snapshot(), self._topic)
         if found is None:
@@ -155,7 +155,7 @@ class Pub:
         return found, self._words
 
     def _templates(self, message_type: type[Any], values: list[str]) -> list[Template]:
-        from zbot_cli.input.message_values import Template, split_documents  # noqa: PLC0415 - as above
+        from zbot_cli.input.message_values import Template, split_documents  # noqa: PLC0415 - as in `run`
 
         if self._yaml_file is not None:
             documents = split_documents(read_values(self._yaml_file))
@@ -203,7 +203,7 @@ class Pub:
             if limit and sent >= limit:
                 pause.until(time.monotonic() + self._pace.keep_alive_s)
                 return
-            # The end of each pause is counted from the start, so that the mean rate is exact.
+            # The end of a pause is counted from the first message, so that the mean rate is exact.
             pause.until(started + sent / self._pace.rate_hz)
 
 

@@ -99,7 +99,7 @@ def _check_cmake(subject: Subject, files: list[Path]) -> Iterator[Problem]:
 def _check_manifest(subject: Subject) -> Iterator[Problem]:
     path = subject.folder / MANIFEST
     if subject.build_type == "ament_python":
-        text = "ROS 2 makes messages in ament_cmake packages only; zbot makes them in any"
+        text = "ROS 2 makes messages in ament_cmake packages only; zbot makes them in every package"
         yield Problem(path, 0, text, is_error=False)
     elif subject.manifest is not None and _GROUP not in subject.manifest.groups:
         yield Problem(path, 0, f"add <member_of_group>{_GROUP}</member_of_group> for the messages")

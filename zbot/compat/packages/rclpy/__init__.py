@@ -1,4 +1,4 @@
-"""ROS 2's `rclpy`: every name is zbot's."""
+"""ROS 2's `rclpy`, with classes and functions of zbot."""
 
 from zbot.compat.submodules import submodules
 from zbot.context import Context, get_default_context

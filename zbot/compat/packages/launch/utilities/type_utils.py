@@ -21,7 +21,7 @@ from zbot.launch.typed_value import (
     perform_typed_substitution,
 )
 
-# Names for annotations in extensions. A type checker uses ROS 2's own names.
+# Extensions use these names in annotations. A type checker reads them in ROS 2's own package.
 AllowedValueType = ScalarValueType = ListValueType = SomeValueType
 SomeScalarType = SomeSequenceType = StrSomeValueType = SomeValueType
 StrSomeScalarType = StrSomeSequenceType = SomeValueType
