@@ -1,4 +1,4 @@
-"""Commands of the nouns (`topic` in `zbot topic list`). typer makes each from its noun's module."""
+"""Commands of the nouns (`topic` in `zbot topic list`). A noun's module has its verbs."""
 
 from __future__ import annotations
 

@@ -170,7 +170,7 @@ class Timer:
 
     @property
     def handle(self) -> TimerHandle:
-        """A handle for a `WaitSet`. Without an executor, its `call_timer` takes a due call."""
+        """A handle for a `WaitSet`. A program without an executor calls its `call_timer`."""
         return TimerHandle(self)
 
     @property
@@ -282,8 +282,8 @@ class Rate:
     In contrast to rclpy's rate, it needs no executor that spins in another thread.
 
     Args:
-        timer: The rate has the timer's period and clock. As in rclpy, the timer also runs during
-            the sleep, so that a `spin_once()` in another loop returns once a period.
+        timer: The rate has the timer's period and clock. As in rclpy, the timer also ends a
+            `spin_once()` of another thread in every period.
         context: Its shutdown ends a sleep.
     """
 

@@ -49,7 +49,7 @@ class _SignalWatch:
 
 
 def watch_signals() -> None:
-    """Cancel blocked puts when a signal comes. Every publisher whose puts can block calls this.
+    """Cancel blocked puts when a signal comes. A publisher whose puts can block calls it.
 
     This works only in the main thread, and only if no event loop has a wake-up descriptor for
     signals.
@@ -77,8 +77,8 @@ def _watch(reader: socket.socket, _writer: socket.socket) -> None:
 def cancel_all(sessions: Iterable[zenoh.Session]) -> None:
     """Cut the links of sessions, so that all blocked puts return. Any thread may call this.
 
-    Messages that are on their way are lost. The call takes at most 1.2 s if a put is blocked,
-    and at most 0.2 s if puts are running. It returns at once if no put is running.
+    Messages that are on their way are lost. The call takes at most 1.2 s if a put is blocked, and
+    at most 0.2 s if puts run without being blocked. It returns at once if no put runs.
     """
     blocked = _SignalWatch.is_needed and _blocked()
     if not blocked:

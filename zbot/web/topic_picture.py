@@ -1,4 +1,4 @@
-"""Picture of a topic's last message, which is a camera image or a laser scan from above."""
+"""Picture of a topic's last message: a camera image, or a laser scan seen from above."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from zbot_cli.output.exit_status import Status
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-#: Empty words as PowerShell passes them. Its older versions drop an empty word without quotes.
+# PowerShell's older versions drop an empty word, so an empty word comes here as two quotes.
 _EMPTY = ('""', "''")
 
 

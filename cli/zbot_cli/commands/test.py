@@ -52,7 +52,7 @@ def run_tests(
 ) -> int:
     """Run tests.
 
-    A file with generate_test_description() is launched, and its test cases run at the same time.
+    A file with generate_test_description() is launched. Its test cases run during the launch.
     All other tests are run by pytest; options after -- are passed to it.
 
     Examples:

@@ -53,9 +53,10 @@ class QosOptions:
     def to_subscribe(self, publishers: list[EndpointToken]) -> QoSProfile:
         """Return the profile for a subscription.
 
-        Without `--qos-profile`, the publishers decide what the options do not set. The profile is
-        reliable if all publishers are reliable, and transient local if all publishers are transient
-        local. So `echo` also shows messages that were published before it started.
+        Without `--qos-profile`, the publishers decide reliability and durability if no option sets
+        them. The profile is reliable if all publishers are reliable, and transient local if all
+        publishers are transient local. So `echo` also shows messages that were published before it
+        started.
         """
         profile = self._preset("sensor_data")
         if publishers and self.profile is None:
