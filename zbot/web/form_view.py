@@ -56,7 +56,7 @@ class FormView:
         return self.form.message(self._entries)
 
     def maker(self) -> Callable[[], Any]:
-        """Return a function for any thread. It creates a message from the values that the inputs have now."""
+        """Return a function that creates a message from the inputs' present values, in any thread."""
         return partial(self.form.message, dict(self._entries))
 
     def yaml(self) -> str:
