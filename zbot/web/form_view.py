@@ -56,7 +56,7 @@ class FormView:
         return self.form.message(self._entries)
 
     def maker(self) -> Callable[[], Any]:
-        """Return a function that creates a message from the inputs' present values, in any thread."""
+        """Return a function for any thread that creates a message from the present values."""
         return partial(self.form.message, dict(self._entries))
 
     def yaml(self) -> str:
