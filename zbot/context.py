@@ -84,7 +84,7 @@ class Context:
         self._wakers: list[Callable[[], None]] = []
         self._on_shutdown: list[Callable[[], None]] = []
         self._threads: dict[threading.Thread, Callable[[], object]] = {}
-        # Weak, so that `close` does not wait for a receiver if a signal comes before Zenoh gets it.
+        # Weak: `close` must not wait for a receiver that Zenoh did not get because of a signal.
         self._receivers: WeakSet[threading.Event] = WeakSet()
         self._entity_ids = itertools.count()
         self._nodes: WeakSet[ContextNode] = WeakSet()
@@ -110,7 +110,7 @@ class Context:
         Raises:
             ContextInitializedError: `init` was called before.
             ArgumentsError: The `--ros-args` are malformed.
-            UnicodeEncodeError: The `args` contain half a surrogate pair, as in rclpy.
+            UnicodeEncodeError: The `args` contain half a surrogate pair. rclpy raises it too.
             DomainIdError: The domain is out of range.
         """
         "".join(args or ()).encode()

@@ -1,7 +1,7 @@
 """Exceptions that several parts of zbot raise. All are subclasses of `ZbotError`.
 
-Each class also inherits the builtin exception that fits, e.g. `ValueError`. A constructor takes
-facts and keeps them as attributes. The class writes the message. It says what is wrong, what the
+Most classes also inherit the builtin exception that fits, e.g. `ValueError`. A constructor takes
+facts, keeps them as attributes and writes the message. The message says what is wrong, what the
 value is and what to do.
 """
 
@@ -148,7 +148,7 @@ class NotInitializedError(ZbotError, RuntimeError):
 
     def __init__(self, what: str = "this") -> None:
         self.what = what
-        super().__init__(f"{what} needs zbot.init() first (and no shutdown() since)")
+        super().__init__(f"{what} needs zbot.init() first (and no shutdown() after it)")
 
 
 class InvalidHandleError(ZbotError, RuntimeError):
@@ -179,7 +179,7 @@ class QoSArgumentError(ZbotError, TypeError):
 
 
 class UnknownQoSKeyError(ZbotError, KeyError):
-    """A short key does not exist for a policy value or a profile, e.g. `relaible`."""
+    """No policy value or profile has the given short key, e.g. `relaible`."""
 
     def __init__(self, kind: str, key: str, known: list[str]) -> None:
         self.kind, self.key, self.known = kind, key, known

@@ -156,7 +156,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
 def spin_once(
     node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None
 ) -> None:
-    """Run one callback. Wait for it at most `timeout_sec` seconds (`None` means no limit)."""
+    """Wait for one callback, at most `timeout_sec` seconds (`None`: no limit), and run it."""
     with _added_to_executor(node, executor) as chosen:
         chosen.spin_once(timeout_sec)
 

@@ -38,7 +38,7 @@ NOUNS = {
     "security": "Make certificates for machines",
     "service": "Look at services and call them",
     "share": "Let one student read another's topics",
-    "status": "Show which class or machine this machine has joined",
+    "status": "Show the class or the other machine",
     "test": "Run tests and launch tests",
     "topic": "Look at topics, print and publish messages",
     "web": "Show the running system in a browser",

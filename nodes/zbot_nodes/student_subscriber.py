@@ -1,4 +1,4 @@
-"""Log the messages of the publisher: the subscriber of the assignment.
+"""Log the messages of student_publisher, as the subscriber of the assignment.
 
 Run:        zbot run student_subscriber
 Subscribes: student_id (std_msgs/String) and random_number (std_msgs/Int32)

@@ -38,7 +38,7 @@ _HEADINGS = {
 
 
 class TeleopTurtle(zbot.Node):
-    """Publishes a command for each key."""
+    """Sends the turtle a command for each key."""
 
     def __init__(self) -> None:
         super().__init__("teleop_turtle")
@@ -51,7 +51,7 @@ class TeleopTurtle(zbot.Node):
         self.goal: Any = None
 
     def press(self, key: str) -> None:
-        """Publish the command of a key. A key without a command is ignored."""
+        """Carry out the command of a key. A key without a command is ignored."""
         if key in _ARROWS:
             forward, turn = _ARROWS[key]
             twist = Twist()

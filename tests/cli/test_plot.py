@@ -54,7 +54,7 @@ def test_plot_into_a_pipe_is_plain_text(start: Callable[..., Program]) -> None:
 def test_plot_needs_a_curve(start: Callable[..., Program]) -> None:
     program = start("zbot", "plot", "--terminal")
     assert program.wait(30) == 2
-    assert "name what to plot" in program.output
+    assert "say what to plot" in program.output
 
 
 def test_plot_refuses_an_unknown_field(start: Callable[..., Program]) -> None:

@@ -60,7 +60,7 @@ def test_mistakes_in_tests_of_launch_pytest_are_reported(start: Start) -> None:
         'the "fixture" keyword argument is required in pytest.mark.launch()',
         "must be either a launch description or a sequence that begins with one",
         "must have only one ReadyToTest action",
-        "the part before its yield failed",
+        "the test failed before its yield",
         "4 failed, 2 skipped",
     ):
         assert message in program.output, program.output

@@ -52,7 +52,7 @@ _STEP_S = 0.5  # the client waits for the graph in steps, because a shutdown doe
 
 
 class _Goal:
-    """A goal without a result yet, as its client stores it."""
+    """A goal as its client stores it, until its result has come and its feedback is handled."""
 
     def __init__(self, feedback_callback: Callable[[Any], Any] | None) -> None:
         self.feedback_callback = feedback_callback

@@ -1,12 +1,10 @@
 """State machine of a goal: its states, and the events that change the state.
 
-ACCEPTED --EXECUTE--> EXECUTING --SUCCEED--> SUCCEEDED
-|                     |-----ABORT------> ABORTED
-|--CANCEL_GOAL-.  CANCEL_GOAL
-v     v
-CANCELING --CANCELED--> CANCELED
-|---SUCCEED-------> SUCCEEDED
-'---ABORT---------> ABORTED
+Each line shows a state, and its events with the next states:
+
+    ACCEPTED:  EXECUTE -> EXECUTING, CANCEL_GOAL -> CANCELING
+    EXECUTING: SUCCEED -> SUCCEEDED, ABORT -> ABORTED, CANCEL_GOAL -> CANCELING
+    CANCELING: CANCELED -> CANCELED, SUCCEED -> SUCCEEDED, ABORT -> ABORTED
 """
 
 from __future__ import annotations

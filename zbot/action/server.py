@@ -170,7 +170,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
                 qos_profile=result_service_qos_profile,
                 callback_group=unprotected,
             ),
-            # This service comes last: a client that finds it expects the other parts too.
+            # This service is created last. When a client finds it, the other parts must exist too.
             serve(
                 impl.SendGoalService,
                 f"{name}/send_goal",

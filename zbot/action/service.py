@@ -100,7 +100,7 @@ def create_action_service(
     qos_profile: QoSProfile,
     callback_group: CallbackGroup,
 ) -> ActionService:
-    """Return a new service of a node. Its coroutine function responds at once if it can."""
+    """Return a new service of a node. A `callback` that does not wait responds at once."""
     handle = node.handle
     service = ActionService(
         handle.context,

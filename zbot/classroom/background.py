@@ -143,7 +143,7 @@ def start(role: str) -> None:
     if READY not in said:
         process.wait(_STOP_TIMEOUT_S)
         raise HubStartError(str(log_path()), said[-1] if said else "")
-    # The hub outlives this process. Without this line, Python warns that it still runs.
+    # The hub outlives this process. Without this line, Python warns that the hub still runs.
     process.returncode = 0
 
 

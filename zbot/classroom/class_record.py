@@ -95,7 +95,7 @@ class ClassRecord:
             yield user_of(number), self._student_secret("", number)
 
     def save(self) -> None:
-        """Write the file. Only its user can read the file."""
+        """Write the file of the class. Only the file's owner can read it."""
         make_private_folder(folder())
         write_private(record_path(), json.dumps(asdict(self), indent=1).encode())
 

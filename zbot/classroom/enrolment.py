@@ -30,13 +30,13 @@ if TYPE_CHECKING:
 
 _ANSWER_TIMEOUT_S = 5.0
 _RELEASE_TIMEOUT_S = 1.0
-_LONGEST_WAIT_S = 30.0  # after wrong PINs of others, the class makes laptops wait
+_LONGEST_WAIT_S = 30.0  # after too many wrong PINs in the class, every laptop must wait
 
 
 def request_admission(
     address: Address, request: AdmissionRequest, ask_pin: AskPin, link: Link = PLAINTEXT
 ) -> Membership:
-    """Join the class at an address, or the hub without a class.
+    """Join the class of the hub at an address, or only the hub if it has no class.
 
     Args:
         address: Address of the hub.
@@ -46,7 +46,7 @@ def request_admission(
         link: Plain TCP or TLS.
 
     Returns:
-        The membership in a class or in a hub without a class. The latter has no number.
+        The membership in the class or the hub. Without a class, the membership has no number.
 
     Raises:
         NoHubError: The program at the address is not a hub.

@@ -29,7 +29,7 @@ _KEEP_ALIVES = 2
 # back. But they are not so short that a hundred laptops flood that hub.
 _RETRY = {"period_init_ms": 250, "period_max_ms": 500, "period_increase_factor": 2}
 _HANDSHAKE_MS = 3000  # long enough for TCP to repeat lost packets
-# All laptops redial at the same time after a restart of the teacher's hub.
+# Limit of unfinished handshakes. All laptops redial together after the teacher's hub restarts.
 _ACCEPT_PENDING = 500
 _ADMIN_MESSAGES = ["declare_queryable", "query", "reply"]
 

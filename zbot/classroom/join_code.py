@@ -68,10 +68,10 @@ def long_code(address: Address) -> str | None:
 def decode(text: str, own_addresses: Iterable[str]) -> list[Address]:
     """Return the addresses that a code can mean.
 
-    A long code means one address. A short code means one address in each network of this machine.
+    A long code means one address. A short code means at most one per network of this machine.
 
     Args:
-        text: The code as it was typed, in any case, with or without its hyphen.
+        text: The code as it was typed, in upper or lower case, with or without its hyphen.
         own_addresses: This machine's IPv4 addresses. Only a short code needs them.
 
     Raises:

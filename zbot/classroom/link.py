@@ -38,7 +38,7 @@ class Link:
 
     @property
     def settings(self) -> dict[str, Any]:
-        """Zenoh's configuration paths and values for the link."""
+        """Zenoh's configuration keys for the link, with their values."""
         if not self.keystore:
             return {}
         from zbot.security.tls import tls_settings  # noqa: PLC0415 - few use certificates

@@ -94,7 +94,7 @@ class Register:
 
         Args:
             number: The requested number. If it is `None`, the laptop keeps its number. A laptop
-                with no number gets the student's number in the list, or else the next free number.
+                with no number gets the student's number in the list, else the lowest free number.
             name: The student's name. If it is `None`, the name in the list is used, or else the
                 host name.
             machine: The laptop's identifier.

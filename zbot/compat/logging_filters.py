@@ -1,4 +1,4 @@
-"""Filters of log calls with rclpy's classes, for programs that use these classes directly.
+"""Classes of rclpy that filter log calls, for programs that use these classes directly.
 
 zbot's own loggers store the state of `once=True` and the other filters with the call site
 (`zbot.log.call_site`). Here the rules are the same, but the caller stores the state in a context.
@@ -119,7 +119,7 @@ class LoggingFilter:
             context[name] = value
 
     @staticmethod
-    def should_log(context: Any) -> bool:  # noqa: ARG004 - what the other filters take
+    def should_log(context: Any) -> bool:  # noqa: ARG004 - the other filters use it
         """Return whether the call may log now, and record the call in the context."""
         return True
 

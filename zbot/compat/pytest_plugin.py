@@ -77,7 +77,7 @@ class _LaunchItem(pytest.Item):
         if failed:
             raise _FailedCasesError([(str(case), text) for case, text in failed])
         if results and all(len(one.skipped) == one.testsRun for one in results):
-            raise unittest.SkipTest("all of its tests were skipped")
+            raise unittest.SkipTest("all tests of this launch were skipped")
 
     def repr_failure(self, excinfo: pytest.ExceptionInfo[BaseException], style: Any = None) -> Any:
         if isinstance(excinfo.value, _FailedCasesError):
@@ -171,7 +171,7 @@ def _skipped(collector: pytest.Module | pytest.Class, name: str) -> pytest.Item:
 
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Order the tests of each launch, so that the tests after the launch's end come last."""
+    """Order each launch's tests: first the tests during the launch, then the tests after it."""
     places: defaultdict[Any, list[int]] = defaultdict(list)
     for place, item in enumerate(items):
         stage = item.stash.get(_STAGE, None)

@@ -1,8 +1,8 @@
 """Functions in place of rclpy's C classes, from which programs build their own `Waitable`.
 
 Each function returns the handle of an object of zbot that no executor serves. The program adds the
-handle to its wait set, and takes messages or requests from it. The object is destroyed with its
-node.
+handle to its wait set, and takes messages or requests from the handle. The object is destroyed
+with its node.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 class _Own:
-    """Substitute for a node's executor in these objects."""
+    """Options of an object that has its own ready queue, in place of the node's queue."""
 
     def __init__(self, node: NodeState) -> None:
         self.options: dict[str, Any] = {

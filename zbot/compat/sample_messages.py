@@ -14,7 +14,7 @@ _SEQUENCE_LENGTH = 3  # for sequences without a bound
 
 
 def sample_messages(name: str) -> list[Any]:
-    """Return messages of a type with default values, highest values and lowest values.
+    """Return messages of a type: one with default, one with highest, one with lowest values.
 
     Args:
         name: The type's full name, e.g. `test_msgs/msg/Arrays`.

@@ -113,7 +113,7 @@ class JumpThreshold:
 
 
 class JumpHandle:
-    """Keeps callbacks for jumps registered until `unregister()` or the end of a `with` block.
+    """Registration of jump callbacks, until `unregister()` or the end of a `with` block.
 
     Args:
         clock: The clock.
@@ -155,7 +155,7 @@ class JumpHandle:
 
 
 class TimeChangeHandle:
-    """Keeps a callback of `on_time_change` registered until `unregister()`."""
+    """Registration of a callback of `on_time_change`, until `unregister()`."""
 
     def __init__(self, clock: Clock, callback: Callable[[], Any]) -> None:
         self.callback = callback
@@ -197,7 +197,7 @@ class Clock:
         self._clock_type = clock_type
         self._is_steady = clock_type is ClockType.STEADY_TIME
         self._source_changes = 0  # how often the source of time changed
-        # Each change or copy of a list is atomic. A lock could block a signal handler.
+        # The lists have no lock, which could block a signal handler. Each change or copy is atomic.
         self._jumps: list[JumpHandle] = []
         self._changes: list[TimeChangeHandle] = []
 

@@ -77,7 +77,7 @@ class Executor(EntityQueue):
         return self._context
 
     def add_node(self, node: SpinnableNode) -> bool:
-        """Run a node's callbacks from now on. Return `False` if the node was added before."""
+        """Run a node's callbacks from now on. Return `False` if the node is already added."""
         if self._is_shutdown:
             raise ShutdownError("this executor")
         if node in self._nodes:
@@ -135,7 +135,7 @@ class Executor(EntityQueue):
     ) -> tuple[Entity, Any] | None:
         """Return the next piece of work.
 
-        Return `None` at the deadline, when `stop` returns true, or after a shutdown.
+        Return `None` at the deadline, when `stop` returns true, or if this executor is shut down.
 
         Raises:
             ExternalShutdownException: The context was shut down during the wait.
@@ -187,7 +187,7 @@ class Executor(EntityQueue):
         if work is not None:
             entity = work[0]
             if isinstance(entity.callback_group, ReentrantCallbackGroup):
-                self._queue(entity)  # its next work may run at the same time
+                self._queue(entity)  # its next work may run in parallel with this work
             return Task(self._execute_one, work), entity, self._node_of(entity)
         if self._is_shutdown:
             raise ShutdownError("this executor")
@@ -364,7 +364,7 @@ class Executor(EntityQueue):
     def spin_once_until_future_complete(
         self, future: Future[Any], timeout_sec: float | None = None
     ) -> None:
-        """Run one callback. The call ends earlier if the future is done."""
+        """Run the next callback. Return without it if the future is done or the time is over."""
         if self._is_spun_by_other_thread():
             self._wait_for_future(future, _deadline_ns(timeout_sec))
             return

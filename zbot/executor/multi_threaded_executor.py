@@ -55,7 +55,7 @@ class MultiThreadedExecutor(Executor):
         """Run callbacks until the context or this executor is shut down.
 
         Raises:
-            ExternalShutdownException: The context was shut down while no callback was running.
+            ExternalShutdownException: A signal came, or a callback used the context after shutdown.
         """
         with self._hold_spin_lock():
             while self._context.ok() and not self._is_shutdown:
@@ -70,7 +70,7 @@ class MultiThreadedExecutor(Executor):
             self._run_next(deadline_ns, stop)
 
     def _run_next(self, deadline_ns: int | None, stop: Callable[[], bool] | None) -> None:
-        # As in rclpy, a shutdown from outside lets this executor's spin() return.
+        # As in rclpy, spin() returns without this error if another thread shuts down the context.
         with contextlib.suppress(ExternalShutdownException):
             work = self._next_work(deadline_ns, lambda: self._must_stop(stop))
             if work is not None:

@@ -95,7 +95,7 @@ class ReadyQueue:
             self._choose_delivery()
 
     def _choose_delivery(self) -> None:
-        # The function is chosen here and not at each post, because few entities are watched.
+        # The function is chosen here, so that a post needs no check for watchers. They are rare.
         self._deliver = self._deliver_and_notify if self._watchers else self._attached
 
     def _deliver_and_notify(self, entity: Entity) -> None:

@@ -122,7 +122,7 @@ class Future(Generic[T]):
         self._run(callback)
 
     def add_waker(self, waker: Callable[[], object]) -> None:
-        """Call a quick function in the completing thread, or at once if the future is over."""
+        """Call a quick function in the completing thread. If the future is over, call it now."""
         with self._lock:
             if not self.is_over:
                 self._wakers.append(waker)

@@ -26,7 +26,7 @@ class TaskStep:
         self._is_taken = False
 
     def take(self) -> object | None:
-        """Return this object at the first call, and `None` at all later calls."""
+        """Return this object once. Return `None` at later calls, and if the task is over."""
         if self._is_taken or self.task.is_over:
             return None
         self._is_taken = True

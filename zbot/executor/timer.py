@@ -170,7 +170,7 @@ class Timer:
 
     @property
     def handle(self) -> TimerHandle:
-        """A handle for a `WaitSet`. A program without an executor calls its `call_timer`."""
+        """Handle for a `WaitSet`. A program without an executor calls the handle's `call_timer`."""
         return TimerHandle(self)
 
     @property

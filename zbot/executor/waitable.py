@@ -57,7 +57,7 @@ class Waitable(Generic[T]):
         """See `__enter__`."""
 
     def add_future(self, future: Future[Any]) -> None:
-        """Keep a future whose done callbacks run in the executor."""
+        """Keep a future. This does not change which thread runs its done callbacks."""
         self._futures.append(future)
 
     def remove_future(self, future: Future[Any]) -> None:
@@ -106,7 +106,7 @@ class WaitableEntity:
         return self._waited_for.due_ns
 
     def take(self) -> tuple[Any] | None:
-        """Return a tuple with the data, which may be `None`. Return `None` if not ready."""
+        """Return `(data,)`, even if data is `None`. Return `None` if the waitable is not ready."""
         if self._is_destroyed:
             return None
         wait_set = WaitSet()

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 __all__ = ["UNGROUPED", "Filters", "Grouping", "InvalidFilterError", "compile_filter"]
 
-# rqt_graph treats such a text as a name, and any other text as a regular expression.
+# rqt_graph treats a text of these characters as a name. Any other text is a regular expression.
 _PLAIN = re.compile(r"[a-zA-Z0-9_/]+")
 # Names that rqt_graph hides as "quiet". zbot compares whole names. rqt_graph searches for parts of
 # names, so it also hides nodes like `/clock_face` and `/monitor_robot`. This list does not contain
@@ -114,7 +114,7 @@ def _matcher(part: str) -> Callable[[str], bool]:
     if _PLAIN.fullmatch(part):
         return lambda name: name == part
     if not part:
-        return lambda _: False  # only "-", while the user types
+        return lambda _: False  # the user has typed only "-" so far
     try:
         pattern = re.compile(part)
     except re.error as exc:

@@ -114,7 +114,7 @@ class Snapshot:
 
 
 class Announcement:
-    """Token of a node or endpoint. Sessions see it until `undeclare` or the session's end."""
+    """Token of a node or endpoint. It exists until `undeclare`, or until its session ends."""
 
     def __init__(self, graph: Graph, session: zenoh.Session, token: Token) -> None:
         self._graph = graph
@@ -131,8 +131,8 @@ class Announcement:
 class Graph:
     """Graph of one context, which always has the present state of the domain.
 
-    Listeners are called in a thread of Zenoh, or in the thread that calls `announce` or
-    `undeclare`. They must return quickly and must not block.
+    Listeners are methods of objects. Zenoh's thread calls them, or the thread that calls
+    `announce`, `undeclare` or `add_listener`. They must return quickly and must not block.
 
     Args:
         session: The session that receives the tokens.
@@ -259,7 +259,7 @@ class Graph:
         return self._by_gid.get(gid)
 
     def add_listener(self, listener: Callable[[Token, bool], None]) -> None:
-        """Call the method `listener(token, appeared)` at each change while its object exists."""
+        """Call `listener(token, appeared)` for all tokens and changes while its object exists."""
         self.watch()
         with self._lock:
             self._listeners.append(weakref.WeakMethod(listener))
@@ -355,7 +355,7 @@ class Process(NamedTuple):
 
 
 def processes(session: zenoh.Session) -> dict[str, Process]:
-    """Return the zbot processes of all reachable sessions, by session id (1 to 25 ms)."""
+    """Return the zbot processes of reachable sessions, by session id. This takes 1 to 25 ms."""
     found = {}
     for key, facts in admin_query.answers(session, "@/*/*", _ANSWER_TIMEOUT_S):
         zid = key.split("/")[1]
@@ -387,7 +387,7 @@ def foreign_topics(
 
     Args:
         session: A client's session.
-        snapshot: The graph. The result leaves out its topics and sessions.
+        snapshot: The graph. Its topics are not in the result, and its sessions are not asked.
         domain: 0 to 232.
     """
     own = {token.zid for token in snapshot.tokens} | {str(session.info.zid())}

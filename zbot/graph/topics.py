@@ -70,12 +70,12 @@ class TopicView:
 
     @cached_property
     def publishers(self) -> tuple[str, ...]:
-        """Full names of nodes, sorted."""
+        """Full names of the nodes that publish, sorted."""
         return tuple(sorted({end.node for end in self.ends if end.is_publisher}))
 
     @cached_property
     def subscriptions(self) -> tuple[str, ...]:
-        """Full names of nodes, sorted."""
+        """Full names of the nodes that subscribe, sorted."""
         return tuple(sorted({end.node for end in self.ends if not end.is_publisher}))
 
     @property
@@ -88,7 +88,7 @@ class TopicView:
         return replace(self, ends=tuple(end for end in self.ends if end.node in nodes))
 
     def receives(self, subscription: str, publisher: str) -> bool:
-        """Whether a subscribing node and a publishing node use the same type."""
+        """Whether two nodes use the same type. A box that replaces topics is not checked."""
         if not self.has_clash or self.stands_for:
             return True
         types = self._types_of(publisher, is_publisher=True)

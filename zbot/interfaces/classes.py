@@ -90,7 +90,7 @@ def make_message(spec: MessageSpec, nested: dict[str, type[Any]]) -> type[Messag
     names = _namespace(spec, nested)
     source = class_source(spec)
     filename = f"<zbot {spec.name}>"
-    # A traceback through the class then shows its source lines.
+    # With this entry, a traceback through the class shows its source lines.
     linecache.cache[filename] = (len(source), None, source.splitlines(keepends=True), filename)
     exec(compile(source, filename, "exec", dont_inherit=True), names)  # noqa: S102 - our own source
     cls: type[Message] = names[spec.name.rpartition("/")[2]]

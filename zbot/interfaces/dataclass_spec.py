@@ -40,7 +40,7 @@ def dataclass_spec(cls: type[Any], spec_of: Callable[[type[Any]], InterfaceSpec]
     Args:
         cls: The dataclass. Its type name is `<top-level module>/msg/<class>`, with the script's
             name in place of `__main__`.
-        spec_of: Function that returns the spec of a class inside the dataclass.
+        spec_of: Function that returns the spec of a field's class.
 
     Raises:
         NotAMessageTypeError: A field or the name of the class is not valid in a message.
@@ -64,7 +64,7 @@ def _fields(cls: type[Any], spec_of: Callable[[type[Any]], InterfaceSpec]) -> tu
     try:
         hints = typing.get_type_hints(cls, include_extras=True)
     except NameError as error:
-        reason = f"{error}; define the classes of its fields at the top of a module"
+        reason = f"{error}; define the classes of its fields at the top level of a module"
         raise NotAMessageTypeError(cls, reason) from error
     fields = []
     for field in dataclasses.fields(cls):

@@ -36,7 +36,7 @@ class _KindFinder:
     """Finder of `std_msgs.msg`, if there is no real module.
 
     This finder is the first on `sys.meta_path`. For Python, a folder `my_package/msg` of .msg files
-    is a namespace package, so Python's own finder would find the folder before a later finder.
+    is a namespace package. Python's own finder finds it, so Python does not ask a later finder.
     """
 
     def find_spec(

@@ -114,8 +114,8 @@ class _KindModule(ModuleType):
         """Return the spec of ROS 2's module for an interface, e.g. `_set_bool` for SetBool.
 
         Raises:
-            ImportError: The name is wrong, e.g. `from std_msgs.msg import Strng`. If there is no
-                such attribute, Python looks for a module here. Python's error has no suggestion.
+            ImportError: The name is wrong, e.g. `from std_msgs.msg import Strng`. Python looks for
+                a module if the attribute is missing. Python's own error would suggest no name.
         """
         if not last.startswith("_"):
             raise ImportError(self._missing(last), name=fullname)

@@ -47,7 +47,7 @@ def parse(name: str, text: str, file: str = "") -> InterfaceSpec:
     Args:
         name: The full name of the interface, e.g. `std_srvs/srv/SetBool`.
         text: The definition.
-        file: File of the definition for error messages. By default, it is the name.
+        file: File name for error messages. If it is empty, error messages contain `name`.
 
     Raises:
         InterfaceSyntaxError: The definition breaks the grammar. The error has a line and advice.

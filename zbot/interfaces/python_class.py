@@ -94,7 +94,7 @@ def _spec_for(interface: str | type[Any]) -> InterfaceSpec:
 
 
 def _derived_spec(cls: type[Any]) -> InterfaceSpec:
-    # Imported here because programs that use only ROS 2's types need neither module.
+    # Imported here, because programs that use only classes made by zbot need neither module.
     if dataclasses.is_dataclass(cls):
         from zbot.interfaces.dataclass_spec import dataclass_spec  # noqa: PLC0415
 

@@ -83,7 +83,7 @@ def specs_from_sources(name: str, sources: Mapping[str, str]) -> list[InterfaceS
     Raises:
         InterfaceSyntaxError: A text is not a valid definition.
     """
-    # Imported here because `import zbot` reads no definitions.
+    # `import zbot` reads no definitions, so it does not need the parser.
     from zbot.interfaces.parser import parse  # noqa: PLC0415
 
     try:

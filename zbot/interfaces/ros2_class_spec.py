@@ -16,8 +16,8 @@ _BASES = {"boolean": "bool", "octet": "byte", "float": "float32", "double": "flo
 def ros2_class_spec(cls: type[Any]) -> InterfaceSpec:
     """Return the spec of a class that ROS 2's own generator made, and register the class.
 
-    The spec has no constants, because they do not change the wire format. The classes of the
-    messages inside it are registered too.
+    The spec has no constants, because they do not change the wire format. The classes of nested
+    messages are registered too.
 
     Raises:
         NotAMessageTypeError: The class does not have the form of ROS 2's classes.

@@ -133,7 +133,7 @@ class _ByteCheck(ScalarCheck):
 class _MessageCheck(ScalarCheck):
     """Check of a message of one class or a subclass, or of an object used in its place.
 
-    The only such object is `Parameter`. Programs for rclpy put it into events that are not sent.
+    This object is a `zbot.Parameter`. rclpy programs put it into an unsent `ParameterEvent`.
     """
 
     def __init__(self, type_name: str, cls: type[Any], cls_name: str) -> None:

@@ -19,7 +19,7 @@ _ZEROS: dict[str, Scalar] = {"bool": False, "byte": b"\x00", "string": "", "wstr
 
 
 def class_source(spec: MessageSpec) -> str:
-    """Return the class statement of a message. `classes._namespace` defines the names it uses."""
+    """Return a message's class statement. `classes._namespace` defines the statement's globals."""
     lines = [
         _class_line(spec),
         "    __doc__ = _DOC",

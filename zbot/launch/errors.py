@@ -28,7 +28,7 @@ class InvalidLaunchFileError(LaunchError):
     def __init__(self, extension: str = "", *, likely_errors: Iterable[BaseException] = ()) -> None:
         self.extension, self.likely_errors = extension, list(likely_errors)
         found = "; ".join(describe(error) for error in self.likely_errors)
-        kind = f"launch file in '{extension}'" if extension else "launch file"
+        kind = f"'{extension}' launch file" if extension else "launch file"
         super().__init__(f"{kind} is invalid: {found or 'no parser can read it'}")
 
 

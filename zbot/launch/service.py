@@ -86,7 +86,7 @@ class LaunchService:
 
     def shutdown(self, force_sync: bool = False) -> None:
         """End the launch and its processes. Any thread may call this method."""
-        del force_sync  # the event is handled at once in both cases
+        del force_sync  # with and without it, the event is put into the queue
         if not self.context.is_shutdown:
             self.emit_event(Shutdown(reason="LaunchService.shutdown() called"))
 

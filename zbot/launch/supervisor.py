@@ -47,8 +47,8 @@ class Policy:
     has_terminal: bool  #: whether stdout and stderr are pseudo terminals
     sinks: Mapping[str, frozenset[str]]  #: for `stdout`, `stderr` and `both`
     line_format: str  #: a format that contains `{line}` and `{label}`
-    sigterm_timeout_s: float  #: seconds after SIGINT
-    sigkill_timeout_s: float  #: seconds after SIGTERM
+    sigterm_timeout_s: float  #: seconds from SIGINT to SIGTERM
+    sigkill_timeout_s: float  #: seconds from SIGTERM to SIGKILL
     respawn: bool
     respawn_delay_s: float
     respawn_max_retries: int  #: unlimited if negative

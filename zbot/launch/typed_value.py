@@ -32,7 +32,7 @@ def is_valid_scalar_type(data_type: Any) -> bool:
 
 
 def extract_type(data_type: AllowedTypesType) -> tuple[Any, bool]:
-    """Return the type of a value or of a list's items, and whether the type is a list.
+    """Return a scalar type itself or the type of a list's items, and whether the type is a list.
 
     Raises:
         CoercionError: The type is not supported.

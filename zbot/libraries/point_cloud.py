@@ -36,7 +36,7 @@ _UNNAMED = "unnamed_field"
 
 
 class PointCloudError(ZbotError, AssertionError):
-    """A cloud, its fields or its points do not fit together."""
+    """The fields, the points or the data of a cloud are not valid."""
 
 
 def dtype_from_fields(
@@ -201,7 +201,7 @@ def create_cloud(
     Args:
         header: Frame of the points, and the time of their measurement.
         fields: The fields of a point.
-        points: An array of shape (points, fields) or (rows, columns, fields), a structured array,
+        points: An array of shape (points, fields) or (width, height, fields), a structured array,
             or a list with the values of each point.
         step: Bytes from one point to the next. The default is the size of the fields, or the size
             of a structured array's element.

@@ -277,7 +277,7 @@ class LifecycleNode(LifecycleNodeMixin, Node):
 
     Args:
         node_name: Base name of letters, digits and `_`.
-        enable_communication_interface: Whether other programs see its state and can change it.
+        enable_communication_interface: Whether other programs can see and change the node's state.
         **kwargs: Options of `zbot.Node`.
 
     Raises:

@@ -136,7 +136,7 @@ def _filters(options: FilterOptions) -> Filters:
 
 def _unknown(option: str) -> LogOptionError:
     if option == "severity":  # with Python's text for an argument that is given twice
-        reason = "is the method's own: got multiple values for argument 'severity'; use log()"
+        reason = "is set by the method: got multiple values for argument 'severity'; use log()"
         return LogOptionError(option, reason)
     known = ", ".join(FilterOptions.__annotations__)
     return LogOptionError(option, f"is not one of the recognized ones: use {known} or name")

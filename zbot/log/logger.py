@@ -62,7 +62,7 @@ class Logger:
         return Logger(f"{self.name}.{name}" if self.name else name)
 
     def set_level(self, level: int) -> None:
-        """Set the lowest severity that this logger and its children write.
+        """Set the lowest severity of this logger, and of its children that have no own level.
 
         Raises:
             InvalidSeverityError: There is no such level.

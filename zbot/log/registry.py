@@ -224,7 +224,7 @@ class LogRegistry:
         try:
             file.write(line)
         except OSError as error:
-            self._warn(f"cannot write the log file, so no more lines are written: {error}")
+            self._warn(f"cannot write the log file, so it gets no more lines: {error}")
 
     def _call_sinks(self, sinks: tuple[SinkEntry, ...], record: Record) -> None:
         self._thread.are_sinks_disabled = True

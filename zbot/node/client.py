@@ -1,7 +1,7 @@
 """Clients that call a service and give the response to a future or to the caller.
 
-Zenoh's thread decodes a response and completes its future. So `call` needs no executor. The
-executor runs the future's callbacks, as it runs all other callbacks.
+Zenoh's thread gives a response to the thread that waits in `call` or to `call_async`'s future.
+So `call` needs no executor. The executor runs a future's callbacks, as it runs all other callbacks.
 """
 
 from __future__ import annotations
@@ -95,7 +95,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     @property
     def handle(self) -> ClientHandle:
-        """A handle for a `WaitSet`. A program can also take responses from it."""
+        """A handle for a `WaitSet`. The handle can also send requests and take responses."""
         return ClientHandle(self)
 
     @property
@@ -187,8 +187,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
         Args:
             request: The request.
-            timeout_sec: Seconds to wait. With `None` or a negative number, the call waits for a
-                response until the server ends.
+            timeout_sec: Seconds to wait. `None` or a negative number means no limit. The call
+                fails if the server ends.
 
         Raises:
             ServiceError: See `call_async`.
@@ -383,9 +383,9 @@ class ClientHandle(Handle[Client[Any, Any]]):
         return ResponseHeader(response.number), response.result()
 
     def set_on_new_response_callback(self, callback: Callable[[int], object]) -> None:
-        """Call a function with the number of new responses, in the thread that receives them.
+        """Set a function that is called with the number of new responses.
 
-        The function must return quickly.
+        The thread that receives the responses calls the function, which must return quickly.
         """
         self.entity.on_response = callback
 

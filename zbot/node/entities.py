@@ -35,7 +35,7 @@ EntityT = TypeVar("EntityT")
 
 
 class _Listing:
-    """Read-only view of a node's entities. A subclass's attribute of the same name replaces it."""
+    """Read-only view of a node's entities, e.g. `timers`. A `Node` subclass may replace it."""
 
     def __init__(self, attribute: str) -> None:
         self._read: Callable[[Any], list[Any]] = attrgetter(f"_zbot_state.{attribute}")
@@ -258,7 +258,7 @@ class NodeEntities(PrivateAliases):
             autostart: Whether the timer starts now. Otherwise `reset()` starts it.
 
         Raises:
-            InvalidPeriodError: The period is negative or not a number.
+            InvalidPeriodError: The period is negative, too large or not a number.
             InvalidHandleError: The node was destroyed.
         """
         handle = self._zbot_alive()
@@ -305,7 +305,7 @@ class NodeEntities(PrivateAliases):
 
         Raises:
             ArgumentTypeError: The frequency is not a number.
-            InvalidPeriodError: The frequency is not greater than 0.
+            InvalidPeriodError: The frequency is not greater than 0, or is greater than 1e9.
         """
         handle = self._zbot_alive()
         if not isinstance(frequency, (int, float)):
@@ -367,7 +367,7 @@ class NodeEntities(PrivateAliases):
         qos: QoSProfile | int,
         options: QoSOverridingOptions | None,
     ) -> QoSProfile:
-        """Return a profile with the policies that the node's parameters override."""
+        """Return the profile after the node's parameters have overridden its policies."""
         profile = as_profile(qos)
         if options is None:
             return profile

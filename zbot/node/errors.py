@@ -34,7 +34,7 @@ class NodeNameError(InvalidNodeNameError):
 
 
 class UnknownNodeError(ZbotError, LookupError, RuntimeError):
-    """A graph query names a node that does not exist (rclpy's NodeNameNonExistentError)."""
+    """A graph query asks about a node that does not exist (rclpy's NodeNameNonExistentError)."""
 
     def __init__(self, name: str, known: list[str]) -> None:
         self.name, self.known = name, known
@@ -73,7 +73,7 @@ class ResponseTypeError(ZbotError, TypeError):
 
 
 class ServiceError(ZbotError, RuntimeError):
-    """A service call failed: there was no server, or no response from it.
+    """A service call failed: there was no server, or no valid response from it.
 
     Attributes:
         service: Full name of the service.

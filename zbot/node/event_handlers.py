@@ -176,7 +176,7 @@ class _MessageLostHandler(EventHandler):
 
 
 class _DeadlineHandler(EventHandler):
-    """Reports when the number of messages did not change for a whole period."""
+    """Reports each whole period in which the number of messages did not change."""
 
     def __init__(
         self,
@@ -228,7 +228,7 @@ class _DeadlineHandler(EventHandler):
 
 
 class _LeaseHandler(_DeadlineHandler):
-    """Reports once when a publisher sent no message and did not assert its liveliness."""
+    """Reports once if a publisher sent no message in a lease and did not assert its liveliness."""
 
     _was_asserted = False
     _is_lost = False

@@ -80,11 +80,11 @@ class AsyncParameterClient:
         ]
 
     def services_are_ready(self) -> bool:
-        """Return whether the other node offers all of its services."""
+        """Return whether the other node offers all six parameter services."""
         return all(client.service_is_ready() for client in self._clients)
 
     def wait_for_services(self, timeout_sec: float | None = None) -> bool:
-        """Wait until the other node offers all of its services.
+        """Wait until the other node offers all six parameter services.
 
         Args:
             timeout_sec: Seconds to wait. `None` means no limit.

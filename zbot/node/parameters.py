@@ -43,7 +43,7 @@ deprecated. You have to either:
 
 
 class _View:
-    """Copy of a store's dict or list. A subclass may set an attribute of the same name."""
+    """Copy of a store's dict or list. A program's attribute of the same name replaces it."""
 
     def __init__(self, attribute: str) -> None:
         self._attribute = attribute
@@ -71,7 +71,7 @@ class NodeParameters:
         return self._zbot_state.parameters
 
     def _zbot_declare_overrides(self) -> None:
-        """Declare the parameters of the command line. Each parameter has the type of its value."""
+        """Declare every parameter that has an override, with the type of the override's value."""
         store = self._zbot_parameters
         store.declare(Declaration(name, one.value) for name, one in store.overrides.items())
 
@@ -223,7 +223,7 @@ class NodeParameters:
 
         Raises:
             ParameterNotDeclaredException: The node requires declarations, and a parameter is not
-                declared. The parameters before this parameter are set.
+                declared. The earlier parameters of the list stay set.
             ParameterListError: An element is not a `Parameter`.
         """
         checked = _checked_parameters(parameter_list)
@@ -260,7 +260,7 @@ class NodeParameters:
         ).get_parameter_value()
 
     def add_pre_set_parameters_callback(self, callback: PreSet) -> None:
-        """Add a callback that runs before new values are checked. It returns the list to set."""
+        """Add a callback that gets new values before their check, and returns the list to set."""
         self._zbot_parameters.pre_set.insert(0, _checked_callback(callback))
 
     def add_on_set_parameters_callback(self, callback: OnSet) -> None:

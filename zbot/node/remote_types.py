@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from zbot.interfaces import InterfaceSpec
     from zbot.wire.tokens import EndpointToken
 
-#: Nodes that use only other types of the same package are asked last. This is their limit.
+#: Limit for nodes that use only other types of the wanted type's package. They are asked last.
 _MAX_OTHER_NODES = 8
 
 

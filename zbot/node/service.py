@@ -104,7 +104,7 @@ class Service(ServiceEndpoint, Generic[RequestT, ResponseT]):
 
     @property
     def handle(self) -> ServiceHandle:
-        """A handle for a `WaitSet`. A program can also take requests from it."""
+        """A handle for a `WaitSet`. A program can also take requests from the handle."""
         return ServiceHandle(self)
 
     def take_request(self) -> tuple[RequestT, RequestHeader] | None:

@@ -178,7 +178,7 @@ class NodeState:
             )
 
     def destroy(self) -> None:
-        """Destroy everything the node owns, in the reverse order of creation."""
+        """Destroy what the node owns. Endpoints of one kind end in reverse order of creation."""
         owned: tuple[Timer | Rate | GuardCondition, ...] = (
             *self.timers,
             *self.rates,

@@ -47,8 +47,8 @@ if TYPE_CHECKING:
 
 MsgT = TypeVar("MsgT")
 
-# Length of a keep-all queue. A full queue blocks its publishers (Zenoh's BLOCK). Such waits cost a
-# tenth of a small message's latency. So the queue is long. It is short for types with sequences,
+# Length of a keep-all queue. A full queue blocks its publishers (Zenoh's BLOCK). Such waits add a
+# tenth to a small message's latency. So the queue is long. It is short for types with sequences,
 # because a single message of such a type may take megabytes.
 _KEEP_ALL_QUEUE = 8192
 _KEEP_ALL_QUEUE_OF_SEQUENCES = 256
@@ -243,8 +243,8 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         """Return the oldest sample that the profile's history still keeps, if any."""
         queue = self._queue
         # A keep-last queue takes all new samples each time, so that it drops the oldest samples. A
-        # keep-all queue becomes empty before it takes new samples. So a blocked publisher wakes up
-        # less often. It wakes up each time that the full channel has room again.
+        # keep-all queue takes new samples only when it is empty. Each time that its full channel
+        # gets room, a blocked publisher wakes up. So few takes cause few wake-ups.
         if self._is_waiting and not (queue and self._keep_all):
             try:
                 # This loop runs in C.
@@ -262,7 +262,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
     def has_work(self) -> bool:
         """Whether there is a message to take. Only the thread that takes messages may ask."""
         if not self._queue and self._is_waiting:
-            sample = self.take()  # from Zenoh's queue, which the thread does not watch now
+            sample = self.take()  # from Zenoh's queue, which `_listen` does not watch now
             if sample is not None:
                 self._queue.appendleft(sample)
         return bool(self._queue)
@@ -395,7 +395,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             self._warn_of_loss(missing)
 
     def _warn_of_loss(self, missing: int) -> None:
-        # The warning would go to /rosout, and drop another line from a full queue of /rosout.
+        # A warning about /rosout would go to /rosout, and drop another line from its full queue.
         own_cause = self.topic_name == ROSOUT_TOPIC
         with sinks_disabled() if own_cause else contextlib.nullcontext():
             get_logger(self._logger_name).warning(
@@ -428,7 +428,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         self._loss_listeners.append(listener)
 
     def destroy(self) -> None:
-        """Leave the topic. This method may be called twice, also in the callback."""
+        """Leave the topic. The callback may call this method. A second call does nothing."""
         if self._is_destroyed:
             return
         self._is_destroyed = True
@@ -436,7 +436,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
             handler.destroy()
         if not self._context.is_closed:
             self._liveliness.undeclare()
-        self._subscriber = None  # as in `Publisher.destroy`
+        self._subscriber = None  # then Zenoh undeclares it, as in `Publisher.destroy`
         if self._is_waiting:
             self._rearm()
 

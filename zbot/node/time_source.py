@@ -60,7 +60,7 @@ class TimeSource:
         if not node.has_parameter(USE_SIM_TIME):
             node.declare_parameter(USE_SIM_TIME, False)
         self._node = node
-        # As in rclpy, the latest time source comes first, so its subscription is created first.
+        # As in rclpy, the callback of the latest time source runs first, and so subscribes first.
         node.handle.parameters.post_set.insert(0, self._follow)
         self._follow()
         self._subscribe()

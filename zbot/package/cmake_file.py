@@ -26,7 +26,7 @@ _ENDS = {
 
 @dataclass
 class Installation:
-    """Dictionaries of the files to install. The keys are paths below the prefix."""
+    """Files to install. The keys of `programs` and `files` are paths below the prefix."""
 
     programs: dict[str, Path] = field(default_factory=dict)
     files: dict[str, Path] = field(default_factory=dict)

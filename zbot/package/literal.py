@@ -2,7 +2,7 @@
 
 It evaluates strings, lists, tuples, dictionaries, and names that were assigned earlier in the file.
 It also evaluates the few functions that setup files use to name files. Every other value is unknown
-(None) and left out.
+(None), and the callers ignore it.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ class Literals:
         if not arguments or not isinstance(arguments[0], str):
             return None
         pattern = os.path.relpath(os.path.join(self._folder, arguments[0]), self._folder)  # noqa: PTH118
-        if deep and pattern.startswith(".."):  # folders above may be very large
+        if deep and pattern.startswith(".."):  # folders outside the package may be very large
             return None
         # Path.glob rejects absolute patterns, but setup files make such patterns from __file__.
         return sorted(glob.glob(arguments[0], root_dir=self._folder, recursive=deep))  # noqa: PTH207

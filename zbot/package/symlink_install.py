@@ -57,8 +57,8 @@ def prefix_folder(package: Package) -> Path:
     """
     if package.prefix is not None:
         return package.prefix
-    # The name alone is not enough, because two workspaces may have a package of the same name.
-    # The folder alone is not enough, because zbot's own folder is a package under several names.
+    # The hash contains the folder, because two workspaces may have a package of the same name.
+    # The hash contains the name, because zbot's own folder is a package under several names.
     sources = os.fsencode(package.folder.resolve() / package.name)
     place = hashlib.sha256(sources).hexdigest()[:16]
     prefix = cache_folder() / "packages" / place

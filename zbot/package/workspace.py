@@ -73,7 +73,7 @@ def package_folders(bases: Iterable[Path] | None = None) -> Iterator[Path]:
             if folder not in seen and (MANIFEST in names or _is_python_project(folder, names)):
                 seen.add(folder)
                 yield folder
-            # The root, or a repository without a package.xml, may contain further packages.
+            # A package.xml ends the search below its folder, except in the root.
             if folder != root and MANIFEST in names:
                 below.clear()
 
@@ -128,7 +128,7 @@ def _is_package(folder: Path) -> bool:
 
 
 def _is_python_project(folder: Path, names: set[str]) -> bool:
-    """Return whether the setup files install something, or only configure tools."""
+    """Return whether the setup files install something and do not only configure tools."""
     if "setup.py" in names:
         return True
     marks = {"pyproject.toml": "[project", "setup.cfg": "[metadata]"}
@@ -136,7 +136,7 @@ def _is_python_project(folder: Path, names: set[str]) -> bool:
 
 
 def read_text(path: Path) -> str:
-    """Return at most the first 65536 characters of a file. Empty if it cannot be read."""
+    """Return at most 65536 characters of a file, or an empty string if it cannot be read."""
     try:
         with path.open(encoding="utf-8", errors="replace") as file:
             return file.read(_MAX_MANIFEST)
@@ -145,7 +145,7 @@ def read_text(path: Path) -> str:
 
 
 def _may_search(folder: Path) -> bool:
-    """Return whether a folder may be searched. False for the home folder, its parents and root."""
+    """Return whether to search a folder. False for `/`, drives, the home folder and its parents."""
     home = Path(os.path.expanduser("~"))  # noqa: PTH111 - Path.home() raises if there is no home folder
     return folder != home and folder not in home.parents and folder != Path(folder.anchor)
 

@@ -158,7 +158,7 @@ def _problem(error: Exception) -> str:
 
 
 def _yaml() -> Any:
-    # Most command lines have no parameters, and the import of PyYAML takes 15 ms.
+    # PyYAML is imported here: the import takes 15 ms, and most command lines have no parameters.
     import yaml  # noqa: PLC0415
 
     return yaml
@@ -168,9 +168,8 @@ def _yaml() -> Any:
 def _loader() -> Any:
     """Return YAML's safe loader with ROS 2's rules for scalars.
 
-    It reads no dates. `1e3` is a number. `null` and `~` are strings, and only an empty value is
-    None. If a key occurs twice, the loader merges the two mappings. Plain YAML would keep only the
-    second mapping.
+    Dates, `null` and `~` are strings. `1e3` is a number. Only an empty value is None. If a key
+    occurs twice, the loader merges the two mappings. Plain YAML would keep only the second mapping.
     """
     base = _yaml().SafeLoader
 
@@ -195,7 +194,7 @@ def _joined(pairs: list[tuple[Any, Any]]) -> list[tuple[Any, Any]]:
     yaml = _yaml()
     found: dict[Any, tuple[Any, Any]] = {}
     for key, value in pairs:
-        # YAML's merge key `<<` may occur twice. It and keys that are not scalars are not merged.
+        # Pairs whose key is YAML's merge key `<<`, or is not a scalar, stay as they are.
         is_word = isinstance(key, yaml.ScalarNode) and not key.tag.endswith(":merge")
         identity = (key.tag, key.value) if is_word else id(key)
         _, before = found.get(identity, (None, None))

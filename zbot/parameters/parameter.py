@@ -28,7 +28,7 @@ __all__ = [
 PARAMETER_SEPARATOR_STRING = "."
 
 #: A bool, int, float, str or None, or a list, tuple or array. The items of a list, tuple or array
-#: have one of these types or are bytes of length 1.
+#: are of type bool, int, float or str, or are bytes of length 1.
 AllowableParameterValue = Any
 ValueT_co = TypeVar("ValueT_co", covariant=True)
 
@@ -89,7 +89,7 @@ class Parameter(Generic[ValueT_co]):
         ArgumentTypeError: `type_` is not a `Parameter.Type`.
     """
 
-    _zbot_stands_for = "rcl_interfaces/msg/Parameter"  # message fields of this type accept it
+    _zbot_stands_for = "rcl_interfaces/msg/Parameter"  # fields of this type accept this class too
 
     class Type(IntEnum):
         """The types, with the numbers of rcl_interfaces/msg/ParameterType."""

@@ -63,8 +63,8 @@ class Arguments(NamedTuple):
     """Settings that a command line has for the nodes of its process."""
 
     remaps: tuple[Remap, ...] = ()
-    parameters: tuple[ParameterValue | ParametersFile, ...] = ()  #: of one name, the last is used
-    log_levels: tuple[LogLevel, ...] = ()  #: of one logger, the last level is used
+    parameters: tuple[ParameterValue | ParametersFile, ...] = ()  #: a name's last value is used
+    log_levels: tuple[LogLevel, ...] = ()  #: a logger's last level is used
     log_config_file: str = ""
     log_file_name: str = ""
     rosout_logs: bool = True

@@ -49,7 +49,7 @@ class Declaration(NamedTuple):
         """Return a declaration whose descriptor contains the type.
 
         Raises:
-            ParameterDeclarationError: The type is missing or given twice.
+            ParameterDeclarationError: The type is missing, or is given with dynamic typing.
             ParameterTypeError: No parameter can have the default value.
         """
         descriptor = self.descriptor

@@ -49,7 +49,7 @@ class _SignalWatch:
 
 
 def watch_signals() -> None:
-    """Cancel blocked puts when a signal comes. A publisher whose puts can block calls it.
+    """Cancel blocked puts when a signal comes. Publishers call this if their puts can block.
 
     This works only in the main thread, and only if no event loop has a wake-up descriptor for
     signals.

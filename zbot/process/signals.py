@@ -246,7 +246,7 @@ def _is_ours(entry: TracebackType) -> bool:
 
 def _end_by_sigterm() -> None:
     if _Process.ends_by_sigterm and sys.platform != "win32":
-        # The parent process then sees the signal as the cause, as for a program without a handler.
+        # The parent then sees that SIGTERM ended this process, as for a program without a handler.
         for stream in (sys.stdout, sys.stderr):
             if stream is not None and not stream.closed:
                 stream.flush()

@@ -138,7 +138,7 @@ class Keystore:
             name: The machine's name, such as `ana` or `/robots/one`.
             addresses: Host names and IP addresses at which others join the machine. A machine that
                 only joins others needs no address.
-            validity: The certificate's validity. By default it is a year from now.
+            validity: The certificate's validity. By default it ends in a year.
             renew: Replace an existing key and certificate.
 
         Raises:

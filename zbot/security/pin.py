@@ -170,7 +170,7 @@ class PinServer:
         return {"visit": attempt, "salt": self._salt.hex(), "public": f"{side.public:x}"}
 
     def admit(self, claim: Document) -> Admission:
-        """Check that the client knows the PIN, and return its request.
+        """Check that the client knows the PIN, and return its admission.
 
         Raises:
             WrongPinError: The client does not know the PIN.

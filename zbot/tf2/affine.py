@@ -46,7 +46,7 @@ def _point(place: Any) -> Vector:
 
 
 def _fixed_point(matrix: Matrix) -> Vector:
-    """Return the fixed point of a matrix that is nearest to the origin."""
+    """Return the matrix's fixed point that is nearest to the origin."""
     place, *_ = np.linalg.lstsq(np.identity(3) - matrix[:3, :3], matrix[:3, 3], rcond=None)
     return _point(place)
 

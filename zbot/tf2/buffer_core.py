@@ -202,7 +202,7 @@ class BufferCore:
         poses = {name: pose}
         while name not in ends and (frame := self._frames.get(name)) is not None:
             try:
-                sample = frame.at(stamp_ns)  # contains the parent at that time, as it may change
+                sample = frame.at(stamp_ns)  # contains the parent, which may change over time
             except ExtrapolationException as error:
                 return poses, error
             if sample.parent in poses:

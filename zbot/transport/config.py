@@ -125,7 +125,7 @@ class SessionConfig(NamedTuple):
 
 
 def load() -> SessionConfig:
-    """Return the configuration of a variable's file, else `./zenoh.json5`, else the packaged file.
+    """Return the file that a variable names, else `./zenoh.json5`, else the packaged file.
 
     Raises:
         ConfigError: The file cannot be read.

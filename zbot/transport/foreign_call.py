@@ -49,8 +49,8 @@ def without_interruption(
 def is_deferring_signals(frame: FrameType | None) -> bool:
     """Return whether a frame is inside a marked function or is a function of Python's import.
 
-    After an exception, an import function would not release the import lock. The code of an
-    imported module may be interrupted.
+    After an exception, an import function would not release the import lock. A signal is allowed
+    to interrupt the code of an imported module.
     """
     if frame is not None and frame.f_code.co_filename == _IMPORTS:
         return True

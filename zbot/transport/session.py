@@ -25,12 +25,12 @@ from zbot.transport.errors import SessionError
 LOOPBACK = "127.0.0.1"
 _TAKEN_TIMEOUT_S = 0.1
 _LINK_PAUSE_S = 0.005  # Zenoh lists a link a short time after it was opened
-_FOUND_PAUSE_S = 0.25  # machines answer multicast at about the same time, then send their tokens
+_FOUND_PAUSE_S = 0.25  # enough for all machines to answer multicast and then send their tokens
 _OPEN_TIMEOUT_MS = 500
 # Time that a put with `DROP` waits for space in the queue. The queue is soon full if a busy machine
-# does not run the sending thread. With Zenoh's default of 1000 us, bursts lost 14 to 37 % beside
-# six busy processes. With 20 ms, one burst was lost. DDS waits 100 ms by default too. A subscriber
-# that stands still makes its publisher wait once, and not at each message.
+# does not run the sending thread. With Zenoh's default of 1000 us, bursts lost 14 to 37 % of their
+# messages beside six busy processes. With 20 ms, one burst was lost. DDS waits 100 ms by default
+# too. A subscriber that stands still makes its publisher wait once, and not at each message.
 _DROP_WAIT_US = 100_000
 _NO_FILE = SessionConfig("the configuration between hubs", "{}")
 _RETRY = {"period_init_ms": 20, "period_max_ms": 500, "period_increase_factor": 2}

@@ -1,4 +1,4 @@
-"""Form for a message type, which has an input for each field and creates the message.
+"""Form for a message type. The form has an input for each field and creates the message.
 
 The form is independent of the page. Inputs take the text that the user typed. `Input.problem`
 returns a sentence about wrong text before a message is sent.

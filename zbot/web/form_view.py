@@ -56,7 +56,7 @@ class FormView:
         return self.form.message(self._entries)
 
     def maker(self) -> Callable[[], Any]:
-        """Return a function for any thread that creates a message from the present values."""
+        """Return a function that makes a message of the present values. Any thread may call it."""
         return partial(self.form.message, dict(self._entries))
 
     def yaml(self) -> str:

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from zbot.web.panels.graph import GraphPanel
 
 _MODES = {Mode.NODES: "Nodes", Mode.ACTIVE: "Active", Mode.ALL: "All"}
-_FILTER_HINT = "names or regular expressions, separated by commas; - leaves names out: -/rqt.*"
+_FILTER_HINT = "names or regular expressions, separated by commas; to leave names out: -/rqt.*"
 #: Options of `zbot graph`: name, rqt_graph's word, tooltip, whether a checked box sets the option.
 _HIDE = (
     ("no-dead-sinks", "Dead sinks", "topics without subscriptions", True),

@@ -1,4 +1,4 @@
-"""Options of the graph's panel. The address and the `zbot graph` command contain them."""
+"""Options of the graph's panel. The page's address and the `zbot graph` command contain them."""
 
 from __future__ import annotations
 

@@ -153,7 +153,7 @@ class ParameterInput:
             self.show(parameter.type, value)
 
     def _refuse(self, reason: str) -> None:
-        """Show why the node refused a value, and restore the present value."""
+        """Show why a value was refused, and show the present value again."""
         self._refusal.set_text(reason)
         self._refusal.set_visibility(True)
         self._restore()

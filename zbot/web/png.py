@@ -137,7 +137,7 @@ class _Layout:
 
 
 def _planes(image: Any, step: int) -> list[bytes]:
-    """Return one byte a pixel for each colour. Only every `step`-th row and column is used."""
+    """For each colour, return one byte per pixel. Only every `step`-th row and column is used."""
     encoding, data = image.encoding, bytes(image.data)
     if encoding in _NUMBERS:
         return _from_numbers(image, data, step)

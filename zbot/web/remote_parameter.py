@@ -55,7 +55,7 @@ class RemoteParameter:
     type: Parameter.Type
     value: Any
     description: str
-    constraints: str  #: the text from the node's descriptor
+    constraints: str  #: the descriptor's `additional_constraints`
     range: Range | None
     is_read_only: bool
 

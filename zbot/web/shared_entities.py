@@ -1,4 +1,4 @@
-"""Publishers and clients that browsers share. The last release destroys them."""
+"""Publishers and clients that browsers share. Each exists until its last reference is released."""
 
 from __future__ import annotations
 

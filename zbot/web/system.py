@@ -51,7 +51,7 @@ class System:
     """Graph, topics, services and actions of a domain. Any thread may call any method.
 
     Args:
-        read_only: Whether to refuse to publish, call services, set parameters and send goals.
+        read_only: If true, pages cannot publish, call services, set parameters or send goals.
         domain_id: 0 to 232. None means `$ZBOT_DOMAIN_ID`, `$ROS_DOMAIN_ID` or 0.
 
     Attributes:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# Requests come with the refreshes of the screen, so they can come a little early.
+# Requests come with the screen's refreshes, so one may come shortly before a period is over.
 _EARLY_S = 0.003
 
 

@@ -135,7 +135,7 @@ class Feed:
         return subscription
 
     def latest(self) -> Any:
-        """Return the newest message, or None. It is decoded at most 30 times a second."""
+        """Return the newest message, or None. Messages are decoded at most 30 times a second."""
         newest = self.newest
         if newest is None:
             return None
@@ -200,7 +200,7 @@ class Watch:
 
     @property
     def latest(self) -> Any:
-        """The newest message, or None. It is decoded at most 30 times a second."""
+        """The newest message, or None. Messages are decoded at most 30 times a second."""
         return self._feed.latest()
 
     @property

@@ -29,7 +29,7 @@ class Layout(NamedTuple):
     """How a class stores its fields."""
 
     prefix: str = "_"  #: prefix of a field's name in the attribute that stores it
-    keywords: bool = False  #: whether the constructor makes instances, as for dataclasses
+    keywords: bool = False  #: whether decoding calls the constructor, as for dataclasses
     #: for a field, the name of the array method that makes the stored value, e.g. `tolist`
     conversions: Mapping[str, str] = MappingProxyType({})
 

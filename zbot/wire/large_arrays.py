@@ -1,4 +1,4 @@
-"""Reader of large numeric arrays in MessagePack bytes. It copies each array only once.
+"""Reader of large numeric arrays in a message's MessagePack map. It copies each array only once.
 
 `msgpack.unpackb` copies a binary into `bytes`, so the array would need a second copy. The reader
 here scans the top level of the map, copies each array into an `array.array`, and leaves the other

@@ -32,7 +32,7 @@ _PolicyT = TypeVar("_PolicyT", bound=QoSPolicyEnum)
 
 
 def qos_text(profile: QoSProfile) -> str:
-    """Return the profile's text. Policies that the profile does not define get their defaults."""
+    """Return the profile's text. `SYSTEM_DEFAULT` and `BEST_AVAILABLE` become the default value."""
     reliability = _policy_text(profile.reliability, ReliabilityPolicy.RELIABLE)
     durability = _policy_text(profile.durability, DurabilityPolicy.VOLATILE)
     history = _policy_text(profile.history, HistoryPolicy.KEEP_LAST)

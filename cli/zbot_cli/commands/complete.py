@@ -144,7 +144,7 @@ def _actions(_: Sequence[str], unfinished: str) -> Iterable[str]:
 
 
 def _action_type(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot_cli.domain.client import full_name, snapshot  # noqa: PLC0415 - as above
+    from zbot_cli.domain.client import full_name, snapshot  # noqa: PLC0415 - only for live names
 
     found = dict(snapshot().actions()).get(full_name(done[0])) if done else None
     return found or _action_types(done, "")
@@ -165,7 +165,7 @@ def _goal(done: Sequence[str], _: str) -> Iterable[str]:
         goal = action.Goal()
     except (ZbotError, IndexError):
         return []
-    import json  # noqa: PLC0415 - as above
+    import json  # noqa: PLC0415 - needed only for `send_goal`
 
     return [f"'{json.dumps(json_value(goal))}'"]
 
@@ -221,7 +221,7 @@ def _services(_: Sequence[str], unfinished: str) -> Iterable[str]:
 
 
 def _service_type(done: Sequence[str], _: str) -> Iterable[str]:
-    from zbot_cli.domain.client import full_name, snapshot  # noqa: PLC0415 - as above
+    from zbot_cli.domain.client import full_name, snapshot  # noqa: PLC0415 - only for live names
 
     found = dict(snapshot().services()).get(full_name(done[0])) if done else None
     return found or _service_types(done, "")
@@ -242,7 +242,7 @@ def _request(done: Sequence[str], _: str) -> Iterable[str]:
         request = service.Request()
     except (ZbotError, IndexError):
         return []
-    import json  # noqa: PLC0415 - as above
+    import json  # noqa: PLC0415 - needed only for `call`
 
     return [f"'{json.dumps(json_value(request))}'"]
 

@@ -133,7 +133,7 @@ def _groups(graph: Snapshot, node: str, *, include_hidden: bool) -> dict[str, Na
 def kill(
     node_name: Annotated[str, typer.Argument(help="Name of the node, e.g. /talker")],
     force: Annotated[
-        bool, typer.Option("-f", "--force", help="Kill it without letting it clean up")
+        bool, typer.Option("-f", "--force", help="Kill the process without letting it clean up")
     ] = False,
 ) -> None:
     """End the process that a node runs in."""

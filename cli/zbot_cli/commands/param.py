@@ -207,7 +207,7 @@ def set_parameters(
             metavar="[NODE] PARAM VALUE...", help="Without NODE: all nodes that have PARAM"
         ),
     ],
-    atomic: Annotated[bool, typer.Option("--atomic", help="Set all of them or none")] = False,
+    atomic: Annotated[bool, typer.Option("--atomic", help="Set all parameters or none")] = False,
     search: NodeSearch = VISIBLE_NODES,
 ) -> None:
     """Set parameters."""
@@ -257,7 +257,7 @@ def _send(
 
 
 def _report(label: str, result: Any, success: str, failure: str) -> bool:
-    """Print the result for one parameter. Return whether it failed."""
+    """Print the result of one change. Return whether the change failed."""
     if result.successful:
         print(f"{label}{success}" + (f": {result.reason}" if result.reason else ""))
         return False

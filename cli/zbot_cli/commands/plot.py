@@ -37,7 +37,7 @@ def plot(
     """Plot numeric fields of topics."""
     if terminal:
         if not curves:
-            raise typer.BadParameter("name what to plot: zbot plot --terminal /turtle1/pose.x")
+            raise typer.BadParameter("say what to plot: zbot plot --terminal /turtle1/pose.x")
         _draw_here(curves, window, duration)
         return
     from zbot_cli.commands.web import serve_page  # noqa: PLC0415 - only for the page

@@ -6,7 +6,7 @@ from typing import Any
 
 from zbot_cli.output.listing import AsJson, new_app, print_json
 
-app = new_app("Show which class or machine this machine has joined", has_verbs=False)
+app = new_app("Show the class or the other machine", has_verbs=False)
 
 
 @app.command()

@@ -37,7 +37,7 @@ class NoPytestError(ZbotError):
 
     def __init__(self) -> None:
         self.hint = "pip install pytest"
-        super().__init__("tests other than launch files with test cases need pytest")
+        super().__init__("without pytest, zbot can run only launch files with test cases")
 
 
 @app.command("test")

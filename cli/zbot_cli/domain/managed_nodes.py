@@ -122,7 +122,7 @@ class ManagedNodes:
         return full
 
     def states(self, nodes: Iterable[str]) -> dict[str, State | NodeSilentError]:
-        """Ask nodes for their states at the same time. A node without an answer gets an error."""
+        """Return each node's state, or an error for a silent node. Ask all nodes in parallel."""
         pending = {}
         states: dict[str, State | NodeSilentError] = {}
         for name in nodes:

@@ -23,7 +23,7 @@ ANSWER_TIMEOUT_S = 5.0  #: for each answer, as in ros2
 
 
 class NodeNotFoundError(ZbotError):
-    """No node of that name appeared in time. The hint names similar nodes."""
+    """No node of that name appeared in time. The hint names a similar node or the running nodes."""
 
     def __init__(self, name: str, known: Sequence[str]) -> None:
         self.name = name
@@ -226,7 +226,7 @@ def visible_nodes(graph: Snapshot) -> list[str]:
 
 
 def is_octets(value: Any) -> bool:
-    """Return whether a value can be bytes, because it is a list of integers from 0 to 255."""
+    """Return whether a value is a list of integers from 0 to 255. Such a list can be bytes."""
     return isinstance(value, list) and all(
         isinstance(one, int) and not isinstance(one, bool) and 0 <= one < 256 for one in value
     )

@@ -46,7 +46,7 @@ def resolve_message_type(word: str) -> str:
 def find_types(word: str) -> list[str]:
     """Return the full names of all types that match a word.
 
-    These are types on this machine. If it has none, the nodes are asked for a definition.
+    If no type on this machine matches, the nodes are asked for a definition.
     """
     if "/" in word or "." in word:
         names = _full_names(word)
@@ -56,7 +56,7 @@ def find_types(word: str) -> list[str]:
 
 
 def learn(name: str) -> bool:
-    """Ask the nodes that use a type for its definition. Return whether a node had it.
+    """Ask nodes for the definition of a type that they use. Return whether a node had it.
 
     Raises:
         InterfaceConflictError: This machine has another definition of a nested type.

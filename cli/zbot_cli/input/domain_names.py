@@ -1,7 +1,7 @@
 """Names in other domains: `/17/temperature` is `/temperature` in domain 17 (of student 17).
 
 `/17` alone selects the domain: `zbot topic list /17`. No part of a ROS 2 name begins with a digit,
-so these names cannot be confused with others.
+so these names cannot be confused with ROS 2 names.
 """
 
 from __future__ import annotations

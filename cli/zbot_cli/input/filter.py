@@ -59,7 +59,7 @@ _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "min": min,
     "round": _rounded,
 }
-# No method here returns a string that is longer than its arguments.
+# No method here can make a long string from a short string. `ljust` could.
 _TEXT_METHODS = frozenset(
     (
         *("lower", "upper", "strip", "lstrip", "rstrip"),

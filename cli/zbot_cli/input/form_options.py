@@ -20,7 +20,7 @@ class FormOptions:
         False
     )
     truncate_length: Annotated[
-        int, typer.Option("-l", "--truncate-length", help="Elements and characters to show")
+        int, typer.Option("-l", "--truncate-length", help="Maximum length of arrays and strings")
     ] = 128
     no_arr: Annotated[bool, typer.Option("--no-arr", help="Leave out the content of arrays")] = (
         False

@@ -26,7 +26,7 @@ def noun_option(ctx: typer.Context, name: str) -> bool:
 
 
 class with_option_groups:  # noqa: N801 - a decorator
-    """Verb that shows typer each field of its option groups as a separate parameter.
+    """Wrapper of a verb. typer sees each field of the verb's option groups as a parameter.
 
     typer reads `__signature__`. The signature is built only then, because this takes a
     millisecond, and a command line runs only one verb of a module.

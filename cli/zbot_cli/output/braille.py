@@ -65,7 +65,7 @@ class Canvas:
             if not coloured:
                 yield "".join(marks)
                 continue
-            # Neighbours of one colour share one escape sequence. SSH sends a third of the bytes.
+            # Neighbours of one colour share one escape sequence, so SSH sends a third of the bytes.
             runs = groupby(zip(owners, marks, strict=True), key=lambda pair: pair[0])
             yield "".join(_coloured("".join(mark for _, mark in run), owner) for owner, run in runs)
 
@@ -75,7 +75,7 @@ def _coloured(text: str, owner: int) -> str:
 
 
 def ticks(low: float, high: float, most: int) -> list[float]:
-    """Return at most `most` round numbers between two numbers."""
+    """Return at most `most` + 1 round numbers between two numbers."""
     if not high > low or most < 1:
         return [low]
     rough = (high - low) / most

@@ -21,7 +21,7 @@ def definition(
     Args:
         spec: The definition.
         comments: Keep the comments and blank lines of the definition itself.
-        nested_comments: Keep the comments and blank lines of nested types.
+        nested_comments: Keep the comments and blank lines of nested types, if `comments` is true.
     """
     yield from _lines(spec, "", comments=comments, nested_comments=comments and nested_comments)
 

@@ -46,7 +46,7 @@ def _plain(parameter: Parameter[Any]) -> Any:
 
 
 def description(descriptor: Any) -> dict[str, Any]:
-    """Return the fields of a descriptor that are set."""
+    """Return a descriptor's fields, without texts that are empty."""
     limits = (*descriptor.integer_range, *descriptor.floating_point_range)
     facts = {
         "name": descriptor.name,

@@ -70,7 +70,7 @@ def all_packages() -> list[Package]:
 
 
 def workspace_packages() -> list[Package]:
-    """Return the packages of the current folder's workspace, or of `$ZBOT_WORKSPACE`."""
+    """Return the packages of `$ZBOT_WORKSPACE`; if unset, of the current folder's workspace."""
     folders = list(package_folders())
     paths = tuple(dict.fromkeys(path for folder in folders for path in import_paths(folder)))
     return [_of_sources(folder, paths) for folder in folders]

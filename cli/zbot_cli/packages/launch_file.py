@@ -22,8 +22,8 @@ _MARKS = (".launch.", "_launch.")
 def find(words: Sequence[str]) -> tuple[Path, list[str]]:
     """Return the launch file at the start of a command line, and the arguments after it.
 
-    The command line begins with a path, with a package and the name of its file, or with the name
-    of a launch file of zbot.
+    The command line begins with a path, or with a package and the name of a file in the package, or
+    with the name of a launch file of zbot.
 
     Raises:
         LaunchFileNotFoundError: There is no such file, or there are several.

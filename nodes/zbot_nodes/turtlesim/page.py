@@ -22,7 +22,7 @@ _HOW_TO_GET = "The turtles can be seen in a browser: pip install 'zbot[web]'"
 
 @contextmanager
 def shown(node: zbot.Node) -> Iterator[None]:
-    """Show a simulator in the browser during the `with` block, if a user is at the terminal.
+    """Show a simulator in the browser during the `with` block, if the user has a desktop.
 
     If a page on this machine already shows the domain, this page is used. Otherwise a new page is
     served. The option `--no-browser` or the variable `$ZBOT_NO_BROWSER` prevents both.

@@ -18,7 +18,7 @@ SCENE = "~/_scene"
 
 
 class Scene:
-    """Server of the scene. Each response has the changes since the page's previous request.
+    """Server of the scene. A response has the lines since the previous request, or a picture.
 
     Args:
         world: The world to show.

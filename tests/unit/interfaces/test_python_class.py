@@ -126,7 +126,7 @@ def test_the_package_is_the_module_or_the_script(
         ([("x", list[list[int]])], "field 'x' is list"),
         ([("x", tuple[int, int])], "field 'x' is tuple"),
         ([("x", Plain)], "field 'x' is Plain"),
-        ([("x", "Undefined")], "define the classes of its fields at the top of a module"),
+        ([("x", "Undefined")], "define the classes of its fields at the top level of a module"),
         ([("x", Annotated[int, "int23"])], "there is no type 'int23'"),
         ([("fieldName", int)], "e.g. 'field_name'"),
         ([("_private", int)], "field name '_private' is not valid"),

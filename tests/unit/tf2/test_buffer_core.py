@@ -165,7 +165,7 @@ def test_transforms_older_than_the_cache_are_dropped() -> None:
     [
         ("", "base", {}, "must not be empty"),
         ("base", "base", {}, "cannot be its own parent"),
-        ("map", "base", {"x": math.nan}, "not a number"),
+        ("map", "base", {"x": math.nan}, "infinite or NaN"),
         ("map", "base", {"w": 5.0}, "not a quaternion of length 1"),
     ],
 )

@@ -128,7 +128,7 @@ def _target(
 def column_bounds(
     graph: LayeredGraph, before: Mapping[int, tuple[float, float]], gap: float
 ) -> dict[int, tuple[float, float]]:
-    """Return the two edges (x) of each layer. Old layers move only if there is not enough space."""
+    """Return each layer's left and right x. Old layers move only if there is not enough space."""
     widths = {layer: max(graph.width[v] for v in row) for layer, row in graph.rows.items()}
     found: dict[int, tuple[float, float]] = {}
     present = [layer for layer in widths if layer in before]

@@ -79,7 +79,7 @@ class Frame:
 
     name: str
     depth: int  #: 0 for an outermost frame
-    slices: tuple[tuple[float, float, float, float], ...]  #: left, top, right, bottom of each layer
+    slices: tuple[tuple[float, float, float, float], ...]  #: left, top, right, bottom in each layer
 
     def moved(self, dx: float, dy: float) -> Frame:
         """Return a moved copy."""

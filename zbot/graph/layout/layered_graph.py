@@ -21,7 +21,7 @@ _SHAPE = 1.7  # width divided by height of a screen
 
 
 class LayeredGraph:
-    """Vertices in layers. The items come first, and the dummy vertices of links come last.
+    """Vertices in layers. A vertex is an index: items have lower indices than dummy vertices.
 
     Args:
         items: The items.

@@ -16,7 +16,7 @@ _ROUNDS_OF_SWAPS = 4
 
 
 def reduce_crossings(graph: LayeredGraph) -> int:
-    """Order the rows of a graph, and return the number of crossings."""
+    """Order the vertices in each row of a graph, and return the number of crossings."""
     _initial_order(graph)
     best, best_rows = count_crossings(graph), _copy(graph)
     for sweep in range(_SWEEPS):
@@ -31,7 +31,7 @@ def reduce_crossings(graph: LayeredGraph) -> int:
 
 
 def order_around(graph: LayeredGraph, fixed: Mapping[int, float]) -> int:
-    """Order the rows around vertices that keep their y. Return the number of crossings."""
+    """Order each row around the vertices that keep their y. Return the number of crossings."""
     y = {vertex: fixed.get(vertex, 0.0) for row in graph.rows.values() for vertex in row}
     placed = set(fixed)
     for _ in range(4):

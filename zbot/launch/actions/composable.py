@@ -86,7 +86,7 @@ class ComposableNodeContainer(_UnsupportedComponents):
 
 
 class LoadComposableNodes(_UnsupportedComponents):
-    """Components for a container, which zbot does not load."""
+    """Components for a container. zbot does not load the components."""
 
     def __init__(
         self,

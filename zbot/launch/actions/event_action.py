@@ -97,6 +97,6 @@ class Shutdown(Action):
 
 
 def shutdown_on_process_exit(process_action: Action) -> RegisterEventHandler:
-    """Return an action that ends the launch when the process of an action ends."""
+    """Return an action that ends the launch when the process of `process_action` ends."""
     end = EmitEvent(event=ShutdownEvent(reason="process exited"))
     return RegisterEventHandler(OnProcessExit(target_action=process_action, on_exit=end))

@@ -132,7 +132,7 @@ class ExecuteLocal(Action):
         """Start the program, unless the launch is ending.
 
         Raises:
-            ProgramError: The program does not exist.
+            ProgramError: The command line is empty, or the program or working directory is missing.
         """
         if context.is_shutdown:
             return None

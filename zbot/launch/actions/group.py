@@ -29,7 +29,7 @@ class GroupAction(Action):
     Args:
         actions: The actions.
         scoped: Whether configurations, namespaces and environment are restored after the actions.
-        forwarding: Whether the actions see the configurations and the environment from outside.
+        forwarding: Whether actions of a scoped group get the outer configurations and environment.
         launch_configurations: Configurations to set for the actions.
     """
 
@@ -48,7 +48,7 @@ class GroupAction(Action):
         self.launch_configurations = dict(launch_configurations or {})
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the actions, between the actions that open and close the scope."""
+        """Return the actions. If scoped, actions before and after them open and close the scope."""
         sets: list[LaunchDescriptionEntity] = [
             SetLaunchConfiguration(name, value)
             for name, value in self.launch_configurations.items()
@@ -62,7 +62,7 @@ class GroupAction(Action):
         return [*opening, *sets, *self.actions, *closing]
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
-        """Return the actions, between the actions that open and close the scope."""
+        """Return the actions. If scoped, actions before and after them open and close the scope."""
         del context
         return self.get_sub_entities()
 

@@ -155,7 +155,7 @@ class Node(ExecuteProcess):
         return prepared
 
     def _quoted(self, words: list[str]) -> list[str]:
-        """Return words of zbot, quoted if a shell runs them. The user's words do not come here."""
+        """Return words of zbot, quoted if a shell runs them. The user's words are not quoted."""
         if not self.shell:
             return words
         return [list2cmdline([word]) if os.name == "nt" else quote(word) for word in words]
@@ -176,7 +176,7 @@ class Node(ExecuteProcess):
         return ["--ros-args", *words] if words else []
 
     def _perform_substitutions(self, context: LaunchContext) -> None:
-        """Set the node's final names and remaps. Extensions use this private name of launch_ros."""
+        """Set the final names and remaps. Extensions of launch_ros call this private method."""
         pushed: str | None = context.launch_configurations.get(NAMESPACE)
         if pushed is not None or self._namespace is not None:
             own = perform(context, self._namespace or ())

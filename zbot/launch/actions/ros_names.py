@@ -33,7 +33,7 @@ def absolute(namespace: str) -> str:
 
 
 def prefix_namespace(base_ns: str | None = None, ns: str | None = None) -> str | None:
-    """Return the same as `join_namespace`. Both arguments may be None."""
+    """Return what `join_namespace` returns, without a trailing slash. Arguments may be None."""
     if base_ns is None or ns is None:
         joined = base_ns if ns is None else ns
     else:

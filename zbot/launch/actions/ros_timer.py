@@ -17,8 +17,7 @@ _INTERVAL_S = 0.02
 class RosTimer(TimerAction):
     """Execute actions after a period of ROS time. See `TimerAction`.
 
-    The time comes from `/clock` if `SetUseSimTime`, or the parameter `use_sim_time` of all nodes,
-    is true.
+    The time comes from `/clock` if `SetUseSimTime` or `SetParameter` sets `use_sim_time` to true.
     """
 
     _is_simulated = False
@@ -33,7 +32,7 @@ class RosTimer(TimerAction):
         from zbot.parameters.parameter import Parameter  # noqa: PLC0415 - few files need it
 
         node = launch_node(context).node
-        # The second check includes later actions of the launch file, which were visited meanwhile.
+        # The second check also finds a setting by an action after this timer in the launch file.
         if self._is_simulated or _is_simulated(context):
             node.set_parameters([Parameter("use_sim_time", value=True)])
         clock = node.get_clock()

@@ -55,7 +55,7 @@ class Parser:
         return parse(str(value).lower() if isinstance(value, bool) else str(value))
 
     def parse_if_substitutions(self, value: Any) -> Any:
-        """Return the substitutions that a text contains. Other values stay unchanged."""
+        """Turn texts with substitutions, also in a list, into lists of them. Keep other values."""
         return parse_if_substitutions(value)
 
     def escape_characters(self, value: str) -> str:

@@ -58,7 +58,7 @@ def expose(
 
 
 def expose_action(name: str) -> Callable[[Exposed], Exposed]:
-    """Register a function for a tag, or a class with a classmethod `parse`.
+    """Register a function, or a class with a classmethod `parse`, for a tag.
 
     The function takes the entity and the parser, and returns a class and its keyword arguments.
     """
@@ -66,7 +66,7 @@ def expose_action(name: str) -> Callable[[Exposed], Exposed]:
 
 
 def expose_substitution(name: str) -> Callable[[Exposed], Exposed]:
-    """Register a function for a substitution, or a class with a classmethod `parse`.
+    """Register a function, or a class with a classmethod `parse`, for a substitution.
 
     The function takes the arguments, and returns a class and its keyword arguments.
     """

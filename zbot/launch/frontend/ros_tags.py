@@ -68,7 +68,7 @@ def _named(entity: Entity, parser: Parser) -> dict[Any, Any]:
 def _value(entity: Entity, parser: Parser) -> Any:
     value = entity.value("value")
     if value is None:
-        raise entity.error("`param` needs the attribute 'value', or `param` inside it")
+        raise entity.error("`param` needs the attribute 'value' or a nested `param`")
     separator, kind = entity.text("value-sep"), entity.text("type")
     parse = _scalar if kind is None else _text_parts
     if separator is not None and isinstance(value, str):

@@ -42,7 +42,7 @@ class _FormatterPerLogger:
         own = self._formatters.get(record.name)
         if own is not None:
             return own.format(record)
-        text: str = super().format(record)  # type: ignore[misc] # of the handler class
+        text: str = super().format(record)  # type: ignore[misc] # super() is a handler
         return text
 
 

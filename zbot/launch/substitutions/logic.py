@@ -41,7 +41,7 @@ class _Operation(Substitution):
             yield value
 
     def describe(self) -> str:
-        """Return the operands."""
+        """Return the name of the class and the operands."""
         return f"{type(self).__name__}({describe_list(self.operands)[1:-1]})"
 
 

@@ -65,7 +65,7 @@ class StagedTest:
             waiting = self._waiting[id(self._launch)]
             steps = waiting.popleft() if waiting else None
             if steps is None:
-                pytest.skip("the part before its yield failed")
+                pytest.skip("the test failed before its yield")
             self._end(steps)
 
         return self._with_metadata(first), self._with_metadata(second)

@@ -111,7 +111,7 @@ def launch_process(
     proc_output: OutputRecord,
     **options: Any,
 ) -> Iterator[ProcessProxy]:
-    """Start a process in a running launch, and end it at the end of the `with` block.
+    """Start a process in a running launch. The end of the `with` block ends the process.
 
     Args:
         launch_service: The launch.
@@ -177,8 +177,8 @@ def wait_for_output_sync(
     Args:
         launch_context: The value of the fixture `launch_context`.
         execute_process_action: The process, which needs `cached_output=True`.
-        validate_output: Called with the text. It raises `AssertionError` or returns false to
-            reject the text.
+        validate_output: Called with the text. To reject the text, it raises `AssertionError` or
+            returns a false value other than `None`.
         timeout: Seconds to wait.
 
     Returns:

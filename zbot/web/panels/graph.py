@@ -126,7 +126,7 @@ class GraphPanel:
         self.page.set_query(**query)
 
     def show_command(self) -> None:
-        """Show the command that prints the graph in the page."""
+        """Show the command that prints this page's graph."""
         self.page.show_command(self.options.command)
 
     def choose(self, key: str) -> None:

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from zbot.web.topic_rows import TopicRow
     from zbot.web.watch import Watch
 
-#: The page subscribes to at most this number of topics. The user can set a filter.
+#: The page subscribes to at most this number of the list's topics. A filter shortens the list.
 _MOST_WATCHED = 300
 # In hertz. Users cannot read numbers that change more often.
 _LIST_HZ = 2.0
@@ -89,7 +89,7 @@ class _Topics:
         ]
 
     def match_watches(self) -> None:
-        """Watch exactly the topics that the list shows."""
+        """Watch the first topics of the list, and drop the watches of all other topics."""
         names = {topic.name for topic in self.topics[:_MOST_WATCHED]}
         for name in self.watches.keys() - names:
             self.page.drop(self.watches.pop(name))

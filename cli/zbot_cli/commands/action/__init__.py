@@ -117,7 +117,7 @@ def find(
     ] = False,
     as_json: AsJson = False,
 ) -> None:
-    """List the actions that have a type."""
+    """List the actions that have the given type."""
     short = action_type.count("/") == 1
     wanted = action_type.replace("/", "/action/", 1) if short else action_type
     found = [name for name, types in snapshot().actions() if wanted in types]

@@ -111,7 +111,7 @@ def run(words: list[str]) -> int | Callable[[], NoReturn]:
 
     Returns:
         A function that runs the executable and ends the process, or an exit code if there is
-        nothing to run. The caller must call the function outside of its error handling.
+        nothing left to run. The caller must call the function outside of its error handling.
     """
     prefix: list[str] = []
     while words and words[0].startswith("-"):
@@ -222,7 +222,7 @@ def _single(found: list[Executable]) -> Executable:
 
 
 def _run_behind(prefix: list[str], words: list[str]) -> int:
-    """Run `zbot run` with the same words behind a prefix such as `nice` or a debugger."""
+    """Run a prefix such as `nice` or a debugger, which runs `zbot run` with the same words."""
     import shutil  # noqa: PLC0415 - seldom used
     import subprocess  # noqa: PLC0415 - as above
 

@@ -31,7 +31,7 @@ class EntryPointError(ZbotError):
 
     def __init__(self, executable: Executable, reason: str) -> None:
         self.executable, self.reason = executable, reason
-        self.hint = "run `zbot build`: it shows the line and similar names"
+        self.hint = "run `zbot build`: it shows the entry point's line and similar names"
         where = f"{executable.package} {executable.name}"
         super().__init__(f"cannot run {where} ({executable.target}): {reason}")
 

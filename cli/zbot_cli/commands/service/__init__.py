@@ -171,7 +171,7 @@ def find(
     as_json: AsJson = False,
     daemon: DaemonOptions = NO_DAEMON,
 ) -> None:
-    """List the services that have a type."""
+    """List the services that have the given type."""
     short = service_type.count("/") == 1
     wanted = service_type.replace("/", "/srv/", 1) if short else service_type
     hidden = include_hidden_services or noun_option(ctx, "include_hidden_services")

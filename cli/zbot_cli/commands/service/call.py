@@ -94,7 +94,7 @@ class ServiceCall:
         Raises:
             NoServerError: No server appeared in time.
             NoResponseError: The server did not answer in time.
-            ServiceError: The server's callback raised, or the server ended before it answered.
+            ServiceError: The server's callback failed, or the server ended before it answered.
             OtherServiceTypeError: The servers have another type.
         """
         import zbot  # noqa: F401, PLC0415 - makes the message packages importable

@@ -37,7 +37,7 @@ class NothingReceivedError(ZbotError):
 
 
 class Echo:
-    """Printer of messages. It ends at Ctrl-C, after the first message, or at a time limit.
+    """Printer of messages. It ends at Ctrl-C, or earlier with `once` or `timeout_s`.
 
     Args:
         words: Topics, possibly with wildcards, and optionally a type after the last topic.

@@ -1,4 +1,4 @@
-"""Check that setup.py and CMakeLists.txt install all files, and that these files exist."""
+"""Check that a build file installs all launch files, and that all files that it names exist."""
 
 from __future__ import annotations
 

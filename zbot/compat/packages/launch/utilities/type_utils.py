@@ -21,7 +21,7 @@ from zbot.launch.typed_value import (
     perform_typed_substitution,
 )
 
-# Extensions use these names in annotations. A type checker reads them in ROS 2's own package.
+# Names for annotations in extensions. Any value is enough: type checkers read ROS 2's package.
 AllowedValueType = ScalarValueType = ListValueType = SomeValueType
 SomeScalarType = SomeSequenceType = StrSomeValueType = SomeValueType
 StrSomeScalarType = StrSomeSequenceType = SomeValueType
