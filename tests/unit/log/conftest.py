@@ -10,6 +10,8 @@ from zbot import log
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
+    Logged = Callable[[], list[str]]
+
 LINE = re.compile(r"\[(\w+)\] \[(\d{10}\.\d{9})\] \[([\w.]+)\]: (.*)", re.DOTALL)
 
 
@@ -25,7 +27,7 @@ def fresh_log(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 
 @pytest.fixture
-def logged(capsys: pytest.CaptureFixture[str]) -> Callable[[], list[str]]:
+def logged(capsys: pytest.CaptureFixture[str]) -> Logged:
     """Return a function that returns the messages written to stderr since its last call."""
 
     def read() -> list[str]:
