@@ -40,7 +40,8 @@ In the reasons, "the C library" is `rcl`. rclpy uses this library, and zbot does
 
 zbot differs from rclpy on purpose in these points:
 
-* A call of a service without a server fails at once with a `ServiceError`. A call also fails if its server ends. In rclpy the future stays pending for ever.
+* A call of a service without a server fails at once with a `ServiceError`. A call also
+  fails if its server ends. In rclpy the future stays pending for ever.
 * When a node is destroyed, all its entities disappear from the graph at the same time. This is
   also true for action servers. In rclpy an action server stays until its own `destroy()`.
 * `Rate.sleep()` works even if no executor spins in another thread.
