@@ -1,4 +1,4 @@
-"""Conversion between point clouds and numpy arrays: functions of `sensor_msgs_py.point_cloud2`.
+"""Conversion of point clouds and numpy arrays. `sensor_msgs_py.point_cloud2` has these functions.
 
 This module needs numpy, which `pip install 'zbot[numpy]'` installs.
 """

@@ -95,7 +95,7 @@ class ResponseFuture(Future[ResponseT]):
         self._client.post(self)
 
     def add_done_callback(self, callback: Callable[[Self], Any]) -> None:
-        """Let the executor call `callback(self)` soon, but not before the future is over."""
+        """Let the executor call `callback(self)` as soon as the future is over."""
         with self._lock:
             self._callbacks.append(callback)
             if not self.is_over:

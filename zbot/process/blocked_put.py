@@ -112,9 +112,9 @@ def _puts() -> set[tuple[int, int, int]]:
 
 
 def _frames() -> dict[int, FrameType]:
-    # Python 3.11 and older hold a lock here. When a thread ends, it waits for this lock, and no
-    # other thread can run then. Garbage collection may switch to a thread that ends. Then both
-    # threads would block for ever.
+    # Python 3.11 and older hold a lock during this call. A garbage collection lets other threads
+    # run. If one of them ends, it waits for this lock and lets no thread run. Both would block for
+    # ever, so there must be no collection.
     was_enabled = gc.isenabled()
     gc.disable()
     try:

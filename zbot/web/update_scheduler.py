@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# Requests come with the screen's refreshes, so one may come shortly before a period is over.
+# The browser asks when its screen refreshes. An update may run this long before it is due.
 _EARLY_S = 0.003
 
 

@@ -27,9 +27,9 @@ def end_process_on_ctrl_c() -> None:
 def raise_on_ctrl_c() -> None:
     """Undo `end_process_on_ctrl_c`. Only the main thread may call this.
 
-    Ctrl-C raises `KeyboardInterrupt`. If nothing catches this exception, Python prints nothing,
-    because Ctrl-C may come just after the end of a command. If Python drops a `KeyboardInterrupt`,
-    for example in a callback of an import, SIGINT is raised again after 5 ms.
+    Ctrl-C raises `KeyboardInterrupt`. This function sets a hook that prints no traceback of this
+    exception, because Ctrl-C may come just after the end of a command. If Python drops the
+    exception, e.g. in a callback of an import, SIGINT is raised again after 5 ms.
     """
     if signal.getsignal(signal.SIGINT) == signal.SIG_DFL:
         sys.excepthook, sys.unraisablehook = _print_unless_interrupt, _raise_again

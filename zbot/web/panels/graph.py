@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from zbot.graph.view import GraphView
     from zbot.web.panel import Section
 
-# At this rate, a change is visible after 0.25 s, and a launch of many nodes needs few drawings.
+# At this rate, a change is visible after 0.2 s, and a launch of many nodes needs few drawings.
 _DRAW_HZ = 5.0
 _RATE_HZ = 1.0
 _CHOSEN = "chosen"
