@@ -39,8 +39,6 @@ _HOLD_PAUSE_S = 0.1
 # Longest waits of the first graph query and of the first message. They usually take 2 ms.
 _DISCOVERY_TIMEOUT_S = 2.0
 _PEERS_TIMEOUT_S = 0.5
-# Multicast finds routers within 50 ms on a quiet network. Without a router, the timeout passes.
-_FIND_TIMEOUT_S = 0.7
 _JOIN_TIMEOUT_S = 2.0  # threads end within a millisecond after their session
 
 
@@ -329,7 +327,7 @@ class Context:
         if self._mode == "client":
             self._open_client(meeting, wait=True)
             return
-        meeting.open_router()
+        meeting.start_router()
         session = meeting.open_peer()
         self._set_session(session, meeting)
         if self._in_class:
@@ -338,14 +336,12 @@ class Context:
 
     def _open_client(self, meeting: MeetingPoint, *, wait: bool) -> None:
         session, deadline = meeting.open_client(), time.monotonic() + _LINK_TIMEOUT_S
-        while session is None and (wait or meeting.reaches_out):
-            if meeting.open_router():
-                meeting.wait_for_routers(_FIND_TIMEOUT_S)
-            session = meeting.open_client()
-            if session is None:
-                if time.monotonic() > deadline:
-                    break
-                time.sleep(_HOLD_PAUSE_S)
+        while session is None and (wait or meeting.reaches_out or meeting.is_expected()):
+            if time.monotonic() > deadline:
+                _warn_unanswered(meeting)
+                return
+            meeting.end_stuck_router()
+            session = meeting.open_new_client()
         if session is not None:
             self._set_session(session, meeting, watch=wait)
 
@@ -369,19 +365,16 @@ class Context:
             if self.is_over:
                 return
             if time.monotonic() >= deadline:
-                get_logger("zbot").warning(
-                    f"nobody answers as zbot on {meeting.endpoint}: another program may use that "
-                    "port; other nodes will not be found (choose another domain: ZBOT_DOMAIN_ID=7)"
-                )
+                _warn_unanswered(meeting)
                 return
-            meeting.open_router()
+            meeting.end_stuck_router()
+            meeting.start_router()
             pause_s *= 2
 
     @property
     def sessions(self) -> list[zenoh.Session]:
-        """The open sessions: the nodes' session, and the domain's router if it runs here."""
-        router = None if self._meeting is None else self._meeting.router
-        return [one for one in (self._session, router) if one is not None]
+        """The nodes' session, if it is open."""
+        return [] if self._session is None else [self._session]
 
     def start_thread(
         self, name: str, run: Callable[[], None], wake: Callable[[], object] = bool
@@ -448,6 +441,13 @@ class Context:
         if self._meeting is not None:
             self._meeting.close()
         at_exit.open_contexts.discard(self)
+
+
+def _warn_unanswered(meeting: MeetingPoint) -> None:
+    get_logger("zbot").warning(
+        f"nobody answers as zbot on {meeting.endpoint}: another program may use that port; "
+        "other nodes will not be found (choose another domain: ZBOT_DOMAIN_ID=7)"
+    )
 
 
 def _configure_logging(arguments: Arguments) -> None:

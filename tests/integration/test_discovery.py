@@ -94,6 +94,12 @@ print("no error")
 """
 
 
+@pytest.fixture
+def domain(free_domain: int) -> int:
+    """Return a domain whose router is a process, as outside of tests."""
+    return free_domain
+
+
 def holds_port(domain: int) -> bool:
     with socket.socket() as probe:
         return probe.connect_ex(("127.0.0.1", MEETING_PORT + domain)) == 0
@@ -158,12 +164,12 @@ def test_a_context_that_ends_hands_the_port_over(
         newcomer.context.shutdown()
 
 
-def test_the_last_one_frees_the_port(make_context: MakeContext, domain: int) -> None:
+def test_the_router_ends_after_the_last_program(make_context: MakeContext, domain: int) -> None:
     context = make_context()
     zbot.Node("only", context=context)
     assert holds_port(domain)
     context.shutdown()
-    assert not holds_port(domain)
+    assert wait_until(lambda: not holds_port(domain))
 
 
 @needs_sigkill

@@ -14,15 +14,16 @@ import subprocess
 import sys
 import time
 from dataclasses import asdict, dataclass
-from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING
 
 from zbot.classroom.errors import AlreadyJoinedError, HubStartError
 from zbot.security.secret import make_private_folder, write_private
+from zbot.transport import background_process
 from zbot.transport.membership import folder
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
+    from pathlib import Path
 
 READY = "ready"
 _STOP_TIMEOUT_S = 5.0
@@ -50,26 +51,10 @@ def _state_path() -> Path:
     return folder() / "hub.json"
 
 
-def _lock(file: IO[str]) -> bool:
-    """Lock a file until this process ends. Return `False` if another process has locked it."""
-    try:
-        if sys.platform == "win32":
-            import msvcrt  # noqa: PLC0415 - Windows only
-
-            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
-        else:
-            import fcntl  # noqa: PLC0415 - not on Windows
-
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        return False
-    return True
-
-
 def _lock_within_timeout(file: IO[str]) -> bool:
     """Lock a file. Retry, because `find` in another process may hold the lock for a short time."""
     deadline = time.monotonic() + _LOCK_TIMEOUT_S
-    while not _lock(file):
+    while not background_process.lock(file):
         if time.monotonic() > deadline:
             return False
         time.sleep(_PAUSE_S)
@@ -113,7 +98,7 @@ def find() -> RunningHub | None:
 def _is_locked() -> bool:
     try:
         with (folder() / "hub.lock").open("r+", encoding="utf-8") as file:
-            return not _lock(file)
+            return not background_process.lock(file)
     except OSError:
         return False
 
@@ -127,15 +112,8 @@ def start(role: str) -> None:
     make_private_folder(folder())
     write_private(log_path(), b"")
     with log_path().open("a", encoding="utf-8") as log:
-        process = subprocess.Popen(  # noqa: S603 - runs this Python itself
-            [sys.executable, "-m", "zbot.classroom", role],
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=log,
-            cwd=folder(),
-            env=_environment(),
-            encoding="utf-8",
-            **_detached(),
+        process = background_process.start(
+            "zbot.classroom", role, stdout=subprocess.PIPE, stderr=log, cwd=folder()
         )
     assert process.stdout is not None
     with process.stdout as lines:
@@ -143,23 +121,7 @@ def start(role: str) -> None:
     if READY not in said:
         process.wait(_STOP_TIMEOUT_S)
         raise HubStartError(str(log_path()), said[-1] if said else "")
-    # The hub outlives this process. Without this line, Python warns that the hub still runs.
-    process.returncode = 0
-
-
-def _environment() -> dict[str, str]:
-    """Return this process's environment without the PIN, but with a path to zbot."""
-    kept = {name: value for name, value in os.environ.items() if name != "ZBOT_PIN"}
-    root = Path(__file__).parents[2]
-    if root.name != "site-packages":  # a checkout, which may be importable only from its folder
-        kept["PYTHONPATH"] = os.pathsep.join(filter(None, [str(root), kept.get("PYTHONPATH")]))
-    return {**kept, "PYTHONUNBUFFERED": "1"}
-
-
-def _detached() -> dict[str, Any]:
-    if sys.platform == "win32":
-        return {"creationflags": subprocess.DETACHED_PROCESS | subprocess.CREATE_NEW_PROCESS_GROUP}
-    return {"start_new_session": True}
+    background_process.forget(process)
 
 
 def report_ready() -> None:

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 # Zenoh changes its lists of links a short time after it reports a new or lost link.
 _LINK_PAUSE_S = 0.005
 _LISTING_TIMEOUT_S = 0.1
+_ANSWER_TIMEOUT_S = 1.0  # a router answers within 3 ms, on a busy machine within half a second
 _LONGEST_PAUSE_S = 1.0
 # A session whose links have not changed for this time looks for peers that it has no link to.
 _CHECK_DELAY_S = 1.0
@@ -82,12 +83,12 @@ class Peering:
             self._changed.notify_all()
 
     def _run(self) -> None:
-        timeout_s: float | None = None
+        timeout_s: float | None = _CHECK_DELAY_S
         while True:
             try:
                 event = self._events.get(timeout=timeout_s)
             except queue.Empty:
-                pause_s = self._introduce_unlinked()
+                pause_s = self._check()
             else:
                 if event is None:
                     return
@@ -101,7 +102,8 @@ class Peering:
         # A killed process loses its links a short time before its port. And after another process
         # has taken the port, this session needs a short time to link to that process.
         pause_s = _LINK_PAUSE_S
-        while not (self._session.is_closed() or self._routers() or self._meeting.open_router()):
+        while not (self._session.is_closed() or self._routers()):
+            self._meeting.start_router()
             if self._closing.wait(pause_s):
                 return
             pause_s = min(2 * pause_s, _LONGEST_PAUSE_S)
@@ -163,6 +165,17 @@ class Peering:
         for router in self._routers():
             found |= admin_query.sessions(self._session, router, timeout_s)
         return found
+
+    def _check(self) -> float | None:
+        """Check the router and the links. Return the seconds until the next check."""
+        if not self._routers():
+            self._meeting.start_router()
+            return _CHECK_DELAY_S if self._meeting.uses_port else None
+        if self._own() in self._listed(_ANSWER_TIMEOUT_S):
+            return self._introduce_unlinked()
+        # The router accepts links, but does not answer. If it is killed, its link disappears.
+        self._meeting.end_stuck_router()
+        return _CHECK_DELAY_S
 
     def _introduce_unlinked(self) -> float | None:
         """Introduce the peers that are not linked. Return the seconds until the next check."""

@@ -11,21 +11,24 @@ from __future__ import annotations
 import os
 import socket
 import sys
-import threading
 import time
 from pathlib import Path
 from typing import Any
 
 import zenoh
 
-from zbot.transport import membership
+from zbot.transport import admin_query, membership, router_process
 from zbot.transport.config import MEETING_PORT, DiscoveryRange, SessionConfig, hub_port
 from zbot.transport.errors import SessionError
 
 LOOPBACK = "127.0.0.1"
 _TAKEN_TIMEOUT_S = 0.1
-_LINK_PAUSE_S = 0.005  # Zenoh lists a link a short time after it was opened
+_ANSWER_TIMEOUT_S = 1.0  # a router answers within 3 ms
+_NEW_ROUTER_TIMEOUT_S = 2.0  # a router takes 0.1 s to start, and more on a busy machine
+_LINK_PAUSE_S = 0.01
+_RELINK_PAUSE_S = 0.15  # longer than the pause between two tries to connect
 _FOUND_PAUSE_S = 0.25  # enough for all machines to answer multicast and then send their tokens
+_WATCH_S = 0.3  # to see whether the router process does anything
 _OPEN_TIMEOUT_MS = 500
 # Time that a put with `DROP` waits for space in the queue. The queue is soon full if a busy machine
 # does not run the sending thread. With Zenoh's default of 1000 us, bursts lost 14 to 37 % of their
@@ -34,6 +37,8 @@ _OPEN_TIMEOUT_MS = 500
 _DROP_WAIT_US = 100_000
 _NO_FILE = SessionConfig("the configuration between hubs", "{}")
 _RETRY = {"period_init_ms": 20, "period_max_ms": 500, "period_increase_factor": 2}
+# A new router opens the port within 0.1 s. A try that nobody answers is cheap on one machine.
+_RETRY_MEETING = {"period_init_ms": 20, "period_max_ms": 100, "period_increase_factor": 1.5}
 # The router tries less often to connect to the hub, because most machines have no hub, and each try
 # wakes an idle node three times.
 _RETRY_HUB = _RETRY | {"period_max_ms": 2000}
@@ -158,10 +163,9 @@ class MeetingPoint:
         self._config = config
         self._reach = reach
         self._facts = facts
+        self._domain = domain
         self.port = MEETING_PORT + domain
         self.shares_memory = False  #: whether the peer may use shared memory for large messages
-        self._router: zenoh.Session | None = None
-        self._lock = threading.Lock()
         self._closed = False
 
     @property
@@ -175,40 +179,69 @@ class MeetingPoint:
             "scouting/multicast/autoconnect": {"router": ["router"], "peer": ["router", "peer"]},
         }
 
-    def open_router(self) -> bool:
-        """Open the router on the meeting port if no other process has the port.
+    def open_router(self) -> zenoh.Session | None:
+        """Open the domain's router session on the meeting port. Only the router process calls this.
 
         Returns:
-            Whether this process has the router now.
+            The session, or `None` if another process has the port.
         """
-        if self._reach is DiscoveryRange.OFF:
-            return False
-        with self._lock:
-            if self._closed or self._router is not None:
-                return self._router is not None
-            if self._is_taken():
-                return False  # without this check, a failed try takes 5 ms and some megabytes
-            listen = [self.endpoint]
-            if self.reaches_out:
-                listen.append("tcp/[::]:0")
-            force = {
-                "mode": "router",
-                "listen/endpoints": listen,
-                "listen/timeout_ms": 0,
-                "listen/exit_on_failure": True,
-                "connect/endpoints": [hub_endpoint()],
-                "connect/retry": _RETRY_HUB,
-                **self._multicast(),
-            }
-            try:
-                self._router = _open(
-                    "the meeting router", self._config.build(_common(self._facts), force)
-                )
-            except SessionError:
-                return False  # another process has just taken the port
-            return True
+        listen = [self.endpoint]
+        if self.reaches_out:
+            listen.append("tcp/[::]:0")
+        force = {
+            "mode": "router",
+            "listen/endpoints": listen,
+            "listen/timeout_ms": 0,
+            "listen/exit_on_failure": True,
+            "connect/endpoints": [hub_endpoint()],
+            "connect/retry": _RETRY_HUB,
+            **self._multicast(),
+        }
+        try:
+            return _open("the meeting router", self._config.build(_common(self._facts), force))
+        except SessionError:
+            return None
 
-    def _is_taken(self) -> bool:
+    def start_router(self) -> bool:
+        """Start the domain's router process if no process has the meeting port.
+
+        Returns:
+            Whether this call started the process. The port is open about 0.1 s later.
+        """
+        return self.uses_port and not self.is_taken() and router_process.start(self._domain)
+
+    def end_stuck_router(self) -> bool:
+        """Kill the domain's router process if it is stopped or waits for ever.
+
+        Call this only if no router answers. A router of another user is not killed.
+
+        Returns:
+            Whether the process was killed. `start_router` can then start another.
+        """
+        if not (self.uses_port and self.is_taken()):
+            return False
+        number = router_process.kill_if_stuck(self._domain, _WATCH_S)
+        if number is None:
+            return False
+        from zbot.log import get_logger  # noqa: PLC0415 - seldom used
+
+        get_logger("zbot").warning(
+            f"the router of domain {self._domain} (process {number}) did not answer: "
+            "it was ended, and another is started"
+        )
+        return True
+
+    def is_expected(self) -> bool:
+        """Return whether the domain has a router, or will have one soon."""
+        return self.uses_port and (self.is_taken() or router_process.is_expected(self._domain))
+
+    @property
+    def uses_port(self) -> bool:
+        """Whether the domain's programs meet on the port, and this point is not closed."""
+        return self._reach is not DiscoveryRange.OFF and not self._closed
+
+    def is_taken(self) -> bool:
+        """Return whether a process listens on the meeting port."""
         # `create_connection` takes 3 ms more, because it imports the codec for international names.
         with socket.socket() as connection:
             connection.settimeout(_TAKEN_TIMEOUT_S)
@@ -221,26 +254,9 @@ class MeetingPoint:
         return True
 
     @property
-    def router(self) -> zenoh.Session | None:
-        """The router session of the domain, if this process has it."""
-        return self._router
-
-    @property
     def reaches_out(self) -> bool:
         """Whether the domain's programs search for other machines by multicast."""
         return self._reach is DiscoveryRange.SUBNET
-
-    def wait_for_routers(self, timeout_s: float) -> None:
-        """Wait until this process's router has found the routers of other machines by multicast.
-
-        The call ends 0.25 s after it found the last router, or when the time is over.
-        """
-        deadline, found = time.monotonic() + timeout_s, 0
-        while self.reaches_out and self._router is not None and time.monotonic() < deadline:
-            count = len(self._router.info.routers_zid())
-            if count > found:
-                found, deadline = count, time.monotonic() + _FOUND_PAUSE_S
-            time.sleep(_LINK_PAUSE_S)
 
     def open_peer(self) -> zenoh.Session:
         """Open the session of a process with nodes.
@@ -254,6 +270,7 @@ class MeetingPoint:
             "connect/endpoints": [self.endpoint],
             "transport/link/tx/queue/congestion_control/drop/wait_before_drop": _DROP_WAIT_US,
             **_common(self._facts),
+            "connect/retry": _RETRY_MEETING,
             **self._multicast(),
         }
         if self._reach is DiscoveryRange.OFF:
@@ -280,7 +297,7 @@ class MeetingPoint:
         """Open a client session of the domain's router. Without a router, use this machine's hub.
 
         Returns:
-            The session, or `None` if there is neither router nor hub.
+            The session, or `None` if there is neither router nor hub, or if none answers.
         """
         if self._reach is DiscoveryRange.OFF:
             return None
@@ -294,14 +311,34 @@ class MeetingPoint:
             "scouting/multicast/enabled": False,
         }
         try:
-            return _open("a Zenoh session", self._config.build(fill))
+            session = _open("a Zenoh session", self._config.build(fill))
         except SessionError:
             return None
+        if not admin_query.sessions(session, "*", _ANSWER_TIMEOUT_S):
+            session.close()  # the router accepts links, but answers nothing
+            return None
+        return session
+
+    def open_new_client(self) -> zenoh.Session | None:
+        """Open a client session of a router that has just started, and wait for its links.
+
+        The call ends when the router's links have not changed for a time, after 0.2 to 2 s.
+        """
+        deadline = time.monotonic() + _NEW_ROUTER_TIMEOUT_S
+        session = self.open_client()
+        while session is None and time.monotonic() < deadline:
+            self.start_router()
+            time.sleep(_LINK_PAUSE_S)
+            session = self.open_client() if self.is_taken() else None
+        settled_s = _FOUND_PAUSE_S if self.reaches_out else _RELINK_PAUSE_S
+        known, since = set[str](), time.monotonic()
+        while session is not None and time.monotonic() < min(deadline, since + settled_s):
+            found = set(admin_query.sessions(session, "*", _ANSWER_TIMEOUT_S))
+            if found != known:
+                known, since = found, time.monotonic()
+            time.sleep(_LINK_PAUSE_S)
+        return session
 
     def close(self) -> None:
-        """Close this process's router, if any, and never open it again. May be called twice."""
-        with self._lock:
-            self._closed = True
-            if self._router is not None:
-                self._router.close()
-                self._router = None
+        """Never start a router from now on."""
+        self._closed = True

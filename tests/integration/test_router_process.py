@@ -1,0 +1,226 @@
+"""Tests of the router process: its start, its end, and its replacement if it does not answer."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import signal
+import sys
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import pytest
+
+import zbot
+from tests.cli.command import zbot as zbot_command
+from tests.conftest import wait_until
+from zbot.transport import background_process, membership, router_process
+
+from std_msgs.msg import Int64, String
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+    from tests.conftest import MakeContext, Program, Spin, Start
+    from zbot.log.record import Record
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
+
+NODES = 4
+
+TALKER = """
+import sys, zbot
+from std_msgs.msg import String
+
+with zbot.init():
+    node = zbot.Node(sys.argv[1])
+    publisher = node.create_publisher(String, "chatter", 10)
+    node.create_timer(0.01, lambda: publisher.publish(String(data=sys.argv[1])))
+    print("ready", flush=True)
+    zbot.spin(node)
+"""
+
+# Links programs, but answers nothing and uses no processor, like a router in a deadlock.
+SILENT_ROUTER = """
+import json, os, sys, threading, zenoh
+from zbot.transport import background_process, membership
+
+domain = int(os.environ["ZBOT_DOMAIN_ID"])
+membership.folder().mkdir(parents=True, exist_ok=True)
+file = (membership.folder() / f"router-{domain}.lock").open("w")
+assert background_process.lock(file)
+print(os.getpid(), file=file, flush=True)
+config = zenoh.Config()
+settings = {
+    "mode": "router",
+    "listen/endpoints": [f"tcp/127.0.0.1:{7450 + domain}"],
+    "scouting/multicast/enabled": False,
+    "adminspace/enabled": False,
+}
+for path, value in settings.items():
+    config.insert_json5(path, json.dumps(value))
+session = zenoh.open(config)
+print("ready", flush=True)
+threading.Event().wait()
+"""
+
+
+@pytest.fixture
+def domain(free_domain: int) -> int:
+    """Return a domain whose router is a process, as outside of tests."""
+    return free_domain
+
+
+@pytest.fixture
+def talkers(start: Start) -> list[Program]:
+    programs = [start(f"talker_{number}", source=TALKER) for number in range(NODES)]
+    for program in programs:
+        program.wait_for("ready")
+    return programs
+
+
+@pytest.fixture
+def heard(make_context: MakeContext, spin: Spin) -> Callable[[], set[str]]:
+    """Return a function that makes a node, and returns the talkers that it heard."""
+
+    def listen() -> set[str]:
+        names = set[str]()
+        node = zbot.Node("listener", context=make_context())
+        node.create_subscription(String, "chatter", lambda message: names.add(message.data), 10)
+        spin(node)
+        wait_until(lambda: len(names) == NODES, 3)
+        return names
+
+    return listen
+
+
+def router_of(domain: int) -> int:
+    number = router_process.pid(domain)
+    assert number is not None
+    return number
+
+
+def listed() -> list[str]:
+    done = zbot_command("node", "list")
+    assert done.code == 0
+    return sorted(done.out.split())
+
+
+WANTED = {f"talker_{number}" for number in range(NODES)}
+
+
+@pytest.mark.parametrize("number", [signal.SIGSTOP, signal.SIGKILL, signal.SIGTERM])
+def test_a_new_node_hears_all_nodes_when_the_router_is_gone(
+    talkers: list[Program], domain: int, heard: Callable[[], set[str]], number: int
+) -> None:
+    os.kill(router_of(domain), number)
+    assert heard() == WANTED
+    assert all(talker.process.poll() is None for talker in talkers)
+
+
+@pytest.mark.usefixtures("talkers")
+@pytest.mark.parametrize("number", [signal.SIGSTOP, signal.SIGKILL, signal.SIGTERM])
+def test_a_command_lists_all_nodes_when_the_router_is_gone(domain: int, number: int) -> None:
+    os.kill(router_of(domain), number)
+    assert listed() == sorted(f"/{name}" for name in WANTED)
+
+
+@pytest.mark.usefixtures("talkers")
+def test_the_warning_names_the_stopped_router(
+    domain: int, make_context: MakeContext, logged: list[Record]
+) -> None:
+    stopped = router_of(domain)
+    os.kill(stopped, signal.SIGSTOP)
+    zbot.Node("newcomer", context=make_context())
+    (line,) = (record.message for record in logged if record.name == "zbot")
+    assert line.startswith(f"the router of domain {domain} (process {stopped}) did not answer")
+    assert router_of(domain) != stopped
+
+
+def test_a_router_that_answers_nothing_is_replaced_by_a_command(start: Start, domain: int) -> None:
+    start(source=SILENT_ROUTER).wait_for("ready")
+    silent = router_of(domain)
+    assert listed() == []
+    assert router_of(domain) != silent
+
+
+def test_a_router_that_answers_nothing_is_replaced_by_a_node(
+    start: Start, domain: int, make_context: MakeContext
+) -> None:
+    start(source=SILENT_ROUTER).wait_for("ready")
+    silent = router_of(domain)
+    zbot.Node("first", context=make_context())
+    assert wait_until(lambda: router_process.pid(domain) not in {silent, None}, 8)
+    second = zbot.Node("second", context=make_context())
+    assert wait_until(lambda: second.get_node_names() == ["first", "second"])
+
+
+def test_nothing_is_lost_while_the_router_is_replaced(
+    domain: int, make_context: MakeContext, spin: Spin
+) -> None:
+    talker, listener = (zbot.Node(name, context=make_context()) for name in ("talker", "listener"))
+    numbers: list[int] = []
+    listener.create_subscription(Int64, "count", lambda message: numbers.append(message.data), 1000)
+    publisher = talker.create_publisher(Int64, "count", 1000)
+    assert wait_until(lambda: publisher.get_subscription_count() == 1)
+    spin(listener)
+    for number in range(500):
+        if number == 100:
+            os.kill(router_of(domain), signal.SIGKILL)
+        publisher.publish(Int64(data=number))
+    assert wait_until(lambda: len(numbers) == 500)
+    assert numbers == list(range(500))
+    assert wait_until(lambda: router_process.pid(domain) is not None)
+
+
+def test_programs_that_start_together_start_one_router(start: Start, domain: int) -> None:
+    programs = [start(f"talker_{number}", source=TALKER) for number in range(8)]
+    for program in programs:
+        program.wait_for("ready")
+    words = f"zbot.transport\0{domain}\0".encode()
+    assert sum(line.endswith(words) for line in command_lines()) == 1
+
+
+def command_lines() -> Iterator[bytes]:
+    for path in Path("/proc").glob("[0-9]*/cmdline"):
+        with contextlib.suppress(OSError):  # the process has ended
+            yield path.read_bytes()
+
+
+def test_ctrl_c_in_a_terminal_does_not_reach_the_router(start: Start, domain: int) -> None:
+    first = start("setsid", sys.executable, "-c", TALKER, "first")
+    first.wait_for("ready")
+    router = router_of(domain)
+    second = start("second", source=TALKER)
+    second.wait_for("ready")
+    os.killpg(first.process.pid, signal.SIGINT)
+    first.wait()
+    assert router_of(domain) == router
+    assert wait_until(lambda: listed() == ["/second"])
+
+
+BUSY = "print('ready', flush=True)\nwhile True: pass"
+WAITING = "import threading\nprint('ready', flush=True)\nthreading.Event().wait()"
+
+
+@pytest.mark.parametrize(
+    ("source", "number", "is_killed"),
+    [(BUSY, 0, False), (WAITING, 0, True), (BUSY, signal.SIGSTOP, True)],
+    ids=["busy", "waits for ever", "stopped"],
+)
+def test_only_a_process_that_does_nothing_is_killed(
+    start: Start, domain: int, source: str, number: int, is_killed: bool
+) -> None:
+    program = start(source=source)
+    program.wait_for("ready")
+    membership.folder().mkdir(parents=True, exist_ok=True)
+    with (membership.folder() / f"router-{domain}.lock").open("w") as file:
+        assert background_process.lock(file)
+        print(program.process.pid, file=file, flush=True)
+        os.kill(program.process.pid, number)
+        killed = router_process.kill_if_stuck(domain, 0.3)
+    assert killed == (program.process.pid if is_killed else None)
+    if is_killed:
+        assert program.wait() == -signal.SIGKILL
+    else:
+        assert program.process.poll() is None

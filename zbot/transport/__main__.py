@@ -1,0 +1,56 @@
+"""Router of a domain in a background process. Programs run `python -m zbot.transport DOMAIN`."""
+
+from __future__ import annotations
+
+import queue
+import sys
+from typing import Any
+
+import zenoh
+
+from zbot.transport import config, router_process
+from zbot.transport.session import MeetingPoint, process_facts
+from zbot.version import __version__
+
+# The router stays this long without a program, because commands and tests often follow each other.
+_LINGER_S = 2.0
+
+
+def main() -> int:
+    """Run the router until no program was linked for 2 s. Return 1 if the port is taken."""
+    domain = int(sys.argv[1])
+    lock = router_process.hold_lock(domain)
+    facts = process_facts(__version__)
+    facts["zbot"]["command"] = f"router of domain {domain}"
+    meeting = MeetingPoint(config.load(), domain, config.discovery_range(), facts)
+    session = meeting.open_router()
+    if session is None:
+        return 1
+    _wait_until_alone(session)
+    router_process.note_end(domain)
+    session.close()
+    del lock
+    return 0
+
+
+def _wait_until_alone(session: zenoh.Session) -> None:
+    events: queue.SimpleQueue[Any] = queue.SimpleQueue()
+    handler = zenoh.handlers.Callback(events.put)
+    listener = session.info.declare_transport_events_listener(handler, history=True)
+    programs: set[str] = set()
+    try:
+        while True:
+            event = events.get(timeout=None if programs else _LINGER_S)
+            programs = _after(event, programs)
+    except queue.Empty:
+        listener.undeclare()
+
+
+def _after(event: Any, programs: set[str]) -> set[str]:
+    """Return the ids of the linked programs after an event. Routers are not programs."""
+    one = {str(event.transport.zid)} if event.transport.whatami != zenoh.WhatAmI.ROUTER else set()
+    return programs - one if event.kind == zenoh.SampleKind.DELETE else programs | one
+
+
+if __name__ == "__main__":
+    sys.exit(main())

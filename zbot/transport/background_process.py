@@ -1,0 +1,70 @@
+"""Background process of zbot. It keeps running when its starter or its terminal ends."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import IO, Any
+
+_LOCKED_BYTE = 1 << 20  # Windows lets no other process read the locked byte
+
+
+def lock(file: IO[str]) -> bool:
+    """Lock a file until this process ends. Return `False` if another process has locked it.
+
+    On POSIX, a process that inherits the file keeps the lock.
+    """
+    try:
+        if sys.platform == "win32":
+            import msvcrt  # noqa: PLC0415 - Windows only
+
+            file.seek(_LOCKED_BYTE)
+            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
+            file.seek(0)
+        else:
+            import fcntl  # noqa: PLC0415 - not on Windows
+
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        return False
+    return True
+
+
+def start(module: str, *words: str, **options: Any) -> subprocess.Popen[str]:
+    """Start `python -m module words` without a terminal and without this process's signals.
+
+    Args:
+        module: A module of zbot.
+        words: Its arguments. Every user of the machine can read them.
+        options: Options of `subprocess.Popen`.
+    """
+    return subprocess.Popen(  # noqa: S603 - runs this Python itself
+        [sys.executable, "-m", module, *words],
+        stdin=subprocess.DEVNULL,
+        env=_environment(),
+        encoding="utf-8",
+        **_detached(),
+        **options,
+    )
+
+
+def forget(process: subprocess.Popen[str]) -> None:
+    """Let the process outlive this process. Otherwise Python warns that it still runs."""
+    process.returncode = 0
+
+
+def _environment() -> dict[str, str]:
+    """Return this process's environment without the PIN, but with a path to zbot."""
+    kept = {name: value for name, value in os.environ.items() if name != "ZBOT_PIN"}
+    root = Path(__file__).parents[2]
+    if root.name != "site-packages":  # a checkout, which may be importable only from its folder
+        kept["PYTHONPATH"] = os.pathsep.join(filter(None, [str(root), kept.get("PYTHONPATH")]))
+    return {**kept, "PYTHONUNBUFFERED": "1"}
+
+
+def _detached() -> dict[str, Any]:
+    if sys.platform == "win32":
+        return {"creationflags": subprocess.DETACHED_PROCESS | subprocess.CREATE_NEW_PROCESS_GROUP}
+    return {"start_new_session": True}
