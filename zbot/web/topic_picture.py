@@ -25,7 +25,7 @@ _MOST_RAYS = 1440
 
 
 def add_picture(section: Section, watch: Watch) -> None:
-    """Add a picture of a topic to the current element, if its type is an image or a laser scan."""
+    """Add a picture to the current element, if the topic's type is an image or a laser scan."""
     place = ui.element("div").classes("zb-picture")
     place.set_visibility(False)
     undo: Callable[[], None]
