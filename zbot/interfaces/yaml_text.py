@@ -107,5 +107,5 @@ def scalar(node: ScalarNode) -> Any:
     """
     try:
         return SafeConstructor().construct_document(node)
-    except ValueError:  # 2024-13-01 looks like a date
+    except (ValueError, KeyError, AttributeError):  # as in 2024-13-01, !!bool x, !!timestamp x
         return node.value
