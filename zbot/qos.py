@@ -153,7 +153,7 @@ QoSReliabilityPolicy = ReliabilityPolicy
 QoSDurabilityPolicy = DurabilityPolicy
 QoSLivelinessPolicy = LivelinessPolicy
 
-#: The strictest value that the topic's other endpoints allow when an endpoint is created.
+#: Marker that asks for the strictest value that the topic's present endpoints allow.
 DeadlineBestAvailable = Duration(nanoseconds=2**63 - 2)
 LivelinessLeaseDurationeBestAvailable = Duration(nanoseconds=2**63 - 2)  # spelt as in rclpy
 

@@ -20,7 +20,7 @@ _IMAGE = "sensor_msgs/msg/Image"
 _COMPRESSED = "sensor_msgs/msg/CompressedImage"
 _SCAN = "sensor_msgs/msg/LaserScan"
 _PICTURE_HZ = 15.0
-#: More points would not be visible, because a circle in the picture has about 1440 pixels.
+#: The edge of the largest circle in the picture has about 1440 pixels. More points look the same.
 _MOST_RAYS = 1440
 
 
