@@ -65,7 +65,7 @@ class Formatter:
                 path.check(message_type)
 
     def subject(self, message: Any) -> Any:
-        """Return the value of `m` in a filter: the message, or the field if one field is selected."""
+        """Return the value of `m` in a filter: the message, or the one field that is selected."""
         return self._paths[0].select(message) if len(self._paths) == 1 else message
 
     def text(self, topic: str, message: Any, info: MessageInfo) -> str:
