@@ -176,7 +176,7 @@ def is_hidden(name: str) -> bool:
 def nearest(name: str, candidates: Iterable[str]) -> str | None:
     """Return the candidate that is most similar to a mistyped `name`, or None if none is similar.
 
-    At most two characters may differ: one in names of 3 to 5 characters, none in shorter names.
+    At most 2 characters may differ in long names, 1 in names of 3 to 5 characters, none in shorter.
     Names that differ only in their numbers (`/robot1/scan`, `/robot2/scan`) are not similar.
     """
     limit = min(2, len(name.replace("/", "")) // 3)

@@ -153,7 +153,7 @@ QoSReliabilityPolicy = ReliabilityPolicy
 QoSDurabilityPolicy = DurabilityPolicy
 QoSLivelinessPolicy = LivelinessPolicy
 
-#: The strictest value that the topic's other endpoints allow when an endpoint is created.
+#: Marker that asks for the strictest value that the topic's present endpoints allow.
 DeadlineBestAvailable = Duration(nanoseconds=2**63 - 2)
 LivelinessLeaseDurationeBestAvailable = Duration(nanoseconds=2**63 - 2)  # spelt as in rclpy
 
@@ -305,7 +305,7 @@ class QoSProfile:
                 f"history depth must be greater than or equal to zero, not {value}"
             )
         if value == 0 and self.history == HistoryPolicy.KEEP_LAST:
-            warning = "a depth of 0 keeps no message: the default depth is used instead"
+            warning = "a depth of 0 keeps no message: a depth of 1 is used instead"
             warnings.warn(warning, stacklevel=3)
         self._depth = value
 

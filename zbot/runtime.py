@@ -52,9 +52,9 @@ def init(
     Args:
         args: The command line with its `--ros-args`. `None` means `sys.argv`.
         context: The context to initialise. `None` means the default context.
-        domain_id: 0 to 232. `None` means `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else 0.
-        signal_handler_options: Signals to handle. `None` means all signals for the default context,
-            and no signals for other contexts.
+        domain_id: 0 to 232. `None` means `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else the
+            student's number in a classroom, else 0.
+        signal_handler_options: Signals to handle. `None`: all for the default context, else none.
 
     Raises:
         ContextInitializedError: The context is already initialised.
@@ -146,7 +146,7 @@ def spin(node: Node, executor: Executor | None = None) -> None:
     The call ends when a callback or another thread calls `shutdown()`.
 
     Raises:
-        KeyboardInterrupt: The user pressed Ctrl-C. If nothing catches it, nothing is printed.
+        KeyboardInterrupt: The user pressed Ctrl-C. If no code catches it, no traceback is printed.
         ExternalShutdownException: A signal or `Context.shutdown()` shut the context down.
     """
     with _added_to_executor(node, executor) as chosen:

@@ -55,7 +55,7 @@ class Duration:
     def to_msg(self) -> Any:
         """Return a `builtin_interfaces/msg/Duration`, whose range is about -68 to 68 years.
 
-        `Infinite` becomes the longest possible message. `from_msg` converts it to `Infinite` again.
+        `Infinite` becomes the message's largest value. `from_msg` converts it to `Infinite` again.
         """
         infinite = self._nanoseconds == _LIMIT - 1
         return _to_message("Duration", _LONGEST_IN_MESSAGE if infinite else self._nanoseconds)
@@ -235,7 +235,7 @@ def _total(what: str, seconds: float, nanoseconds: float) -> int:
         total = int(_number("seconds", seconds) * S_TO_NS) + int(
             _number("nanoseconds", nanoseconds)
         )
-    except (ValueError, OverflowError):  # not a number, infinite
+    except (ValueError, OverflowError):  # NaN or infinity
         raise TimeOverflowError(what, seconds, nanoseconds) from None
     if not -_LIMIT <= total < _LIMIT:
         raise TimeOverflowError(what, seconds, nanoseconds)

@@ -21,7 +21,7 @@ PUSH_NOISE_M_S2 = 0.02
 
 
 class InertialSensor(zbot.Node):
-    """Publishes orientation, rotation and acceleration, each with a small error."""
+    """Publishes the exact orientation, and the rotation and acceleration with a small error."""
 
     def __init__(self) -> None:
         super().__init__("imu")

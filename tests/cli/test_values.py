@@ -60,6 +60,8 @@ def test_an_empty_text_gives_default_values(text: str) -> None:
         (String, "data: yes", "yes"),
         (String, "data: 007", "007"),
         (String, "data: 2024-13-01", "2024-13-01"),
+        (String, "data: !!bool abc", "abc"),
+        (String, "data: !!timestamp abc", "abc"),
         (String, "data: 'a: b'", "a: b"),
         (String, "data: 🤖", "🤖"),
         (Float32, "data: 1e3", 1000.0),

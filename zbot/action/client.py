@@ -269,7 +269,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
 
     def _then(self, response: Future[Any], function: Callable[[], None]) -> None:
         # This is a waker and not a done callback. A done callback would wait for its callback
-        # group, which the callback that awaits the response may hold.
+        # group. A callback that awaits the response may hold this group.
         response.add_waker(partial(self._work_queue.add, function))
 
     def _request(self, goal: GoalT, goal_uuid: UUID | None) -> Any:
@@ -415,7 +415,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
             if goal is not None:
                 goal.set_state(GoalState(status.status))
         for key, goal in known.items():
-            # The goal has ended and the server has forgotten it, so it has no result any more.
+            # The server has forgotten this goal. So a goal that has ended gets no result any more.
             if goal.is_over or goal.state.is_terminal:
                 self._forget(key)
 

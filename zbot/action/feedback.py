@@ -93,7 +93,7 @@ class FeedbackSubscription:
 
     @called_by_zenoh
     def _receive(self, sample: zenoh.Sample) -> None:
-        if len(self._queue) >= self.token.qos.depth * max(1, self._goal_count()):
+        if len(self._queue) >= max(1, self.token.qos.depth) * max(1, self._goal_count()):
             self._queue.popleft()
             self.lost_count += 1
         self._queue.append(sample)

@@ -381,7 +381,7 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
                 self._status.publish(message)
             except InvalidHandleError:
                 if not self.is_over:
-                    raise  # otherwise, another thread has just destroyed the node
+                    raise  # there is no error if another thread has just destroyed the node
 
     def publish_feedback(
         self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT], feedback: FeedbackT

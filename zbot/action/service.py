@@ -120,7 +120,7 @@ def create_action_service(
 def run_until_await(coroutine: Coroutine[Any, Any, Any]) -> Any:
     """Run a coroutine and return its result. If it has to wait, return the rest as a coroutine.
 
-    A callback that does not wait is finished inside the call, so it needs no executor.
+    A coroutine that does not wait ends inside this function, so it needs no executor.
     """
     try:
         awaited = coroutine.send(None)

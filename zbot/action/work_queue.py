@@ -45,6 +45,6 @@ class WorkQueue:
         return function()
 
     def destroy(self) -> None:
-        """Remove the functions that wait."""
+        """Remove this queue from the ready queue, and drop the functions that wait."""
         self.ready_queue.remove(self)
         self._functions.clear()

@@ -39,7 +39,7 @@ def parse_address(text: str, default_port: int = HUB_PORT) -> Address:
     """Return the address that a text contains: `HOST`, `HOST:PORT`, `[IPv6]` or `[IPv6]:PORT`.
 
     Raises:
-        AddressError: The port is not a number from 1 to 65535, or a part is missing.
+        AddressError: The host is missing or invalid, or the port is not a number from 1 to 65535.
     """
     host, port = _split(text.strip())
     if not host or any(char.isspace() or not char.isprintable() for char in host):

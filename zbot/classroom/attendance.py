@@ -164,5 +164,5 @@ def _node_of(key: str) -> NodeToken | None:
     try:
         token = parse_token(key)
     except ValueError:
-        return None  # a student may declare any token in its own domain
+        return None  # a student's program may declare any token in its domain
     return token if isinstance(token, NodeToken) else None

@@ -73,7 +73,7 @@ class HubQueries:
 
 
 def document_of(payload: zenoh.ZBytes | None, largest: int = _LARGEST) -> Answer:
-    """Return the JSON object in a payload. Empty if invalid or larger than `largest` bytes."""
+    """Return a payload's JSON object, or `{}` if the payload is invalid or over `largest` bytes."""
     if payload is None or len(payload) > largest:
         return {}
     try:

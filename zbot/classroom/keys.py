@@ -1,13 +1,13 @@
-"""Key expressions that the hubs of a class use (see docs/wire.md)."""
+"""Key expressions that the hubs of a classroom use (see docs/wire.md)."""
 
 from __future__ import annotations
 
 from zbot.security.access import LOBBY_SPACE, STUDENT_SPACE, TEACHER_SPACE
 
 HERE = "here"
-ADMISSION_KEY = f"{LOBBY_SPACE}/door"  #: queries of laptops that join or leave
+ADMISSION_KEY = f"{LOBBY_SPACE}/door"  #: queries from laptops that join or leave
 NOTICES_KEY = f"{TEACHER_SPACE}/notices"  #: queries for earlier notices
-COMMAND_KEY = "@class/desk"  #: queries of the teacher's commands
+COMMAND_KEY = "@class/desk"  #: queries from the teacher's commands
 
 
 def here_key(number: int) -> str:

@@ -41,7 +41,7 @@ def first_reachable(candidates: Sequence[Address], timeout_s: float = _TIMEOUT_S
         UnreachableHostError: No machine answers.
         BlockedPortError: A machine answers, but a firewall drops the packets to the port.
         ClosedPortError: A machine answers, but no program listens on the port.
-        AddressError: The name is unknown.
+        AddressError: The name is unknown, or no name server answers.
     """
     answers: queue.SimpleQueue[tuple[Address, ClassroomError | None]] = queue.SimpleQueue()
 
@@ -72,7 +72,7 @@ def _rank(problem: ClassroomError) -> int:
 
 
 def problem_at(address: Address, timeout_s: float = _TIMEOUT_S) -> ClassroomError | None:
-    """Return why an address cannot be reached, or `None`. Takes at most `timeout_s` seconds."""
+    """Return why an address cannot be reached, or `None`. `timeout_s` excludes name look-ups."""
     other_ports = _OtherPorts(address.host)
     deadline = time.monotonic() + timeout_s
     while True:

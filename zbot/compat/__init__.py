@@ -20,7 +20,7 @@ _preferred: set[str] = set()
 
 
 class _NameFinder:
-    """Finder of ROS 2's packages, such as `rclpy`, that are not installed. Searches `packages/`."""
+    """Finder, in `packages/`, of packages of ROS 2 that are not installed, such as `rclpy`."""
 
     @staticmethod
     def find_spec(

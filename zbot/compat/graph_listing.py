@@ -157,7 +157,7 @@ def get_msg_class(
     Args:
         node: The node whose context has the graph.
         topic: Relative, `~/private` or absolute name.
-        blocking: Wait until a node uses the topic, or the node's context ends.
+        blocking: Wait until a node uses the topic, or until the context of `node` ends.
         include_hidden_topics: Find hidden topics too.
 
     Raises:
@@ -179,7 +179,7 @@ def get_msg_class(
 def get_service_class(
     node: Node, service: str, blocking: bool = False, include_hidden_services: bool = False
 ) -> type[Any] | None:
-    """Return the class of a service, or None if no node uses it. See `get_msg_class`."""
+    """Return the class of a service, or None if no node serves it. See `get_msg_class`."""
     name = node.resolve_service_name(service, only_expand=True)
     if is_hidden(name) and not include_hidden_services:
         return None

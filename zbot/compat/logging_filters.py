@@ -48,7 +48,7 @@ class ThrottleContext(RcutilsLoggerContext):
 
 
 class SkipFirstContext(RcutilsLoggerContext):
-    """Context of a call whose first line is skipped."""
+    """Context of a log call that is skipped the first time."""
 
     first_has_been_skipped: bool
 
@@ -143,7 +143,7 @@ class Once(LoggingFilter):
 
 
 class Throttle(LoggingFilter):
-    """Filter that skips a call until the throttle duration after the last line is over."""
+    """Filter that skips all calls within the throttle duration after a logged line."""
 
     params: ClassVar[LoggingFilterParams] = {
         "throttle_duration_sec": None,
@@ -165,7 +165,7 @@ class Throttle(LoggingFilter):
 
     @staticmethod
     def should_log(context: Any) -> bool:
-        """Return whether the throttle duration after the last line is over."""
+        """Return whether the throttle duration since the last logged line is over."""
         now = context["throttle_time_source_type"].now().nanoseconds
         is_open: bool = (
             now >= context["throttle_last_logged"] + context["throttle_duration_sec"] * 1e9

@@ -197,7 +197,7 @@ class Clock:
         self._clock_type = clock_type
         self._is_steady = clock_type is ClockType.STEADY_TIME
         self._source_changes = 0  # how often the source of time changed
-        # The lists have no lock, which could block a signal handler. Each change or copy is atomic.
+        # A lock could block a signal handler. The lists need none: changes and copies are atomic.
         self._jumps: list[JumpHandle] = []
         self._changes: list[TimeChangeHandle] = []
 
@@ -398,6 +398,6 @@ def _check_callable(argument: str, callback: object) -> None:
 
 
 def _default_context() -> SleepContext:
-    # Not imported above, because `zbot.context` may not be loaded yet.
+    # Imported here, so that the import of this module does not load `zbot.context`.
     context: SleepContext = importlib.import_module("zbot.context").get_default_context()
     return context

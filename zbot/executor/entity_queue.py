@@ -94,8 +94,8 @@ class EntityQueue:
         """Remove entities from the queue and from the timers."""
         self._must_requeue = True
         self._timers.forget(entities)
-        # Other threads post and take at the same time. So take each entity from the front once,
-        # in atomic steps, and put back the entities that stay.
+        # Other threads may post and take during this loop. So it takes each entity from the front
+        # once, in atomic steps, and puts back the entities that stay.
         for _ in range(len(self._ready)):
             entity = EntityQueue._pop_ready(self)
             if entity is not None:

@@ -92,7 +92,7 @@ class MultiThreadedExecutor(Executor):
         return bool(self._failures) or (stop is not None and stop())
 
     def _pop_ready(self) -> Entity | None:
-        # Work that waits for a thread stays in the entity's own queue, which has a limited length.
+        # While all threads are busy, work stays in the entity's own queue of limited length.
         return None if self._running >= self._num_threads else super()._pop_ready()
 
     def _submit(self, entity: Entity, taken: Any) -> None:

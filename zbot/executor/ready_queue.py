@@ -32,7 +32,7 @@ class Entity(Protocol):
 
 
 class ReadyQueue:
-    """Connects the entities of one node with the executor that runs the node.
+    """Passes posts to a node's executor. A post says that an entity of the node may have work.
 
     A post without an executor is lost. When the next executor is attached, it asks every entity for
     work. Entities keep their work themselves, so a post contains no data and may come too often.

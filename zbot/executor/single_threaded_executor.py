@@ -18,7 +18,7 @@ class SingleThreadedExecutor(Executor):
         """Run callbacks until the context or this executor is shut down.
 
         Raises:
-            ExternalShutdownException: The context was shut down while no callback was running.
+            ExternalShutdownException: A signal came, or the context was shut down during a wait.
         """
         with self._hold_spin_lock():
             while self._context.ok() and not self._is_shutdown:

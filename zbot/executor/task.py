@@ -260,6 +260,6 @@ class Task(Future[T]):
 
 
 async def await_or_execute(callback: Callable[..., Any], *args: Any) -> Any:
-    """Return what a function or a coroutine function returns."""
+    """Call a function, or call a coroutine function and await it. Return the result."""
     outcome = callback(*args)
     return await outcome if inspect.isawaitable(outcome) else outcome

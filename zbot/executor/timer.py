@@ -54,7 +54,7 @@ class Timer:
     """Calls a function every period. Made by `Node.create_timer`.
 
     A late timer calls the function once, skips the missed periods, and keeps its period boundaries.
-    So the mean rate stays exact. With a simulated clock the timer follows `/clock`. With other
+    So delays do not add up. With a simulated clock the timer follows `/clock`. With other
     clocks it follows the monotonic clock.
 
     Args:
@@ -302,7 +302,7 @@ class Rate:
 
         Raises:
             RateInterruptedError: The context was shut down.
-            InvalidHandleError: The rate was destroyed before.
+            InvalidHandleError: The rate was destroyed before this call.
         """
         if self._sleep_context.is_destroyed:
             raise InvalidHandleError("the rate")

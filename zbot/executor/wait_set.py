@@ -56,7 +56,7 @@ class WaitSet:
         return self._add("service", handle)
 
     def add_event(self, handle: Handle[Any]) -> int:
-        """Add an event of quality of service and return its index."""
+        """Add a QoS event and return its index."""
         return self._add("event", handle)
 
     def _add(self, kind: Kind, handle: Handle[Any]) -> int:

@@ -1,6 +1,6 @@
 """Drawing of the graph as SVG.
 
-Each node, topic, edge and frame is an SVG group with the attribute `data-key`. A page finds the
+Each node, topic, edge and namespace frame is an SVG group with a `data-key`. A page finds the
 group by this key, to move it and to react to clicks. `data-node` and `data-topic` contain names.
 """
 

@@ -129,7 +129,7 @@ class Announcement:
 
 
 class Graph:
-    """Graph of one context, which always has the present state of the domain.
+    """Graph of one context. The graph always has the present state of the domain.
 
     Listeners are methods of objects. Zenoh's thread calls them, or the thread that calls
     `announce`, `undeclare` or `add_listener`. They must return quickly and must not block.

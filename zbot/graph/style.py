@@ -31,7 +31,7 @@ _WIDE = 700  # for characters that are not ASCII
 
 @dataclass(frozen=True)
 class Palette:
-    """Colours of the drawing. A tuple has the colours of filling, border and text."""
+    """Colours of the drawing. The order in a tuple is filling, border and, if given, text."""
 
     ground: str
     text: str
@@ -88,7 +88,7 @@ def text_width(text: str, size: float) -> float:
 
 @lru_cache(maxsize=1)
 def style() -> str:
-    """Return the CSS. The screen or the classes `light` and `dark` choose the colours."""
+    """Return the CSS. The screen or the CSS classes `light` and `dark` choose the colours."""
     dark = _colours(".zbot-graph:not(.light)", DARK)
     return "\n".join(
         [

@@ -88,7 +88,7 @@ class TopicView:
         return replace(self, ends=tuple(end for end in self.ends if end.node in nodes))
 
     def receives(self, subscription: str, publisher: str) -> bool:
-        """Whether two nodes use the same type. A box that replaces topics is not checked."""
+        """Whether two nodes use the same type. This is true for a box that replaces topics."""
         if not self.has_clash or self.stands_for:
             return True
         types = self._types_of(publisher, is_publisher=True)

@@ -43,7 +43,7 @@ class Edge:
 
     @property
     def is_both_ways(self) -> bool:
-        """Whether it has two heads. Goals go one way, feedback and results go the other way."""
+        """Whether the arrow has two heads: goals go one way, feedback and results the other way."""
         return self.kind is BoxKind.ACTION
 
     @property
@@ -53,13 +53,13 @@ class Edge:
 
     @property
     def start_key(self) -> str:
-        """The key of the box at its start, unique in the drawing."""
+        """The key of the box at the arrow's start, unique in the drawing."""
         is_node = self.label or self.is_publishing
         return node_key(self.start) if is_node else self.kind.key(self.start)
 
     @property
     def end_key(self) -> str:
-        """The key of the box at its end, unique in the drawing."""
+        """The key of the box at the arrow's end, unique in the drawing."""
         return self.kind.key(self.end) if self.is_publishing else node_key(self.end)
 
 

@@ -4,7 +4,7 @@ The modules of an installed ROS 2 have priority. The finders add missing package
 Python packages, they add missing modules `msg`, `srv` and `action`.
 
 Python asks these finders for every import. `zbot.interfaces.importer` makes the modules. The
-finders load `importer` only to find such a module, so `zbot topic list` starts a fifth faster.
+finders load `importer` only to find such a module, so `zbot topic list` starts 20 % faster.
 """
 
 from __future__ import annotations

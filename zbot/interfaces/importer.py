@@ -1,4 +1,4 @@
-"""Loaders of the modules `std_msgs`, `std_msgs.msg` and `std_msgs.msg._string`."""
+"""Loaders of modules such as `std_msgs`, `std_msgs.msg` and `std_msgs.msg._string`."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ class ScalarCheck:
         return FieldTypeError(self.type_name, label, self.expected, value)
 
     def wrong_value(self, label: str, value: object) -> FieldValueError:
-        """Return the error for a value that is too large or too long."""
+        """Return the error for a number that is out of range, or a value of a wrong length."""
         return FieldValueError(self.type_name, label, self.expected, value)
 
 

@@ -159,7 +159,7 @@ def _new(field: Field) -> str:
 
 
 def _checked(field: Field, variable: str) -> str:
-    """Return an expression for the stored value: the same value if it passes the inline test."""
+    """Return an expression for the stored value. It calls `_check_...` if the inline test fails."""
     test = _inline_test(field, variable)
     slow = f"_check_{field.name}({variable})"
     return f"{variable} if {test} else {slow}" if test else slow

@@ -93,7 +93,7 @@ def compose(text: str) -> Node | None:
     """Return the node of the only document in a text. Return None if the text is empty.
 
     Raises:
-        YAMLError: The text is not YAML.
+        YAMLError: The text is not YAML, or contains several documents.
     """
     node: Node | None = yaml.compose(text, Loader=_Loader)
     return node
@@ -103,9 +103,9 @@ def scalar(node: ScalarNode) -> Any:
     """Return the value of a scalar: a number, a bool, None, a date or a string.
 
     Raises:
-        YAMLError: The scalar's tag is unknown, or its text does not fit the tag.
+        YAMLError: The tag is unknown or not for scalars, or a `!!binary` text is not base64.
     """
     try:
         return SafeConstructor().construct_document(node)
-    except ValueError:  # 2024-13-01 looks like a date
+    except (ValueError, KeyError, AttributeError):  # as in 2024-13-01, !!bool x, !!timestamp x
         return node.value

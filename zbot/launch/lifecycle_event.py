@@ -1,4 +1,4 @@
-"""Events that request transitions of managed (lifecycle) nodes or report transitions."""
+"""Events that request or report transitions of managed (lifecycle) nodes."""
 
 from __future__ import annotations
 

@@ -53,7 +53,7 @@ class ParameterValue:
         return _converted(value, self.value_type)
 
     def describe(self) -> str:
-        """Return the value as text."""
+        """Return the name of the class and the value."""
         return f"ParameterValue({self.value!r})"
 
 
@@ -94,7 +94,7 @@ class ParameterFile:
         return self._path
 
     def describe(self) -> str:
-        """Return the path."""
+        """Return the name of the class and the path."""
         return f"ParameterFile({describe(self._given)})"
 
 

@@ -33,7 +33,7 @@ class AsyncSafeSignalManager:
         """Set a signal's handler. The handler gets the signal's number. None removes the handler.
 
         Returns:
-            The previous handler.
+            The handler that this manager had for the signal, or None.
 
         Raises:
             ValueError: `handler` is not callable, or this is not the main thread.

@@ -59,7 +59,7 @@ def is_instance_of_valid_type(value: Any, can_be_str: bool = False) -> bool:
 
 
 def is_instance_of(value: Any, data_type: Any = None, can_be_str: bool = False) -> bool:
-    """Return whether a value has a type.
+    """Return whether a value has a given type.
 
     Args:
         value: The value.

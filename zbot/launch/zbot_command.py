@@ -33,7 +33,7 @@ def zbot_command() -> list[str]:
 
 
 def run_scripts_with_zbot(words: Sequence[str]) -> list[str]:
-    """Return a command that runs Python scripts with `zbot run`, so that they find `rclpy`."""
+    """Replace `python3 X.py` by `zbot run X.py` in a command, so that the script finds `rclpy`."""
     script = 2 if len(words) > 1 and words[1] == "-u" else 1  # zbot does not need -u
     is_python = words[0] in {sys.executable, "python", "python3"}
     if is_python and len(words) > script and words[script].endswith(".py"):
@@ -42,7 +42,7 @@ def run_scripts_with_zbot(words: Sequence[str]) -> list[str]:
 
 
 def find_on_path(name: str, environment: Mapping[str, str]) -> str | None:
-    """Return the path of a program on the search path of an environment, or None."""
+    """Return a program's path on the PATH, or None. A missing `ros2` or `zbot` gets a wrapper."""
     found = shutil.which(name, path=environment.get("PATH"))
     if found is None and Path(name).name in {"ros2", "zbot"}:
         found = str(_wrapper(Path(name).name, zbot_command()))

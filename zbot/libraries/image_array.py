@@ -206,7 +206,7 @@ def _pixels(image: Image) -> NDArray[Any]:
 
 
 def converted(array: NDArray[Any], source: str, target: str) -> NDArray[Any]:
-    """Return an image in another encoding. Values of colours and grey are scaled to its bits.
+    """Return an image in another encoding. Colours and grey are scaled to the new number of bits.
 
     Raises:
         CvBridgeError: An encoding does not exist, or the conversion is not possible.

@@ -1,4 +1,4 @@
-"""Conversion of point clouds and numpy arrays. `sensor_msgs_py.point_cloud2` has these functions.
+"""Conversion between point clouds and numpy arrays, as in `sensor_msgs_py.point_cloud2`.
 
 This module needs numpy, which `pip install 'zbot[numpy]'` installs.
 """
@@ -89,8 +89,8 @@ def read_points(
     Args:
         cloud: The cloud. Its bytes are copied only if necessary.
         field_names: The fields to return. The default is all fields.
-        skip_nans: Leave out points with a value that is NaN. This is not checked if the cloud has
-            `is_dense`.
+        skip_nans: Leave out points with a value that is NaN. This is not checked if the cloud's
+            `is_dense` is true.
         uvs: The indices of the points to return.
         reshape_organized_cloud: Return an array of two dimensions for a cloud with several rows.
 

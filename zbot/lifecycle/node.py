@@ -50,7 +50,7 @@ _CALLBACKS = {
 class _LifecycleData:
     """The private data of a managed node.
 
-    The node has only this one attribute, so that programs can use almost any attribute name.
+    The node holds this object in one attribute, so that programs can use almost any other name.
     """
 
     def __init__(self) -> None:
@@ -105,23 +105,23 @@ class LifecycleNodeMixin(ManagedEntity):
         return self._zbot_lifecycle.machine
 
     def trigger_configure(self) -> TransitionCallbackReturn:
-        """Make an unconfigured node inactive. Return the result of its callback."""
+        """Make an unconfigured node inactive. Return the result of `on_configure`."""
         return self._zbot_change_state("configure")
 
     def trigger_cleanup(self) -> TransitionCallbackReturn:
-        """Make an inactive node unconfigured. Return the result of its callback."""
+        """Make an inactive node unconfigured. Return the result of `on_cleanup`."""
         return self._zbot_change_state("cleanup")
 
     def trigger_activate(self) -> TransitionCallbackReturn:
-        """Make an inactive node active. Return the result of its callback."""
+        """Make an inactive node active. Return the result of `on_activate`."""
         return self._zbot_change_state("activate")
 
     def trigger_deactivate(self) -> TransitionCallbackReturn:
-        """Make an active node inactive. Return the result of its callback."""
+        """Make an active node inactive. Return the result of `on_deactivate`."""
         return self._zbot_change_state("deactivate")
 
     def trigger_shutdown(self) -> TransitionCallbackReturn:
-        """Shut the node down. Return the result of its callback.
+        """Shut the node down. Return the result of `on_shutdown`.
 
         Raises:
             TransitionNotPossibleError: The node is finalized, or it is in a transition.

@@ -38,7 +38,7 @@ class TransitionCallbackReturn(Enum):
     """Return value of a managed node's callback."""
 
     SUCCESS = 97
-    FAILURE = 98  #: back to the state before the transition
+    FAILURE = 98  #: back to the previous state; after `on_shutdown` and `on_error`, to `finalized`
     ERROR = 99  #: `on_error` runs next
 
     def __int__(self) -> int:

@@ -74,8 +74,8 @@ class CallSite:
         self._severity, self._name = severity, name
         self._filters = _filters(options) if options else _NO_FILTERS
         self._passed = 0
-        # As in rclpy: if the program gives a clock, the first line is written only after the
-        # clock's time is above the throttle's duration. At 0, simulated time has not begun yet.
+        # As in rclpy: if the program gives a clock, a line counts as written at 0, before simulated
+        # time begins. So the first line comes when the clock reaches the throttle's duration.
         self._last_ns: int | None = None if self._filters.clock is None else 0
 
     def check(

@@ -31,8 +31,8 @@ class Logger:
 
     * `once=True`: only the first call at this place in the source writes a line.
     * `skip_first=True`: every call at this place writes a line, except the first call.
-    * `throttle_duration_sec=2.0`: at most one line is written in two seconds. The time is that of
-      the clock `throttle_time_source_type`, or by default of the monotonic clock.
+    * `throttle_duration_sec=2.0`: at most one line is written in two seconds. The option
+      `throttle_time_source_type` gives the clock. The default is the monotonic clock.
     * `name="other"`: the line has another logger's name.
 
     A call raises `LogCallChangedError` if its severity, name or filters differ from the first call

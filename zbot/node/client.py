@@ -182,8 +182,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
     def call(self, request: RequestT, timeout_sec: float | None = None) -> ResponseT:
         """Send a request and wait for the response.
 
-        It may be called in any thread, also in a callback, because the wait needs no executor. If
-        the waiting thread also runs the server's callbacks, it runs them during the wait.
+        Any thread may call this, also in a callback, because the wait needs no executor. If the
+        server is in the callback's executor, the thread runs the server's callback during the wait.
 
         Args:
             request: The request.

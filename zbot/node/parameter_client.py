@@ -141,7 +141,7 @@ class AsyncParameterClient:
     def load_parameter_file(
         self, parameter_file: str, use_wildcard: bool = False, callback: Callback = None
     ) -> Future[Any]:
-        """Set the parameters that a file has for the other node, one after the other.
+        """Set the parameters that a file has for the other node. They are set one by one.
 
         Args:
             parameter_file: Path of the YAML file.

@@ -108,7 +108,7 @@ def _remove(handles: list[Any], handle: Any) -> None:
 class ParameterEventHandler:
     """Subscribes to `/parameter_events` and runs callbacks, as in rclpy.
 
-    The callback that was added last is called first.
+    Of the callbacks for one parameter, or for all events, the latest callback is called first.
 
     Args:
         node: The node that subscribes. Its executor runs the callbacks.

@@ -105,7 +105,7 @@ class NodeParameters:
             InvalidParameterError: The name is empty.
             InvalidParameterTypeException: The override has another type than the default.
             InvalidParameterValueException: The range or a callback rejects the value.
-            ParameterDeclarationError: There is neither a value nor a type.
+            ParameterDeclarationError: The type is missing, or is given with dynamic typing.
         """
         is_bare = value is None and descriptor is None
         one = _declaration(name, value, descriptor, is_bare=is_bare)
@@ -123,7 +123,7 @@ class NodeParameters:
 
         Raises:
             ParameterListError: An element is not a tuple of this form.
-            ParameterError: See `declare_parameter`. The parameters before the error stay declared.
+            ParameterError: See `declare_parameter`. Parameters before a rejected one stay declared.
         """
         declarations = [
             _declaration_of(namespace, index, item) for index, item in enumerate(parameters)

@@ -124,7 +124,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         """Send the first message, or any message after a second thread has called `publish`.
 
         When there are two threads, both use the lock, so that sequence numbers stay in order. But
-        the second thread may once overtake a message that the first thread has begun to send.
+        messages of the second thread can overtake the one message that the first thread is sending.
         """
         with self._lock:
             self._only_thread = None

@@ -61,7 +61,7 @@ class IncompatibleTypeInfo(QoSCountInfo):
 
 @dataclass(frozen=True)
 class QoSRequestedIncompatibleQoSInfo(QoSCountInfo):
-    """Info that zbot never sends, because all profiles are compatible in zbot."""
+    """Info of an event that never happens, because all profiles are compatible in zbot."""
 
     last_policy_kind: int
 

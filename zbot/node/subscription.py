@@ -3,8 +3,8 @@
 A thread of the subscription waits for the first sample of a burst. It appends the sample to a queue
 and posts the subscription to its executor. The executor then drains Zenoh's queue itself, and lets
 the thread wait again when the queue stays empty for a moment. So a burst costs one wake-up, the two
-threads never compete, and an idle subscription uses no CPU. A keep-last queue is Zenoh's ring
-channel, which drops the oldest samples without Python.
+threads never compete, and an idle subscription uses no CPU. With keep-last, Zenoh's queue is
+a ring channel, which drops the oldest samples without Python.
 """
 
 from __future__ import annotations
@@ -183,7 +183,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
 
     @property
     def handle(self) -> SubscriptionHandle:
-        """A handle for a `WaitSet`. A program can also take messages from it."""
+        """A handle for a `WaitSet`. A program can also take messages from the handle."""
         return SubscriptionHandle(self)
 
     def get_publisher_count(self) -> int:

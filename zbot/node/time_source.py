@@ -31,7 +31,7 @@ class TimeSource:
         self._clocks: list[ROSClock] = []
         self._last_time = Time(clock_type=ClockType.ROS_TIME)
         self._is_active = False
-        # A separate group, because a callback of the node may wait for the simulated time.
+        # A separate group lets `/clock` advance the time while a callback of the node waits for it.
         self._group = MutuallyExclusiveCallbackGroup()
         self._clock_sub: Subscription[Any] | None = None
         if node is not None:
@@ -60,7 +60,7 @@ class TimeSource:
         if not node.has_parameter(USE_SIM_TIME):
             node.declare_parameter(USE_SIM_TIME, False)
         self._node = node
-        # As in rclpy, the callback of the latest time source runs first, and so subscribes first.
+        # As in rclpy, the time source that was attached last is called first and subscribes first.
         node.handle.parameters.post_set.insert(0, self._follow)
         self._follow()
         self._subscribe()

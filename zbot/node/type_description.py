@@ -48,7 +48,7 @@ class TypeDescriptionService:
     """The service `~/get_type_description`, which every node creates.
 
     Args:
-        node: The node. Its parameter `start_type_description_service` turns the service on.
+        node: The node. Its parameter `start_type_description_service` turns the service on or off.
     """
 
     def __init__(self, node: Node) -> None:

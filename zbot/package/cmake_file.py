@@ -26,7 +26,7 @@ _ENDS = {
 
 @dataclass
 class Installation:
-    """Files to install. The keys of `programs` and `files` are paths below the prefix."""
+    """Files to install. The keys of `programs` and `files` are paths below the install prefix."""
 
     programs: dict[str, Path] = field(default_factory=dict)
     files: dict[str, Path] = field(default_factory=dict)
@@ -38,8 +38,8 @@ class Installation:
 def read_cmake(folder: Path) -> Installation:
     """Return what the CMakeLists.txt of a folder installs. Empty if there is no such file.
 
-    The reader reads the commands in order and ignores conditions. It leaves out values that only
-    CMake can compute.
+    The reader reads the commands in order, in all branches of each `if()`. It leaves out values
+    that only CMake can compute.
     """
     try:
         text = (folder / "CMakeLists.txt").read_text(encoding="utf-8", errors="replace")

@@ -68,7 +68,7 @@ def find_package(name: str) -> Package | None:
 
 
 def searched_folders() -> list[Path]:
-    """Return the folders that `find_package` searches, for error messages."""
+    """Return the folders in which `find_package` searches. Error messages name them."""
     from zbot.package.workspace import search_roots  # noqa: PLC0415 - for errors only
 
     return [*(root for root, _ in search_roots()), *prefixes()]

@@ -1,7 +1,7 @@
 """Installed form of source packages: prefixes that contain symbolic links to the sources.
 
 Most packages install each folder under its own name. Then the source folder is the share folder.
-A prefix of links is made only if a setup.py or CMakeLists.txt installs files under other names.
+If setup.py or CMakeLists.txt installs files under other names, the share folder is in a prefix.
 The links are updated each time that a caller asks for the prefix, so no package has to be built.
 """
 

@@ -73,7 +73,7 @@ class Declaration(NamedTuple):
 class ParameterStore:
     """Parameters of a node, declared, set and undeclared by rclpy's rules.
 
-    Each change has these steps. The pre-set callbacks may replace the list of parameters. The
+    `set` has these steps. The pre-set callbacks may replace the list of parameters. The
     descriptors and then the on-set callbacks may reject the list. The values are set. The event is
     published. The post-set callbacks are called. In each step, the callback that was added last is
     called first.

@@ -84,8 +84,8 @@ def register() -> None:
 def wait_for_threads() -> None:
     """Wait for the threads that the program started, as Python does at its end.
 
-    From Python 3.12 on, threads cannot start new threads while Python itself waits for them, so
-    they could not open a node. A signal's exception ends this function at once.
+    While Python 3.12 or later itself waits, a thread cannot start threads, nor open a node. While
+    this function waits, it can do both. A signal's exception ends this function at once.
     """
     for thread in _program_threads():
         thread.join()

@@ -52,7 +52,7 @@ guard_conditions: WeakSet[GuardCondition] = WeakSet()
 
 
 class _Process:
-    """The handlers that this process has installed, and the signal that ends it."""
+    """State of this process: its handlers before `install()`, and the signal that ends it."""
 
     previous: dict[int, Any] = {}  # noqa: RUF012 - one per process
     has_hooks = False
@@ -105,7 +105,7 @@ def _interrupt_contexts() -> None:
     for context in at_exit.open_contexts:
         context.interrupt()
     if guard_conditions:
-        # In a new thread, because the interrupted thread may hold the condition's lock.
+        # A new thread triggers them, because the interrupted thread may hold a condition's lock.
         threading.Thread(target=_trigger_guards, daemon=True).start()
 
 

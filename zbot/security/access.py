@@ -60,9 +60,9 @@ ACCEPT_PENDING = 2000
 ACCEPT_TIMEOUT_MS = 3000
 
 # All connections belong to the region below the hub ("south"). In the hub's own region, Zenoh
-# ignores the access rules and sends the names of all keys to all routers. So every laptop would get
-# the name of every topic and node of the class. In the region below the hub, a router gets only
-# the names that it may read.
+# ignores the access rules and sends the names of all keys to all routers. A laptop there would
+# get the name of every topic and node of the class. In the region below the hub, a router gets
+# only the names that it may read.
 _REGIONS: dict[str, Any] = {"south": [{}]}
 
 _WRITE_MESSAGES = ("put", "delete", "reply", "declare_queryable", "liveliness_token")

@@ -111,7 +111,7 @@ def issue(authority: KeyPair, name: str, addresses: Iterable[str], validity: Val
         authority: Key pair that signs the certificate.
         name: The machine's name, which becomes the certificate's common name.
         addresses: Host names and IP addresses at which others reach the machine. A certificate
-            without addresses is a client's. Its machine can join others, but others cannot join it.
+            without addresses is for a client. A client can join others, but others cannot join it.
         validity: Period in which the certificate is valid.
 
     Raises:

@@ -83,7 +83,7 @@ class MissingFileError(CertificateError, FileNotFoundError):
         super().__init__(
             path,
             f"there is no {what} at {path}: copy the machine's whole folder out of the keystore, "
-            "or make it with `zbot security create_enclave`",
+            "or make the folder with `zbot security create_enclave`",
         )
 
 

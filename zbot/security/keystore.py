@@ -118,7 +118,7 @@ class Keystore:
             for name in ("public", "private", "enclaves"):
                 make_private_folder(root / name)
             write_private(root / "private" / "ca.key.pem", made.key)
-            # Written last, because `is_keystore` is true from here on.
+            # This file is written last, because `is_keystore` is true from here on.
             write_private(root / "public" / _AUTHORITY, made.certificate)
         except OSError as exc:
             raise KeystoreWriteError(root, exc) from exc
@@ -202,11 +202,11 @@ def identity(folder: Path) -> Identity:
     """Return the folder of this machine's key and certificates.
 
     Args:
-        folder: A machine's folder, or a keystore. If a keystore has only one enclave, it is chosen.
-            Otherwise the enclave that has this machine's host name is chosen.
+        folder: A machine's folder, or a keystore. In a keystore, the only enclave is chosen. If it
+            has several enclaves, the enclave that has this machine's host name is chosen.
 
     Raises:
-        UnknownEnclaveError: The keystore has no enclave, or several, but none with the host name.
+        UnknownEnclaveError: The keystore has no enclave, or several but none with the host name.
         MissingFileError: The folder does not exist.
     """
     if not is_keystore(folder):

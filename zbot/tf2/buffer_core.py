@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from collections.abc import Container
 
 _CACHE_S = 10.0
-_QUATERNION_TOLERANCE = 1e-2  # largest difference of a quaternion's length from 1, as in tf2
+_QUATERNION_TOLERANCE = 1e-2  # largest difference of the squared length from 1, as in tf2
 
 
 class BufferCore:
@@ -184,7 +184,7 @@ class BufferCore:
             return down[name].inverse() @ up[name], stamp_ns
         between = {name for names in self._path(target, source) for name in names}
         for ways, problem in ((up, up_fault), (down, down_fault)):
-            # Frames above the nearest common ancestor were visited too, but are not needed.
+            # Errors above the nearest common ancestor are ignored: no frame there is needed.
             if problem is not None and next(reversed(ways)) in between:
                 route = f"when looking up transform from frame [{source}] to frame [{target}]"
                 raise ExtrapolationException(f"{problem}, {route}")
@@ -249,7 +249,7 @@ class BufferCore:
         return line
 
     def _path(self, target: str, source: str) -> tuple[list[str], list[str]]:
-        """Return the frames from the source and from the target up to their common ancestor."""
+        """Return the frames from source and target up to the common ancestor, which is left out."""
         from_source, from_target = self._ancestors(source), self._ancestors(target)
         for place, name in enumerate(from_source):
             if name in from_target:

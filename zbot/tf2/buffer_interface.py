@@ -83,7 +83,7 @@ class BufferInterface:
 
 
 def convert(value: Any, new_type: type[Any]) -> Any:
-    """Return an object converted to another class, by a function of `ConvertRegistration`.
+    """Return an object converted by a function that was registered with `ConvertRegistration`.
 
     Raises:
         TypeException: No function is registered for these classes.

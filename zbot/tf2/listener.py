@@ -110,7 +110,7 @@ class TransformListener:
                 self.buffer.set_transform_static(transform, "default_authority")
 
     def unregister(self) -> None:
-        """Destroy the subscriptions. This method may be called twice."""
+        """End the listener's subscriptions, thread and own node. A second call is allowed."""
         for subscription in self._subscriptions:
             if subscription in self.buffer.subscriptions:
                 self.buffer.subscriptions.remove(subscription)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 Vector = tuple[float, float, float]
 Quaternion = tuple[float, float, float, float]
 
-_NEARLY_PARALLEL = 0.9995  # above this value, the sine of the angle is too small to divide by
+_NEARLY_PARALLEL = 0.9995  # a cosine; above it, weights from sines would be too close to 0
 
 
 def multiply(a: Quaternion, b: Quaternion) -> Quaternion:

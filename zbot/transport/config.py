@@ -36,7 +36,7 @@ def _first_set(variables: tuple[str, ...]) -> tuple[str, str] | None:
 
 
 def domain_id(given: int | None = None) -> int:
-    """Return the first of `given`, `$ZBOT_DOMAIN_ID`, `$ROS_DOMAIN_ID`, the student's number, 0.
+    """Return `given`, else `$ZBOT_DOMAIN_ID`, else `$ROS_DOMAIN_ID`, else student number, else 0.
 
     Raises:
         DomainIdError: The domain is not an integer from 0 to 232.

@@ -66,8 +66,8 @@ def keep_thread_state() -> None:
 
     Without this, Python creates a new state at each call from Zenoh. This takes 20 us, because the
     memory comes from the kernel. Zenoh has few threads, and they exist as long as the process. So
-    it is enough to call `PyGILState_Ensure` once without a release. If Python is not CPython, the
-    function does nothing.
+    this function calls `PyGILState_Ensure` once in each thread, and never releases the state. If
+    Python is not CPython, the function does nothing.
     """
     if getattr(_known, "is_kept", False):
         return

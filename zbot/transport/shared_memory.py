@@ -15,7 +15,7 @@ import zenoh
 if TYPE_CHECKING:
     from zenoh.shm import ShmProvider, ZShmMut
 
-# The size that Zenoh uses for a session. A block is free again when its readers have read it.
+# Zenoh's own pool for a session has the same size. Each message in a pool takes one block.
 _POOL_BYTES = 16 * 1024 * 1024
 
 
@@ -45,8 +45,8 @@ def _block(pool: ShmProvider, size: int) -> ZShmMut | None:
 def _tidied(pool: ShmProvider) -> ShmProvider:
     """Free all blocks that were read, join the free blocks, and return the pool.
 
-    A Zenoh allocation policy either frees blocks or joins them. So it finds no space for a block
-    that is larger than the earlier blocks.
+    In one call, a Zenoh allocation policy frees blocks or joins them, but not both. So it finds
+    no space for a block that is larger than the earlier blocks.
     """
     pool.garbage_collect()
     pool.defragment()

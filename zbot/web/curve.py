@@ -113,7 +113,7 @@ class Curve:
 
 
 class _Topic:
-    """Topic with its curves. All curves use the same decoded message."""
+    """Watched topic, with the number of the last message that was read for its curves."""
 
     def __init__(self, watch: Watch) -> None:
         self.watch = watch
@@ -124,7 +124,7 @@ Points = dict[str, list[float]]
 
 
 class Curves:
-    """Curves of one plot. They contain the points that came after the last `take`.
+    """Curves of one plot. `take` returns the points that came after the previous `take`.
 
     Args:
         watcher: The object that watches the topics of the curves.
@@ -143,7 +143,7 @@ class Curves:
 
     @property
     def waiting(self) -> list[str]:
-        """Topics that were added without a field and whose type is not known yet."""
+        """Topics that were added without a field and of which no message was read yet."""
         return list(self._wholes)
 
     def add(self, topic: str, field: str) -> None:
@@ -177,7 +177,7 @@ class Curves:
         return watch.problem or curve.problem
 
     def take(self) -> Points:
-        """Return the new points of each curve as [time in s since the epoch, value, ...]."""
+        """Return each curve's new points: [time in s since the epoch, value, time, value, ...]."""
         found: Points = {}
         for name, topic in self._topics.items():
             records = topic.watch.since(topic.read_count)

@@ -16,7 +16,7 @@ LEVELS = {10: "Debug", 20: "Info", 30: "Warn", 40: "Error", 50: "Fatal"}
 
 
 def level_of(line: LogLine) -> int:
-    """Return a line's level, rounded to a key of `LEVELS`. Programs may use values up to 255."""
+    """Return a line's level (0 to 255), rounded down to a key of `LEVELS` but at least 10."""
     return min(max(line.level // 10 * 10, 10), 50)
 
 

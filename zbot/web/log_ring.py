@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from itertools import islice
 from typing import Any
 
-#: Enough for a lesson. A node that logs 1000 lines a second fills the buffer in 10 s.
+#: Usually enough for a lesson, but 1000 lines a second fill the buffer in 10 s.
 CAPACITY = 10_000
 
 

@@ -101,7 +101,7 @@ class Section:
         """Call a function when the section is closed.
 
         Returns:
-            A function that calls the callback now and not at the close. A second call does nothing.
+            A function that calls the callback early, not at the close. A second call does nothing.
         """
         key = object()
         self._endings[key] = callback
@@ -142,7 +142,7 @@ class Page(Section):
     Attributes:
         query: The parameters of the address, e.g. `{"topic": "/scan"}`.
         toolbar: A row beside the title, for buttons and filters: `with page.toolbar: ...`
-        command: The command that prints the content of the page.
+        command: The `zbot ...` command that the page shows below the panel.
         is_awake: Whether the page is visible.
     """
 

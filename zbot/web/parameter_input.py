@@ -97,7 +97,7 @@ class ParameterInput:
         async def slide(_event: object) -> None:
             await self._set(convert(slider.value or 0.0))
 
-        # This event comes only for the user's changes. Other changes move the slider too.
+        # This event comes only when the user moves the slider, not when this program moves it.
         slider.on("update:model-value", with_errors_shown(slide), throttle=_DRAG_S, args=[])
         self._showers.append(slider.set_value)
 

@@ -43,7 +43,7 @@ _PLANES: dict[str, tuple[int, tuple[int, ...]]] = {
 _PLANES |= {f"bayer_{pattern}8": (1, (0,)) for pattern in ("rggb", "bggr", "gbrg", "grbg")}
 #: Encodings with separate planes. The page shows only the first plane, which is the brightness.
 _PLANAR = frozenset({"nv12", "nv21", "nv24", "yuv420", "i420"})
-#: For encodings with larger numbers: array typecode, numbers of a pixel, positions as in `_PLANES`.
+#: For encodings with larger numbers: array typecode, numbers per pixel, positions as in `_PLANES`.
 _NUMBERS: dict[str, tuple[str, int, tuple[int, ...]]] = {
     "mono16": ("H", 1, (0,)),
     "16UC1": ("H", 1, (0,)),
@@ -120,7 +120,7 @@ class _Layout:
     step: int  #: every `step`-th row and column is used
 
     def rows(self, data: SliceableT, offset: int) -> list[SliceableT]:
-        """Return one number of each pixel in a list of rows.
+        """Return the number at `offset` of each used pixel, as a list of rows.
 
         Raises:
             ImageError: The data is too short.

@@ -99,7 +99,7 @@ class RequestCheck:
         return self._token is not None and _is_address(name)
 
     def _cookie_name(self, scope: Scope) -> str:
-        # All ports of a host share a cookie. With one name, a second server would replace it.
+        # All ports of a host share cookies. The port in the name separates two servers' cookies.
         return f"zbot_{scope['server'][1]}"
 
     def _cookie(self, scope: Scope) -> str:

@@ -77,7 +77,7 @@ def listen(host: str, port: int) -> socket.socket:
     """Return a socket that listens on a port. If the port is taken, use the next free port.
 
     Raises:
-        ServerError: The host is not an address of this machine, or all ports are taken.
+        ServerError: The machine does not have the address, or the port and the next 100 are taken.
     """
     try:
         family = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM)[0][0]

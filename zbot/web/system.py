@@ -154,8 +154,8 @@ class System:
         return undo
 
     def _on_token(self, _token: Token, _appeared: bool) -> None:
-        # This method must not take the lock. A thread that has the lock may be declaring an entity,
-        # and a declaration can wait for this thread when many tokens arrive at once.
+        # This method must not take the lock. Another thread may hold it and declare an entity. When
+        # many tokens arrive at once, that declaration waits until this method has ended.
         self.revision += 1
         for feed in list(self._feeds.values()):
             if feed.is_wanted and feed.type_name is None:

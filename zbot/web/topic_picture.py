@@ -20,12 +20,12 @@ _IMAGE = "sensor_msgs/msg/Image"
 _COMPRESSED = "sensor_msgs/msg/CompressedImage"
 _SCAN = "sensor_msgs/msg/LaserScan"
 _PICTURE_HZ = 15.0
-#: More points would not be visible, because a circle in the picture has about 1440 pixels.
+#: The edge of the largest circle in the picture has about 1440 pixels. More points look the same.
 _MOST_RAYS = 1440
 
 
 def add_picture(section: Section, watch: Watch) -> None:
-    """Add a picture of a topic to the current element, if its type is an image or a laser scan."""
+    """Add a picture to the current element, if the topic's type is an image or a laser scan."""
     place = ui.element("div").classes("zb-picture")
     place.set_visibility(False)
     undo: Callable[[], None]

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
     from zbot.interfaces import FieldType
 
-#: The largest number of a list's elements in a tree. A scan has hundreds.
+#: A tree shows at most this many elements of a list. A scan has hundreds.
 MOST_ELEMENTS = 24
 #: The largest number of rows in a tree. A nested message can have thousands.
 MOST_ROWS = 300
@@ -34,7 +34,7 @@ class TreeRow:
 
 
 def number(value: float) -> str:
-    """Return a number with six significant digits."""
+    """Return the text of a number. A float has six significant digits."""
     if isinstance(value, bool):
         return str(value).lower()
     return f"{value:.6g}" if isinstance(value, float) else str(value)

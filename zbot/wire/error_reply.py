@@ -18,7 +18,7 @@ def pack_error(error: BaseException) -> bytes:
 
 
 def unpack_error(data: Bytes) -> tuple[str, str]:
-    """Return the kind and the message of an error reply. Other bytes become the message."""
+    """Return the kind and message of an error reply. Bytes in another format become the message."""
     try:
         reply: Any = unpack(data)
     except UnreadableError:

@@ -76,7 +76,7 @@ def _map_header(view: memoryview) -> tuple[int, int]:
 
 
 def _end(view: memoryview, position: int) -> int:
-    """Return the position after the value that begins at a position."""
+    """Return the position after the value that begins at `position`."""
     remaining = 1
     for _ in range(_MAX_STEPS):
         tag = view[position]

@@ -42,7 +42,7 @@ _unpackb: Callable[..., Any] = msgpack.unpackb
 
 
 class UnreadableError(Exception):
-    """The bytes are not valid MessagePack, or exceed its limits."""
+    """The bytes are not valid MessagePack, or are too large or nested too deeply."""
 
 
 class Extension(NamedTuple):

@@ -1,7 +1,7 @@
 """Liveliness tokens, with which nodes and their endpoints announce themselves.
 
-A token is a Zenoh key that exists as long as its session. `zbot node list` and `zbot topic info`
-read all their information from tokens. The grammar is rmw_zenoh's:
+A token is a Zenoh key that exists until its entity or its session ends. `zbot node list` and
+`zbot topic info` read all their information from tokens. The grammar is rmw_zenoh's:
 
     @zbot/<domain>/<zid>/<nid>/<nid>/NN/<enclave>/<namespace>/<node>
     @zbot/<domain>/<zid>/<nid>/<eid>/<kind>/<enclave>/<namespace>/<node>/<name>/<type>/<hash>/<qos>
@@ -121,7 +121,7 @@ def token_selector(domain: int) -> str:
     return f"{TOKEN_PREFIX}/{domain_text(domain)}/**"
 
 
-# The graph needs a gid for the info of every message, and there are only a few different gids.
+# Each access to a token's `gid` calls this function, and there are only a few different keys.
 @lru_cache(maxsize=4096)
 def gid_of(key: str) -> bytes:
     """Return the 16 bytes that identify a token's owner: the BLAKE2b hash of the token's text."""

@@ -169,7 +169,7 @@ def texts(field: str, value: Any, size: int, *, fixed: bool, bound: int) -> list
 
 
 def octets(field: str, value: Any, size: int, *, fixed: bool) -> bytes:
-    """Return a list of `byte` values as one binary."""
+    """Return a list of `byte` values as one binary of MessagePack."""
     values = items(field, value, size, fixed=fixed)
     return bytes(octet(f"{field}[{index}]", item) for index, item in enumerate(values))
 

@@ -13,7 +13,7 @@ from zbot_cli.output.exit_status import Status
 if TYPE_CHECKING:
     from collections.abc import Iterable, Sequence
 
-# PowerShell's older versions drop an empty word, so an empty word comes here as two quotes.
+# Old versions of PowerShell drop an empty word, so zbot's script sends two quotes instead of it.
 _EMPTY = ('""', "''")
 
 

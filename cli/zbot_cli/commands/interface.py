@@ -31,7 +31,7 @@ OnlyActions = Annotated[bool, typer.Option("-a", "--only-actions", help="Only ac
 
 
 class InterfaceNameError(ZbotError):
-    """A name without three parts does not belong to exactly one type."""
+    """A name does not have three parts, and is not the short name of exactly one type."""
 
     def __init__(self, name: str, found: list[str]) -> None:
         self.hint = type_hint(name, found, all_types()) if name else "write std_msgs/msg/String"

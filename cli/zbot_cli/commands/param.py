@@ -379,7 +379,7 @@ def _load(remote: RemoteParameters, node: str, values: dict[str, Any], indent: s
         else:
             _fail(f"{indent}Set parameter {parameter.name} failed: {result.reason}")
             refused.append(parameter)
-    # A dump contains read-only parameters too. The node refuses to set them, but this counts only
-    # if they do not already have the file's value.
+    # A dump contains read-only parameters too, which the node refuses to set. A refusal counts as a
+    # failure only if the node's value differs from the file's value.
     present = remote.values_or_none(node, [one.name for one in refused])
     return sum(present.get(one.name) != one.value for one in refused)

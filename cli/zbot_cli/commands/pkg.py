@@ -85,7 +85,7 @@ def create_package(
         ),
     ] = "TODO: License declaration",
     destination_directory: Annotated[
-        str, typer.Option("--destination-directory", help="Folder to create it in")
+        str, typer.Option("--destination-directory", help="Folder to create the package in")
     ] = ".",
     build_type: Annotated[
         BuildType, typer.Option("--build-type", help="Build type of ROS 2")
@@ -230,7 +230,7 @@ def xml(
 def _text(path: Path, root: Element) -> str:
     try:
         return path.read_text(encoding="utf-8")
-    except UnicodeDecodeError:  # the first line of the file names its encoding
+    except UnicodeDecodeError:  # the first line of the file names another encoding
         from xml.etree.ElementTree import tostring  # noqa: PLC0415 - needed by few files
 
         return tostring(root, encoding="unicode")

@@ -22,7 +22,7 @@ def share(
     reader: Annotated[
         int | None, typer.Argument(min=1, max=232, help="Number of the student who may read them")
     ] = None,
-    stop: Annotated[bool, typer.Option("--stop", help="Undo it")] = False,
+    stop: Annotated[bool, typer.Option("--stop", help="Undo an earlier `zbot share`")] = False,
 ) -> None:
     """Let one student read another's topics, or let everybody publish in /class/."""
     from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`

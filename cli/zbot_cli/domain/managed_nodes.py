@@ -159,7 +159,7 @@ class ManagedNodes:
         return found
 
     def change(self, name: str, wanted: str) -> None:
-        """Make a transition with this label or number. The node's callback has no time limit.
+        """Make the transition with the label or number `wanted`. Its callback has no time limit.
 
         Raises:
             UnknownTransitionError: The transition is not possible now.

@@ -28,7 +28,7 @@ class SeveralDomainsError(ZbotError):
 
 
 def select_domain(words: list[str]) -> list[str]:
-    """Set this process's domain to the domain of a name. Return the words without the domain.
+    """Set this process's domain if a word begins with a domain. Return the words without domains.
 
     Args:
         words: A noun, its verb, and their arguments.

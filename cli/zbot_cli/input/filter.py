@@ -86,7 +86,7 @@ class Filter:
         expression: The expression, e.g. `m.linear.x > 0.5`.
 
     Raises:
-        FilterError: `expression` is invalid, or uses more than comparisons and arithmetic.
+        FilterError: `expression` is invalid, or contains an operation that is not allowed.
     """
 
     def __init__(self, expression: str) -> None:

@@ -81,7 +81,7 @@ class Template:
     def __init__(self, message_type: type[Any], words: str | Sequence[str]) -> None:
         self._type = message_type
         self._values = parse(words)
-        #: Whether each publication needs a new message, because it contains the current time.
+        #: Whether a message contains the current time. If so, each publication needs a new message.
         self.is_stamped = False
         self.make(self._note_time_use)
 

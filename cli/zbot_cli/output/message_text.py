@@ -65,7 +65,7 @@ class Formatter:
                 path.check(message_type)
 
     def subject(self, message: Any) -> Any:
-        """Return the value of `m` in a filter: the message, or its field if only one is printed."""
+        """Return the value of `m` in a filter: the message, or the one field that is selected."""
         return self._paths[0].select(message) if len(self._paths) == 1 else message
 
     def text(self, topic: str, message: Any, info: MessageInfo) -> str:
@@ -74,7 +74,7 @@ class Formatter:
         Args:
             topic: The topic of the message.
             message: The message, or its bytes if the form is raw.
-            info: Times at which the message was sent and received.
+            info: Times and sequence numbers of the message.
         """
         form = self._form
         if form.json and not form.raw:
@@ -110,7 +110,7 @@ def _value_text(form: Form, value: Any) -> str:
     items = items_of(value)
     if items and is_message(items[0]):
         return dump([plain(item, form) for item in items])
-    # A field that was selected by name is not shortened, and is printed on one line.
+    # A list of scalars that was selected by name is not shortened, and is printed on one line.
     return dump(Flow(shown_item(item, None) for item in items))
 
 

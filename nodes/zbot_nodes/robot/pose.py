@@ -40,5 +40,5 @@ def to_yaw(q: Quaternion) -> float:
 
 
 def turn_to(angle: float) -> float:
-    """Return the same direction as an angle from -pi to pi. This is the shorter way to turn."""
+    """Return the angle from -pi to pi that has the same direction: the shorter way to turn."""
     return math.atan2(math.sin(angle), math.cos(angle))

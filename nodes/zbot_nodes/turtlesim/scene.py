@@ -18,7 +18,7 @@ SCENE = "~/_scene"
 
 
 class Scene:
-    """Server of the scene. A response has the lines since the previous request, or a picture.
+    """Server of the scene. A response has the lines since `request.until`, or a whole picture.
 
     Args:
         world: The world to show.

@@ -265,6 +265,19 @@ def test_blocking_callbacks_run_in_parallel_threads(pair: Pair) -> None:
     assert [list(done(one).result.sequence) for one in results] == [[0], [1], [2]]
 
 
+def test_feedback_arrives_at_a_client_with_depth_0(pair: Pair) -> None:
+    pair.begin(compute)
+    with pytest.warns(UserWarning, match="depth"):
+        profile = zbot.QoSProfile(depth=0)
+    pair.client = ActionClient(
+        pair.client_node, Fibonacci, "fibonacci", feedback_sub_qos_profile=profile
+    )
+    heard: list[int] = []
+    handle = pair.send(9, feedback_callback=lambda got: heard.append(len(got.feedback.sequence)))
+    done(handle.get_result_async())
+    assert heard[-1] == 10
+
+
 def test_feedback_reaches_its_own_goal(pair: Pair) -> None:
     pair.begin(compute)
     heard: dict[int, list[int]] = {order: [] for order in (3, 5, 7)}

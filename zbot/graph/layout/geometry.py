@@ -65,7 +65,7 @@ class Route:
 
     points: tuple[Point, ...]  #: from start to end; the first and the last point touch the boxes
     label: Point | None = None  #: the middle of its label
-    is_backward: bool = False  #: whether it points left, like one link of each cycle
+    is_backward: bool = False  #: whether it points left; each cycle has at least one such link
 
     def moved(self, dx: float, dy: float) -> Route:
         """Return a moved copy."""
@@ -98,7 +98,7 @@ class Layout:
     frames: tuple[Frame, ...]  #: outer frames before inner ones
     columns: dict[int, tuple[float, float]]  #: left and right of each layer
     crossings: int  #: the number of crossings of links
-    best: int  #: the number of crossings in the last layout that kept no places
+    best: int  #: the number of crossings in the last layout made without old places
 
     def moved(self, dx: float, dy: float) -> Layout:
         """Return a moved copy."""

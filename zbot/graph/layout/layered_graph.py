@@ -141,7 +141,7 @@ def _components(items: Sequence[Item], arcs: list[Arc]) -> list[int]:
 
 
 def _most_layers(size: int) -> int:
-    """Return how many layers fit on a screen (even, because nodes and topics alternate)."""
+    """Return how many layers fit on a screen: an even number, as nodes and topics alternate."""
     return max(_MOST_LAYERS, round(sqrt(size) / 2) * 2)
 
 

@@ -79,7 +79,7 @@ class ForEach(Action):
 
 
 class ForLoop(Action):
-    """Call a function with each number from 0, and execute the entities that it returns.
+    """Call a function `length` times, with 0, 1 and so on. Execute the entities that it returns.
 
     Args:
         length: The number of iterations.

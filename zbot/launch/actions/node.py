@@ -155,7 +155,7 @@ class Node(ExecuteProcess):
         return prepared
 
     def _quoted(self, words: list[str]) -> list[str]:
-        """Return words of zbot, quoted if a shell runs them. The user's words are not quoted."""
+        """Return words, quoted if a shell runs them. The user's arguments are not passed here."""
         if not self.shell:
             return words
         return [list2cmdline([word]) if os.name == "nt" else quote(word) for word in words]

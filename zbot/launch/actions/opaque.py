@@ -42,12 +42,12 @@ class OpaqueFunction(Action):
         return [returned] if isinstance(returned, LaunchDescriptionEntity) else returned
 
     def describe(self) -> str:
-        """Return the function."""
+        """Return the names of the class and the function."""
         return f"OpaqueFunction('{getattr(self.function, '__name__', self.function)}')"
 
 
 class OpaqueCoroutine(Action):
-    """Run a coroutine in the launch's event loop. The end of the launch cancels the coroutine.
+    """Run a coroutine in the launch's event loop. The launch's shutdown cancels the coroutine.
 
     Args:
         coroutine: Called as `coroutine(context, *args, **kwargs)`.

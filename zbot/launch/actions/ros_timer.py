@@ -32,7 +32,7 @@ class RosTimer(TimerAction):
         from zbot.parameters.parameter import Parameter  # noqa: PLC0415 - few files need it
 
         node = launch_node(context).node
-        # The second check also finds a setting by an action after this timer in the launch file.
+        # The second check sees the settings of actions that follow this timer in the launch file.
         if self._is_simulated or _is_simulated(context):
             node.set_parameters([Parameter("use_sim_time", value=True)])
         clock = node.get_clock()

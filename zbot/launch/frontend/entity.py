@@ -14,7 +14,7 @@ from zbot.launch.frontend.errors import (
 from zbot.launch.substitution import to_bool
 from zbot.launch.typed_value import get_typed_value, is_instance_of, is_typing_list
 
-#: Types of the items in an attribute's list. A list with another type contains children.
+#: Types of the items in an attribute's list. For another item type, `get_attr` returns children.
 _LISTS = ((bool,), (int,), (float,), (str,))
 
 

@@ -55,7 +55,7 @@ class Parser:
         return parse(str(value).lower() if isinstance(value, bool) else str(value))
 
     def parse_if_substitutions(self, value: Any) -> Any:
-        """Turn texts with substitutions, also in a list, into lists of them. Keep other values."""
+        """Replace each text with substitutions, also in a list, by a list of its substitutions."""
         return parse_if_substitutions(value)
 
     def escape_characters(self, value: str) -> str:

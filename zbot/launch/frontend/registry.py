@@ -105,7 +105,7 @@ def _optional_environment(name: Any, default: Any = "") -> Substitution:
 
 
 def _expression(*words: Any) -> Substitution:
-    if len(words) == 2:  # as in ROS 2, the second word has modules, separated by commas
+    if len(words) == 2:  # as in ROS 2, the second word names modules, separated by commas
         return subs.PythonExpression(words[0], python_modules=words[1])
     return subs.PythonExpression(_joined([*words]))
 

@@ -48,7 +48,7 @@ def words(parts: list[Substitution], *, keeps_quotes: bool = False) -> list[list
 
     Args:
         parts: The command line.
-        keeps_quotes: Whether quotes stay in the words, because a shell reads the words.
+        keeps_quotes: Whether quotes stay in the words. A shell needs these quotes.
     """
     found: list[list[Substitution]] = [[]]
     quote, is_open = "", False

@@ -56,7 +56,7 @@ class FindPackageShare(FindPackagePrefix):
 
 
 class ExecutableInPackage(FindPackagePrefix):
-    """The path of a program that runs an executable of a package."""
+    """The path of a wrapper program that runs an executable of a package."""
 
     def __init__(self, executable: SomeSubstitutionsType, package: SomeSubstitutionsType) -> None:
         super().__init__(package)

@@ -141,7 +141,7 @@ class ForEachVar(Substitution):
         """Return the value as text.
 
         Raises:
-            SubstitutionError: The loop has no value of this name.
+            SubstitutionError: The loop has no value of this name, and no default is given.
         """
         name = perform(context, self.name)
         found = context.get_locals_as_dict().get(self.get_local_arg_name(name))

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from zbot.launch.actions.execute import ExecuteLocal
     from zbot.launch.testing.record import ExitRecord, OutputRecord
 
-# As in a shell, the exit code is 128 + the number of the signal.
+# Exit codes as in a shell: after a signal, the code is 128 + the number of the signal.
 EXIT_OK, EXIT_SIGINT, EXIT_SIGQUIT, EXIT_SIGKILL, EXIT_SIGSEGV = 0, 130, 131, 137, 139
 
 
@@ -114,10 +114,10 @@ class SequentialTextChecker:
         self._place = found + len(msg)
 
     def get_nearby_lines(self) -> str:
-        """Return the present line, the two lines before it and the two lines after it."""
+        """Return the line where the last found text ends, two lines before it and two after it."""
         lines = self._text.splitlines()
         reached = self._text[: self._place].count("\n")
-        # At the end of a line, the present line is the next line, if there is a next line.
+        # If the text ends at the end of a line, the next line is used, if there is a next line.
         if self._text[self._place : self._place + 1] == "\n":
             reached += 1
         reached = min(reached, len(lines) - 1)

@@ -14,7 +14,7 @@ from zbot.launch.testing.running_launch import RunningLaunch, ready_actions
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
-#: The object, name and scope of each fixture, by the object's id. The object has no name.
+#: The object, name and scope of each fixture, by the object's id.
 _names: dict[int, tuple[Any, str, str]] = {}
 #: The running launches, by the names of their fixtures. The newest launch is the last.
 running: dict[str, RunningLaunch] = {}

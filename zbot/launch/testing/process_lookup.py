@@ -36,7 +36,7 @@ def resolve_processes(
     Args:
         info_obj: The records to search.
         process: An action, a part of a process's name, or `None` for all processes.
-        cmd_args: Arguments that a process found by its name must have, or `NO_CMD_ARGS`.
+        cmd_args: If `process` is a name: arguments that the process must have, or `NO_CMD_ARGS`.
         strict_proc_matching: Whether it is an error if several processes match a name.
 
     Raises:

@@ -19,7 +19,7 @@ _TIMEOUT_S = 10.0  # the default of launch_testing
 
 
 class OutputRecord:
-    """Output events of the processes. They have `text`, `from_stdout`, `process_name`, `action`."""
+    """Output events. Each event has `text`, `from_stdout`, `process_name` and `action`."""
 
     def __init__(self) -> None:
         self.io_event = threading.Condition()
@@ -103,7 +103,7 @@ class OutputRecord:
         """Wait at most `timeout` seconds for expected output. Return whether the output came.
 
         Raises:
-            NoMatchingProcessError: No started process matches.
+            NoMatchingProcessError: No matching process was started in time.
         """
         unknown: list[NoMatchingProcessError] = []
 

@@ -229,7 +229,7 @@ def assert_output_sync(
     validate_output: Callable[[str], Any],
     timeout: float | None = None,
 ) -> None:
-    """Wait like `wait_for_output_sync`. After the timeout, raise the error of `validate_output`."""
+    """Wait like `wait_for_output_sync`. Raise `AssertionError` if no text is accepted in time."""
     context, process = launch_context, execute_process_action
     if not wait_for_output_sync(context, process, validate_output, timeout):
         _refuse(validate_output, process.get_stdout())
@@ -241,7 +241,7 @@ def assert_stderr_sync(
     validate_output: Callable[[str], Any],
     timeout: float | None = None,
 ) -> None:
-    """Wait like `wait_for_stderr_sync`. After the timeout, raise the error of `validate_output`."""
+    """Wait like `wait_for_stderr_sync`. Raise `AssertionError` if no text is accepted in time."""
     context, process = launch_context, execute_process_action
     if not wait_for_stderr_sync(context, process, validate_output, timeout):
         _refuse(validate_output, process.get_stderr())

@@ -98,7 +98,7 @@ class _ActionDetails(ServedDetails):
             self.section.page.show_command(command_line(*words, self.form.yaml()))
 
     def take(self, feedback: Any) -> None:
-        """Keep the feedback. The executor's thread calls this method, and not NiceGUI's loop."""
+        """Keep the feedback. This method runs in the executor's thread, not in NiceGUI's loop."""
         self.feedback = feedback.feedback
         self.count += 1
 
@@ -108,7 +108,7 @@ class _ActionDetails(ServedDetails):
             self.feedback_view.show(feedback, f"number {self.count}")
 
     def follow(self, goal: Any) -> None:
-        """Set the active goal, and enable the buttons for it."""
+        """Set the active goal. Enable `Cancel` if there is a goal, otherwise enable `Send goal`."""
         self.goal = goal
         self.cancel_button.set_enabled(goal is not None)
         self.send_button.set_enabled(goal is None)

@@ -115,7 +115,7 @@ class _Plot:
         self.show_state()
 
     def show_state(self) -> None:
-        """Show the command that plots the same curves, and put the curves into the address."""
+        """Show the command that plots the same curves. Put the curves into the page's address."""
         names = [*(curve.name for curve in self.curves.curves), *self.curves.waiting]
         self.page.show_command(shlex.join(["zbot", "plot", *names]))
         query = {"curve": ",".join(names)} if names else {}
@@ -161,7 +161,7 @@ class _Plot:
             label.classes(replace="zb-warn" if problem else "zb-mono")
 
     def fill_legend(self, names: list[str]) -> None:
-        """List the curves. A curve that remains keeps its row's element, so no click is lost."""
+        """List the curves. A curve keeps its row until its removal, so that no click is lost."""
         for name in [name for name in self.rows if name not in names]:
             self.rows.pop(name).delete()
             del self.values[name], self.dots[name]

@@ -56,7 +56,7 @@ class PackageNotFoundError(ZbotError):
 
 
 class ExecutableNotFoundError(ZbotError):
-    """The package has no executable of this name. If no package is given, no package has it."""
+    """No executable of this name is in the given package, or in any package if none is given."""
 
     def __init__(self, name: str, known: Sequence[str], packages: Sequence[Package] = ()) -> None:
         self.name = name

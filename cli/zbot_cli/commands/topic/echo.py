@@ -182,7 +182,7 @@ def _filter(form: Form) -> Filter | None:
 
 
 def _split(words: list[str]) -> tuple[list[str], str | None]:
-    """Return the topics and the type. The type is the last word, and has no leading slash."""
+    """Return topics and type. A last word with `/` or `.`, but no leading slash, is the type."""
     if len(words) > 1 and not words[-1].startswith("/") and "*" not in words[-1]:
         from zbot_cli.domain.types import resolve_message_type  # noqa: PLC0415 - only with a type
 

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 TIME_RESET: Final = "time has reset, resetting counters"
 
 _PERIOD_S = 1.0
-_DEPTH = 1000  # a message dropped here would falsify the figures
+_DEPTH = 1000  # a message that is lost in the queue would make the figures wrong
 _NO_MESSAGES = "no new messages"
 
 
@@ -34,7 +34,7 @@ class NoTopicError(ZbotError):
     """The command line names no topic to measure."""
 
     def __init__(self) -> None:
-        super().__init__("name a topic, or say --all: zbot topic hz /chatter")
+        super().__init__("name a topic (zbot topic hz /chatter), or say --all")
 
 
 class Meter(Protocol):

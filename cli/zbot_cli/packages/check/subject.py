@@ -50,7 +50,7 @@ class Subject:
 def _parsed(path: Path) -> ast.Module | Problem:
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # Python warns about escapes when the file runs
+            warnings.simplefilter("ignore")  # the user sees the warnings when the file runs
             return ast.parse(path.read_bytes(), str(path))
     except SyntaxError as exc:
         return Problem(path, exc.lineno or 0, f"{type(exc).__name__}: {exc.msg}")

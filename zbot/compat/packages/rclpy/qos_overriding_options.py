@@ -33,7 +33,7 @@ def _declare_qos_parameters(
     qos: QoSProfile,
     options: QoSOverridingOptions,
 ) -> None:
-    """Declare the policies of a publisher or subscription as parameters, and change `qos` by them.
+    """Declare the policies of a publisher or subscription as parameters. Set their values in `qos`.
 
     Raises:
         InvalidQosOverridesError: The options' callback refuses the result.
