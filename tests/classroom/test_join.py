@@ -87,6 +87,12 @@ class School:
 
 
 @pytest.fixture
+def domain(free_domain: int) -> int:
+    """Return a domain whose router is a process with the credentials of the student's laptop."""
+    return free_domain
+
+
+@pytest.fixture
 def school(
     machines: Callable[[str], LocalMachine], start: Start, monkeypatch: pytest.MonkeyPatch
 ) -> School:

@@ -12,10 +12,13 @@ from typing import TYPE_CHECKING
 import pytest
 
 from tests.cli.command import zbot
+from zbot_cli.commands import doctor
 from zbot_cli.output.exit_status import Status
 
 if TYPE_CHECKING:
     from pathlib import Path
+
+    from tests.cli.conftest import Command
 
 
 def test_help_names_every_noun() -> None:
@@ -172,6 +175,17 @@ def test_doctor_finds_nothing_wrong_on_a_healthy_machine(domain: int) -> None:
     assert (done.code, done.err) == (0, "")
     assert f"ok    domain: {domain}\n" in done.out
     assert done.out.endswith("checks passed\n")
+
+
+@pytest.mark.usefixtures("domain")
+def test_doctor_warns_of_a_zenoh_that_was_not_tested(
+    monkeypatch: pytest.MonkeyPatch, zbot_command: Command
+) -> None:
+    monkeypatch.setattr(doctor, "version", lambda _: "1.11.0")
+    done = zbot_command("doctor")
+    assert done.code == 1
+    assert "eclipse-zenoh 1.11.0" in done.out
+    assert "pip install 'eclipse-zenoh==1.10.*'" in done.out
 
 
 @pytest.mark.skipif(os.name == "nt", reason="bash is not part of Windows")

@@ -14,7 +14,9 @@ import pytest
 import zbot
 from tests.cli.command import zbot as zbot_command
 from tests.conftest import wait_until
-from zbot.transport import background_process, membership, router_process
+from zbot.transport import config, router_process
+from zbot.transport.router_process import is_idle, is_stopped
+from zbot.transport.session import MeetingPoint
 
 from std_msgs.msg import Int64, String
 
@@ -122,7 +124,7 @@ def test_a_new_node_hears_all_nodes_when_the_router_is_gone(
 @pytest.mark.parametrize("number", [signal.SIGSTOP, signal.SIGKILL, signal.SIGTERM])
 def test_a_command_lists_all_nodes_when_the_router_is_gone(domain: int, number: int) -> None:
     os.kill(router_of(domain), number)
-    assert listed() == sorted(f"/{name}" for name in WANTED)
+    assert wait_until(lambda: listed() == sorted(f"/{name}" for name in WANTED))
 
 
 @pytest.mark.usefixtures("talkers")
@@ -204,23 +206,24 @@ WAITING = "import threading\nprint('ready', flush=True)\nthreading.Event().wait(
 
 
 @pytest.mark.parametrize(
-    ("source", "number", "is_killed"),
-    [(BUSY, 0, False), (WAITING, 0, True), (BUSY, signal.SIGSTOP, True)],
-    ids=["busy", "waits for ever", "stopped"],
+    ("source", "number", "state"),
+    [(BUSY, 0, (False, False)), (WAITING, 0, (False, True)), (BUSY, signal.SIGSTOP, (True, True))],
+    ids=["busy", "waiting", "stopped"],
 )
-def test_only_a_process_that_does_nothing_is_killed(
-    start: Start, domain: int, source: str, number: int, is_killed: bool
+def test_the_state_of_a_process_is_known(
+    start: Start, source: str, number: int, state: tuple[bool, bool]
 ) -> None:
     program = start(source=source)
     program.wait_for("ready")
-    membership.folder().mkdir(parents=True, exist_ok=True)
-    with (membership.folder() / f"router-{domain}.lock").open("w") as file:
-        assert background_process.lock(file)
-        print(program.process.pid, file=file, flush=True)
-        os.kill(program.process.pid, number)
-        killed = router_process.kill_if_stuck(domain, 0.3)
-    assert killed == (program.process.pid if is_killed else None)
-    if is_killed:
-        assert program.wait() == -signal.SIGKILL
-    else:
-        assert program.process.poll() is None
+    process = program.process.pid
+    os.kill(process, number)
+    assert wait_until(lambda: (is_stopped(process), is_idle(process, 0.3)) == state)
+
+
+def test_a_router_that_works_is_not_killed(domain: int, make_context: MakeContext) -> None:
+    context = make_context()
+    zbot.Node("only", context=context)
+    meeting = MeetingPoint(config.load(), domain, config.discovery_range(), {})
+    router = router_of(domain)
+    assert not meeting.end_stuck_router()
+    assert router_of(domain) == router

@@ -101,36 +101,37 @@ def _path(domain: int) -> Path:
     return membership.folder() / f"router-{domain}.lock"
 
 
-def kill_if_stuck(domain: int, watch_s: float) -> int | None:
-    """Kill the domain's router process if it is stopped or waits for ever.
-
-    On Windows, no process is killed, because its state is not known.
+def kill(domain: int, number: int) -> bool:
+    """Kill the domain's router process, and wait for its end.
 
     Args:
         domain: 0 to 232.
-        watch_s: Seconds to watch whether a process that is not stopped does anything.
+        number: The process id that `pid` returned.
 
     Returns:
-        The id of the killed process, or `None` if no process was killed.
+        Whether this call killed the process. Another program may have killed it before.
     """
-    number = pid(domain)
-    if number is None or not _is_stuck(number, watch_s) or pid(domain) != number:
-        return None
+    if pid(domain) != number:
+        return False
     note_end(domain)  # so that no other program kills it too
     try:
         os.kill(number, getattr(signal, "SIGKILL", signal.SIGTERM))
     except (ProcessLookupError, PermissionError):
-        return None
+        return False
     deadline = time.monotonic() + _END_TIMEOUT_S
     while _is_locked(domain) and time.monotonic() < deadline:
         time.sleep(_PAUSE_S)
-    return number
+    return True
 
 
-def _is_stuck(number: int, watch_s: float) -> bool:
+def is_stopped(number: int) -> bool:
+    """Return whether SIGSTOP, Ctrl-Z or a debugger has stopped a process. On Windows: `False`."""
+    return any(state in "Tt" for state, _ in _threads(number))
+
+
+def is_idle(number: int, watch_s: float) -> bool:
+    """Watch whether a process neither uses nor awaits a processor. On Windows: `False`."""
     begin = _threads(number)
-    if any(state in "Tt" for state, _ in begin):
-        return True
     time.sleep(watch_s)
     end = _threads(number)
     used_s = sum(seconds for _, seconds in end) - sum(seconds for _, seconds in begin)

@@ -26,7 +26,7 @@ _TAKEN_TIMEOUT_S = 0.1
 _ANSWER_TIMEOUT_S = 1.0  # a router answers within 3 ms
 _NEW_ROUTER_TIMEOUT_S = 2.0  # a router takes 0.1 s to start, and more on a busy machine
 _LINK_PAUSE_S = 0.01
-_RELINK_PAUSE_S = 0.15  # longer than the pause between two tries to connect
+_RELINK_PAUSE_S = 0.2  # longer than the pause between two tries to connect
 _FOUND_PAUSE_S = 0.25  # enough for all machines to answer multicast and then send their tokens
 _WATCH_S = 0.3  # to see whether the router process does anything
 _OPEN_TIMEOUT_MS = 500
@@ -211,17 +211,17 @@ class MeetingPoint:
         return self.uses_port and not self.is_taken() and router_process.start(self._domain)
 
     def end_stuck_router(self) -> bool:
-        """Kill the domain's router process if it is stopped or waits for ever.
+        """Kill the domain's router process if it is stopped, or waits for ever and answers nothing.
 
-        Call this only if no router answers. A router of another user is not killed.
+        A router that works is not killed. A router of another user cannot be killed.
 
         Returns:
             Whether the process was killed. `start_router` can then start another.
         """
-        if not (self.uses_port and self.is_taken()):
+        number = router_process.pid(self._domain) if self.uses_port and self.is_taken() else None
+        if number is None or not self._is_stuck(number):
             return False
-        number = router_process.kill_if_stuck(self._domain, _WATCH_S)
-        if number is None:
+        if not router_process.kill(self._domain, number):
             return False
         from zbot.log import get_logger  # noqa: PLC0415 - seldom used
 
@@ -230,6 +230,14 @@ class MeetingPoint:
             "it was ended, and another is started"
         )
         return True
+
+    def _is_stuck(self, number: int) -> bool:
+        if router_process.is_stopped(number):
+            return True
+        session = self._open_client([self.endpoint])
+        if session is not None:
+            session.close()
+        return session is None and router_process.is_idle(number, _WATCH_S)
 
     def is_expected(self) -> bool:
         """Return whether the domain has a router, or will have one soon."""
@@ -301,10 +309,13 @@ class MeetingPoint:
         """
         if self._reach is DiscoveryRange.OFF:
             return None
+        # If this machine has no router, the hub still knows the nodes of other machines.
+        return self._open_client([self.endpoint, hub_endpoint()])
+
+    def _open_client(self, endpoints: list[str]) -> zenoh.Session | None:
         fill = {
             "mode": "client",
-            # If this machine has no router, the hub still knows the nodes of other machines.
-            "connect/endpoints": [self.endpoint, hub_endpoint()],
+            "connect/endpoints": endpoints,
             **_common(self._facts),
             "connect/timeout_ms": 0,
             "connect/exit_on_failure": True,

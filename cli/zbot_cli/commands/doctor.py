@@ -32,6 +32,7 @@ app = new_app("Check this machine and the domain for problems", has_verbs=False)
 
 _OLDEST_PYTHON = (3, 10)
 _CONNECT_TIMEOUT_S = 0.5
+_TESTED_ZENOH = "1.10"
 _LARGEST_CLOCK_STEP_S = 0.1
 
 
@@ -136,8 +137,11 @@ def _python() -> Finding:
 
 
 def _versions() -> Finding:
-    machine = f"{platform.system()} {platform.machine()}"
-    return Finding("zbot", f"{__version__}, eclipse-zenoh {version('eclipse-zenoh')}, {machine}")
+    zenoh, machine = version("eclipse-zenoh"), f"{platform.system()} {platform.machine()}"
+    is_tested = zenoh.startswith(f"{_TESTED_ZENOH}.")
+    advice = f"zbot was tested with another version: pip install 'eclipse-zenoh=={_TESTED_ZENOH}.*'"
+    text = f"{__version__}, eclipse-zenoh {zenoh}, {machine}"
+    return Finding("zbot", text, "" if is_tested else advice)
 
 
 def _domain() -> Finding:

@@ -133,7 +133,7 @@ def say(text: Annotated[list[str], typer.Argument(help="Text of the message")]) 
 def free(
     number: Annotated[int, typer.Argument(min=1, max=232, help="Number of a student")],
 ) -> None:
-    """Free the number of a laptop that will not return."""
+    """Free the number of a laptop that left."""
     from zbot.classroom.teacher import command  # noqa: PLC0415 - not needed by `--help`
 
     print(f"number {number} is free; {command({'op': 'free', 'number': number})['name']} had it")
