@@ -19,7 +19,7 @@ class ZbotError(Exception):
 
 def close_matches(name: str, known: Iterable[str], count: int = 3) -> tuple[str, ...]:
     """Return up to `count` of the `known` names that are similar to `name`, best first."""
-    from difflib import get_close_matches  # noqa: PLC0415 - 3 ms, only needed after an error
+    from difflib import get_close_matches  # noqa: PLC0415 - takes 3 ms, needed only after an error
 
     by_lower = {candidate.lower(): candidate for candidate in known}
     return tuple(by_lower[near] for near in get_close_matches(name.lower(), by_lower, count))

@@ -16,7 +16,7 @@ Goal = ServerGoalHandle[Fibonacci.Goal, Fibonacci.Result, Fibonacci.Feedback]
 
 
 class FibonacciActionServer(zbot.Node):
-    """Sends the numbers that it has so far as feedback, and all numbers as the result."""
+    """Sends the sequence as feedback after each new number, and at the end as the result."""
 
     def __init__(self) -> None:
         super().__init__("fibonacci_action_server")

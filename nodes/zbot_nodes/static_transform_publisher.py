@@ -40,7 +40,7 @@ def read_arguments(words: list[str]) -> argparse.Namespace:
 
 
 def _problem(options: argparse.Namespace) -> str:
-    """Return a reason why listeners would ignore the transform, or an empty string."""
+    """Return the reason why the options are not valid, or an empty string."""
     if options.frame_id.strip("/") == options.child_frame_id.strip("/"):
         return f"cannot publish a transform from {options.frame_id!r} to itself"
     numbers = (options.qx, options.qy, options.qz, options.qw)
@@ -52,7 +52,7 @@ def _problem(options: argparse.Namespace) -> str:
 
 
 def rotation(options: argparse.Namespace) -> Quaternion:
-    """Return the rotation that the options give as angles in rad or as a quaternion."""
+    """Return the rotation as a quaternion. The options give angles in rad or a quaternion."""
     roll, pitch, yaw = options.roll / 2, options.pitch / 2, options.yaw / 2
     if not (roll or pitch or yaw):
         # Listeners ignore a quaternion whose length is not 1, such as (0, 0, 0.7, 0.7).

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from tests.cli.conftest import Command, Write
 
 NOT_FOUND = "`ros2 launch` would not find it"
-NOT_MADE = "ROS 2 would not make it"
+NOT_MADE = "ROS 2 would not generate code from it"
 KNOWN = {"rclpy", "std_msgs", "geometry_msgs", "my_msgs"}
 
 
@@ -37,9 +37,9 @@ def problems(folder: Path) -> list[str]:
         ("'a = nowhere.at:all'", "'a' names the module nowhere.at, which does not exist"),
         (
             "'a = robot.drive:mian'",
-            "'a' names mian() in drive.py, which lacks it; did you mean 'main",
+            "'a' names mian(), but drive.py has no mian(); did you mean 'main",
         ),
-        ("'a = robot.drive:x'", "'a' names x() in drive.py, which lacks it"),
+        ("'a = robot.drive:x'", "'a' names x(), but drive.py has no x()"),
         (
             "'a = robot.drive'",
             "'a = robot.drive' must have the form 'name = package.module:function'",
@@ -86,7 +86,7 @@ def test_entry_points_of_a_layout_with_src(write: Write) -> None:
             "src/robot/drive.py": "def main(): ...",
         },
     )
-    assert problems(folder) == ["pyproject.toml:3: 'b' names run() in __init__.py, which lacks it"]
+    assert problems(folder) == ["pyproject.toml:3: 'b' names run(), but __init__.py has no run()"]
 
 
 # -- sources and manifests -------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""Cancel requests. A request selects one goal, all goals, or the goals accepted up to a time."""
+"""Requests to cancel goals: one goal, all goals, or the goals accepted up to a time."""
 
 from __future__ import annotations
 

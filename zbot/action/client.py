@@ -415,7 +415,7 @@ class ActionClient(ActionEndpoint[GoalT, ResultT, FeedbackT]):
             if goal is not None:
                 goal.set_state(GoalState(status.status))
         for key, goal in known.items():
-            # The server has forgotten this goal. So a goal that has ended gets no result any more.
+            # The server's list lacks this goal. If the goal has ended, the server has forgotten it.
             if goal.is_over or goal.state.is_terminal:
                 self._forget(key)
 

@@ -18,7 +18,7 @@ class NotAnActionTypeError(ZbotError, TypeError):
 
 
 class ActionMessageError(ZbotError, TypeError):
-    """A goal, result or feedback is not of its action's class."""
+    """A value is not of its action's `Goal`, `Result` or `Feedback` class."""
 
     def __init__(self, action: str, expected: str, value: object) -> None:
         self.action, self.expected, self.value = action, expected, value

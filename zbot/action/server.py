@@ -379,9 +379,9 @@ class ActionServer(ActionEndpoint[GoalT, ResultT, FeedbackT]):
             message.status_list = [handle.status_message for handle in self._goal_handles.values()]
             try:
                 self._status.publish(message)
-            except InvalidHandleError:
+            except InvalidHandleError:  # no error if another thread has just destroyed the node
                 if not self.is_over:
-                    raise  # there is no error if another thread has just destroyed the node
+                    raise
 
     def publish_feedback(
         self, handle: ServerGoalHandle[GoalT, ResultT, FeedbackT], feedback: FeedbackT

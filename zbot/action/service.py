@@ -100,7 +100,7 @@ def create_action_service(
     qos_profile: QoSProfile,
     callback_group: CallbackGroup,
 ) -> ActionService:
-    """Return a new service of a node. A `callback` that does not wait responds at once."""
+    """Return a new service of a node. If `callback` does not wait, the response is sent at once."""
     handle = node.handle
     service = ActionService(
         handle.context,
@@ -120,7 +120,7 @@ def create_action_service(
 def run_until_await(coroutine: Coroutine[Any, Any, Any]) -> Any:
     """Run a coroutine and return its result. If it has to wait, return the rest as a coroutine.
 
-    A coroutine that does not wait ends inside this function, so it needs no executor.
+    If the coroutine does not wait, it ends inside this function and needs no executor.
     """
     try:
         awaited = coroutine.send(None)

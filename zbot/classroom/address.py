@@ -97,7 +97,7 @@ def _addresses_of_host_name() -> list[str]:
 
 
 def _addresses_of_interfaces() -> list[str]:
-    """Return the address of each interface. Empty on Windows."""
+    """Return the address of each interface. The list is empty on Windows."""
     try:
         import fcntl  # noqa: PLC0415 - Windows has none
     except ImportError:

@@ -1,4 +1,4 @@
-"""Errors of classes and hubs. Each message says what to do."""
+"""Errors of a teacher's classes and of hubs. Each message says what to do."""
 
 from __future__ import annotations
 

@@ -57,7 +57,7 @@ class Expectation:
 
     kind: EntityKind  #: `NODE` for a node that should run
     name: str  #: name of the topic, service or node
-    type_name: str = ""  #: `std_msgs/msg/String`
+    type_name: str = ""  #: e.g. `std_msgs/msg/String`; empty for a node
     sign: str = ""  #: `>=`, `<=`, `>`, `<` or `=`, or empty if no rate is expected
     rate_hz: float = 0.0
 

@@ -1,8 +1,8 @@
 """Hub: a Zenoh router in a Python process that links this machine with other machines.
 
-Nodes connect on loopback only. Each domain has a meeting point (see `zbot.transport.session`). It
-dials the hub of its machine, and the hub dials one other hub at a given address. So hubs need no
-multicast, and they work even if an access point isolates its clients from each other.
+Nodes connect on loopback only. Each domain has a meeting point (see `zbot.transport.session`). The
+meeting point dials the hub of its machine, and the hub dials one other hub at a given address. So
+hubs need no multicast, and they work even if an access point isolates its clients from each other.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ _LEASE_MS = 4000
 # Number of keep-alive messages in a lease. TCP acknowledges each message, so thirty idle laptops
 # cause 4 kB/s at the teacher's hub.
 _KEEP_ALIVES = 2
-# The pauses between two attempts are short, so that laptops are linked soon after the other hub is
-# back. But they are not so short that a hundred laptops flood that hub.
+# The pauses between two attempts to dial a hub are short, so that laptops are linked soon after the
+# hub is back. But they are not so short that a hundred laptops flood the hub.
 _RETRY = {"period_init_ms": 250, "period_max_ms": 500, "period_increase_factor": 2}
 _HANDSHAKE_MS = 3000  # long enough for TCP to repeat lost packets
 # Limit of unfinished handshakes. All laptops redial together after the teacher's hub restarts.
@@ -37,8 +37,8 @@ _ADMIN_MESSAGES = ["declare_queryable", "query", "reply"]
 def open_access() -> dict[str, Any]:
     """Return access rules that allow everything except the admin space.
 
-    Each session has an admin space. Without this rule, all sessions of the class would answer one
-    query of a student.
+    Each session has an admin space. Without this rule, all sessions in the classroom would answer
+    one query of a student.
     """
     rule = {
         "id": "admin space",

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
 _QUEUE = 256
-_LARGEST = 64 * 1024  # bytes (before a user joins, a valid query is a few hundred bytes long)
+_LARGEST = 64 * 1024  # bytes (a valid query of a laptop that joins has a few hundred bytes)
 _LARGEST_ANSWER = 16 * 1024 * 1024  # bytes (for 232 students who have a hundred nodes each)
 
 Answer = dict[str, Any]

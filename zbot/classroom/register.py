@@ -67,7 +67,7 @@ def clean_name(text: str) -> str:
 
 
 def clean_sentence(text: str) -> str:
-    """Do the same as `clean_name` for a message of up to 500 characters from another machine."""
+    """Return a message from another machine as one line of at most 500 printable characters."""
     return single_line(text, MAX_SENTENCE_LENGTH)
 
 

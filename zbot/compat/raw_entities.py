@@ -1,8 +1,8 @@
 """Functions in place of rclpy's C classes, from which programs build their own `Waitable`.
 
 Each function returns the handle of an object of zbot that no executor serves. The program adds the
-handle to its wait set, and takes messages or requests from the handle. The object is destroyed
-with its node.
+handle to its wait set, and takes messages or requests from the handle. A subscription, service or
+client is destroyed with its node.
 """
 
 from __future__ import annotations

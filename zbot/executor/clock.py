@@ -197,7 +197,7 @@ class Clock:
         self._clock_type = clock_type
         self._is_steady = clock_type is ClockType.STEADY_TIME
         self._source_changes = 0  # how often the source of time changed
-        # A lock could block a signal handler. The lists need none: changes and copies are atomic.
+        # No lock is used: it could block a signal handler. List changes and copies are atomic.
         self._jumps: list[JumpHandle] = []
         self._changes: list[TimeChangeHandle] = []
 
@@ -388,7 +388,7 @@ class ROSClock(Clock):
         return self._simulated_ns if self._is_simulated else time.time_ns()
 
     def _wait_s(self, left_ns: int) -> float:
-        # A duration of simulated time may take any real time.
+        # Simulated time may be faster or slower than real time, so the real wait is not known.
         return _LONGEST_WAIT_S if self._is_simulated else super()._wait_s(left_ns)
 
 

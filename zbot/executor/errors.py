@@ -58,7 +58,7 @@ class RateInterruptedError(ZbotError):
 
 
 class TimerCancelledError(ZbotError, RuntimeError):
-    """rclpy's error for a call of a canceled timer. zbot has it for programs that catch it."""
+    """rclpy's error for a call of a canceled timer. Programs may catch it. zbot never raises it."""
 
 
 class ConditionReachedException(ZbotError):  # noqa: N818 - rclpy's name

@@ -347,7 +347,7 @@ class Executor(EntityQueue):
     def spin_until_future_complete(
         self, future: Future[Any], timeout_sec: float | None = None
     ) -> None:
-        """Run callbacks until the future is done, at most `timeout_sec` seconds.
+        """Run callbacks until the future is done or cancelled, at most `timeout_sec` seconds.
 
         If another thread spins this executor, the calling thread only waits for the future.
         """
@@ -364,7 +364,7 @@ class Executor(EntityQueue):
     def spin_once_until_future_complete(
         self, future: Future[Any], timeout_sec: float | None = None
     ) -> None:
-        """Run the next callback. Return without it if the future is done or the time is over."""
+        """Run the next callback. Return without it if the future is over or the time has passed."""
         if self._is_spun_by_other_thread():
             self._wait_for_future(future, _deadline_ns(timeout_sec))
             return

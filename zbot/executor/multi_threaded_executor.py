@@ -79,7 +79,7 @@ class MultiThreadedExecutor(Executor):
             raise self._failures.popleft()
 
     def _wait_for_callback_end(self, deadline_ns: int | None) -> None:
-        """Wait until another callback ends. The spinning thread starts the callbacks."""
+        """Wait in a callback until another callback ends. The spinning thread starts callbacks."""
         left = None if deadline_ns is None else (deadline_ns - time.monotonic_ns()) / 1e9
         with self._idle:
             self._idle.wait(left)

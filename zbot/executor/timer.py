@@ -61,7 +61,7 @@ class Timer:
         callback: Called without arguments, or with a `TimerInfo`. It may be a coroutine function.
         callback_group: Decides which callbacks may run at the same time.
         period_ns: Nanoseconds, 0 or more.
-        clock: The clock that the timer follows.
+        clock: Clock of the `TimerInfo`. If the clock is simulated, the timer follows it.
         ready_queue: The node's ready queue.
         autostart: Whether the timer runs before the first `reset()`.
     """
@@ -100,7 +100,7 @@ class Timer:
 
     @property
     def clock(self) -> Clock:
-        """The clock that the timer follows."""
+        """The timer's clock."""
         return self._clock
 
     @property
@@ -252,7 +252,7 @@ def _wants_info(callback: Callable[..., Any]) -> bool:
 
 
 class _RateContext:
-    """Context of a rate's sleep. Both the context's shutdown and `Rate.destroy` wake the sleep."""
+    """Context of a sleep. The sleep ends at `Rate.destroy` or a shutdown of the node's context."""
 
     def __init__(self, context: Context) -> None:
         self._context = context

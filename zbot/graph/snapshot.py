@@ -174,7 +174,7 @@ class Graph:
         self._gone: set[str] = set()
         # Own tokens that were undeclared. Zenoh may deliver their samples later or never.
         self._withdrawn: dict[str, None] = {}
-        # Semaphores: a signal handler's exception could leave a condition variable locked.
+        # Semaphores are safe: a signal handler's exception could leave a condition variable locked.
         self._waiting: set[BinarySemaphore] = set()
 
     def watch(self) -> None:

@@ -54,7 +54,7 @@ class ContentFilterError(ZbotError, ValueError):
 
 @dataclass(frozen=True)
 class _Operand:
-    """One side of a comparison. `kind` is `None` if it is known only when a message arrives."""
+    """One side of a comparison. `kind` is its type, or `None` if only a message shows the type."""
 
     read: Callable[[Any], Any]
     kind: str | None

@@ -45,7 +45,7 @@ def hash_of(spec: InterfaceSpec, get_spec: Callable[[str], InterfaceSpec]) -> st
         spec: The interface.
         get_spec: Function that returns the spec of a message inside the interface.
     """
-    import hashlib  # noqa: PLC0415 - 4 ms with json; most commands need no hash
+    import hashlib  # noqa: PLC0415 - takes 4 ms with json; most commands need no hash
     import json  # noqa: PLC0415
 
     text = json.dumps(type_description(spec, get_spec))

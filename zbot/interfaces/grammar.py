@@ -81,7 +81,7 @@ def check_constant_name(name: str, value: str) -> None:
 
 
 def parse_type(text: str, package: str) -> FieldType:
-    """Return the type in the first word of a line. A message without a package is in `package`.
+    """Return the type that a text names. A message name without a package is in `package`.
 
     Raises:
         GrammarError: The text is not a type. The error says what to write.

@@ -20,7 +20,7 @@ _SHIPPED = Path(__file__).parent / "defs"
 
 
 def package_folder(package: str) -> Path | None:
-    """Return the folder with a package's definitions. The first location with the package counts.
+    """Return the folder with a package's definitions, from the first location with such a folder.
 
     zbot's own folder is the first location, so the types that every program uses are found fast.
     """

@@ -27,7 +27,7 @@ _DECLARATION = re.compile(r"(?P<type>\S+)\s+(?P<name>[^\s=]+)\s*(?P<equals>=?)\s
 
 
 class _Source(NamedTuple):
-    """One part of a file: its numbered lines, its package, and its name for error messages."""
+    """One part of a file: the numbered lines, the package, and the file name for error messages."""
 
     package: str
     file: str

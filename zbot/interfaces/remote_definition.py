@@ -29,7 +29,7 @@ _STRING_IDS = (TYPE_IDS["string"], TYPE_IDS["wstring"])
 
 
 def register_description(description: Mapping[str, Any]) -> InterfaceSpec:
-    """Register a type and all types inside it. `type_description()` returns such a `description`.
+    """Register a type and all types inside it. `description` is a result of `type_description()`.
 
     The definition has no defaults, constants and comments, because a description does not contain
     them.

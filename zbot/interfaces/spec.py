@@ -20,7 +20,7 @@ INTEGER_RANGES: dict[str, tuple[int, int]] = {
     "int64": (-(2**63), 2**63 - 1),
     "uint64": (0, 2**64 - 1),
 }
-#: Typecode of Python's `array` for each numeric type. The array's items have the same size.
+#: Typecode of Python's `array` for each numeric type. The array's items have the type's size.
 TYPECODES: dict[str, str] = {
     "int8": "b",
     "uint8": "B",

@@ -155,7 +155,7 @@ class LaunchContext:
     # Events
 
     def register_event_handler(self, event_handler: BaseEventHandler, append: bool = False) -> None:
-        """Register a handler for later events, before the other handlers (`append`: after them).
+        """Register a handler, which is called before the other handlers (`append`: after them).
 
         The actions of the handler get the present locals, so `ThisLaunchFile` is the file that
         registered the handler.
@@ -313,7 +313,7 @@ class LaunchContext:
         for held in ("writer", "process_groups"):  # a second run creates them again
             self.__dict__.pop(held, None)
 
-    # Private names of launch's own LaunchContext, used by its tests and by other packages' actions
+    # ROS 2's LaunchContext has these private names. Its tests and other packages' actions use them.
 
     def _set_asyncio_loop(self, loop: asyncio.AbstractEventLoop | None) -> None:
         self._loop = loop

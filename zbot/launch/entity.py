@@ -50,7 +50,7 @@ class LaunchDescriptionEntity:
     def describe_conditional_sub_entities(
         self,
     ) -> list[tuple[str, Sequence[LaunchDescriptionEntity]]]:
-        """Return pairs of a condition as text, and the entities to visit if it is true."""
+        """Return pairs: a condition as text, and the entities to visit if the condition is true."""
         return []
 
     def get_asyncio_future(self) -> asyncio.Future[Any] | None:

@@ -82,7 +82,7 @@ class ChildProcess:
     def send_signal(self, number: int) -> None:
         """Send a signal to every process in the group of this process."""
         if os.name == "nt":
-            # Windows itself sends Ctrl-C to console processes, and has no gentler signal than this.
+            # Windows itself sends Ctrl-C to console processes. Here, any `number` ends the process.
             with contextlib.suppress(ProcessLookupError):
                 self._transport.terminate()
         else:
@@ -131,7 +131,7 @@ async def start(
         cwd: Its working directory.
         has_terminal: Whether its stdout and stderr are pseudo terminals. Otherwise they are pipes.
         stdin: Its stdin, with the same values as in `subprocess`.
-        on_data: Called with 1 (stdout) or 2 (stderr) and the bytes that it wrote.
+        on_data: Called with 1 (stdout) or 2 (stderr) and the bytes that the process wrote.
         process_groups: The groups of the launch, which end when the launch ends.
 
     Raises:

@@ -177,7 +177,7 @@ class LaunchService:
 
     @contextlib.contextmanager
     def _signals(self, loop: asyncio.AbstractEventLoop) -> Iterator[None]:
-        """Shut the launch down at Ctrl-C and SIGTERM."""
+        """Shut the launch down at Ctrl-C, SIGTERM, SIGHUP and SIGQUIT."""
         if threading.current_thread() is not threading.main_thread():
             yield  # Python handles signals only in the main thread
             return

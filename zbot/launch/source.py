@@ -27,7 +27,7 @@ def file_locals(path: Path) -> dict[str, str]:
     is_a_word = len(path.parts) == 1 and not path.is_file()
     return {
         "current_launch_file_path": str(path),
-        # As in launch, a text that is not a path, e.g. "<script>", stays unchanged.
+        # As in ROS 2's launch, a text that is not a path, e.g. "<script>", stays unchanged.
         "current_launch_file_directory": str(path if is_a_word else path.parent),
     }
 
@@ -99,7 +99,7 @@ class LaunchDescriptionSource:
             return None  # the path depends on values that exist only during the launch
 
     def path(self, context: LaunchContext) -> Path | None:
-        """Return the absolute path of the file, or None if there is no file."""
+        """Return the absolute path of the file. Return None if the source has no location."""
         location = perform(context, self._location)
         if not location:
             return None

@@ -187,7 +187,7 @@ def _checked(value: Any, data_type: Any) -> Any:
 def perform_typed_substitution(
     context: LaunchContext, value: NormalizedValueType, data_type: Any = None
 ) -> Any:
-    """Return a value in which the values of the substitutions replace the substitutions.
+    """Perform the substitutions in a value, convert their texts, and return the resulting value.
 
     Args:
         context: The launch.

@@ -1,7 +1,7 @@
 """Watchdog process that ends the processes of a launch if the launch itself is killed.
 
-This file runs as a separate process in its own session. It reads the process groups of the launch
-from a pipe. The pipe closes when the launch ends for any reason. Then the watchdog ends the
+This file runs as a separate process in its own POSIX session. It reads the process groups of the
+launch from a pipe. The pipe closes when the launch ends for any reason. Then the watchdog ends the
 remaining groups. This file imports nothing from zbot, so that it starts fast.
 """
 

@@ -83,12 +83,12 @@ class SimpleManagedEntity(ManagedEntity):
     def when_enabled(
         wrapped: Action | None = None, *, when_not_enabled: Callable[[], Any] | None = None
     ) -> Action | Callable[[Action], Action]:
-        """Decorate a method that runs only while the node is active.
+        """Decorate a method, so that it runs only while the node is active.
 
         Args:
             wrapped: The method.
             when_not_enabled: Function that is called instead while the node is not active. The
-                method returns the function's result, or `None` without such a function.
+                method then returns the function's result, or `None` without such a function.
         """
 
         def decorate(method: Action) -> Action:

@@ -74,8 +74,8 @@ class CallSite:
         self._severity, self._name = severity, name
         self._filters = _filters(options) if options else _NO_FILTERS
         self._passed = 0
-        # As in rclpy: if the program gives a clock, a line counts as written at 0, before simulated
-        # time begins. So the first line comes when the clock reaches the throttle's duration.
+        # As in rclpy: if the program gives a clock, a line counts as written at time 0. So with
+        # simulated time, the first line comes when the clock reaches the throttle's duration.
         self._last_ns: int | None = None if self._filters.clock is None else 0
 
     def check(
@@ -135,7 +135,7 @@ def _filters(options: FilterOptions) -> Filters:
 
 
 def _unknown(option: str) -> LogOptionError:
-    if option == "severity":  # with Python's text for an argument that is given twice
+    if option == "severity":  # the reason quotes Python's error for an argument given twice
         reason = "is set by the method: got multiple values for argument 'severity'; use log()"
         return LogOptionError(option, reason)
     known = ", ".join(FilterOptions.__annotations__)

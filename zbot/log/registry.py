@@ -173,7 +173,7 @@ class LogRegistry:
 
     @contextmanager
     def sinks_disabled(self) -> Iterator[None]:
-        """Do not pass this thread's lines to the sinks, e.g. lines about a sink's errors."""
+        """Return a context manager. In its block, the sinks do not get this thread's lines."""
         was, self._thread.are_sinks_disabled = self._thread.are_sinks_disabled, True
         try:
             yield

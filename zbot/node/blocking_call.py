@@ -114,7 +114,7 @@ def _serve(executor: Executor | None, own: list[Service[Any, Any]]) -> bool:
     """Run the next request of the thread's own servers. Return whether there was a request."""
     if executor is None:
         return False
-    # An exception of the server's callback reaches this caller as an error reply.
+    # If a server's callback fails, the request's client gets an error reply.
     with contextlib.suppress(Exception):
         return any(executor.serve(service) for service in own)
     return True

@@ -1,6 +1,6 @@
 """Clients that call a service and give the response to a future or to the caller.
 
-Zenoh's thread gives a response to the thread that waits in `call` or to `call_async`'s future.
+Zenoh's thread gives a response to the thread that waits in `call`, or to `call_async`'s future.
 So `call` needs no executor. The executor runs a future's callbacks, as it runs all other callbacks.
 """
 

@@ -39,7 +39,7 @@ class RepeatedRequests:
             arrived_s: Time of arrival by the monotonic clock, in seconds.
         """
         with self._lock:
-            # Do not remove the reply. If several repetitions wait, only the last has an open query.
+            # Keep the reply: if this query is closed already, a later repetition needs the reply.
             reply = self._answered.get(request)
             if reply is None:
                 former = self._working.get(request)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from zbot.context import Context
     from zbot.graph.snapshot import Snapshot, Token
 
-# A missing publisher is reported after this time, because people start one program after another.
+# A missing publisher is reported after this time, because its program may start a bit later.
 _CHECK_DELAY_S = 3.0
 _VERBS = {EntityKind.PUBLISHER: "publishes", EntityKind.SUBSCRIPTION: "subscribes to"}
 

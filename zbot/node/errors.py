@@ -77,7 +77,7 @@ class ServiceError(ZbotError, RuntimeError):
 
     Attributes:
         service: Full name of the service.
-        kind: `no_server`, `server_gone`, `bad_reply`, or the class of the handler's exception.
+        kind: `no_server`, `server_gone`, `error`, or the class name of the callback's exception.
         message: The server's text, or zbot's own text, without the service's name.
     """
 

@@ -174,7 +174,7 @@ class AsyncParameterClient:
         qos_overriding_options: Any = None,
         raw: bool = False,
     ) -> Subscription[ParameterEvent]:
-        """Subscribe to `/parameter_events`, where every node publishes its changes."""
+        """Subscribe to `/parameter_events`, where each node publishes changes of its parameters."""
         return self.node.create_subscription(
             ParameterEvent,
             "/parameter_events",

@@ -113,7 +113,7 @@ def _ask(context: Context, service: str, name: str, timeout_s: float) -> Any:
 
 
 def _checked(answer: Any, name: str, provider: _Provider) -> list[InterfaceSpec]:
-    """Return definitions with the node's type hash, from the response's texts or description."""
+    """Return the response's definitions if they fit the node's type hash, else an empty list."""
     for read in (_from_texts, _from_description):
         try:
             specs = read(answer, name)

@@ -52,7 +52,7 @@ class ServiceRequest:
 
 
 class ResponseFuture(Future[ResponseT]):
-    """Future of a response. The client's executor runs its callbacks."""
+    """Future of a response. The client's executor runs the future's callbacks."""
 
     def __init__(self, client: Client[Any, ResponseT], request: ServiceRequest) -> None:
         super().__init__()

@@ -134,7 +134,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         if raw:
             self._decode = bytes if raw == "payload" else raw_decoder(decode)
         self._sources: dict[bytes, _Source] = {}
-        self.received_count = 0  #: messages that the callback was called with
+        self.received_count = 0  #: messages that the callback got or `take_message` took
         self._keep_all = token.qos.history is HistoryPolicy.KEEP_ALL
         # The largest number of samples to take at once, and the size of a keep-all channel. Without
         # a limit, the loop in `take` would never end if a publisher never pauses.
@@ -208,7 +208,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         Raises:
             ContentFilterError: The filter does not fit the message type. The old filter stays.
         """
-        from zbot.interfaces.content_filter import ContentFilter  # noqa: PLC0415 - few have one
+        from zbot.interfaces.content_filter import ContentFilter  # noqa: PLC0415 - rarely needed
 
         new = None
         if filter_expression.strip():
@@ -359,7 +359,7 @@ class Subscription(TopicEndpoint, Generic[MsgT]):
         source = self._sources.get(gid) or self._add_source(sample, sequence, gid)
         if sequence != source.next_sequence:
             self._count_loss(sequence - source.next_sequence)
-        # A late message is not a loss.
+        # A late message must not lower the number. Else the next message would count as a loss.
         source.next_sequence = max(source.next_sequence, sequence + 1)
         if source.refusal:
             self._refuse(source.refusal)

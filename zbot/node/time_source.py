@@ -31,7 +31,7 @@ class TimeSource:
         self._clocks: list[ROSClock] = []
         self._last_time = Time(clock_type=ClockType.ROS_TIME)
         self._is_active = False
-        # A separate group lets `/clock` advance the time while a callback of the node waits for it.
+        # A separate group lets `/clock` advance the time while a callback waits for a later time.
         self._group = MutuallyExclusiveCallbackGroup()
         self._clock_sub: Subscription[Any] | None = None
         if node is not None:

@@ -140,7 +140,7 @@ def has_resource(resource_type: str, resource_name: str) -> str | Literal[False]
 
 
 def get_resource_types() -> set[str]:
-    """Return every resource type that is registered in a prefix."""
+    """Return every resource type that has entries in a prefix or entries that zbot makes."""
     folders = (
         entry
         for prefix in prefixes()
@@ -162,7 +162,7 @@ def _check(resource_type: str, resource_name: str = "") -> None:
 
 
 def _text(resource_type: str, package: Package) -> str | None:
-    """Return the text that the package would register if it was installed, or `None`."""
+    """Return the text of the entry that zbot makes for a package. `None` means no entry."""
     if resource_type == _PACKAGES:
         return ""
     if resource_type == _INTERFACES:

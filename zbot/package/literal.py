@@ -1,8 +1,8 @@
 """Evaluator of the expressions in a setup.py. It does not run the file.
 
-It evaluates strings, lists, tuples, dictionaries, and names that were assigned earlier in the file.
-It also evaluates the few functions that setup files use to find files and to make paths. Every
-other value is unknown (None), and the callers ignore it.
+It evaluates constants, f-strings, lists, tuples, dictionaries, list comprehensions, `+`, `%`, and
+names that were assigned earlier in the file. It also evaluates the few functions that setup files
+use to find files and to make paths. Other values are unknown (None), and the callers ignore them.
 """
 
 from __future__ import annotations

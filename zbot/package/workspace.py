@@ -1,7 +1,7 @@
 """Workspace around the current folder, and the packages in it.
 
-The search has a limit for the depth and for the number of folders, because it may start anywhere,
-and an import waits for it.
+The search has limits for the depth and the number of folders, because the current folder may have
+very many subfolders, and the import of a message package waits until the search ends.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Reader of parameter files, which are YAML with parameter values for each node.
 
-/robot_1/lidar:          # a node: `*` matches one part of a name, `**` matches many parts
+/robot_1/lidar:          # a node: `*` matches one part of a name, `**` any number of parts
   ros__parameters:
     rate_hz: 10.0
     filter:
@@ -92,7 +92,7 @@ def matches(pattern: str, node: str) -> bool:
 
 
 def _sections(path: str) -> Iterator[tuple[str, dict[Any, Any]]]:
-    """Yield each node pattern of a file and its parameters in the form that the file has."""
+    """Yield each node pattern of a file with its parameters. Nested parameters stay nested."""
     yaml = _yaml()
     try:
         with Path(path).open(encoding="utf-8") as file:
@@ -169,7 +169,7 @@ def _loader() -> Any:
     """Return YAML's safe loader with ROS 2's rules for scalars.
 
     Dates, `null` and `~` are strings. `1e3` is a number. Only an empty value is None. If a key
-    occurs twice, the loader merges the two mappings. Plain YAML would keep only the second mapping.
+    occurs twice with a mapping, the loader merges the mappings. Plain YAML keeps only the second.
     """
     base = _yaml().SafeLoader
 

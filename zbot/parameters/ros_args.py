@@ -103,7 +103,7 @@ class Arguments(NamedTuple):
         )
 
     def node_name_for(self, name: str) -> str:
-        """Return a node's base name: the value of `__node:=`, or else the program's `name`."""
+        """Return the value of `__node:=` for a node with this original name, or else this name."""
         return self._special("__node", name) or name
 
     def namespace_for(self, node_name: str) -> str | None:

@@ -50,7 +50,7 @@ class Declaration(NamedTuple):
 
         Raises:
             ParameterDeclarationError: The type is missing, or is given with dynamic typing.
-            ParameterTypeError: No parameter can have the default value.
+            ParameterTypeError: The default value has a type that parameters cannot have.
         """
         descriptor = self.descriptor
         if isinstance(self.value, Parameter.Type):

@@ -58,7 +58,7 @@ class Descriptor(NamedTuple):
     """Descriptor of a parameter, with the fields of rcl_interfaces/msg/ParameterDescriptor.
 
     A descriptor is immutable, unlike the message. So later changes of a message do not affect the
-    parameters that were declared with it. Also, most nodes never load the message's class.
+    parameters declared with it. Most nodes use only this class and never load the message's class.
     """
 
     type: Parameter.Type = Parameter.Type.NOT_SET

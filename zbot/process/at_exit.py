@@ -85,7 +85,7 @@ def wait_for_threads() -> None:
     """Wait for the threads that the program started, as Python does at its end.
 
     While Python 3.12 or later itself waits, a thread cannot start threads, nor open a node. While
-    this function waits, it can do both. A signal's exception ends this function at once.
+    this function waits, a thread can do both. A signal's exception ends this function at once.
     """
     for thread in _program_threads():
         thread.join()

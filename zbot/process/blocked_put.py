@@ -113,8 +113,8 @@ def _puts() -> set[tuple[int, int, int]]:
 
 def _frames() -> dict[int, FrameType]:
     # Python 3.11 and older hold a lock during this call. A garbage collection lets other threads
-    # run. If one of them ends, it waits for this lock and lets no thread run. Both would block for
-    # ever, so there must be no collection.
+    # run. If one of them ends, it waits for this lock and lets no thread run. The two threads would
+    # wait for each other for ever, so there must be no collection.
     was_enabled = gc.isenabled()
     gc.disable()
     try:

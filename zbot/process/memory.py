@@ -15,7 +15,7 @@ _M_MMAP_THRESHOLD = -3
 
 @functools.cache
 def keep_freed_memory() -> None:
-    """Let glibc keep freed blocks. A process calls this once, at its first large message.
+    """Let glibc keep freed blocks. Only the first call in a process has an effect.
 
     By default glibc gives a block of a megabyte back to the kernel after each message, and the
     next message gets new pages from the kernel. So it takes 0.87 ms to publish an image, but

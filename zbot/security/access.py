@@ -55,8 +55,8 @@ MAX_MESSAGE_SIZE = 64 * 1024 * 1024
 MAX_SESSIONS = 4000
 #: Maximum number of half-open connections. A class may reconnect while an attacker opens 1,000.
 ACCEPT_PENDING = 2000
-#: Time (ms) after which a half-open connection is closed. Usually 10 ms are enough, on bad Wi-Fi
-#: 1 s.
+#: Time (ms) after which a half-open connection is closed. A laptop usually needs 10 ms to open a
+#: connection completely, and 1 s on bad Wi-Fi.
 ACCEPT_TIMEOUT_MS = 3000
 
 # All connections belong to the region below the hub ("south"). In the hub's own region, Zenoh

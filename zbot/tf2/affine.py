@@ -218,7 +218,7 @@ def clip_matrix(  # noqa: PLR0917 - the order of OpenGL, and of tf_transformatio
         ValueError: The box has no volume, or the near plane of the frustum is behind the eye.
     """
     if left >= right or bottom >= top or near >= far:
-        raise ValueError("left, bottom and near must be below right, top and far")
+        raise ValueError("a box needs left < right, bottom < top and near < far")
     if perspective and near <= _EPSILON:
         raise ValueError("a frustum's near plane must be in front of the eye")
     low, high = np.array([left, bottom, near]), np.array([right, top, far])

@@ -35,7 +35,7 @@ def arcball_map_to_sphere(point: Any, center: Any, radius: float) -> Vector:
 
 
 def arcball_constrain_to_axis(point: Any, axis: Any) -> Vector:
-    """Return the point that is nearest to a given point, on the great circle about an axis."""
+    """Return the point of an axis's great circle that is nearest to a given point."""
     along = np.asarray(axis, dtype=float)
     aside = np.asarray(point, dtype=float) - along * (along @ np.asarray(point, dtype=float))
     length = float(np.linalg.norm(aside))

@@ -16,8 +16,8 @@ Matrix = npt.NDArray[np.float64]
 Quaternion = npt.NDArray[np.float64]
 
 _EPSILON = 1e-12
-#: First axis (0: x, 1: y, 2: z), 1 if the other axes follow in reverse order, 1 if the first axis
-#: is also the last, 1 if the axes rotate with the body. Read names with `r` from right to left.
+#: Items: first axis (0: x, 1: y, 2: z); 1 if the other axes follow in reverse order; 1 if the first
+#: axis is also the last; 1 if the axes rotate with the body. Read `r` names from right to left.
 _AXES: dict[str, tuple[int, int, int, int]] = {
     "sxyz": (0, 0, 0, 0),
     "sxyx": (0, 0, 1, 0),

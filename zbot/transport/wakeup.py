@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 
 # On Windows, Ctrl-C does not interrupt a lock's acquire(). On other systems, Ctrl-C does not
 # interrupt acquire() if it comes just before Python goes to sleep.
-#: The longest single wait, in seconds.
+#: The longest single wait, in seconds. Python handles Ctrl-C between two single waits.
 LONGEST_WAIT_S = 0.1 if sys.platform == "win32" else 0.5
 # A round trip of 64 B to 1 MB between two processes of one machine takes 60 to 400 us.
 _SHORT_WAIT_NS = 500_000
-#: A round trip of a large message takes 2 ms on a virtual machine, which copies and wakes slowly.
+#: `short_wait_ns` for large messages. Their round trip takes 2 ms on a slow virtual machine.
 LARGE_MESSAGE_WAIT_NS = 3_000_000
 
 _yield: Callable[[], None] = getattr(os, "sched_yield", partial(time.sleep, 0))
@@ -65,7 +65,7 @@ class BusyWait:
 
 
 class BinarySemaphore:
-    """Semaphore that is set or not set. Any thread may call `set`. One thread may call `wait`."""
+    """Semaphore that is set or not set. Any thread may call `set`, but only one `wait`."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -81,7 +81,7 @@ class BinarySemaphore:
             return  # it is set already
 
     def wait(self, timeout_s: float) -> bool:
-        """Wait at most `min(timeout_s, LONGEST_WAIT_S)` seconds. Return whether it was set."""
+        """Wait up to `min(timeout_s, LONGEST_WAIT_S)` seconds. Return whether `set` was called."""
         if timeout_s > _SHORT_WAIT_NS / 1e9 and self._busy_wait.begin(self._is_set):
             return True
         was_set = self._lock.acquire(timeout=min(timeout_s, LONGEST_WAIT_S))

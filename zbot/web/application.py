@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 
     from zbot.web.system import System
 
-# A browser that does not reconnect within this time has closed the page.
+# If a browser does not reconnect within this time, the server deletes its page.
 _RECONNECT_S = 3.0
 _SHUTDOWN_TIMEOUT_S = 1
-#: After a short loss of the connection, NiceGUI repeats this number of messages to a browser.
+#: After a short loss of the connection, NiceGUI can send at most this number of messages again.
 _REPEATED_MESSAGES = 100
 
 

@@ -86,7 +86,7 @@ class Curve:
     Attributes:
         topic: The full name of the topic.
         field: The field's path.
-        problem: The reason why the curve has no points. It is empty if the curve has points.
+        problem: The reason why the last message gave no point, or an empty text if it gave one.
         last: The newest value, or None before the first value.
     """
 
@@ -170,7 +170,7 @@ class Curves:
             self._topics.pop(topic).watch.release()
 
     def problem(self, curve: Curve) -> str:
-        """Return a sentence about why a curve has no points, or an empty text if it has points."""
+        """Return the reason why a curve gets no points, or an empty text if it gets points."""
         watch = self._topics[curve.topic].watch
         if watch.type_name is None:
             return f"no node uses {curve.topic} yet"

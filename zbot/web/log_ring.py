@@ -1,4 +1,4 @@
-"""Ring buffer of the last log lines of all nodes. Lines have numbers, to read only new lines."""
+"""Ring buffer of the last log lines of all nodes. Readers ask for the lines after a number."""
 
 from __future__ import annotations
 

@@ -131,8 +131,8 @@ class Page(Section):
     """Page of one browser, which shows one panel.
 
     The browser asks for changes when it is about to draw, and asks again after it has drawn them.
-    The server sends nothing else, so that no messages queue up for a hidden, slow or lost browser.
-    The page is closed when the user closes or reloads it, or when its browser is lost.
+    The server sends nothing else, so nothing queues up for a hidden, slow or disconnected browser.
+    The page is closed when the user closes or reloads it, or when its browser stays disconnected.
 
     Args:
         client: NiceGUI's object for the browser.

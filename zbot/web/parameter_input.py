@@ -55,7 +55,7 @@ class ParameterInput:
             self._refusal.set_visibility(False)
 
     def show(self, type_: Parameter.Type, value: Any) -> bool:
-        """Show a value that another program set. Return False if its type has changed."""
+        """Show a new value. If the parameter's type has changed, show nothing and return False."""
         if type_ != self._parameter.type:
             return False
         self._value = value

@@ -165,7 +165,7 @@ async def _redirect(scope: Scope, send: Send, cookie: str) -> None:
     query = scope["query_string"].decode("latin-1")
     kept = [pair for pair in parse_qsl(query, keep_blank_values=True) if pair[0] != _PARAMETER]
     target = scope["path"] + (f"?{urlencode(kept)}" if kept else "")
-    # If the target began with two slashes, it would be another server.
+    # If the target began with two slashes, the browser would go to another server.
     headers = [
         (b"location", ("/" + target.lstrip("/")).encode("latin-1", "replace")),
         (b"set-cookie", cookie.encode("latin-1")),

@@ -69,7 +69,7 @@ class ServedDetails:
             ui.timer(0, self._build, once=True)
 
     async def _build(self) -> None:
-        # Another thread loads the class, because another machine may have to send the definition.
+        # Another thread loads the class. This takes long if another machine sends the definition.
         try:
             interface = await run_in_thread(self.section.system.interface, self.type_name)
             with self._place:

@@ -52,7 +52,7 @@ class System:
 
     Args:
         read_only: If true, pages cannot publish, call services, set parameters or send goals.
-        domain_id: 0 to 232. None means `$ZBOT_DOMAIN_ID`, `$ROS_DOMAIN_ID` or 0.
+        domain_id: 0 to 232. None means the same as in `zbot.init`.
 
     Attributes:
         logs: The last lines of `/rosout`.
@@ -166,7 +166,7 @@ class System:
     def watch(
         self, topic: str, type_name: str | None = None, *, keep: int = 0, is_active: bool = True
     ) -> Watch:
-        """Return a watch of a topic. All watches of the topic share one subscription.
+        """Return a watch of a topic. Watches of the same topic and type share one subscription.
 
         Args:
             topic: Full name. The topic may have no nodes yet.

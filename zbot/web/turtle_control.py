@@ -60,7 +60,7 @@ class Simulator(NamedTuple):
     namespace: str  #: the namespace of its services and turtles
 
     def name(self, relative: str) -> str:
-        """Return the full name of a service or topic, e.g. `spawn` or `turtle1/pose`."""
+        """Return the full name for a relative name such as `spawn` or `turtle1/pose`."""
         return fully_qualified(self.namespace, relative)
 
     @property

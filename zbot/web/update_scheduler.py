@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# The browser asks when its screen refreshes. An update may run this long before it is due.
+# The browser asks when its screen refreshes. An update may start early by this time.
 _EARLY_S = 0.003
 
 

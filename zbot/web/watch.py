@@ -169,7 +169,7 @@ class Watch:
     Args:
         feed: The topic's messages, which all its watches share.
         keep: The number of messages that `since` can return.
-        is_active: Whether the watch receives messages from the start.
+        is_active: Whether the watch receives messages at first, without a call of `resume`.
         forget: Called with the feed after the release of the watch.
     """
 

@@ -48,7 +48,7 @@ _SOURCES = {
     "to_map": generator.to_map_source,
     "from_map": generator.from_map_source,
 }
-#: For each generated function, the function for nested messages: its prefix in calls and its name.
+#: For nested messages in each function: the prefix of the call, and the function that is called.
 _NESTED_CALLS: dict[str, tuple[str, _Nested]] = {
     "encode": ("pack", "to_map"),
     "to_map": ("pack", "to_map"),
@@ -106,7 +106,7 @@ class Codec(Generic[MessageT]):
     @cached_property
     def decode(self) -> Callable[[Bytes], MessageT]:
         """Return the message that bytes contain. Raise `CodecError` if the bytes are not valid."""
-        # A dataclass may raise any exception.
+        # The constructor of a dataclass may raise any exception.
         names = {"ERRORS": Exception, "explain": self._explain_decoding}
         arrays = {pack(f.name): f.name for f in self._spec.fields if is_numeric_array(f)}
         names |= {"LARGE": LARGE, "unpack_large": _unpack_large, "ARRAYS": arrays}
@@ -183,7 +183,7 @@ def _layout(message_class: type[Any]) -> Layout:
 
 
 def _nested_function(message_class: type[Any], name: _Nested) -> Callable[[Any], Any]:
-    """Return the function that converts messages of a class inside other messages."""
+    """Return the function that converts a class's messages if they are inside other messages."""
     function = _nested_functions.get((message_class, name))
     if function is None:
         function = _nested_functions[message_class, name] = _function(message_class, name, {})

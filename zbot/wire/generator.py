@@ -2,8 +2,8 @@
 
 A type has `encode(message)` and `decode(data)`. A type inside another type also has
 `to_map(message)` and `from_map(values)`. In the source of the outer type, these two functions have
-the names `pack_<type>` and `unpack_<type>`. The source tests each value inline and passes a value
-that fails the test to `zbot.wire.value_check`. `codec_for(T).source` is the source for a type T.
+the names `pack_<type>` and `unpack_<type>`. The source tests each value inline. If a test fails,
+`zbot.wire.value_check` converts or rejects the value. `codec_for(T).source` is the source for T.
 """
 
 from __future__ import annotations

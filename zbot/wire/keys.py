@@ -28,7 +28,7 @@ def topic_key(domain: int, name: str) -> str:
 
 
 def parse_key(key: str) -> tuple[int, str] | None:
-    """Return the domain and the full name in a key. Return None if no topic can have the key."""
+    """Return the domain and the full name in a key, or None if the key has another form."""
     domain, slash, name = key.partition("/")
     if not name or not is_number(domain) or len(domain) > _MAX_DOMAIN_DIGITS:
         return None

@@ -22,7 +22,7 @@ def complete(words: list[str], nouns: Iterable[str]) -> int:
 
     Args:
         words: The words after `zbot`: an optional `--`, finished words, and the unfinished word.
-        nouns: All nouns.
+        nouns: All nouns, e.g. `topic` in `zbot topic list`.
     """
     words = words[1:] if words[:1] == ["--"] else words
     unfinished = words[-1] if words else ""

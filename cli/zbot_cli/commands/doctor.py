@@ -193,7 +193,7 @@ def _meeting_port() -> Finding:
 
 def _clock() -> Finding:
     started, steady = time.time(), time.monotonic()
-    with socket.socket() as probe:  # takes some time, in which the clock may jump
+    with socket.socket() as probe:  # connecting takes some time, in which the clock may jump
         probe.connect_ex(("127.0.0.1", 9))
     step = (time.time() - started) - (time.monotonic() - steady)
     if abs(step) > _LARGEST_CLOCK_STEP_S:

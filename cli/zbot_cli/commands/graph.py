@@ -64,7 +64,7 @@ def graph(
             "--group-namespaces",
             min=0,
             max=_MAX_NAMESPACES,
-            help="Levels of namespaces that are framed in a picture",
+            help="Number of namespace levels that have frames in a picture",
         ),
     ] = 2,
     actions: Annotated[

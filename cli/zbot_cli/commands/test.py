@@ -97,7 +97,7 @@ def _run_launch(path: Path, words: Sequence[str]) -> bool:
             print(f"-- {path.name}{run.name}", file=sys.stderr)
         results += run.run(arguments)
     if not sum(result.testsRun for result in results):
-        raise ZbotError(f"{path} has no test cases: write a class of unittest.TestCase")
+        raise ZbotError(f"{path} has no test cases: write a subclass of unittest.TestCase")
     return all(result.wasSuccessful() for result in results)
 
 

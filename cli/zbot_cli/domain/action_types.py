@@ -30,7 +30,7 @@ class UnknownActionError(ZbotError):
 
 
 class SeveralActionTypesError(ZbotError):
-    """An action has more than one type, and the command line names no type."""
+    """An action has more than one type, and the command line does not give a type."""
 
     def __init__(self, name: str, types: list[str]) -> None:
         self.name, self.types = name, types

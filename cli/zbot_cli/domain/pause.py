@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class Pause:
-    """Waiter for a point in time. It also stops waiting when its context ends."""
+    """Object that waits for a point in time. It also stops waiting when its context ends."""
 
     def __init__(self, context: Context) -> None:
         self._context = context

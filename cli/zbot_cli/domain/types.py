@@ -23,7 +23,7 @@ class InvalidTypeError(ZbotError):
 
 
 def looks_like_type(word: str) -> bool:
-    """Return whether a word on the command line is the name of a type, not a value."""
+    """Return whether a word on the command line looks like a type's name, not like a value."""
     return (
         bool(word)
         and all(part.isidentifier() for part in word.replace("/", ".").split("."))

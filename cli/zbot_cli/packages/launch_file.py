@@ -1,4 +1,4 @@
-"""Search for the launch file of a command line, and completion of the command line."""
+"""Functions that find the launch file of a command line, and complete the command line."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ def reversed_arcs(size: int, arcs: list[Arc], known: Mapping[int, int]) -> list[
         size: The number of vertices.
         arcs: The arcs. An arc from a vertex to itself is not reversed.
         known: The layers of vertices in the previous layout. Arcs between these vertices keep
-            their direction in that layout.
+            their direction in that layout, unless new arcs make a cycle with them.
     """
     is_reversed = []
     for start, end, _ in arcs:

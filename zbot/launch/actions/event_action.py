@@ -31,7 +31,7 @@ class EmitEvent(Action):
         context.emit_event_sync(self.event)
 
     def describe(self) -> str:
-        """Return the event."""
+        """Return a text with the name of the event."""
         return f"Emitting event: {self.event.name}"
 
 
@@ -47,7 +47,7 @@ class RegisterEventHandler(Action):
         context.register_event_handler(self.event_handler)
 
     def describe(self) -> str:
-        """Return the handler."""
+        """Return a text with the description of the handler."""
         return f"RegisterEventHandler('{self.event_handler.describe()}')"
 
     def describe_conditional_sub_entities(

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 #: The name and the value of an environment variable.
 Variable: TypeAlias = "tuple[list[Substitution], list[Substitution]]"
 
-#: Launch configurations that the options of `zbot launch` set.
+#: Names of the launch configurations that `zbot launch` sets from its options.
 PREFIX, PREFIX_FILTER = "launch-prefix", "launch-prefix-filter"
 
 
@@ -79,7 +79,7 @@ class Executable:
         self.final_env, self.final_name = prepared.env, prepared.name
 
     def describe(self) -> str:
-        """Return the words."""
+        """Return a text with the words of `cmd`."""
         return f"cmd={describe_list(self.cmd)}"
 
     def prepare(self, context: LaunchContext, words: Sequence[str], name: str) -> Prepared:

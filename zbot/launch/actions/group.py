@@ -48,7 +48,7 @@ class GroupAction(Action):
         self.launch_configurations = dict(launch_configurations or {})
 
     def get_sub_entities(self) -> list[LaunchDescriptionEntity]:
-        """Return the actions. If scoped, actions before and after them open and close the scope."""
+        """Return the actions. For a scoped group, add actions that open and close the scope."""
         sets: list[LaunchDescriptionEntity] = [
             SetLaunchConfiguration(name, value)
             for name, value in self.launch_configurations.items()
@@ -62,7 +62,7 @@ class GroupAction(Action):
         return [*opening, *sets, *self.actions, *closing]
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity]:
-        """Return the actions. If scoped, actions before and after them open and close the scope."""
+        """Return the actions. For a scoped group, add actions that open and close the scope."""
         del context
         return self.get_sub_entities()
 

@@ -34,10 +34,10 @@ _LABELS = {number: label for label, (number, _) in _GOALS.items()}
 
 
 class LifecycleNode(Node):
-    """Run a managed node. The arguments are the same as for `Node`.
+    """Run a managed node. Its name and namespace are required.
 
     Args:
-        name: The node's name. It is required here.
+        name: The node's name.
         namespace: The node's namespace.
         autostart: Whether to configure and activate the node after its start.
         options: The options of `Node`.

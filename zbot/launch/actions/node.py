@@ -155,7 +155,7 @@ class Node(ExecuteProcess):
         return prepared
 
     def _quoted(self, words: list[str]) -> list[str]:
-        """Return words, quoted if a shell runs them. The user's arguments are not passed here."""
+        """Quote words if a shell runs them. `arguments` and `ros_arguments` stay unquoted."""
         if not self.shell:
             return words
         return [list2cmdline([word]) if os.name == "nt" else quote(word) for word in words]

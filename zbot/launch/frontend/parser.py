@@ -55,7 +55,7 @@ class Parser:
         return parse(str(value).lower() if isinstance(value, bool) else str(value))
 
     def parse_if_substitutions(self, value: Any) -> Any:
-        """Replace each text with substitutions, also in a list, by a list of its substitutions."""
+        """Return a value or a list. A text that contains substitutions becomes a list of them."""
         return parse_if_substitutions(value)
 
     def escape_characters(self, value: str) -> str:

@@ -57,7 +57,7 @@ else:
 
 
 class ScreenHandler(_FormatterPerLogger, _StreamHandler):
-    """Writes each line to the `sys.stdout` of that moment. Colours warnings and errors."""
+    """Writes each line to the current `sys.stdout`. Warnings and errors are coloured."""
 
     def emit(self, record: logging.LogRecord) -> None:
         """Write a line."""

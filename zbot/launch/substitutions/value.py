@@ -31,7 +31,7 @@ class LaunchConfiguration(Substitution):
 
     def __init__(self, variable_name: SomeSubstitutionsType, *, default: Any | None = None) -> None:
         self.variable_name = normalize(variable_name)
-        # launch also accepts numbers and bools here
+        # ROS 2's launch accepts numbers and bools here too.
         wants_text = isinstance(default, (bool, int, float))
         self.default = (
             None if default is None else normalize(str(default) if wants_text else default)

@@ -32,7 +32,7 @@ class Test(ExecuteProcess):
         self.timeout = timeout
 
     def execute(self, context: LaunchContext) -> Sequence[LaunchDescriptionEntity] | None:
-        """Start the program, and a timer that ends it."""
+        """Start the program. If `timeout` is set, also start a timer that ends the program."""
         following = list(super().execute(context) or ())
         if self.timeout is not None:
             end = EmitEvent(event=ShutdownProcess(process_matcher=matches_action(self)))

@@ -45,7 +45,7 @@ class Echo:
         qos: Quality of service options.
         once: End after the first message that is printed.
         timeout_s: End after this many seconds. It is an error if no message was printed by then.
-        node_name: A visible name for the subscribing node.
+        node_name: The name of the subscribing node. None means a hidden name.
         use_sim_time: Whether the node follows `/clock`.
     """
 

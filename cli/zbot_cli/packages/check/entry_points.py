@@ -47,7 +47,7 @@ def _problem_text(subject: Subject, text: str) -> str:
         return ""
     near = close_matches(first, names, 1)
     hint = f"; did you mean '{near[0]}'?" if near else ""
-    return f"'{name}' names {first}() in {path.name}, which lacks it{hint}"
+    return f"'{name}' names {first}(), but {path.name} has no {first}(){hint}"
 
 
 def _hint(subject: Subject, module: str) -> str:

@@ -1,4 +1,4 @@
-"""Check that a build file installs all launch files, and that all files that it names exist."""
+"""Check that a build file installs all launch files and contains no names of missing files."""
 
 from __future__ import annotations
 

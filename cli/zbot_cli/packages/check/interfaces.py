@@ -92,7 +92,7 @@ def _check_cmake(subject: Subject, files: list[Path]) -> Iterator[Problem]:
     for file in files:
         name = file.relative_to(subject.folder).as_posix()
         if path.is_file() and name not in named:
-            text = f"rosidl_generate_interfaces lacks {name}: ROS 2 would not make it"
+            text = f"rosidl_generate_interfaces lacks {name}: ROS 2 would not generate code from it"
             yield Problem(path, 0, text, is_error=False)
 
 

@@ -1,4 +1,4 @@
-"""Functions for values that must have a type."""
+"""Functions for values that must have a given type."""
 
 from zbot.launch.substitution import SomeSubstitutionsType
 from zbot.launch.substitution import normalize as normalize_to_list_of_substitutions
