@@ -296,9 +296,9 @@ def test_a_port_that_was_refused_to_all_is_taken_at_the_next_attempt(
     make_context: MakeContext, monkeypatch: pytest.MonkeyPatch, domain: int, mode: str
 ) -> None:
     # Linux refuses a port to both of two processes that bind it in the same microseconds.
-    open_router, tries = MeetingPoint.open_router, itertools.count()
+    start_router, tries = MeetingPoint.start_router, itertools.count()
     monkeypatch.setattr(
-        MeetingPoint, "open_router", lambda point: next(tries) > 0 and open_router(point)
+        MeetingPoint, "start_router", lambda point: next(tries) > 0 and start_router(point)
     )
     if mode == "client":
         with client(wait=True) as context:
