@@ -88,7 +88,7 @@ def text_width(text: str, size: float) -> float:
 
 @lru_cache(maxsize=1)
 def style() -> str:
-    """Return the CSS. The class `light` or `dark` sets the colours, else the browser's setting."""
+    """Return the CSS. The CSS classes `light` and `dark` override the browser's colour scheme."""
     dark = _colours(".zbot-graph:not(.light)", DARK)
     return "\n".join(
         [

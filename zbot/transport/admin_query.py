@@ -1,8 +1,8 @@
 """Queries to all sessions of a domain. The queue of each query is large enough for all replies.
 
 Zenoh stops a whole session while the queue of a query is full. Before `get` returns, the session
-puts its own replies into the queue, and no thread reads the queue yet. Zenoh's default queue for
-256 replies would therefore stop a session for ever in a domain with 30 nodes.
+puts the replies that it already knows into the queue, but no thread reads the queue yet. Zenoh's
+default queue for 256 replies would therefore stop a session for ever in a domain with 30 nodes.
 """
 
 from __future__ import annotations

@@ -80,7 +80,7 @@ class ProcessList:
 
     def _costs(self, pid: int) -> tuple[float | None, int | None]:
         try:
-            # psutil measures CPU time since the last call on the same object, so the object is kept.
+            # The object is kept: psutil measures CPU time since the last call on the same object.
             process = self._known.setdefault(pid, psutil.Process(pid))
             return process.cpu_percent(), process.memory_info().rss
         except psutil.Error:  # the process has ended, or belongs to another user

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-# The browser asks when its screen refreshes. An update may start early by this time.
+# The browser asks when its screen refreshes. An update may start at most this many seconds early.
 _EARLY_S = 0.003
 
 
