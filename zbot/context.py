@@ -337,7 +337,7 @@ class Context:
     def _open_client(self, meeting: MeetingPoint, *, wait: bool) -> None:
         session, deadline = meeting.open_client(), time.monotonic() + _LINK_TIMEOUT_S
         while session is None and (wait or meeting.reaches_out or meeting.is_expected()):
-            if time.monotonic() > deadline:
+            if time.monotonic() > deadline or meeting.is_foreign():
                 _warn_unanswered(meeting)
                 return
             meeting.end_stuck_router()
@@ -446,7 +446,8 @@ class Context:
 def _warn_unanswered(meeting: MeetingPoint) -> None:
     get_logger("zbot").warning(
         f"nobody answers as zbot on {meeting.endpoint}: another program may use that port; "
-        "other nodes will not be found (choose another domain: ZBOT_DOMAIN_ID=7)"
+        "other nodes will not be found (choose another domain: ZBOT_DOMAIN_ID=7)",
+        once=True,
     )
 
 

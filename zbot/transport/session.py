@@ -90,6 +90,14 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
     }
 
 
+def _links(session: zenoh.Session, *, all_routers: bool = False) -> set[str]:
+    """Return the ids of the sessions that this session's router, or every router, is linked to."""
+    found: set[str] = set()
+    for router in ["*"] if all_routers else map(str, session.info.routers_zid()):
+        found |= admin_query.sessions(session, router, _ANSWER_TIMEOUT_S).keys()
+    return found
+
+
 def open_hub(
     listen: list[str], connect: list[str], settings: dict[str, Any], facts: dict[str, Any]
 ) -> zenoh.Session:
@@ -243,6 +251,10 @@ class MeetingPoint:
         """Return whether the domain has a router, or will have one soon."""
         return self.uses_port and (self.is_taken() or router_process.is_expected(self._domain))
 
+    def is_foreign(self) -> bool:
+        """Return whether a process that is not this user's router has the port."""
+        return self.is_taken() and router_process.pid(self._domain) is None
+
     @property
     def uses_port(self) -> bool:
         """Whether the domain's programs meet on the port, and this point is not closed."""
@@ -325,7 +337,7 @@ class MeetingPoint:
             session = _open("a Zenoh session", self._config.build(fill))
         except SessionError:
             return None
-        if not admin_query.sessions(session, "*", _ANSWER_TIMEOUT_S):
+        if not _links(session):
             session.close()  # the router accepts links, but answers nothing
             return None
         return session
@@ -344,7 +356,7 @@ class MeetingPoint:
         settled_s = _FOUND_PAUSE_S if self.reaches_out else _RELINK_PAUSE_S
         known, since = set[str](), time.monotonic()
         while session is not None and time.monotonic() < min(deadline, since + settled_s):
-            found = set(admin_query.sessions(session, "*", _ANSWER_TIMEOUT_S))
+            found = _links(session, all_routers=self.reaches_out)
             if found != known:
                 known, since = found, time.monotonic()
             time.sleep(_LINK_PAUSE_S)
