@@ -282,8 +282,8 @@ class Rate:
     In contrast to rclpy's rate, it needs no executor that spins in another thread.
 
     Args:
-        timer: The rate has the timer's period and clock. As in rclpy, the timer also ends a
-            `spin_once()` of another thread in every period.
+        timer: The rate has the timer's period and clock. As in rclpy, when it is due, a
+            `spin_once()` that waits in another thread returns.
         context: Its shutdown ends a sleep.
     """
 

@@ -108,7 +108,7 @@ def _remove(handles: list[Any], handle: Any) -> None:
 class ParameterEventHandler:
     """Subscribes to `/parameter_events` and runs callbacks, as in rclpy.
 
-    Of the callbacks for one parameter, or for all events, the latest callback is called first.
+    The latest callback for a parameter is called first, and so is the latest for all events.
 
     Args:
         node: The node that subscribes. Its executor runs the callbacks.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import queue
 import sys
+import time
 from typing import Any
 
 import zenoh
@@ -14,6 +15,9 @@ from zbot.version import __version__
 
 # The router stays this long without a program, because commands and tests often follow each other.
 _LINGER_S = 2.0
+# A port may be refused for a moment after its process was killed.
+_BIND_TIMEOUT_S = 2.0
+_BIND_PAUSE_S = 0.02
 
 
 def main() -> int:
@@ -23,9 +27,12 @@ def main() -> int:
     facts = process_facts(__version__)
     facts["zbot"]["command"] = f"router of domain {domain}"
     meeting = MeetingPoint(config.load(), domain, config.discovery_range(), facts)
-    session = meeting.open_router()
-    if session is None:
-        return 1
+    session, deadline = meeting.open_router(), time.monotonic() + _BIND_TIMEOUT_S
+    while session is None:
+        if meeting.is_taken() or time.monotonic() > deadline:
+            return 1
+        time.sleep(_BIND_PAUSE_S)
+        session = meeting.open_router()
     _wait_until_alone(session)
     router_process.note_end(domain)
     session.close()

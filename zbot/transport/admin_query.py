@@ -7,7 +7,7 @@ default queue for 256 replies would therefore stop a session for ever in a domai
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import zenoh
 
@@ -39,28 +39,33 @@ def answers(session: zenoh.Session, key: str, timeout_s: float) -> Iterator[tupl
     )
 
 
-def sessions(session: zenoh.Session, router: str, timeout_s: float) -> dict[str, str]:
-    """Return the sessions that are linked to a router, or to all routers (`*`).
+class RouterFacts(NamedTuple):
+    """Facts that a router gives about itself."""
 
-    The result has `peer` or `client` for each session id.
+    sessions: dict[str, str]  #: `peer` or `client` for the id of each linked session
+    started_ns: int  #: start of its process, nanoseconds since the epoch; 0 if it is not zbot's
+
+
+def routers(session: zenoh.Session, router: str, timeout_s: float) -> Iterator[RouterFacts]:
+    """Ask a router, or all routers (`*`), for facts about themselves.
 
     Never query a router's `subscriber`, `publisher`, `queryable` or `token`. During such a query,
     Zenoh 1.10 holds a lock, and takes it again for the reply. If a session declares something in
     between, Zenoh blocks for ever (pull request 2619 of eclipse-zenoh/zenoh).
     """
-    found: dict[str, str] = {}
-    for _, facts in answers(session, f"@/{router}/router", timeout_s):
-        found |= _sessions_in(facts)
-    return found
-
-
-def _sessions_in(router_facts: bytes) -> dict[str, str]:
-    """Return peers and clients by session id, from a router's admin space root (JSON)."""
     import json  # noqa: PLC0415 - not needed before a program's first message
 
-    sessions = json.loads(router_facts).get("sessions", [])
-    return {
-        entry["peer"]: entry["whatami"]
-        for entry in sessions
-        if entry.get("whatami") in {"peer", "client"}
-    }
+    for _, text in answers(session, f"@/{router}/router", timeout_s):
+        facts = json.loads(text)
+        found = {one["peer"]: one.get("whatami") for one in facts.get("sessions", [])}
+        linked = {zid: kind for zid, kind in found.items() if kind in {"peer", "client"}}
+        zbot = (facts.get("metadata") or {}).get("zbot") or {}
+        yield RouterFacts(linked, zbot.get("started", 0))
+
+
+def sessions(session: zenoh.Session, router: str, timeout_s: float) -> dict[str, str]:
+    """Return `peer` or `client` for each session that is linked to a router, or to all (`*`)."""
+    found: dict[str, str] = {}
+    for facts in routers(session, router, timeout_s):
+        found |= facts.sessions
+    return found

@@ -23,6 +23,7 @@ _PROC = Path("/proc")
 _IDLE_SHARE = 0.05
 _END_TIMEOUT_S = 1.0  # a killed process ends within 20 ms
 _PAUSE_S = 0.002
+_KILLED = "killed"
 
 
 def start(domain: int) -> bool:
@@ -69,10 +70,8 @@ def hold_lock(domain: int) -> IO[str] | None:
 
 def pid(domain: int) -> int | None:
     """Return the process id of the domain's router, or `None` if no router of this user runs."""
-    try:
-        return int(_path(domain).read_text(encoding="utf-8")) if _is_locked(domain) else None
-    except (OSError, ValueError):  # it is being replaced
-        return None
+    text = _read(domain)
+    return int(text) if text.isdigit() and _is_locked(domain) else None
 
 
 def _is_locked(domain: int) -> bool:
@@ -83,18 +82,34 @@ def _is_locked(domain: int) -> bool:
         return False
 
 
+def age_s(domain: int) -> float:
+    """Return how many seconds ago the domain's router was started."""
+    try:
+        return time.time() - _path(domain).stat().st_mtime
+    except OSError:
+        return 0.0
+
+
 def is_expected(domain: int) -> bool:
     """Return whether a router of this user runs, starts, or was killed."""
-    try:
-        return bool(_path(domain).read_text(encoding="utf-8"))
-    except OSError:
-        return False
+    return bool(_read(domain))
 
 
 def note_end(domain: int) -> None:
     """Note that the router of the domain ends because no program needs it."""
+    _write(domain, "")
+
+
+def _read(domain: int) -> str:
+    try:
+        return _path(domain).read_text(encoding="utf-8")
+    except OSError:
+        return ""
+
+
+def _write(domain: int, text: str) -> None:
     with contextlib.suppress(OSError):  # the folder is read-only
-        _path(domain).write_text("", encoding="utf-8")
+        _path(domain).write_text(text, encoding="utf-8")
 
 
 def _path(domain: int) -> Path:
@@ -113,13 +128,14 @@ def kill(domain: int, number: int) -> bool:
     """
     if pid(domain) != number:
         return False
-    note_end(domain)  # so that no other program kills it too
+    _write(domain, _KILLED)  # so that no other program kills it too
     try:
         os.kill(number, getattr(signal, "SIGKILL", signal.SIGTERM))
     except (ProcessLookupError, PermissionError):
         return False
     deadline = time.monotonic() + _END_TIMEOUT_S
-    while _is_locked(domain) and time.monotonic() < deadline:
+    # Another program may have started the next router already: its process id is in the file then.
+    while _read(domain) == _KILLED and _is_locked(domain) and time.monotonic() < deadline:
         time.sleep(_PAUSE_S)
     return True
 

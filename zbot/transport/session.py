@@ -13,7 +13,7 @@ import socket
 import sys
 import time
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import zenoh
 
@@ -23,9 +23,11 @@ from zbot.transport.errors import SessionError
 
 LOOPBACK = "127.0.0.1"
 _TAKEN_TIMEOUT_S = 0.1
-_ANSWER_TIMEOUT_S = 1.0  # a router answers within 3 ms
+_ANSWER_TIMEOUT_S = 0.3  # a router answers within 3 ms
+_QUESTIONS = 3
 _NEW_ROUTER_TIMEOUT_S = 2.0  # a router takes 0.1 s to start, and more on a busy machine
 _LINK_PAUSE_S = 0.01
+_YOUNG_S = 1.0  # a router of this age may not have all links yet
 _RELINK_PAUSE_S = 0.2  # longer than the pause between two tries to connect
 _FOUND_PAUSE_S = 0.25  # enough for all machines to answer multicast and then send their tokens
 _WATCH_S = 0.3  # to see whether the router process does anything
@@ -90,12 +92,24 @@ def _common(facts: dict[str, Any]) -> dict[str, Any]:
     }
 
 
-def _links(session: zenoh.Session, *, all_routers: bool = False) -> set[str]:
-    """Return the ids of the sessions that this session's router, or every router, is linked to."""
-    found: set[str] = set()
-    for router in ["*"] if all_routers else map(str, session.info.routers_zid()):
-        found |= admin_query.sessions(session, router, _ANSWER_TIMEOUT_S).keys()
-    return found
+class _RouterState(NamedTuple):
+    """Links of a session's router, or of all routers, and the age of the youngest."""
+
+    links: frozenset[str]
+    age_s: float
+
+    @classmethod
+    def of(cls, session: zenoh.Session, *, all_routers: bool = False) -> _RouterState | None:
+        """Ask the routers. Return `None` if no router answers."""
+        for _ in range(_QUESTIONS):  # a router that has just started may not hear the first one
+            links, ages = set[str](), list[float]()
+            for router in ["*"] if all_routers else map(str, session.info.routers_zid()):
+                for facts in admin_query.routers(session, router, _ANSWER_TIMEOUT_S):
+                    links |= facts.sessions.keys()
+                    ages.append((time.time_ns() - facts.started_ns) / 1e9)
+            if ages:
+                return cls(frozenset(links), min(ages))
+        return None
 
 
 def open_hub(
@@ -216,6 +230,7 @@ class MeetingPoint:
         Returns:
             Whether this call started the process. The port is open about 0.1 s later.
         """
+        self._end_stopped_router()
         return self.uses_port and not self.is_taken() and router_process.start(self._domain)
 
     def end_stuck_router(self) -> bool:
@@ -226,9 +241,28 @@ class MeetingPoint:
         Returns:
             Whether the process was killed. `start_router` can then start another.
         """
-        number = router_process.pid(self._domain) if self.uses_port and self.is_taken() else None
-        if number is None or not self._is_stuck(number):
+        if self._end_stopped_router():
+            return True
+        number = router_process.pid(self._domain)
+        if number is None or router_process.age_s(self._domain) < _YOUNG_S or self._answers():
             return False
+        if not router_process.is_idle(number, _WATCH_S):
+            return False
+        return self._end_router(number)
+
+    def _end_stopped_router(self) -> bool:
+        number = router_process.pid(self._domain) if self.uses_port else None
+        is_stopped = number is not None and router_process.is_stopped(number)
+        return number is not None and is_stopped and self._end_router(number)
+
+    def _answers(self) -> bool:
+        session = self._open_client([self.endpoint])
+        if session is None:
+            return False
+        with session:
+            return _RouterState.of(session) is not None
+
+    def _end_router(self, number: int) -> bool:
         if not router_process.kill(self._domain, number):
             return False
         from zbot.log import get_logger  # noqa: PLC0415 - seldom used
@@ -238,14 +272,6 @@ class MeetingPoint:
             "it was ended, and another is started"
         )
         return True
-
-    def _is_stuck(self, number: int) -> bool:
-        if router_process.is_stopped(number):
-            return True
-        session = self._open_client([self.endpoint])
-        if session is not None:
-            session.close()
-        return session is None and router_process.is_idle(number, _WATCH_S)
 
     def is_expected(self) -> bool:
         """Return whether the domain has a router, or will have one soon."""
@@ -321,8 +347,16 @@ class MeetingPoint:
         """
         if self._reach is DiscoveryRange.OFF:
             return None
+        self._end_stopped_router()
         # If this machine has no router, the hub still knows the nodes of other machines.
-        return self._open_client([self.endpoint, hub_endpoint()])
+        session = self._open_client([self.endpoint, hub_endpoint()])
+        state = None if session is None else _RouterState.of(session)
+        if session is not None and state is None:
+            session.close()  # the router accepts links, but answers nothing
+            return None
+        if session is not None and state is not None and state.age_s < _YOUNG_S:
+            self._wait_for_links(session)
+        return session
 
     def _open_client(self, endpoints: list[str]) -> zenoh.Session | None:
         fill = {
@@ -334,33 +368,31 @@ class MeetingPoint:
             "scouting/multicast/enabled": False,
         }
         try:
-            session = _open("a Zenoh session", self._config.build(fill))
+            return _open("a Zenoh session", self._config.build(fill))
         except SessionError:
             return None
-        if not _links(session):
-            session.close()  # the router accepts links, but answers nothing
-            return None
-        return session
+
+    def _wait_for_links(self, session: zenoh.Session) -> None:
+        """Wait until the links of a new router have not changed for a time, at most 2 s."""
+        settled_s = _FOUND_PAUSE_S if self.reaches_out else _RELINK_PAUSE_S
+        known, since = None, time.monotonic()
+        deadline = since + _NEW_ROUTER_TIMEOUT_S
+        while time.monotonic() < min(deadline, since + settled_s):
+            state = _RouterState.of(session, all_routers=self.reaches_out)
+            if state is not None and state.links != known:
+                known, since = state.links, time.monotonic()
+            time.sleep(_LINK_PAUSE_S)
 
     def open_new_client(self) -> zenoh.Session | None:
-        """Open a client session of a router that has just started, and wait for its links.
-
-        The call ends when the router's links have not changed for a time, after 0.2 to 2 s.
-        """
+        """Start the router, and open a client session of it. Return `None` after 2 s."""
         deadline = time.monotonic() + _NEW_ROUTER_TIMEOUT_S
-        session = self.open_client()
-        while session is None and time.monotonic() < deadline:
+        while time.monotonic() < deadline:
             self.start_router()
             time.sleep(_LINK_PAUSE_S)
             session = self.open_client() if self.is_taken() else None
-        settled_s = _FOUND_PAUSE_S if self.reaches_out else _RELINK_PAUSE_S
-        known, since = set[str](), time.monotonic()
-        while session is not None and time.monotonic() < min(deadline, since + settled_s):
-            found = _links(session, all_routers=self.reaches_out)
-            if found != known:
-                known, since = found, time.monotonic()
-            time.sleep(_LINK_PAUSE_S)
-        return session
+            if session is not None:
+                return session
+        return None
 
     def close(self) -> None:
         """Never start a router from now on."""

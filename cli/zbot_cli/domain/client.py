@@ -1,4 +1,4 @@
-"""Session of a command in its domain, as a Zenoh client of the meeting point."""
+"""Zenoh session of a command. It is a client of the domain's router."""
 
 from __future__ import annotations
 

@@ -122,7 +122,7 @@ def test_a_box_becomes_the_unit_cube(*, perspective: bool) -> None:
     assert np.allclose(near_corner / near_corner[3], [-1, -1, -1, 1])
     far_corner = clip @ ([10, 5, 5, 1] if perspective else [2, 1, 5, 1])
     assert np.allclose(far_corner / far_corner[3], [1, 1, 1, 1])
-    with pytest.raises(ValueError, match="must be below"):
+    with pytest.raises(ValueError, match="left < right"):
         affine.clip_matrix(2, -1, -3, 1, 1, 5)
 
 
