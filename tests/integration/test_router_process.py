@@ -51,7 +51,7 @@ domain = int(os.environ["ZBOT_DOMAIN_ID"])
 membership.folder().mkdir(parents=True, exist_ok=True)
 file = (membership.folder() / f"router-{domain}.lock").open("w")
 assert background_process.lock(file)
-print(os.getpid(), file=file, flush=True)
+print(os.getpid(), end="", file=file, flush=True)
 config = zenoh.Config()
 settings = {
     "mode": "router",
