@@ -158,9 +158,12 @@ def is_idle(number: int, watch_s: float) -> bool:
 def _threads(number: int) -> list[tuple[str, float]]:
     """Return the state and the used processor time (s) of a process's threads, if known."""
     if _PROC.is_dir():
-        stats = [path.read_text(encoding="utf-8") for path in _PROC.glob(f"{number}/task/*/stat")]
-        fields = [stat.rpartition(")")[2].split() for stat in stats]  # the name may contain spaces
-        return [(one[0], (int(one[11]) + int(one[12])) / 100) for one in fields]
+        found = []
+        for path in _PROC.glob(f"{number}/task/*/stat"):
+            with contextlib.suppress(OSError):  # the thread has ended
+                fields = path.read_text(encoding="utf-8").rpartition(")")[2].split()
+                found.append((fields[0], (int(fields[11]) + int(fields[12])) / 100))
+        return found
     if sys.platform == "win32":
         return []
     # macOS: one line for the whole process, e.g. `S 0:01.25`.
