@@ -132,7 +132,8 @@ class Timer:
         self._next_ns = self._last_ns + self._period_ns
 
     def _on_time_change(self) -> None:
-        # A step forward does not restart the timer: a step of `/clock` may be longer than a period.
+        # A step forward does not restart the timer. Otherwise a timer would never be due if its
+        # period is shorter than the steps of `/clock`.
         is_simulated, now = self._is_simulated, self._now_ns()
         if is_simulated is not self._was_simulated or now < self._last_ns:
             self._restart()
@@ -282,8 +283,8 @@ class Rate:
     In contrast to rclpy's rate, it needs no executor that spins in another thread.
 
     Args:
-        timer: The rate has the timer's period and clock. As in rclpy, when it is due, a
-            `spin_once()` that waits in another thread returns.
+        timer: The rate has the timer's period and clock. As in rclpy, a `spin_once()` that waits in
+            another thread returns when the timer is due.
         context: Its shutdown ends a sleep.
     """
 

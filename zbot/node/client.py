@@ -182,8 +182,8 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
     def call(self, request: RequestT, timeout_sec: float | None = None) -> ResponseT:
         """Send a request and wait for the response.
 
-        Any thread may call this, also in a callback, because the wait needs no executor. If the
-        server is in the callback's executor, the thread runs the server's callback during the wait.
+        Any thread may call this, also in a callback, because the wait needs no executor. A callback
+        may call a server of its own executor: the thread runs the server's callback meanwhile.
 
         Args:
             request: The request.

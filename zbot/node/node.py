@@ -196,7 +196,7 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
         if handle.is_destroyed:
             return
         handle.is_destroyed = True
-        # As in rclpy, zbot does not call remove_node() of an executor class of the program.
+        # As in rclpy, remove_node() is called only if the executor is one of zbot's classes.
         if handle.executor is not None and handle.executor is handle.ready_queue.executor:
             handle.executor.remove_node(self)
         if self._zbot_rosout is not None:

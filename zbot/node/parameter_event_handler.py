@@ -108,7 +108,8 @@ def _remove(handles: list[Any], handle: Any) -> None:
 class ParameterEventHandler:
     """Subscribes to `/parameter_events` and runs callbacks, as in rclpy.
 
-    The latest callback for a parameter is called first, and so is the latest for all events.
+    Of the callbacks for one parameter, the latest is called first. Of the callbacks for all events,
+    the latest is called first too.
 
     Args:
         node: The node that subscribes. Its executor runs the callbacks.

@@ -17,8 +17,8 @@ _RAISE_AGAIN_AFTER_S = 0.005
 def end_process_on_ctrl_c() -> None:
     """Let Ctrl-C end the process without output, also during imports.
 
-    Only the main thread may call this function. SIGINT stays ignored if this process was started
-    so. A shell script starts a command with `&` in this way.
+    Only the main thread may call this function. If SIGINT was ignored when this process started, it
+    stays ignored. For example, a shell script ignores SIGINT in a command with `&`.
     """
     if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.SIG_DFL)
