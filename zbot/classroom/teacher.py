@@ -66,7 +66,7 @@ def start(
     Raises:
         AlreadyJoinedError: This machine has joined a class or hub, or runs a hub.
         HubStartError: Another program uses the port.
-        SecurityError: No student could join with this certificate.
+        SecurityError: This machine's certificate is not suitable for a class.
     """
     record = _present_record(name)
     record.pin = pin or record.pin

@@ -53,7 +53,7 @@ class BufferInterface:
 
         Raises:
             TypeException: No function is registered to transform or convert the object's class.
-            TransformException: For the other errors see `Buffer.lookup_transform`.
+            TransformException: The transform is not known, as in `Buffer.lookup_transform`.
         """
         do_transform = conversion.registered(type(object_stamped))
         header = object_stamped.header

@@ -48,7 +48,7 @@ _SOURCES = {
     "to_map": generator.to_map_source,
     "from_map": generator.from_map_source,
 }
-#: For nested messages in each function: the prefix of the call, and the function that is called.
+#: For each generated function: prefix and kind of the function that it calls for nested messages.
 _NESTED_CALLS: dict[str, tuple[str, _Nested]] = {
     "encode": ("pack", "to_map"),
     "to_map": ("pack", "to_map"),

@@ -53,7 +53,7 @@ def run_tests(
     """Run tests.
 
     A file with generate_test_description() is launched. Its test cases run during the launch.
-    All other tests are run by pytest. If it gets options (after --), it runs all tests.
+    All other tests are run by pytest. With options after --, pytest also runs the launch files.
 
     Examples:
       zbot test test/test_talker_listener_launch.py
