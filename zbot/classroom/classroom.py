@@ -68,7 +68,7 @@ class Classroom:
         return HubSettings(listen, extra=settings)
 
     def _use_hub_ids(self, access: Document) -> None:
-        """Apply a student's rules to the Zenoh id of the student's hub, as there are no user names."""
+        """Apply a student's rules to the Zenoh id of that student's hub, not to a user name."""
         ids = {user_of(number): self._record.hub_id(number) for number in _NUMBERS}
         for subject in access["subjects"]:
             user = subject["id"]
