@@ -20,7 +20,7 @@ _preferred: set[str] = set()
 
 
 class _NameFinder:
-    """Finder, in `packages/`, of packages of ROS 2 that are not installed, such as `rclpy`."""
+    """Finder that searches `packages/` for ROS 2's packages that are not installed."""
 
     @staticmethod
     def find_spec(

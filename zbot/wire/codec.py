@@ -193,7 +193,7 @@ def _nested_function(message_class: type[Any], name: _Nested) -> Callable[[Any],
 def _function(
     message_class: type[Any], name: _Nested | Literal["encode", "decode"], more: dict[str, Any]
 ) -> Callable[[Any], Any]:
-    """Return one of a type's generated functions. `more` has the other names that it uses."""
+    """Return one of a type's generated functions. `more` has further names for it."""
     spec = message_spec_of(message_class)
     source = _SOURCES[name](spec, _layout(message_class))
     verb, nested = _NESTED_CALLS[name]

@@ -146,7 +146,7 @@ def _most_layers(size: int) -> int:
 
 
 def _wrapped(arcs: list[Arc], layer: list[int], most: int) -> list[bool]:
-    """Return which arcs point back. Layers above the limit are wrapped, like lines of text."""
+    """Wrap the layers at the limit, like lines of text. Return which arcs then point back."""
     rank = [(one % most, one, vertex) for vertex, one in enumerate(layer)]
     return [rank[start] > rank[end] for start, end, _ in arcs]
 
