@@ -200,6 +200,20 @@ def test_waiting_ends_when_the_session_is_closed(domain: int) -> None:
     assert time.monotonic() - begin < allowed(5)
 
 
+def test_a_check_ends_when_the_session_is_closed_meanwhile(
+    domain: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    point = MeetingPoint(config.load(), domain, config.discovery_range(), process_facts("0"))
+    point.start_router()
+    session = point.open_peer()
+    watch = Peering(session, point, zenoh.handlers.Callback)
+    assert watch.wait_for_router(allowed(5))
+    routers = watch._routers()
+    monkeypatch.setattr(watch, "_routers", lambda: routers)  # as they were before the end
+    session.close()
+    assert watch._check() is None
+
+
 def test_a_context_without_a_node_opens_no_port(make_context: MakeContext, domain: int) -> None:
     make_context()
     assert not holds_port(domain)

@@ -168,28 +168,31 @@ class Peering:
 
     def _check(self) -> float | None:
         """Check the router and the links. Return the seconds until the next check."""
-        if not self._routers():
-            self._meeting.start_router()
-            return _CHECK_DELAY_S if self._meeting.uses_port else None
-        if self._own() in self._listed(_ANSWER_TIMEOUT_S):
-            return self._introduce_unlinked()
-        # The router accepts links, but does not answer. If it is killed, its link disappears.
-        self._meeting.end_stuck_router()
-        return _CHECK_DELAY_S
-
-    def _introduce_unlinked(self) -> float | None:
-        """Introduce the peers that are not linked. Return the seconds until the next check."""
         # If an error occurs, the session was closed or the router has ended. The end of the router
         # causes another event.
         with contextlib.suppress(zenoh.ZError, SessionError):
-            # There is a maximum, because a program with its own configuration may be unreachable.
-            counts = self._introductions
-            unlinked = [zid for zid in self._unlinked() if counts[zid] < _MAX_INTRODUCTIONS]
-            if unlinked:
-                counts.update(unlinked)
-                self._introduce()
-                return _CHECK_DELAY_S * (1 << min(counts[zid] for zid in unlinked))
+            if not self._routers():
+                self._meeting.start_router()
+                return _CHECK_DELAY_S if self._meeting.uses_port else None
+            if self._own() in self._listed(_ANSWER_TIMEOUT_S):
+                return self._introduce_unlinked()
+            if not self._session.is_closed():
+                # The router accepts links, but does not answer. If it is killed, its link
+                # disappears.
+                self._meeting.end_stuck_router()
+                return _CHECK_DELAY_S
         return None
+
+    def _introduce_unlinked(self) -> float | None:
+        """Introduce the peers that are not linked. Return the seconds until the next check."""
+        # There is a maximum, because a program with its own configuration may be unreachable.
+        counts = self._introductions
+        unlinked = [zid for zid in self._unlinked() if counts[zid] < _MAX_INTRODUCTIONS]
+        if not unlinked:
+            return None
+        counts.update(unlinked)
+        self._introduce()
+        return _CHECK_DELAY_S * (1 << min(counts[zid] for zid in unlinked))
 
     def _unlinked(self) -> set[str]:
         """Return the listed peers that this session is not linked to."""
