@@ -287,16 +287,25 @@ class Program:
 
 @pytest.fixture
 def start(domain: int, tmp_path: Path) -> Iterator[Callable[..., Program]]:  # noqa: ARG001 - by $
-    """Return a function that starts a program: Python source or the words of a command."""
+    """Return a function that starts a program: Python source or the words of a command.
+
+    Python runs the source, or `zbot run` if `by_zbot` is true.
+    """
     running: list[Program] = []
     counter = iter(range(1000))
 
-    def run(*words: str, source: str | None = None, env: dict[str, str] | None = None) -> Program:
+    def run(
+        *words: str,
+        source: str | None = None,
+        env: dict[str, str] | None = None,
+        by_zbot: bool = False,
+    ) -> Program:
         command = list(words)
         if source is not None:
             path = tmp_path / f"program_{next(counter)}.py"
             path.write_text(source, encoding="utf-8")
-            command = [sys.executable, "-u", str(path), *words]
+            runner = ["-m", "zbot_cli", "run"] if by_zbot else []
+            command = [sys.executable, "-u", *runner, str(path), *words]
         elif command[0] == "zbot":
             command = [sys.executable, "-m", "zbot_cli", *command[1:]]
         program = Program(command, tmp_path, {**os.environ, **(env or {})})

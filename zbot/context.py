@@ -10,13 +10,12 @@ from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 import zenoh
 
-from zbot.errors import ArgumentTypeError, ContextInitializedError, NotInitializedError
+from zbot.errors import ArgumentTypeError, ContextInitializedError
 from zbot.graph.snapshot import Graph
 from zbot.log import configure, get_logger, get_logging_severity_from_string
 from zbot.log.teacher_notice import NOTICE_KEY, log_notice
 from zbot.parameters.ros_args import Arguments
-from zbot.process import at_exit, blocked_put
-from zbot.process.memory import freeze_garbage_collector
+from zbot.process import at_exit, blocked_put, signals
 from zbot.transport import config, membership, shared_memory
 from zbot.transport.foreign_call import defers_signals, without_interruption
 from zbot.transport.handle import Handle
@@ -209,7 +208,7 @@ class Context:
 
     def _require(self, what: str) -> None:
         if self._state != "valid":
-            raise NotInitializedError(what)
+            signals.raise_not_initialized(what)
 
     def __enter__(self) -> Self:
         if self._state == "new":
@@ -258,7 +257,7 @@ class Context:
                     self._open()
         session = self._session
         if session is None or self._state != "valid":
-            raise NotInitializedError("a node")
+            signals.raise_not_initialized("a node")
         return session
 
     def share(self, payload: bytes) -> Any:
@@ -441,6 +440,8 @@ class Context:
         if self._meeting is not None:
             self._meeting.close()
         at_exit.open_contexts.discard(self)
+        if not at_exit.open_contexts:
+            blocked_put.unwatch_signals()
 
 
 def _warn_unanswered(meeting: MeetingPoint) -> None:
@@ -479,6 +480,3 @@ def get_default_context(*, shutting_down: bool = False) -> Context:
         if _default is None or (_default.is_over and not shutting_down):
             _default = Context()
         return _default
-
-
-freeze_garbage_collector()

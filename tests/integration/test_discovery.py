@@ -379,7 +379,7 @@ def test_range_off_communicates_inside_the_process(
 def test_an_invalid_variable_is_refused_with_one_sentence(
     start: Start, variables: dict[str, str], sentence: str
 ) -> None:
-    program = start(source=START, env=variables)
+    program = start(source=START, env=variables, by_zbot=True)
     assert program.wait() == 1
     assert len(program.lines) == 1
     assert sentence in program.output
@@ -401,7 +401,7 @@ def test_an_invalid_configuration_file_is_refused_with_one_sentence(
     start: Start, tmp_path: Path, content: bytes, sentence: str
 ) -> None:
     (tmp_path / "zenoh.json5").write_bytes(content)
-    program = start(source=START)
+    program = start(source=START, by_zbot=True)
     assert program.wait() == 1
     assert sentence in program.output
     assert len(program.lines) == 1

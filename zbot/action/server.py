@@ -22,7 +22,7 @@ from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.timer import Timer
 from zbot.executor.waitable import NumberOfEntities
 from zbot.interfaces import type_name
-from zbot.process.signals import user_traceback
+from zbot.process.hooks import user_traceback
 from zbot.qos import (
     QoSProfile,
     qos_profile_action_status_default,

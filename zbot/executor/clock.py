@@ -12,8 +12,9 @@ import time
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, Protocol, overload
 
-from zbot.errors import ArgumentTypeError, NotInitializedError
+from zbot.errors import ArgumentTypeError
 from zbot.executor.errors import ClockTypeError, InvalidJumpError
+from zbot.process import signals
 from zbot.time import ClockType, Duration, Time
 
 if TYPE_CHECKING:
@@ -286,7 +287,7 @@ class Clock:
             raise ArgumentTypeError("until", "a Time", until)
         context = _default_context() if context is None else context
         if not context.ok():
-            raise NotInitializedError("a clock's sleep")
+            signals.raise_not_initialized("a clock's sleep")
         if until.clock_type is not self._clock_type:
             raise ClockTypeError(self._clock_type.name, until.clock_type.name)
         return self._sleep(until.nanoseconds, context)

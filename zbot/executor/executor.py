@@ -12,7 +12,7 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any
 
-from zbot.errors import ExternalShutdownException, NotInitializedError
+from zbot.errors import NotInitializedError
 from zbot.executor.callback_group import ReentrantCallbackGroup
 from zbot.executor.callback_stack import running_callbacks
 from zbot.executor.entity_queue import EntityQueue
@@ -227,11 +227,11 @@ class Executor(EntityQueue):
                 taken = take()
                 if taken is None:
                     break
-        except NotInitializedError as exc:
+        except NotInitializedError:
             if self._context.ok():
                 raise
             # The callback used something that another thread or the program's end has just closed.
-            raise ExternalShutdownException from exc
+            signals.raise_shutdown(by_signal=self._context.is_interrupted)
         finally:
             running_callbacks.pop()
             if outcome is None or not hasattr(outcome, "send"):
@@ -326,12 +326,12 @@ class Executor(EntityQueue):
     def _raise_shutdown(self) -> None:
         # If a program shuts down the executor and then the context, `spin` raises no error.
         if not self._is_shutdown:
-            raise ExternalShutdownException
+            signals.raise_shutdown(by_signal=self._context.is_interrupted)
 
     def _raise_interruption(self) -> None:
         # Other code, such as a callback, may have caught the signal handler's exception.
         if self._context.is_interrupted:
-            raise ExternalShutdownException
+            signals.raise_shutdown(by_signal=True)
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
         """Wait for one callback, at most `timeout_sec` seconds (`None`: no limit), and run it.

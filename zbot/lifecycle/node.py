@@ -25,7 +25,7 @@ from zbot.lifecycle.state_machine import (
     TransitionNotPossibleError,
 )
 from zbot.node.node import Node
-from zbot.process.signals import user_traceback
+from zbot.process.hooks import user_traceback
 
 if TYPE_CHECKING:
     from collections.abc import Callable

@@ -12,8 +12,8 @@ from functools import partial
 from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, Any, cast
 
-from zbot.errors import NotInitializedError
 from zbot.executor.callback_stack import current_executor
+from zbot.process import signals
 from zbot.transport.wakeup import LONGEST_WAIT_S
 
 if TYPE_CHECKING:
@@ -80,7 +80,7 @@ def _wait(
             return None
         if arrived is _WOKEN:
             if client.context.is_over:
-                raise NotInitializedError("a service call")
+                signals.raise_not_initialized("a service call")
         elif not isinstance(arrived, int):
             return cast("zenoh.Reply", arrived)
 

@@ -15,13 +15,14 @@ from typing import TYPE_CHECKING, Any, Generic, NamedTuple, TypeVar, cast
 
 import zenoh
 
-from zbot.errors import InvalidHandleError, NotInitializedError
+from zbot.errors import InvalidHandleError
 from zbot.executor.callback_stack import current_executor, running_callbacks
 from zbot.interfaces import type_name
 from zbot.node.blocking_call import wait_for_reply
 from zbot.node.errors import RequestTypeError, ServiceError
 from zbot.node.service_introspection import ServiceEndpoint, Step
 from zbot.node.service_request import ResponseFuture, ServiceRequest
+from zbot.process import signals
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.transport.foreign_call import without_interruption
 from zbot.transport.handle import Handle
@@ -221,7 +222,7 @@ class Client(ServiceEndpoint, Generic[RequestT, ResponseT]):
         if self._querier is None:
             raise InvalidHandleError(f"the client of {self.service_name}")
         if self._context.is_closed:
-            raise NotInitializedError("a service call")
+            signals.raise_not_initialized("a service call")
         self._context.wait_for_peers()
         if not self.service_is_ready():
             reason = "no server is running; start it, or wait for it with wait_for_service()"

@@ -21,7 +21,6 @@ from zbot.node.state import NodeState
 from zbot.node.time_source import TimeSource
 from zbot.node.type_description import TypeDescriptionService
 from zbot.parameters.ros_args import Arguments
-from zbot.process.memory import freeze_garbage_collector
 from zbot.qos import (
     QoSProfile,
     as_profile,
@@ -209,6 +208,3 @@ class Node(GraphQueries, NodeEntities, NodeParameters):
 
     def __exit__(self, *exc_info: object) -> None:
         self.destroy_node()
-
-
-freeze_garbage_collector()

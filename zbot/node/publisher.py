@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import zenoh
 
-from zbot.errors import InvalidHandleError, NotInitializedError
+from zbot.errors import InvalidHandleError
 from zbot.interfaces import type_name
 from zbot.node.endpoint import TopicEndpoint
 from zbot.node.errors import MessageTypeError
-from zbot.node.zenoh_declaration import declare_publisher
-from zbot.process import blocked_put
+from zbot.node.zenoh_declaration import can_block, declare_publisher
+from zbot.process import blocked_put, signals
 from zbot.process.memory import LARGE_BYTES, keep_freed_memory
 from zbot.qos import DurabilityPolicy, ReliabilityPolicy
 from zbot.wire.attachment import GID_LENGTH, LAYOUT
@@ -73,6 +73,12 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         # Latched messages do not go into shared memory, because their cache would fill it.
         self._is_latched = token.qos.durability is DurabilityPolicy.TRANSIENT_LOCAL
         self._put = self._put_first
+        self.is_putting = False  #: whether a thread is inside a put that can block
+        self._send = self._send_at_once
+        if can_block(token.qos):
+            self._send = self._send_blocking
+            blocked_put.publishers.add(self)
+            blocked_put.watch_signals()
         self._liveliness = context.graph.announce(token)
 
     @property
@@ -116,9 +122,16 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
             self._raise_if_closed()
             raise
 
-    def _send(self, payload: Any) -> None:
+    def _send_at_once(self, payload: Any) -> None:
         self.sent_count = number = self._next_number()
         self._put(payload, attachment=_pack(number, time_ns(), GID_LENGTH, self._gid))
+
+    def _send_blocking(self, payload: Any) -> None:
+        self.is_putting = True
+        try:
+            self._send_at_once(payload)
+        finally:
+            self.is_putting = False
 
     def _send_locked(self, payload: Any) -> None:
         """Send the first message, or any message after a second thread has called `publish`.
@@ -155,7 +168,7 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
         if self._publisher is None:
             raise InvalidHandleError(f"the publisher of {self.topic_name}") from None
         if self._context.session.is_closed():
-            raise NotInitializedError("publish()") from None
+            signals.raise_not_initialized("publish()")
 
     def get_subscription_count(self) -> int:
         """Return how many subscriptions the topic has in the whole domain."""
@@ -200,9 +213,6 @@ class Publisher(TopicEndpoint, Generic[MsgT]):
 
     def _refuse(self, payload: Any, **_: Any) -> None:  # noqa: ARG002 - signature of Zenoh's put
         raise InvalidHandleError(f"the publisher of {self.topic_name}")
-
-
-blocked_put.put_functions |= {Publisher._send.__code__, Publisher._put_first.__code__}  # noqa: SLF001
 
 
 def _is_reliable(token: EndpointToken) -> bool:

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 import zenoh
 
-from zbot.process import blocked_put
 from zbot.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
 
 if TYPE_CHECKING:
     from zbot.context import Context
+    from zbot.qos import QoSProfile
     from zbot.wire.tokens import EndpointToken
 
 # Time from a burst to a heartbeat, as in rmw_zenoh. A heartbeat reveals missing samples.
@@ -19,14 +19,18 @@ _HEARTBEAT_S = 0.5
 _KEEP_ALL_CACHE = 1000
 
 
+def can_block(qos: QoSProfile) -> bool:
+    """Return whether a publisher waits for subscribers whose queues are full."""
+    reliable = qos.reliability is not ReliabilityPolicy.BEST_EFFORT
+    return reliable and qos.history is HistoryPolicy.KEEP_ALL
+
+
 def declare_publisher(context: Context, token: EndpointToken) -> Any:
     """Return a Zenoh publisher with the reliability, history and durability in a token."""
     qos = token.qos
     reliable = qos.reliability is not ReliabilityPolicy.BEST_EFFORT
     keep_all = qos.history is HistoryPolicy.KEEP_ALL
-    block = reliable and keep_all
-    if block:
-        blocked_put.watch_signals()
+    block = can_block(qos)
     options: dict[str, Any] = {
         "encoding": context.dialect.encoding(token.type_name),
         "reliability": zenoh.Reliability.RELIABLE if reliable else zenoh.Reliability.BEST_EFFORT,

@@ -2,34 +2,32 @@
 
 A put with congestion control `BLOCK` waits for at most a minute while a keep-all subscriber reads
 nothing (see `wait_before_close`). During the put no signal handler runs in its thread, and Zenoh
-cannot close the session. This module therefore shuts down the sockets of the session's links. Then
-Zenoh sees that the other side is lost, and the put returns at once.
+cannot close the session. So when the process ends, this module shuts down the sockets of the
+session's links. Then Zenoh sees that the other side is lost, and the put returns at once.
+docs/design/blocked-puts.md compares this with other ways.
 """
 
 from __future__ import annotations
 
 import contextlib
-import gc
 import os
 import signal
 import socket
 import stat
-import sys
 import threading
 import time
 from collections import deque
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 import zenoh
 
-from zbot.process import at_exit
+from zbot.process import at_exit, signals
 from zbot.transport.config import port_of
 from zbot.transport.weak_set import WeakSet
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
-    from types import CodeType, FrameType
 
 # A put that takes longer is blocked. On a busy machine, a normal put takes milliseconds.
 _BLOCKED_AFTER_S = 0.2
@@ -37,41 +35,72 @@ _RETURN_TIMEOUT_S = 1.0  # puts return within a millisecond after a link was cut
 _PAUSE_S = 0.005
 _DESCRIPTORS = Path("/dev/fd")  # does not exist on Windows, where links cannot be cut
 
-#: The functions of a publisher that call Zenoh's put.
-put_functions: set[CodeType] = set()
+
+class BlockingPublisher(Protocol):
+    """Publisher whose puts can block.
+
+    Attributes:
+        is_putting: Whether a thread is inside a put.
+        sent_count: Number of the present or last message.
+    """
+
+    is_putting: bool
+    sent_count: int
+
+
+#: The publishers of this process whose puts can block.
+publishers: WeakSet[BlockingPublisher] = WeakSet()
 #: The subscriptions of this process whose full queues block publishers.
 local_queues: WeakSet[Any] = WeakSet()
 
 
 class _SignalWatch:
-    is_needed = False  # whether there is, or was, a publisher whose puts can block
-    is_installed = False
+    writer: socket.socket | None = None  #: Python writes the number of each signal into it
+    thread: threading.Thread | None = None
 
 
 def watch_signals() -> None:
-    """Cancel blocked puts when a signal comes. Publishers call this if their puts can block.
+    """Cancel blocked puts when a signal ends the program, until `unwatch_signals`.
 
-    This works only in the main thread, and only if no event loop has a wake-up descriptor for
-    signals.
+    Publishers call this if their puts can block. It works only in the main thread, and only if no
+    event loop has Python's wake-up descriptor for signals.
     """
-    _SignalWatch.is_needed = True
-    if _SignalWatch.is_installed or threading.current_thread() is not threading.main_thread():
+    if _SignalWatch.writer or threading.current_thread() is not threading.main_thread():
         return
     reader, writer = socket.socketpair()
     writer.setblocking(False)
     previous = signal.set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
     if previous != -1:
         signal.set_wakeup_fd(previous)
+        reader.close()
+        writer.close()
         return
-    _SignalWatch.is_installed = True
-    arguments = (reader, writer)
-    threading.Thread(target=_watch, args=arguments, name="zbot signals", daemon=True).start()
+    _SignalWatch.writer = writer
+    thread = threading.Thread(target=_watch, args=(reader,), name="zbot signals", daemon=True)
+    _SignalWatch.thread = thread
+    thread.start()
 
 
-def _watch(reader: socket.socket, _writer: socket.socket) -> None:
+def unwatch_signals() -> None:
+    """Give the wake-up descriptor back, if this is the main thread."""
+    writer, thread = _SignalWatch.writer, _SignalWatch.thread
+    if writer is None or threading.current_thread() is not threading.main_thread():
+        return
+    _SignalWatch.writer = None
+    present = signal.set_wakeup_fd(-1)
+    if present not in {-1, writer.fileno()}:
+        signal.set_wakeup_fd(present)  # an event loop has taken it since
+    writer.close()  # ends the thread
+    if thread is not None and thread.ident is not None:
+        thread.join(_RETURN_TIMEOUT_S)
+
+
+def _watch(reader: socket.socket) -> None:
     # A put of the main thread delays the signal handler. A put of another thread delays the exit.
-    while reader.recv(1):
-        cancel_all(session for context in at_exit.open_contexts for session in context.sessions)
+    with reader:
+        while numbers := reader.recv(1):
+            if signals.ends_program(numbers[0]):
+                cancel_all(one for context in at_exit.open_contexts for one in context.sessions)
 
 
 def cancel_all(sessions: Iterable[zenoh.Session]) -> None:
@@ -80,7 +109,7 @@ def cancel_all(sessions: Iterable[zenoh.Session]) -> None:
     Messages that are on their way are lost. The call takes at most 1.2 s if a put is blocked, and
     at most 0.2 s if puts run without being blocked. It returns at once if no put runs.
     """
-    blocked = _SignalWatch.is_needed and _blocked()
+    blocked = _blocked()
     if not blocked:
         return
     for session in sessions:
@@ -93,7 +122,7 @@ def cancel_all(sessions: Iterable[zenoh.Session]) -> None:
         time.sleep(_PAUSE_S)
 
 
-def _blocked() -> set[tuple[int, int, int]]:
+def _blocked() -> set[tuple[int, int]]:
     puts = _puts()
     if puts:
         time.sleep(_BLOCKED_AFTER_S)
@@ -101,27 +130,9 @@ def _blocked() -> set[tuple[int, int, int]]:
     return puts
 
 
-def _puts() -> set[tuple[int, int, int]]:
-    """Return the running puts, each as a thread, a publisher and the number of the message."""
-    found = set()
-    for thread, frame in _frames().items():
-        if frame.f_code in put_functions:
-            publisher = frame.f_locals["self"]
-            found.add((thread, id(publisher), publisher.sent_count))
-    return found
-
-
-def _frames() -> dict[int, FrameType]:
-    # Python 3.11 and older hold a lock during this call. A garbage collection lets other threads
-    # run. If one of them ends, it waits for this lock and lets no thread run. The two threads would
-    # wait for each other for ever, so there must be no collection.
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        return sys._current_frames()  # noqa: SLF001 - Python has no other way
-    finally:
-        if was_enabled:
-            gc.enable()
+def _puts() -> set[tuple[int, int]]:
+    """Return the running puts, each as a publisher and the number of the message."""
+    return {(id(one), one.sent_count) for one in publishers if one.is_putting}
 
 
 def _cut(session: zenoh.Session) -> None:

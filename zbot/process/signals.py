@@ -1,24 +1,22 @@
-"""Signal handlers and exception hooks, so that a process closes its Zenoh sessions when it ends.
+"""Signal handlers of `init()`, so that a process closes its Zenoh sessions when it ends.
 
 Python cannot end while a session with a subscriber is open. Ctrl-C raises `KeyboardInterrupt` as
-usual. SIGTERM raises `ExternalShutdownException` if the main thread spins, else `SystemExit`.
-If the program does not catch one of these exceptions, no traceback is printed.
+usual. SIGTERM raises `ExternalShutdownException` if the main thread spins, else `SystemExit`. All
+these exceptions are also a `SystemExit`. So Python prints no traceback if the program does not
+catch them, and the process needs no exception hook.
 """
 
 from __future__ import annotations
 
 import atexit
-import contextlib
 import enum
 import os
 import signal
 import sys
 import threading
-from pathlib import Path
-from types import TracebackType
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any, NoReturn, Protocol
 
-from zbot.errors import ExternalShutdownException, NotInitializedError, SetupError
+from zbot.errors import ExternalShutdownException, NotInitializedError
 from zbot.process import at_exit
 from zbot.transport.foreign_call import is_deferring_signals
 from zbot.transport.weak_set import WeakSet
@@ -26,9 +24,9 @@ from zbot.transport.weak_set import WeakSet
 if TYPE_CHECKING:
     from types import FrameType
 
-_PACKAGE = str(Path(__file__).parents[1]) + os.sep
-_TERMINATED = 128 + signal.SIGTERM
-_RETRY_S = 0.005  # longer than a callback of Zenoh, and than the start of a thread
+#: A signal that cannot raise its exception now is sent again after this time. It is longer than a
+#: callback of Zenoh, and than the start of a thread.
+RETRY_S = 0.005
 
 
 class SignalHandlerOptions(enum.Enum):
@@ -55,9 +53,35 @@ class _Process:
     """State of this process: its handlers before `install()`, and the signal that ends it."""
 
     previous: dict[int, Any] = {}  # noqa: RUF012 - one per process
-    has_hooks = False
-    got_sigterm = False
-    ends_by_sigterm = False
+    received: int = signal.SIGINT  #: the last signal
+    ends_by: int | None = None
+    ends_visibly = False  #: whether `_end_by_signal` is registered
+
+
+class SignalExit(SystemExit):
+    """The exception of a signal. If no code catches it, the signal ends the process.
+
+    Args:
+        number: The signal.
+    """
+
+    def __init__(self, number: int) -> None:
+        super().__init__()
+        self.number = number
+
+    @property
+    def code(self) -> int:  # type: ignore[override]
+        """The exit code. Python asks for it at the end of a program that caught nothing."""
+        _Process.ends_by = self.number
+        return 128 + self.number
+
+
+class Interrupted(SignalExit, KeyboardInterrupt):
+    """`KeyboardInterrupt` for which Python prints no traceback."""
+
+
+class ShutdownBySignal(SignalExit, ExternalShutdownException):
+    """`ExternalShutdownException` for which Python prints no traceback."""
 
 
 class MainThread:
@@ -67,13 +91,13 @@ class MainThread:
 
 
 def install(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
-    """Install the exception hooks and, in the main thread, the signal handlers.
-
-    Python allows signal handlers in the main thread only.
-    """
-    _install_hooks()
+    """Install the signal handlers. Python allows this in the main thread only."""
+    at_exit.register()
     if threading.current_thread() is not threading.main_thread():
         return
+    if not _Process.ends_visibly:
+        _Process.ends_visibly = True
+        atexit.register(_end_by_signal)
     if options in {SignalHandlerOptions.SIGINT, SignalHandlerOptions.ALL}:
         _replace(signal.SIGINT, _on_sigint)
     if options in {SignalHandlerOptions.SIGTERM, SignalHandlerOptions.ALL}:
@@ -94,6 +118,11 @@ def installed() -> SignalHandlerOptions:
     return SignalHandlerOptions(own)
 
 
+def ends_program(number: int) -> bool:
+    """Return whether a signal ends spinning, because its handler is that of `install()`."""
+    return signal.getsignal(number) in {_on_sigint, _on_sigterm}
+
+
 def _replace(number: int, handler: Any) -> None:
     present = signal.getsignal(number)
     if present is not handler:
@@ -101,7 +130,8 @@ def _replace(number: int, handler: Any) -> None:
         signal.signal(number, handler)
 
 
-def _interrupt_contexts() -> None:
+def _interrupt_contexts(number: int) -> None:
+    _Process.received = number
     for context in at_exit.open_contexts:
         context.interrupt()
     if guard_conditions:
@@ -118,10 +148,15 @@ def _is_postponed(number: int, frame: FrameType | None) -> bool:
     """Return whether a signal must wait for the interrupted code. If so, send it again soon."""
     if not is_deferring_signals(frame):
         return False
-    retry = threading.Timer(_RETRY_S, _signal_main_thread, [number])
+    send_again(number)
+    return True
+
+
+def send_again(number: int) -> None:
+    """Send the main thread a signal again after 5 ms."""
+    retry = threading.Timer(RETRY_S, _signal_main_thread, [number])
     retry.daemon = True
     retry.start()
-    return True
 
 
 def _signal_main_thread(number: int) -> None:
@@ -135,120 +170,50 @@ def _signal_main_thread(number: int) -> None:
 def _on_sigint(number: int, frame: FrameType | None) -> None:
     if at_exit.is_ending() or _is_postponed(number, frame):
         return
-    _interrupt_contexts()
+    _interrupt_contexts(number)
     previous = _Process.previous.get(number)
     if callable(previous) and previous is not signal.default_int_handler:
         previous(number, frame)
         return
-    raise KeyboardInterrupt
+    # At a prompt, or in a notebook, Ctrl-C ends only the present statement.
+    is_interactive = hasattr(sys, "ps1") or sys.flags.interactive
+    raise KeyboardInterrupt if is_interactive else Interrupted(number)
 
 
 def _on_sigterm(number: int, frame: FrameType | None) -> None:
     if at_exit.is_ending() or _is_postponed(number, frame):
         return
-    _interrupt_contexts()
+    _interrupt_contexts(number)
     previous = _Process.previous.get(number)
     if callable(previous):
         previous(number, frame)
         return
-    _Process.got_sigterm = True
-    if MainThread.spins:
-        raise ExternalShutdownException
-    _Process.ends_by_sigterm = True
-    raise SystemExit(_TERMINATED)
+    raise ShutdownBySignal(number) if MainThread.spins else SignalExit(number)
 
 
-def _install_hooks() -> None:
-    if _Process.has_hooks:
-        return
-    _Process.has_hooks = True
-    sys.excepthook = _excepthook_before(sys.excepthook)
-    thread_hook = threading.excepthook
+def raise_shutdown(*, by_signal: bool) -> NoReturn:
+    """Raise `ExternalShutdownException`.
 
-    def on_thread_exception(args: threading.ExceptHookArgs) -> None:
-        ignored: tuple[type[BaseException], ...] = (ExternalShutdownException, KeyboardInterrupt)
-        if at_exit.is_ending():
-            ignored += (NotInitializedError,)  # the thread used a context that was closed
-        if not issubclass(args.exc_type, ignored):
-            _remove_zbot_frames(args.exc_value)
-            thread_hook(args)
-
-    threading.excepthook = on_thread_exception
-    sys.unraisablehook = _unraisablehook_before(sys.unraisablehook)
-    at_exit.register()
-    atexit.register(_end_by_sigterm)
-
-
-def _excepthook_before(previous: Any) -> Any:
-    """Return a hook that prints no traceback of signals and setup errors.
-
-    The hook gives other exceptions to `previous`.
+    Args:
+        by_signal: Whether a signal has interrupted the context.
     """
-
-    def excepthook(
-        kind: type[BaseException], value: BaseException, trace: TracebackType | None
-    ) -> None:
-        if issubclass(kind, SetupError):
-            print(value, file=sys.stderr)
-        elif issubclass(kind, ExternalShutdownException):
-            _Process.ends_by_sigterm = _Process.got_sigterm  # the program did not catch it
-        elif not issubclass(kind, KeyboardInterrupt):
-            _remove_zbot_frames(value)
-            previous(kind, value, value.__traceback__ or trace)
-
-    return excepthook
+    if by_signal and threading.current_thread() is threading.main_thread():
+        raise ShutdownBySignal(_Process.received)
+    raise ExternalShutdownException
 
 
-def _unraisablehook_before(previous: Any) -> Any:
-    """Return a hook that sends a signal again if its exception was lost in a destructor."""
-
-    def unraisablehook(args: Any) -> None:
-        number = signal.SIGINT if args.exc_type is KeyboardInterrupt else signal.SIGTERM
-        ours = (KeyboardInterrupt, ExternalShutdownException, SystemExit)
-        if at_exit.is_ending() or sys.platform == "win32" or not issubclass(args.exc_type, ours):
-            previous(args)
-        else:
-            # A RuntimeError means that the process is ending already, as the signal asked.
-            with contextlib.suppress(RuntimeError):
-                threading.Timer(_RETRY_S, _signal_main_thread, [number]).start()
-
-    return unraisablehook
+def raise_not_initialized(what: str) -> NoReturn:
+    """Raise `NotInitializedError`. When the process ends, end the calling thread without output."""
+    if at_exit.is_ending() and threading.current_thread() is not threading.main_thread():
+        raise SystemExit
+    raise NotInitializedError(what) from None
 
 
-def _remove_zbot_frames(value: BaseException | None) -> None:
-    # Python prints the exception's own traceback, not the traceback that a hook passes on.
-    if value is not None:
-        value.__traceback__ = user_traceback(value.__traceback__)
-
-
-def user_traceback(trace: TracebackType | None) -> TracebackType | None:
-    """Return a traceback without zbot's frames. A callback's traceback begins in the callback.
-
-    If all frames are zbot's, the traceback is returned as it is, because it shows an error in zbot.
-    """
-    kept: list[TracebackType] = []
-    entry = trace
-    while entry is not None:
-        if not _is_ours(entry):
-            kept.append(entry)
-        elif entry.tb_next is not None and not _is_ours(entry.tb_next):
-            kept.clear()  # a callback begins, so the frames before it are of no use
-        entry = entry.tb_next
-    result: TracebackType | None = None
-    for entry in reversed(kept):
-        result = TracebackType(result, entry.tb_frame, entry.tb_lasti, entry.tb_lineno)
-    return result or trace
-
-
-def _is_ours(entry: TracebackType) -> bool:
-    return entry.tb_frame.f_code.co_filename.startswith(_PACKAGE)
-
-
-def _end_by_sigterm() -> None:
-    if _Process.ends_by_sigterm and sys.platform != "win32":
-        # The parent then sees that SIGTERM ended this process, as for a program without a handler.
+def _end_by_signal() -> None:
+    if _Process.ends_by is not None and sys.platform != "win32":
+        # The parent then sees that the signal ended this process, as without a handler.
         for stream in (sys.stdout, sys.stderr):
             if stream is not None and not stream.closed:
                 stream.flush()
-        signal.signal(signal.SIGTERM, signal.SIG_DFL)
-        os.kill(os.getpid(), signal.SIGTERM)
+        signal.signal(_Process.ends_by, signal.SIG_DFL)
+        os.kill(os.getpid(), _Process.ends_by)

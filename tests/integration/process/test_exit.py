@@ -64,7 +64,8 @@ robot = Robot()
 threading._register_atexit(signal.raise_signal, signal.SIGINT)
 threading.Thread(target=zbot.spin, args=(robot,), daemon=True).start()
 time.sleep(0.2)
-"""
+""",
+        by_zbot=True,
     )
     assert program.wait() in {0, -signal.SIGINT}
     assert "Traceback" not in program.output
@@ -98,9 +99,14 @@ finally:
 def test_a_second_ctrl_c_at_any_call_of_the_exit_causes_no_output(start: Start, turn: int) -> None:
     # Python may raise at the start of each function, such as between a lock and its release.
     call = random.Random(f"{SEED}.{turn}").randint(1, 120)
-    program = start(source=INTERRUPTED_END.replace("{call}", str(call)))
+    program = start(source=INTERRUPTED_END.replace("{call}", str(call)), by_zbot=True)
     assert program.wait() in {0, -signal.SIGINT}, f"call {call}"
     assert program.output == "up", f"call {call}"
+
+
+def test_zbot_run_freezes_the_loaded_modules_for_the_garbage_collector(start: Start) -> None:
+    program = start(source="import gc\nprint(gc.get_freeze_count() > 10_000)", by_zbot=True)
+    assert (program.wait(), program.output) == (0, "True")
 
 
 def test_a_traceback_of_a_callback_begins_at_the_users_line(start: Start) -> None:
@@ -121,7 +127,8 @@ class Robot(zbot.Node):
 
 with zbot.init():
     zbot.spin(Robot())
-"""
+""",
+        by_zbot=True,
     )
     assert program.wait() == 1
     assert program.lines[0] == "Traceback (most recent call last):"
@@ -195,7 +202,8 @@ threading.Thread(target=zbot.spin, args=(node,)).start()
     )
     for _ in range(3):
         program.wait_for("tick")
-    assert stop_without_errors(program, signal.SIGINT) in {0, -signal.SIGINT}
+    # As with rclpy, Python prints the exception that ends `spin` in the thread.
+    assert program.stop(signal.SIGINT) in {0, -signal.SIGINT}
 
 
 def test_an_open_context_is_closed_at_exit(start: Start) -> None:

@@ -1,0 +1,99 @@
+"""Exception hooks for processes of our own: `zbot run` and what it runs.
+
+Somebody else's process keeps its own hooks.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+import threading
+from pathlib import Path
+from types import TracebackType
+from typing import Any
+
+from zbot.errors import ExternalShutdownException, SetupError
+from zbot.process import at_exit, signals
+
+_PACKAGE = str(Path(__file__).parents[1]) + os.sep
+
+
+def install() -> None:
+    """Let tracebacks begin in the user's code, and print errors of the environment as a sentence.
+
+    An exception of a signal that Python would drop in a destructor is raised again.
+    """
+    sys.excepthook = _excepthook_before(sys.excepthook)
+    threading.excepthook = _thread_hook_before(threading.excepthook)
+    sys.unraisablehook = _unraisablehook_before(sys.unraisablehook)
+
+
+def _excepthook_before(previous: Any) -> Any:
+    """Return a hook that prints no traceback of setup errors and of a shutdown.
+
+    The hook gives other exceptions to `previous`.
+    """
+
+    def excepthook(
+        kind: type[BaseException], value: BaseException, trace: TracebackType | None
+    ) -> None:
+        if issubclass(kind, SetupError):
+            print(value, file=sys.stderr)
+        elif not issubclass(kind, (ExternalShutdownException, KeyboardInterrupt)):
+            _remove_zbot_frames(value)
+            previous(kind, value, value.__traceback__ or trace)
+
+    return excepthook
+
+
+def _thread_hook_before(previous: Any) -> Any:
+    """Return a hook that prints no traceback of a shutdown in a thread."""
+
+    def thread_hook(args: threading.ExceptHookArgs) -> None:
+        if not issubclass(args.exc_type, (ExternalShutdownException, KeyboardInterrupt)):
+            _remove_zbot_frames(args.exc_value)
+            previous(args)
+
+    return thread_hook
+
+
+def _unraisablehook_before(previous: Any) -> Any:
+    """Return a hook that sends a signal again if its exception was lost in a destructor."""
+
+    def unraisablehook(args: Any) -> None:
+        is_lost = isinstance(args.exc_value, signals.SignalExit) and not at_exit.is_ending()
+        if is_lost and sys.platform != "win32":
+            signals.send_again(args.exc_value.number)
+        else:
+            previous(args)
+
+    return unraisablehook
+
+
+def _remove_zbot_frames(value: BaseException | None) -> None:
+    # Python prints the exception's own traceback, not the traceback that a hook passes on.
+    if value is not None:
+        value.__traceback__ = user_traceback(value.__traceback__)
+
+
+def user_traceback(trace: TracebackType | None) -> TracebackType | None:
+    """Return a traceback without zbot's frames. A callback's traceback begins in the callback.
+
+    If all frames are zbot's, the traceback is returned as it is, because it shows an error in zbot.
+    """
+    kept: list[TracebackType] = []
+    entry = trace
+    while entry is not None:
+        if not _is_ours(entry):
+            kept.append(entry)
+        elif entry.tb_next is not None and not _is_ours(entry.tb_next):
+            kept.clear()  # a callback begins, so the frames before it are of no use
+        entry = entry.tb_next
+    result: TracebackType | None = None
+    for entry in reversed(kept):
+        result = TracebackType(result, entry.tb_frame, entry.tb_lasti, entry.tb_lineno)
+    return result or trace
+
+
+def _is_ours(entry: TracebackType) -> bool:
+    return entry.tb_frame.f_code.co_filename.startswith(_PACKAGE)
