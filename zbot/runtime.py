@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import contextlib
 from typing import TYPE_CHECKING, Any
 
 from zbot.context import get_default_context
@@ -14,7 +13,7 @@ from zbot.process import signals
 from zbot.process.signals import SignalHandlerOptions
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Callable
 
     from zbot.context import Context
     from zbot.executor.executor import Executor
@@ -118,18 +117,18 @@ def get_global_executor(context: Context | None = None) -> Executor:
     return executor
 
 
-@contextlib.contextmanager
-def _added_to_executor(node: Node, executor: Executor | None) -> Iterator[Executor]:
+def _spin(node: Node, executor: Executor | None, run: Callable[[Executor], None]) -> None:
+    """Call a function with the executor while it has the node."""
     executor = _executor_of(node) if executor is None else executor
     before = node.executor
     added = executor.add_node(node)
     try:
-        yield executor
+        run(executor)
     finally:
-        if added:
-            executor.remove_node(node)
-            if before is not None and not before.is_shutdown:
-                before.add_node(node)
+        if added and before is not None and not before.is_shutdown:
+            before.add_node(node)
+        elif added:
+            executor.pause_node(node)  # a program often spins the same node again at once
 
 
 def _executor_of(node: Node) -> Executor:
@@ -149,16 +148,14 @@ def spin(node: Node, executor: Executor | None = None) -> None:
         KeyboardInterrupt: The user pressed Ctrl-C. If no code catches it, no traceback is printed.
         ExternalShutdownException: A signal or `Context.shutdown()` shut the context down.
     """
-    with _added_to_executor(node, executor) as chosen:
-        chosen.spin()
+    _spin(node, executor, lambda chosen: chosen.spin())
 
 
 def spin_once(
     node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None
 ) -> None:
     """Wait for one callback, at most `timeout_sec` seconds (`None`: no limit), and run it."""
-    with _added_to_executor(node, executor) as chosen:
-        chosen.spin_once(timeout_sec)
+    _spin(node, executor, lambda chosen: chosen.spin_once(timeout_sec))
 
 
 def spin_until_future_complete(
@@ -168,8 +165,7 @@ def spin_until_future_complete(
     timeout_sec: float | None = None,
 ) -> None:
     """Run a node's callbacks until the future is done, at most `timeout_sec` seconds."""
-    with _added_to_executor(node, executor) as chosen:
-        chosen.spin_until_future_complete(future, timeout_sec)
+    _spin(node, executor, lambda chosen: chosen.spin_until_future_complete(future, timeout_sec))
 
 
 def get_rmw_implementation_identifier() -> str:

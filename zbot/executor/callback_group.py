@@ -129,7 +129,8 @@ class GroupReservations:
 
     def release(self, entity: Any) -> list[Any]:
         """Release an entity's group. Return the entities that must be queued again."""
-        return [*(entity.callback_group.ending_execution(entity) or ()), *self.drain()]
+        waiting = entity.callback_group.ending_execution(entity) or ()
+        return [*waiting, *self.drain()] if self._entities else list(waiting)
 
     def skip(self, entity: Any) -> list[Any]:
         """Return the entities that must be queued again, because this entity will not run."""

@@ -7,7 +7,6 @@ piece of work from each. Without work, the executor sleeps on one lock until a p
 
 from __future__ import annotations
 
-import contextlib
 import threading
 import time
 from typing import TYPE_CHECKING, Any
@@ -29,7 +28,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
     from zbot.context import Context
-    from zbot.executor.ready_queue import Entity
+    from zbot.executor.ready_queue import Entity, ReadyQueue
     from zbot.executor.spinnable import SpinnableNode
 
 
@@ -55,10 +54,12 @@ class Executor(EntityQueue):
             context = get_default_context()
         self._context = context
         self._nodes: list[SpinnableNode] = []
+        self._paused: ReadyQueue | None = None
         self._is_shutdown = False
         self._due_ns: int | None = None  # when the first timer is due
         self._spin_lock = threading.Lock()
         self._spinning_thread: int | None = None
+        self._spins_in_main = False
         context.add_waker(self.wake)
 
     @property
@@ -85,9 +86,31 @@ class Executor(EntityQueue):
         if node.executor is not None:
             node.executor.remove_node(node)
         self._nodes.append(node)
-        node.handle.executor = self
-        node.handle.ready_queue.attach(self, self._post)
+        handle = node.handle
+        handle.executor = self
+        if self._paused is handle.ready_queue:
+            self._paused = None
+        if handle.ready_queue.executor is not self:
+            handle.ready_queue.attach(self, self._post)
         return True
+
+    def pause_node(self, node: SpinnableNode) -> None:
+        """Remove a node, but go on to note which of its entities have work.
+
+        So it costs little to add the node again. The notes are dropped when this executor spins
+        without the node.
+        """
+        if node in self._nodes:
+            self._drop_paused()
+            self._nodes.remove(node)
+            node.handle.executor = None
+            self._paused = node.handle.ready_queue
+
+    def _drop_paused(self) -> None:
+        paused, self._paused = self._paused, None
+        if paused is not None and paused.executor is self:
+            paused.detach()
+            self._discard(paused.entities)
 
     def remove_node(self, node: SpinnableNode) -> None:
         """Stop running a node's callbacks. Do nothing if this executor does not have the node."""
@@ -182,8 +205,11 @@ class Executor(EntityQueue):
             ExternalShutdownException: The context was shut down.
         """
         seconds = timeout_sec.timeout if isinstance(timeout_sec, TimeoutObject) else timeout_sec
-        with self._hold_spin_lock():
+        self._begin_spin()
+        try:
             work = self._next_work(_deadline_ns(seconds), condition)
+        finally:
+            self._end_spin()
         if work is not None:
             entity = work[0]
             if isinstance(entity.callback_group, ReentrantCallbackGroup):
@@ -393,21 +419,21 @@ class Executor(EntityQueue):
         finally:
             self._context.remove_waker(wake.set)
 
-    @contextlib.contextmanager
-    def _hold_spin_lock(self) -> Iterator[None]:
+    def _begin_spin(self) -> None:
         if not self._spin_lock.acquire(blocking=False):
             if self._spinning_thread is not None:
                 raise ExecutorBusyError
             self._spin_lock.acquire()  # `wait_idle` holds it only briefly
-        in_main = threading.current_thread() is threading.main_thread()
-        signals.MainThread.spins += in_main
         self._spinning_thread = threading.get_ident()
-        try:
-            yield
-        finally:
-            self._spinning_thread = None
-            signals.MainThread.spins -= in_main
-            self._spin_lock.release()
+        self._spins_in_main = self._spinning_thread == threading.main_thread().ident
+        signals.MainThread.spins += self._spins_in_main
+        if self._paused is not None:
+            self._drop_paused()
+
+    def _end_spin(self) -> None:
+        self._spinning_thread = None
+        signals.MainThread.spins -= self._spins_in_main
+        self._spin_lock.release()
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
         """Stop spinning, wait for running callbacks, and remove all nodes. May be called twice.
@@ -420,6 +446,7 @@ class Executor(EntityQueue):
         ended = self.wait_idle(-1 if timeout_sec is None or timeout_sec < 0 else timeout_sec)
         for node in list(self._nodes):
             self.remove_node(node)
+        self._drop_paused()
         self._context.remove_waker(self.wake)
         return ended
 

@@ -57,17 +57,23 @@ class MultiThreadedExecutor(Executor):
         Raises:
             ExternalShutdownException: A signal came, or a callback used the context after shutdown.
         """
-        with self._hold_spin_lock():
+        self._begin_spin()
+        try:
             while self._context.ok() and not self._is_shutdown:
                 self._run_next(None, None)
+        finally:
+            self._end_spin()
         self._raise_interruption()
 
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         if threading.get_ident() in self._workers:
             self._wait_for_callback_end(deadline_ns)
             return
-        with self._hold_spin_lock():
+        self._begin_spin()
+        try:
             self._run_next(deadline_ns, stop)
+        finally:
+            self._end_spin()
 
     def _run_next(self, deadline_ns: int | None, stop: Callable[[], bool] | None) -> None:
         # As in rclpy, spin() returns without this error if another thread shuts down the context.

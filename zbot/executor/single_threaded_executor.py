@@ -20,7 +20,8 @@ class SingleThreadedExecutor(Executor):
         Raises:
             ExternalShutdownException: A signal came, or the context was shut down during a wait.
         """
-        with self._hold_spin_lock():
+        self._begin_spin()
+        try:
             while self._context.ok() and not self._is_shutdown:
                 self._must_requeue = False
                 work = self._next_work(None)
@@ -28,14 +29,19 @@ class SingleThreadedExecutor(Executor):
                     self._due_ns = self._timers.earliest_ns()
                     self._must_requeue = self._must_requeue or bool(self._ready)
                     self._execute(*work)
+        finally:
+            self._end_spin()
         self._raise_interruption()
 
     def _spin_once(self, deadline_ns: int | None, stop: Callable[[], bool] | None = None) -> None:
         if self._spinning_thread == threading.get_ident():
             self._serve_next(deadline_ns, stop)
             return
-        with self._hold_spin_lock():
+        self._begin_spin()
+        try:
             work = self._next_work(deadline_ns, stop)
             self._must_requeue = True  # run one callback only
             if work is not None:
                 self._execute(*work)
+        finally:
+            self._end_spin()

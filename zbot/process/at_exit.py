@@ -8,10 +8,14 @@ from __future__ import annotations
 
 import atexit
 import contextlib
+import gc
+import os
 import signal
 import sys
 import threading
+import time
 import traceback
+from pathlib import Path
 from types import BuiltinFunctionType
 from typing import TYPE_CHECKING, Protocol
 
@@ -22,6 +26,9 @@ if TYPE_CHECKING:
     import zenoh
 
 _CALLBACK_TIMEOUT_S = 0.3  # for a callback that runs when the program ends
+_CALL_TIMEOUT_S = 0.3  # a call into a closed session returns within a millisecond
+_PAUSE_S = 0.001
+_PACKAGE = str(Path(__file__).parents[1]) + os.sep
 
 
 class OpenContext(Protocol):
@@ -127,3 +134,29 @@ def _close_contexts() -> None:
             traceback.print_exc()
         for executor in executors:
             executor.wait_idle(_CALLBACK_TIMEOUT_S)
+    deadline = time.monotonic() + _CALL_TIMEOUT_S
+    while _calls_zbot() and time.monotonic() < deadline:
+        time.sleep(_PAUSE_S)  # lets the threads run
+
+
+def _calls_zbot() -> bool:
+    """Return whether another thread is inside a function of zbot, and so perhaps inside Zenoh.
+
+    After the sessions were closed, such a function raises an error at once.
+    """
+    # Python 3.11 and older hold a lock during this call. A garbage collection lets other threads
+    # run. If one of them ends, it waits for this lock and lets no thread run. The two threads would
+    # wait for each other for ever, so there must be no collection.
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        frames = sys._current_frames()  # noqa: SLF001 - Python has no other way
+    finally:
+        if was_enabled:
+            gc.enable()
+    own = threading.get_ident()
+    return any(
+        frame.f_code.co_filename.startswith(_PACKAGE)
+        for ident, frame in frames.items()
+        if ident != own
+    )

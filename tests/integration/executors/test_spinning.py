@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
+from functools import partial
 from typing import TYPE_CHECKING
 
 import pytest
@@ -310,9 +311,25 @@ def test_spin_once_of_the_module_leaves_no_executor_and_no_work(
     for _ in range(100):
         zbot.spin_once(node, timeout_sec=0)
     assert node.executor is None
+    zbot.spin_once(zbot.Node("visitor", context=context), timeout_sec=0)
     executor = zbot.get_global_executor(context)
     assert len(executor._ready) == 0
     assert executor._timers.earliest_ns() is None
+
+
+def test_spin_once_runs_no_callback_of_a_node_that_was_spun_before(
+    context: zbot.Context, node: zbot.Node
+) -> None:
+    calls: list[str] = []
+    visitor = zbot.Node("visitor", context=context)
+    zbot.spin_once(node, timeout_sec=0)
+    for one in (node, visitor):
+        one.create_guard_condition(partial(calls.append, one.get_name())).trigger()
+    for wanted in (visitor, node):
+        for _ in range(20):
+            zbot.spin_once(wanted, timeout_sec=0)
+        assert calls == [wanted.get_name()]
+        calls.clear()
 
 
 def test_nodes_share_an_executor_fairly(context: zbot.Context, single: zbot.Executor) -> None:

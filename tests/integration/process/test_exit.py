@@ -155,7 +155,7 @@ with zbot.init():
     ],
 )
 def test_a_program_ends_after_its_last_line(start: Start, way: str, code: int) -> None:
-    program = start(source=HEAD + f"robot = Robot()\nrobot.tick()\n{way}\n")
+    program = start(source=HEAD + f"robot = Robot()\nrobot.tick()\n{way}\n", by_zbot=True)
     program.wait_for("up")
     begin = time.monotonic()
     assert program.wait() == code
